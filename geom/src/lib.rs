@@ -1,0 +1,1 @@
+//! Curved parametric surfaces used as they are: jets, ray hits, contacts.

@@ -1,0 +1,1 @@
+//! Interchangeable solvers for dense block systems, each with an honest residual.

@@ -1,0 +1,1 @@
+//! High-order Galerkin radiosity on curved, untessellated surfaces.
