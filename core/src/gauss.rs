@@ -1,0 +1,8 @@
+//! Gauss rules: n nodes and weights with ∫₋₁¹ f(x) W(x) dx = Σ wᵢ f(xᵢ) for every polynomial f of degree ≤ 2n − 1.
+
+mod error;
+mod legendre;
+mod polish;
+
+pub use self::error::RuleError;
+pub use self::legendre::{Legendre, legendre};
