@@ -1,0 +1,74 @@
+//! Clipping a convex polygon by a plane (Sutherland and Hodgman, *Reentrant polygon clipping*, CACM 17, 1974).
+
+use glam::DVec3;
+
+/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on it.
+const ON_PLANE: f64 = 1e-12;
+
+/// The part of a convex `polygon` with (x − `point`) · `normal` ≥ 0, vertices in the same order.
+///
+/// Vertices within a relative 1e-12 of the plane (relative to the farthest vertex from `point`) count as on it, so that no
+/// edge is cut next to its end. Empty where nothing but a vertex or an edge remains. `normal` need not be a unit vector.
+pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3> {
+    let reach = polygon.iter().map(|x| (*x - point).length_squared()).fold(0.0, f64::max).sqrt();
+    let tolerance = ON_PLANE * reach * normal.length();
+    let height = |x: DVec3| {
+        let h = (x - point).dot(normal);
+        if h.abs() <= tolerance { 0.0 } else { h }
+    };
+    let mut kept = Vec::with_capacity(polygon.len() + 1);
+    let mut inside = false;
+    let mut previous = polygon.last().map(|x| (*x, height(*x)));
+    for &x in polygon {
+        let h = height(x);
+        if let Some((p, hp)) = previous
+            && hp * h < 0.0
+        {
+            kept.push(p.lerp(x, hp / (hp - h)));
+        }
+        if h >= 0.0 {
+            kept.push(x);
+            inside |= h > 0.0;
+        }
+        previous = Some((x, h));
+    }
+    // Coplanar polygons lie in the closed half-space as a whole; what merely touches the plane from behind has no area.
+    let coplanar = kept.len() == polygon.len();
+    if inside || coplanar { kept } else { Vec::new() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn square() -> [DVec3; 4] {
+        [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y]
+    }
+
+    fn area(polygon: &[DVec3]) -> f64 {
+        let fan = polygon.windows(2).map(|w| (w[0] - polygon[0]).cross(w[1] - polygon[0]));
+        0.5 * fan.sum::<DVec3>().length()
+    }
+
+    #[test]
+    fn plane_through_an_edge_keeps_all_or_nothing() {
+        for (normal, count) in [(DVec3::X, 4), (-DVec3::X, 0)] {
+            assert_eq!(clip_polygon(&square(), DVec3::ZERO, normal).len(), count);
+            assert_eq!(clip_polygon(&square(), 1e-14 * DVec3::X, normal).len(), count);
+        }
+        assert_eq!(clip_polygon(&square(), DVec3::ZERO, DVec3::Z), square());
+    }
+
+    proptest! {
+        #[test]
+        fn the_two_sides_add_up(px in -0.5..1.5, py in -0.5..1.5, angle in 0.0..6.3) {
+            let (point, normal) = (DVec3::new(px, py, 0.0), DVec3::new(f64::cos(angle), f64::sin(angle), 0.3));
+            let sides = [normal, -normal].map(|n| clip_polygon(&square(), point, n));
+            prop_assert!((area(&sides[0]) + area(&sides[1]) - 1.0).abs() < 1e-14);
+            for (side, n) in sides.iter().zip([normal, -normal]) {
+                prop_assert!(side.iter().all(|x| (*x - point).dot(n) >= -1e-12));
+            }
+        }
+    }
+}

@@ -1,0 +1,57 @@
+//! A surface turned over: same points, same parameters, front and back exchanged.
+
+use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, Surface};
+use glam::DVec3;
+
+/// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u × x_v.
+#[derive(Debug)]
+pub struct Flipped {
+    base: Box<dyn Surface>,
+    region: Option<PlanarRegion>,
+}
+
+impl Flipped {
+    /// Turns `base` over.
+    pub fn new(base: Box<dyn Surface>) -> Flipped {
+        let region = base.region().map(PlanarRegion::flipped);
+        Flipped { base, region }
+    }
+}
+
+impl Surface for Flipped {
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        let jet = self.base.jet(u, v);
+        Jet { normal: -jet.normal, ..jet }
+    }
+
+    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
+        self.base.jets(at, out);
+        for jet in out {
+            jet.normal = -jet.normal;
+        }
+    }
+
+    fn bounds(&self, rect: &Rect) -> Aabb {
+        self.base.bounds(rect)
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        self.base.intersect(ray)
+    }
+
+    fn region(&self) -> Option<&PlanarRegion> {
+        self.region.as_ref()
+    }
+
+    fn occludes(&self, ray: &Ray) -> bool {
+        self.base.occludes(ray)
+    }
+
+    fn area(&self) -> f64 {
+        self.base.area()
+    }
+
+    fn project(&self, point: DVec3) -> Foot {
+        self.base.project(point)
+    }
+}

@@ -1,0 +1,354 @@
+//! Polygons with holes in a plane.
+//!
+//! The plane passes through the first vertex of the outline; its normal is Newell's, ½ Σ xᵢ × xᵢ₊₁ made a unit vector, so
+//! that the outline runs counter-clockwise about it. Holes are stored clockwise: the region lies to the left of every edge.
+
+mod pieces;
+mod rings;
+
+use crate::ShapeError;
+use glam::{DVec2, DVec3};
+
+/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed decimals and single
+/// precision pass, a quad meant to be curved does not.
+pub(crate) const PLANARITY: f64 = 1e-6;
+
+/// How near to the boundary a point counts as inside, in multiples of the extent: seams must not leak.
+const SEAM: f64 = 1e-9;
+
+/// A polygon with holes in a plane.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PlanarRegion {
+    outer: Vec<DVec3>,
+    holes: Vec<Vec<DVec3>>,
+    /// The same rings in plane coordinates, the outline first.
+    flat: Vec<Vec<DVec2>>,
+    axes: [DVec3; 2],
+    normal: DVec3,
+    area: f64,
+    extent: f64,
+    pieces: Vec<Vec<DVec3>>,
+}
+
+impl PlanarRegion {
+    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal; holes may run
+    /// either way round and may touch each other and the outline, but not cross them.
+    ///
+    /// # Errors
+    ///
+    /// Too few, repeated or non-finite vertices; no area; vertices farther than 1e-6 of the extent off the plane; a ring that
+    /// crosses itself; a hole that leaves the outline or overlaps another. The fields are named `vertices` and `holes[k]`.
+    pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
+        let names: Vec<String> = (0..=holes.len()).map(ring_name).collect();
+        let mut rings = vec![outer];
+        rings.extend(holes);
+        for (ring, name) in rings.iter().zip(&names) {
+            check_vertices(ring, name)?;
+        }
+        let (normal, extent) = plane_of(&rings[0])?;
+        for (ring, name) in rings.iter().zip(&names) {
+            check_planar(ring, rings[0][0], normal, extent, name)?;
+        }
+        let axes = axes_of(&rings[0], normal);
+        let mut flat: Vec<Vec<DVec2>> = rings.iter().map(|ring| flatten(ring, rings[0][0], axes)).collect();
+        for k in 1..flat.len() {
+            if rings::signed_area(&flat[k]) > 0.0 {
+                flat[k].reverse();
+                rings[k].reverse();
+            }
+        }
+        rings::check(&flat, &names, extent)?;
+        let pieces = pieces::of(&flat, &rings, &names)?;
+        let area = flat.iter().map(|ring| rings::signed_area(ring)).sum();
+        let holes = rings.split_off(1);
+        let outer = rings.remove(0);
+        Ok(PlanarRegion { outer, holes, flat, axes, normal, area, extent, pieces })
+    }
+
+    /// The vertices of the outline, counter-clockwise about the normal.
+    pub fn outer(&self) -> &[DVec3] {
+        &self.outer
+    }
+
+    /// The vertices of each hole, clockwise about the normal.
+    pub fn holes(&self) -> &[Vec<DVec3>] {
+        &self.holes
+    }
+
+    /// Unit normal, by the right-hand rule of the outline.
+    pub fn normal(&self) -> DVec3 {
+        self.normal
+    }
+
+    /// A point of the plane: the first vertex of the outline.
+    pub fn origin(&self) -> DVec3 {
+        self.outer[0]
+    }
+
+    /// Two unit vectors in the plane, the first along the first edge, with axis 0 × axis 1 = normal.
+    pub fn axes(&self) -> [DVec3; 2] {
+        self.axes
+    }
+
+    /// Area of the outline without the holes, in squared units of length.
+    pub fn area(&self) -> f64 {
+        self.area
+    }
+
+    /// The largest distance of a vertex from the origin: the region's size, for tolerances.
+    pub fn extent(&self) -> f64 {
+        self.extent
+    }
+
+    /// Coordinates of the foot of `point` on the plane, along [`PlanarRegion::axes`] from [`PlanarRegion::origin`].
+    pub fn to_plane(&self, point: DVec3) -> DVec2 {
+        let d = point - self.origin();
+        DVec2::new(d.dot(self.axes[0]), d.dot(self.axes[1]))
+    }
+
+    /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9 of the boundary.
+    pub fn contains(&self, point: DVec3) -> bool {
+        let height = (point - self.origin()).dot(self.normal);
+        height.abs() <= PLANARITY * self.extent && self.covers(self.to_plane(point))
+    }
+
+    /// Whether the plane coordinates `at` lie in the region or within 1e-9 of its boundary.
+    pub(crate) fn covers(&self, at: DVec2) -> bool {
+        let inside = self.flat.iter().filter(|ring| rings::encloses(ring, at)).count() == 1;
+        inside || self.flat.iter().any(|ring| rings::distance(ring, at) <= SEAM * self.extent)
+    }
+
+    /// The outline in plane coordinates.
+    pub(crate) fn flat_outline(&self) -> &[DVec2] {
+        &self.flat[0]
+    }
+
+    /// The region cut into few, well-shaped convex polygons of three or four of the given vertices each, counter-clockwise
+    /// about the normal. Together they cover the region exactly. A convex outline of three or four vertices is one piece.
+    pub fn convex_pieces(&self) -> Vec<Vec<DVec3>> {
+        self.pieces.clone()
+    }
+
+    /// The same region seen from the other side.
+    #[must_use]
+    pub fn flipped(&self) -> PlanarRegion {
+        let reversed =
+            |rings: &[Vec<DVec3>]| rings.iter().map(|r| r.iter().rev().copied().collect()).collect();
+        // The first vertex stays first, so that the plane keeps its origin.
+        let mut outer: Vec<DVec3> = self.outer.iter().rev().copied().collect();
+        outer.rotate_right(1);
+        let axes = [self.axes[0], -self.axes[1]];
+        let mirrored = |ring: &Vec<DVec2>| ring.iter().rev().map(|p| DVec2::new(p.x, -p.y)).collect();
+        let mut flat: Vec<Vec<DVec2>> = self.flat.iter().map(mirrored).collect();
+        flat[0].rotate_right(1);
+        PlanarRegion {
+            outer,
+            holes: reversed(&self.holes),
+            flat,
+            axes,
+            normal: -self.normal,
+            pieces: reversed(&self.pieces),
+            ..*self
+        }
+    }
+}
+
+/// `vertices` for the outline, `holes[k]` for the holes.
+fn ring_name(k: usize) -> String {
+    if k == 0 { "vertices".into() } else { format!("holes[{}]", k - 1) }
+}
+
+/// Each vertex finite and apart from the next, at least three.
+fn check_vertices(ring: &[DVec3], name: &str) -> Result<(), ShapeError> {
+    let field = || name.to_owned();
+    if ring.iter().any(|x| !x.is_finite()) {
+        return Err(ShapeError::NotFinite { field: field() });
+    }
+    if ring.len() < 3 {
+        return Err(ShapeError::TooFewVertices { field: field(), count: ring.len() });
+    }
+    let extent = ring.iter().map(|x| x.distance(ring[0])).fold(0.0, f64::max);
+    let repeats = |k: &usize| ring[*k].distance(ring[(k + 1) % ring.len()]) <= 1e-12 * extent;
+    match (0..ring.len()).find(repeats) {
+        Some(index) => Err(ShapeError::RepeatedVertex { field: field(), index }),
+        None => Ok(()),
+    }
+}
+
+/// Newell's unit normal of the outline, and its extent.
+fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
+    let next = outer.iter().cycle().skip(1);
+    let twice: DVec3 = outer.iter().zip(next).map(|(x, y)| (*x - outer[0]).cross(*y - outer[0])).sum();
+    let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
+    if twice.length() <= 1e-12 * extent * extent {
+        // A symmetric bow tie has no net area; say what is wrong with it rather than that.
+        return Err(rings::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
+    }
+    Ok((twice.normalize(), extent))
+}
+
+/// Every vertex of `ring` within tolerance of the plane.
+fn check_planar(
+    ring: &[DVec3],
+    origin: DVec3,
+    normal: DVec3,
+    extent: f64,
+    name: &str,
+) -> Result<(), ShapeError> {
+    let heights = ring.iter().map(|x| (*x - origin).dot(normal).abs());
+    let (index, deviation) = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).expect("three vertices");
+    if deviation <= PLANARITY * extent {
+        return Ok(());
+    }
+    Err(ShapeError::NotPlanar { field: name.to_owned(), index, deviation })
+}
+
+/// Unit axes of the plane, the first along the first edge.
+fn axes_of(outer: &[DVec3], normal: DVec3) -> [DVec3; 2] {
+    let edge = outer[1] - outer[0];
+    let first = (edge - edge.dot(normal) * normal).normalize();
+    [first, normal.cross(first)]
+}
+
+/// Plane coordinates of a ring.
+fn flatten(ring: &[DVec3], origin: DVec3, axes: [DVec3; 2]) -> Vec<DVec2> {
+    let to_plane = |x: &DVec3| DVec2::new((*x - origin).dot(axes[0]), (*x - origin).dot(axes[1]));
+    ring.iter().map(to_plane).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn flat(points: &[(f64, f64)]) -> Vec<DVec3> {
+        points.iter().map(|&(x, y)| DVec3::new(x, y, 0.0)).collect()
+    }
+
+    fn square(center: (f64, f64), half: f64) -> Vec<DVec3> {
+        let (x, y) = center;
+        flat(&[(x - half, y - half), (x + half, y - half), (x + half, y + half), (x - half, y + half)])
+    }
+
+    fn area_vector(polygon: &[DVec3]) -> DVec3 {
+        let next = polygon.iter().cycle().skip(1);
+        0.5 * polygon.iter().zip(next).map(|(x, y)| x.cross(*y)).sum::<DVec3>()
+    }
+
+    /// Pieces are convex, counter-clockwise, made of given vertices, and their areas add up to the region's.
+    fn assert_covers(region: &PlanarRegion) {
+        let given: Vec<DVec3> =
+            region.outer().iter().chain(region.holes().iter().flatten()).copied().collect();
+        let mut sum = 0.0;
+        for piece in region.convex_pieces() {
+            assert!((3..=4).contains(&piece.len()) && piece.iter().all(|x| given.contains(x)));
+            for k in 0..piece.len() {
+                let (p, q, r) = (piece[k], piece[(k + 1) % piece.len()], piece[(k + 2) % piece.len()]);
+                assert!((q - p).cross(r - q).dot(region.normal()) > 0.0, "{piece:?} is not convex");
+            }
+            sum += area_vector(&piece).dot(region.normal());
+            let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
+            assert!(region.contains(middle));
+        }
+        assert!((sum - region.area()).abs() <= 1e-12 * region.area(), "{sum} instead of {}", region.area());
+    }
+
+    #[test]
+    fn a_square_with_a_square_hole_is_four_trapezia() {
+        let region = PlanarRegion::new(square((0.0, 0.0), 2.0), vec![square((0.0, 0.0), 1.0)]).unwrap();
+        assert_eq!(region.area(), 12.0);
+        assert_covers(&region);
+        assert_eq!(region.convex_pieces().len(), 4);
+        assert!(!region.contains(DVec3::ZERO) && region.contains(DVec3::new(1.5, 0.3, 0.0)));
+        assert!(region.contains(DVec3::X) && !region.contains(DVec3::new(1.5, 0.3, 0.1)));
+    }
+
+    #[test]
+    fn a_convex_quad_or_triangle_is_one_piece() {
+        let quad = flat(&[(0.0, 0.0), (4.0, 0.1), (3.0, 2.0), (0.5, 1.0)]);
+        for ring in [quad.clone(), quad[..3].to_vec()] {
+            let region = PlanarRegion::new(ring.clone(), vec![]).unwrap();
+            assert_eq!(region.convex_pieces(), vec![ring]);
+        }
+    }
+
+    #[test]
+    fn holes_may_touch_the_outline_and_each_other() {
+        let outer = || square((0.0, 0.0), 2.0);
+        for holes in [
+            vec![square((1.5, 0.0), 0.5)],
+            vec![square((1.5, 1.5), 0.5)],
+            vec![square((-0.5, 0.0), 0.5), square((0.5, 0.0), 0.5)],
+            vec![square((-0.5, -0.5), 0.5), square((0.5, 0.5), 0.5)],
+            vec![flat(&[(-2.0, 0.0), (0.0, -1.0), (1.0, 0.0), (0.0, 1.0)])],
+        ] {
+            assert_covers(&PlanarRegion::new(outer(), holes).unwrap());
+        }
+    }
+
+    #[test]
+    fn flipping_twice_gives_the_region_back() {
+        let region = PlanarRegion::new(square((0.0, 0.0), 2.0), vec![square((0.5, 0.0), 1.0)]).unwrap();
+        assert_eq!(region.flipped().flipped(), region);
+        assert_eq!(region.flipped().normal(), -region.normal());
+        assert_eq!(region.flipped().area(), region.area());
+        assert_covers(&region.flipped());
+    }
+
+    #[test]
+    fn wrong_polygons_name_the_ring() {
+        let outer = || square((0.0, 0.0), 2.0);
+        let bow_tie = || flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 1.0)]);
+        let skew_bow_tie = || flat(&[(0.0, 0.0), (1.0, 1.0), (1.0, 0.0), (0.0, 2.0)]);
+        let spike = || flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (1.0, 0.0), (1.0, 1.0)]);
+        let message = |outer, holes| PlanarRegion::new(outer, holes).unwrap_err();
+        assert!(matches!(message(bow_tie(), vec![]), ShapeError::SelfCrossing { .. }));
+        assert!(matches!(message(skew_bow_tie(), vec![]), ShapeError::SelfCrossing { .. }));
+        assert!(matches!(message(spike(), vec![]), ShapeError::SelfCrossing { .. }));
+        assert!(matches!(
+            message(outer()[..2].to_vec(), vec![]),
+            ShapeError::TooFewVertices { count: 2, .. }
+        ));
+        assert!(matches!(message(vec![DVec3::ZERO; 3], vec![]), ShapeError::RepeatedVertex { index: 0, .. }));
+        let line = flat(&[(0.0, 0.0), (1.0, 0.0), (3.0, 0.0)]);
+        assert!(matches!(message(line, vec![]), ShapeError::NoArea { .. } | ShapeError::SelfCrossing { .. }));
+        let mut bent = outer();
+        bent[2].z = 0.1;
+        assert!(matches!(message(bent, vec![]), ShapeError::NotPlanar { .. }));
+        let mut broken = outer();
+        broken[1].x = f64::NAN;
+        assert_eq!(message(broken, vec![]).field(), "vertices");
+        let outside = message(outer(), vec![square((2.0, 0.0), 0.5)]);
+        assert_eq!(outside, ShapeError::HoleOutside { field: "holes[0]".into() });
+        assert_eq!(message(outer(), vec![square((9.0, 0.0), 0.5)]).field(), "holes[0]");
+        let pair = vec![square((0.0, 0.0), 1.0), square((0.5, 0.5), 1.0)];
+        assert!(matches!(message(outer(), pair), ShapeError::HolesOverlap { .. }));
+        let nested = vec![square((0.0, 0.0), 1.0), square((0.0, 0.0), 0.5)];
+        assert!(matches!(message(outer(), nested), ShapeError::HolesOverlap { .. }));
+        let twice = vec![square((0.0, 0.0), 1.0), square((0.0, 0.0), 1.0)];
+        assert!(matches!(message(outer(), twice), ShapeError::HolesOverlap { .. }));
+        assert!(PlanarRegion::new(outer(), vec![outer()]).is_err());
+    }
+
+    proptest! {
+        /// Star-shaped outlines with a star-shaped hole, anywhere in space.
+        #[test]
+        fn pieces_cover_random_regions(
+            radii in prop::collection::vec(0.6..1.0, 5..24),
+            inner in prop::collection::vec(0.1..0.3, 3..9),
+            tilt in prop::array::uniform3(-1.0..1.0),
+        ) {
+            let turn = glam::DQuat::from_scaled_axis(DVec3::from_array(tilt));
+            let ring = |radii: &[f64]| -> Vec<DVec3> {
+                let at = |(k, r): (usize, &f64)| {
+                    let angle = std::f64::consts::TAU * k as f64 / radii.len() as f64;
+                    turn * (*r * DVec3::new(angle.cos(), angle.sin(), 0.0)) + DVec3::new(3.0, -2.0, 1.0)
+                };
+                radii.iter().enumerate().map(at).collect()
+            };
+            let region = PlanarRegion::new(ring(&radii), vec![ring(&inner)]).unwrap();
+            prop_assert!(region.normal().dot(turn * DVec3::Z) > 1.0 - 1e-12);
+            assert_covers(&region);
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! Whether anything can stand between two patches.
+//!
+//! A segment from a point of A to a point of B lies in the convex hull of A ∪ B. So if a plane has that hull on one side and
+//! C on the other, C hides nothing between A and B. A plane of normal d separates exactly if d · w ≥ 0 for all differences
+//! w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of directions, looked at through the six faces of
+//! the cube |d|_∞ = 1: on each face the cone is a convex polygon, found by clipping the face by every half-space. What is
+//! left over, however thin, holds a separating direction. Touching hulls leave a cone of no width, so each half-space is moved
+//! outwards by the tolerance: d · w ≥ −τ.
+
+use glam::DVec3;
+
+/// True only when the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: a plane exists
+/// that neither reaches across by more than `tolerance` (a length). Touching counts as separated.
+///
+/// Meant for the few corners of patches and boxes; the cost grows with |c| · (|a| + |b|).
+pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool {
+    let splits = |d: DVec3| d != DVec3::ZERO && gap(a, b, c, d) >= -tolerance * d.length();
+    let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
+    let towards = middle(c) - 0.5 * (middle(a) + middle(b));
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    if splits(towards) || axes.into_iter().any(|d| splits(d) || splits(-d)) {
+        return true;
+    }
+    (0..6).any(|face| direction_on(face, a, b, c, tolerance).is_some_and(splits))
+}
+
+/// The width of the slab of normal `d` with A ∪ B below and C above, times |d|; negative where they overlap.
+fn gap(a: &[DVec3], b: &[DVec3], c: &[DVec3], d: DVec3) -> f64 {
+    let top = a.iter().chain(b).map(|x| d.dot(*x)).fold(f64::NEG_INFINITY, f64::max);
+    let bottom = c.iter().map(|x| d.dot(*x)).fold(f64::INFINITY, f64::min);
+    bottom - top
+}
+
+/// A direction within one face of the cube of directions that separates, if there is one.
+fn direction_on(face: usize, a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> Option<DVec3> {
+    let mut cone = cube_face(face);
+    let mut next = Vec::with_capacity(16);
+    for &y in c {
+        for &x in a.iter().chain(b) {
+            clip_cone(&cone, y - x, tolerance, &mut next);
+            std::mem::swap(&mut cone, &mut next);
+            if cone.is_empty() {
+                return None;
+            }
+        }
+    }
+    Some(cone.iter().sum::<DVec3>() / cone.len() as f64)
+}
+
+/// The square |d|_∞ = 1 with one coordinate fixed to +1 (faces 0-2) or −1 (faces 3-5).
+fn cube_face(face: usize) -> Vec<DVec3> {
+    let axis = face % 3;
+    let sign = if face < 3 { 1.0 } else { -1.0 };
+    let corner = |(p, q): (f64, f64)| {
+        let mut d = DVec3::ZERO;
+        (d[axis], d[(axis + 1) % 3], d[(axis + 2) % 3]) = (sign, p, q);
+        d
+    };
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).to_vec()
+}
+
+/// The part of the convex polygon `cone` with d · w ≥ −tolerance, into `out`.
+fn clip_cone(cone: &[DVec3], w: DVec3, tolerance: f64, out: &mut Vec<DVec3>) {
+    out.clear();
+    let Some(&last) = cone.last() else { return };
+    let mut previous = (last, last.dot(w) + tolerance);
+    for &d in cone {
+        let height = d.dot(w) + tolerance;
+        if previous.1 * height < 0.0 {
+            out.push(previous.0.lerp(d, previous.1 / (previous.1 - height)));
+        }
+        if height >= 0.0 {
+            out.push(d);
+        }
+        previous = (d, height);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn square(center: DVec3, u: DVec3, v: DVec3) -> [DVec3; 4] {
+        [center - u - v, center + u - v, center + u + v, center - u + v]
+    }
+
+    #[test]
+    fn walls_touch_but_do_not_hide() {
+        let floor = square(DVec3::ZERO, DVec3::X, DVec3::Y);
+        let ceiling = square(2.0 * DVec3::Z, DVec3::X, DVec3::Y);
+        let wall = square(DVec3::X + DVec3::Z, DVec3::Y, DVec3::Z);
+        assert!(separated(&floor, &ceiling, &wall, 1e-9));
+        let blind = square(DVec3::Z, 0.1 * DVec3::X, 0.1 * DVec3::Y);
+        assert!(!separated(&floor, &ceiling, &blind, 1e-9));
+        let leaning = square(DVec3::X + DVec3::Z, DVec3::Y, DVec3::Z + 1e-3 * DVec3::X);
+        assert!(!separated(&floor, &ceiling, &leaning, 1e-9));
+    }
+
+    #[test]
+    fn neighbours_at_a_vertex_are_separated() {
+        let floor = square(DVec3::ZERO, DVec3::X, DVec3::Y);
+        let roof = [DVec3::new(-1.0, -1.0, 1.0), DVec3::new(1.0, -1.0, 1.0), DVec3::new(0.0, 1.0, 3.0)];
+        let tip = DVec3::new(1.0, 1.0, 0.0);
+        let outside = [tip, tip + DVec3::X, tip + DVec3::Y + 0.2 * DVec3::Z];
+        assert!(separated(&floor, &roof, &outside, 1e-9));
+    }
+
+    proptest! {
+        /// A triangle pushed to just touch the far side of a plane is separated; pushed through, a segment meets it.
+        #[test]
+        fn separation_is_decided_either_way(
+            points in prop::collection::vec((-1.0..1.0, -1.0..1.0, 0.01..1.0), 9),
+            weights in (0.05..1.0, 0.05..1.0, 0.05..1.0),
+            sink in 0.1..0.5,
+        ) {
+            let p: Vec<DVec3> = points.iter().map(|&(x, y, z)| DVec3::new(x, y, z)).collect();
+            let (a, b) = (&p[..3], &p[3..6]);
+            let below: Vec<DVec3> = p[6..].iter().map(|x| *x * DVec3::new(1.0, 1.0, -1.0)).collect();
+            prop_assert!(separated(a, b, &below, 1e-9));
+            // The triangle through the middle of a segment from A to B, by construction inside the hull.
+            let sum = weights.0 + weights.1 + weights.2;
+            let inside = |q: &[DVec3]| -> DVec3 { (weights.0 * q[0] + weights.1 * q[1] + weights.2 * q[2]) / sum };
+            let middle = inside(a).lerp(inside(b), sink);
+            let flat = (a[1] - a[0]).cross(a[2] - a[0]).dot(b[0] - a[0]).abs() < 1e-3;
+            prop_assume!(!flat);
+            let pierced = [middle + DVec3::X, middle - DVec3::X + DVec3::Y, middle - DVec3::X - DVec3::Y];
+            prop_assert!(!separated(a, b, &pierced, 1e-9));
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! What every surface can do.
+//!
+//! A surface is a map X: [−1, 1]² → ℝ³ with tangents X_u, X_v. Its area element is |X_u × X_v| du dv and its front the
+//! side X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit; everything else follows from
+//! these three, and a shape replaces what it knows in closed form.
+
+use crate::{Aabb, Hit, PlanarRegion, Ray, Rect};
+use glam::DVec3;
+use std::fmt::Debug;
+
+/// Position, tangents, normal and area element of a surface at one parameter pair.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jet {
+    /// The point X(u, v).
+    pub position: DVec3,
+    /// X_u, the derivative of the position by u ∈ [−1, 1].
+    pub du: DVec3,
+    /// X_v, the derivative of the position by v ∈ [−1, 1].
+    pub dv: DVec3,
+    /// Unit normal of the front; where the tangents do not span a plane, its limit.
+    pub normal: DVec3,
+    /// |X_u × X_v|, area per unit of du dv.
+    pub area: f64,
+}
+
+impl Jet {
+    /// The jet with front x_u × x_v; the tangents must span a plane.
+    pub(crate) fn regular(position: DVec3, du: DVec3, dv: DVec3) -> Jet {
+        let cross = du.cross(dv);
+        let area = cross.length();
+        Jet { position, du, dv, normal: cross / area, area }
+    }
+}
+
+/// The nearest point of a surface to a given point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Foot {
+    /// First parameter of the nearest point, in [−1, 1].
+    pub u: f64,
+    /// Second parameter of the nearest point, in [−1, 1].
+    pub v: f64,
+    /// How far the given point is from it.
+    pub distance: f64,
+}
+
+/// A parametric surface over u, v ∈ [−1, 1]².
+///
+/// For a polygon ([`Surface::region`] is `Some`) the parameters are affine in the plane and [−1, 1]² is a rectangle or
+/// parallelogram around the outline; only the region inside the outline and outside the holes belongs to the surface. All
+/// other surfaces are the whole image of [−1, 1]².
+pub trait Surface: Debug + Send + Sync {
+    /// Position, tangents, normal and area element at u, v ∈ [−1, 1].
+    fn jet(&self, u: f64, v: f64) -> Jet;
+
+    /// A box that contains the image of `rect`, close enough around it to cull with.
+    fn bounds(&self, rect: &Rect) -> Aabb;
+
+    /// The hit of lowest t within the ray's range. Both sides are hit alike. Parameters up to 1 + [`Hit::SEAM`] count and
+    /// are clamped; holes let the ray pass.
+    fn intersect(&self, ray: &Ray) -> Option<Hit>;
+
+    /// Outline and holes, where the surface is a polygon in a plane.
+    fn region(&self) -> Option<&PlanarRegion> {
+        None
+    }
+
+    /// The jets at every parameter pair of `at`, written to `out` (as many as pairs).
+    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
+        assert_eq!(at.len(), out.len(), "one jet per parameter pair");
+        for ([u, v], jet) in at.iter().zip(out) {
+            *jet = self.jet(*u, *v);
+        }
+    }
+
+    /// Whether the ray meets the surface at all.
+    fn occludes(&self, ray: &Ray) -> bool {
+        self.intersect(ray).is_some()
+    }
+
+    /// Surface area, in squared units of length, to about 14 digits.
+    fn area(&self) -> f64 {
+        match self.region() {
+            Some(region) => region.area(),
+            None => refine_area(self, &Rect::FULL, gauss_area(self, &Rect::FULL), 0),
+        }
+    }
+
+    /// The nearest point of the parameter domain's image: exact for points close to the surface, a local minimum of the
+    /// distance for those far from a strongly curved one.
+    fn project(&self, point: DVec3) -> Foot {
+        descend(self, point, nearest_seed(self, point))
+    }
+
+    /// Parameters of a `point` on the surface; `None` where it is farther off than 1e-9 of the surface's extent.
+    fn invert(&self, point: DVec3) -> Option<[f64; 2]> {
+        let foot = self.project(point);
+        (foot.distance <= 1e-9 * self.bounds(&Rect::FULL).diagonal()).then_some([foot.u, foot.v])
+    }
+}
+
+/// ∬ |X_u × X_v| over `rect` by the five-point Gauss rule in each direction.
+fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
+    let root = (10.0_f64 / 7.0).sqrt();
+    let (inner, outer) = ((5.0 - 2.0 * root).sqrt() / 3.0, (5.0 + 2.0 * root).sqrt() / 3.0);
+    let (near, far) = ((322.0 + 13.0 * 70.0_f64.sqrt()) / 900.0, (322.0 - 13.0 * 70.0_f64.sqrt()) / 900.0);
+    let rule = [(-outer, far), (-inner, near), (0.0, 128.0 / 225.0), (inner, near), (outer, far)];
+    let mut sum = 0.0;
+    for (s, ws) in rule {
+        for (t, wt) in rule {
+            let [u, v] = rect.at(s, t);
+            sum += ws * wt * surface.jet(u, v).area;
+        }
+    }
+    let [du, dv] = rect.half_extent();
+    sum * du * dv
+}
+
+/// Splits `rect` until quartering it no longer changes its area, `whole` by one rule.
+fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth: usize) -> f64 {
+    let quarters = rect.quarters();
+    let parts = quarters.map(|quarter| gauss_area(surface, &quarter));
+    let sum: f64 = parts.iter().sum();
+    if depth >= 1 && (sum - whole).abs() <= 1e-14 * sum || depth == 7 {
+        return sum;
+    }
+    quarters.iter().zip(parts).map(|(quarter, part)| refine_area(surface, quarter, part, depth + 1)).sum()
+}
+
+/// The best of 9 × 9 parameters to start a descent from.
+fn nearest_seed<S: Surface + ?Sized>(surface: &S, point: DVec3) -> [f64; 2] {
+    let grid = (0..81).map(|k| [(k % 9) as f64 / 4.0 - 1.0, (k / 9) as f64 / 4.0 - 1.0]);
+    let distance = |at: &[f64; 2]| surface.jet(at[0], at[1]).position.distance_squared(point);
+    grid.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the grid is not empty")
+}
+
+/// Minimises |X(u, v) − point| from `start` by damped Gauss–Newton steps kept within the domain.
+fn descend<S: Surface + ?Sized>(surface: &S, point: DVec3, start: [f64; 2]) -> Foot {
+    let mut at = start;
+    let mut jet = surface.jet(at[0], at[1]);
+    let mut distance = jet.position.distance(point);
+    let mut damping = 1e-6;
+    for _ in 0..60 {
+        let next = step(&jet, point, at, damping);
+        let moved = (next[0] - at[0]).abs().max((next[1] - at[1]).abs());
+        let next_jet = surface.jet(next[0], next[1]);
+        let next_distance = next_jet.position.distance(point);
+        if next_distance <= distance {
+            (at, jet, distance) = (next, next_jet, next_distance);
+            damping *= 0.01;
+        } else {
+            damping = (100.0 * damping).max(1e-12);
+        }
+        if moved < 1e-15 || damping > 1e12 {
+            break;
+        }
+    }
+    Foot { u: at[0], v: at[1], distance }
+}
+
+/// One Gauss–Newton step: the least-squares solution of X_u δu + X_v δv = point − X, first free, then along whichever side
+/// of the domain it would leave.
+fn step(jet: &Jet, point: DVec3, at: [f64; 2], damping: f64) -> [f64; 2] {
+    let gap = point - jet.position;
+    let (a, b, c) = (jet.du.length_squared(), jet.du.dot(jet.dv), jet.dv.length_squared());
+    let ridge = damping * (a + c) + f64::MIN_POSITIVE;
+    let (ar, cr) = (a + ridge, c + ridge);
+    let (p, q) = (jet.du.dot(gap), jet.dv.dot(gap));
+    let det = ar * cr - b * b;
+    let free = [at[0] + (cr * p - b * q) / det, at[1] + (ar * q - b * p) / det];
+    let u = free[0].clamp(-1.0, 1.0);
+    let v = free[1].clamp(-1.0, 1.0);
+    match (u == free[0], v == free[1]) {
+        (true, false) => [(at[0] + (p - b * (v - at[1])) / ar).clamp(-1.0, 1.0), v],
+        (false, true) => [u, (at[1] + (q - b * (u - at[0])) / cr).clamp(-1.0, 1.0)],
+        _ => [u, v],
+    }
+}
