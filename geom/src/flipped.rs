@@ -35,6 +35,10 @@ impl Surface for Flipped {
         self.base.bounds(rect)
     }
 
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        self.base.hull(rect)
+    }
+
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         self.base.intersect(ray)
     }

@@ -55,6 +55,14 @@ pub trait Surface: Debug + Send + Sync {
     /// A box that contains the image of `rect`, close enough around it to cull with.
     fn bounds(&self, rect: &Rect) -> Aabb;
 
+    /// Points whose convex hull contains the image of `rect`; for a polygon, its whole outline.
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        match self.region() {
+            Some(region) => region.outer().to_vec(),
+            None => self.bounds(rect).corners().to_vec(),
+        }
+    }
+
     /// The hit of lowest t within the ray's range. Both sides are hit alike. Parameters up to 1 + [`Hit::SEAM`] count and
     /// are clamped; holes let the ray pass.
     fn intersect(&self, ray: &Ray) -> Option<Hit>;

@@ -78,6 +78,10 @@ impl Surface for Bilinear {
         Aabb::around(rect.corners().map(|[u, v]| self.point(u, v)))
     }
 
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        rect.corners().map(|[u, v]| self.point(u, v)).to_vec()
+    }
+
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let from = ray.origin - self.a;
         let (across, twist) = (ray.direction.cross(self.c), ray.direction.cross(self.d));
