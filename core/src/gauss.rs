@@ -3,6 +3,7 @@
 mod error;
 mod legendre;
 mod polish;
+mod symmetric;
 
 pub use self::error::RuleError;
 pub use self::legendre::{Legendre, legendre};
