@@ -13,7 +13,7 @@ use core::f64::consts::PI;
 use super::RuleError;
 use super::error::points;
 use super::polish::{LANES, Lane};
-use super::symmetric::{self, Symmetric, root_shift};
+use super::symmetric::{self, root_shift};
 use crate::double::Double;
 use crate::jacobi::monic::{CHUNK, Monic};
 use crate::math::sin_quadrant;
@@ -50,42 +50,34 @@ pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), Rule
         Ok(n) => n,
         Err(error) => return Err(error),
     };
-    let two = Double::new(2.0);
-    let rule = Symmetric::new(0.0, n, two);
     let half = n / 2;
+    let monic = Monic::new(symmetric::weight(0.0, n));
     let mut i = 0;
     while i < half {
-        let (x, w) = rule.refine(&start(n, i));
+        let x = halley(&monic, half, &start(n, half - 1 - i));
         let mut l = 0;
         while l < LANES && i + l < half {
-            nodes[i + l] = -x[l];
-            weights[i + l] = w[l];
-            nodes[n - 1 - i - l] = x[l];
-            weights[n - 1 - i - l] = w[l];
+            nodes[n - half + i + l] = x[l];
             l += 1;
         }
         i += LANES;
     }
-    if n % 2 == 1 {
-        nodes[half] = 0.0;
-        weights[half] = symmetric::middle(0.0, half, two);
-    }
+    symmetric::finish(0.0, Double::new(2.0), nodes, weights);
     Ok(())
 }
 
-/// Floats near the roots number i … i + 7 from the right; lanes beyond the last positive root repeat it.
+/// Floats near the roots number i, i − 1, … from the right; lanes beyond the last repeat it.
 const fn start(n: usize, i: usize) -> Lane {
     let order = n as f64;
     let shrink = 1.0 - (1.0 - 1.0 / order) / (8.0 * order * order);
     let mut x = [0.0; LANES];
     let mut l = 0;
     while l < LANES {
-        let number = if i + l < n / 2 { i + l } else { n / 2 - 1 };
-        x[l] = shrink * sin_quadrant(PI * (n - 1 - 2 * number) as f64 / (2 * n + 1) as f64);
+        let from_middle = n - 1 - 2 * i.saturating_sub(l);
+        x[l] = shrink * sin_quadrant(PI * from_middle as f64 / (2 * n + 1) as f64);
         l += 1;
     }
-    let monic = Symmetric::monic(0.0, n);
-    halley(&monic, n / 2, &halley(&monic, n / 2, &x))
+    x
 }
 
 /// One Halley step for π_m(2x² − 1) on every lane, in the notation of module `polish`.
