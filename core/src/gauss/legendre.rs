@@ -12,9 +12,10 @@ use core::f64::consts::PI;
 
 use super::RuleError;
 use super::error::points;
-use super::polish::{LANES, Polish};
+use super::polish::{LANES, Lane};
+use super::symmetric::{self, root_shift};
 use crate::double::Double;
-use crate::jacobi::{Weight, monic::Monic};
+use crate::jacobi::monic::{CHUNK, Monic};
 use crate::math::sin_quadrant;
 
 /// The Gauss–Legendre rule of N points on [−1, 1], computed by the compiler.
@@ -49,68 +50,83 @@ pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), Rule
         Ok(n) => n,
         Err(error) => return Err(error),
     };
-    let polish = Polish::new(Monic::new(Weight::LEGENDRE), n, Double::new(2.0));
-    let half = n.div_ceil(2);
+    let half = n / 2;
+    let monic = Monic::new(symmetric::weight(0.0, n));
     let mut i = 0;
     while i < half {
-        let (x, w) = polish.refine(&start(n, i));
+        let x = halley(&monic, half, &start(n, half - 1 - i));
         let mut l = 0;
         while l < LANES && i + l < half {
-            nodes[i + l] = -x[l];
-            weights[i + l] = w[l];
-            nodes[n - 1 - i - l] = x[l];
-            weights[n - 1 - i - l] = w[l];
+            nodes[n - half + i + l] = x[l];
             l += 1;
         }
         i += LANES;
     }
-    if n % 2 == 1 {
-        nodes[n / 2] = 0.0;
-    }
+    symmetric::finish(0.0, Double::new(2.0), nodes, weights);
     Ok(())
 }
 
-/// Floats near the roots number i … i + 7 from the right; lanes beyond the middle repeat the middle one.
-const fn start(n: usize, i: usize) -> [f64; LANES] {
+/// Floats near the roots number i, i − 1, … from the right; lanes beyond the last repeat it.
+const fn start(n: usize, i: usize) -> Lane {
     let order = n as f64;
     let shrink = 1.0 - (1.0 - 1.0 / order) / (8.0 * order * order);
     let mut x = [0.0; LANES];
     let mut l = 0;
     while l < LANES {
-        let from_middle = (n - 1).saturating_sub(2 * (i + l));
+        let from_middle = n - 1 - 2 * i.saturating_sub(l);
         x[l] = shrink * sin_quadrant(PI * from_middle as f64 / (2 * n + 1) as f64);
         l += 1;
     }
-    halley(n, &halley(n, &x))
+    x
 }
 
-/// One step x − r/(1 − r (2x − n (n+1) r)/(2 (1 − x²))), r = P_n/P_n′, on every lane.
-///
-/// P_k is scaled to q_{k+1} = 2x q_k − c_k q_{k−1}, c_k = 4k²/(4k² − 1); then (1 − x²) q_n′ = 2n²/(2n − 1) q_{n−1} − n x q_n.
-const fn halley(n: usize, x: &[f64; LANES]) -> [f64; LANES] {
-    let (mut before, mut last) = ([0.0; LANES], [1.0; LANES]);
-    let mut k = 0;
-    while k < n {
-        let square = (4 * k * k) as f64;
-        let c = square / (square - 1.0);
-        let mut l = 0;
-        while l < LANES {
-            let next = 2.0 * x[l] * last[l] - c * before[l];
-            before[l] = last[l];
-            last[l] = next;
-            l += 1;
-        }
-        k += 1;
-    }
-    let order = n as f64;
-    let factor = 2.0 * order * order / (2.0 * order - 1.0);
+/// One Halley step for π_m(2x² − 1) on every lane, in the notation of module `polish`.
+const fn halley(monic: &Monic, m: usize, x: &Lane) -> Lane {
+    let (last, before) = evaluate(monic, m, x);
+    let (order, s, d) = (m as f64, monic.s(m).hi, monic.difference().hi);
+    let factor = 0.5 * (s + 1.0) * monic.four_gamma(m).hi;
     let mut out = [0.0; LANES];
     let mut l = 0;
     while l < LANES {
-        let one = (1.0 - x[l]) * (1.0 + x[l]);
-        let r = last[l] * one / (factor * before[l] - order * x[l] * last[l]);
-        out[l] = x[l] - r / (1.0 - 0.5 * r * (2.0 * x[l] - order * (order + 1.0) * r) / one);
+        let z = 2.0 * x[l] * x[l] - 1.0;
+        let one = (1.0 - z) * (1.0 + z);
+        let q = -last[l] * one / (factor * before[l] + order * (d / s - z) * last[l]);
+        let curvature = d + (s - 2.0 * order + 2.0) * z + order * (s - order + 1.0) * q;
+        out[l] = x[l] + root_shift(x[l], q / (1.0 + 0.5 * q * curvature / one));
         l += 1;
     }
     out
+}
+
+/// π̂_m and π̂_{m−1} at 2x² − 1, in plain floats.
+#[inline(always)]
+const fn evaluate(monic: &Monic, m: usize, x: &Lane) -> (Lane, Lane) {
+    let (mut before, mut last) = ([0.0; LANES], [1.0; LANES]);
+    let mut k = 0;
+    while k < m {
+        let steps = monic.steps(k);
+        let mut l = 0;
+        while l < CHUNK && k < m {
+            let delta = steps.delta[l] + steps.delta_tail[l] + 2.0;
+            let gamma = steps.gamma[l] + steps.gamma_tail[l];
+            if l % 2 == 0 {
+                forward(x, delta, gamma, &last, &mut before);
+            } else {
+                forward(x, delta, gamma, &before, &mut last);
+            }
+            l += 1;
+            k += 1;
+        }
+    }
+    if m % 2 == 0 { (last, before) } else { (before, last) }
+}
+
+/// Replaces π̂_{k−1} in `before` by π̂_{k+1} = (4x² − δ) π̂_k − γ π̂_{k−1}.
+#[inline(always)]
+const fn forward(x: &Lane, delta: f64, gamma: f64, last: &Lane, before: &mut Lane) {
+    let mut l = 0;
+    while l < LANES {
+        before[l] = (4.0 * x[l] * x[l] - delta) * last[l] - gamma * before[l];
+        l += 1;
+    }
 }

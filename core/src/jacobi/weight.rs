@@ -48,6 +48,11 @@ impl Weight {
         Weight { alpha: a as f64, beta: b as f64 }
     }
 
+    /// The weight (1 − x)^α (1 + x)^β of exponents known to be valid.
+    pub(crate) const fn valid(alpha: f64, beta: f64) -> Weight {
+        Weight { alpha, beta }
+    }
+
     /// α, the exponent of 1 − x.
     pub const fn alpha(self) -> f64 {
         self.alpha
