@@ -1,1 +1,3 @@
 //! High-order Galerkin radiosity on curved, untessellated surfaces.
+
+pub mod scene;

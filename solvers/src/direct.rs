@@ -1,0 +1,228 @@
+//! Direct methods: factor once, then distrust.
+//!
+//! After each solve r = b − A x is recomputed through the operator, not through the factors, and
+//! x ← x + A⁻¹ r is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable factorisation
+//! it converges while ε κ(A) < 1).
+
+use std::sync::atomic::Ordering;
+use std::time::Instant;
+
+use crate::condition::inverse_norm;
+use crate::error::{SolveError, Stop};
+use crate::operator::Operator;
+use crate::problem::{Problem, finite};
+use crate::settings::Settings;
+use crate::solver::{Report, Step, check_columns, column_by_column};
+use crate::vector::{add_scaled, all_finite, norm};
+
+/// Refinement goes on until the residual is below this, however little is asked for.
+const AIM: f64 = 1e-10;
+
+/// Most refinement steps.
+const REFINEMENTS: usize = 10;
+
+/// ‖x‖₂ beyond which a solution means a vanished pivot.
+const EXPLODED: f64 = 1e150;
+
+/// A matrix in factors.
+pub(crate) trait Factors {
+    /// x := A⁻¹ x.
+    fn solve(&self, x: &mut [f64]);
+
+    /// x := A⁻ᵀ x.
+    fn solve_transposed(&self, x: &mut [f64]);
+}
+
+/// Factors a matrix of the given dimension held column by column.
+pub(crate) type Factorise = fn(Vec<f64>, usize, &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;
+
+/// One direct method.
+pub(crate) struct Direct {
+    pub(crate) method: &'static str,
+    /// Entries multiplied by the factorisation, divided by dim³.
+    pub(crate) cost: f64,
+    pub(crate) factor: Factorise,
+}
+
+impl Direct {
+    /// Solves for one right-hand side.
+    pub(crate) fn solve(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Report, SolveError> {
+        let problem = Problem::new(a, b, x, settings)?;
+        let mut factored = self.factored(a, settings, observer)?;
+        factored.solve(&problem, x)
+    }
+
+    /// Solves for all right-hand sides in `b` with one factorisation.
+    pub(crate) fn solve_many(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Vec<Report>, SolveError> {
+        check_columns(a.partition().dim(), b, x)?;
+        let mut factored = self.factored(a, settings, observer)?;
+        column_by_column(a, b, x, |b, x| {
+            let problem = Problem::new(a, b, x, settings)?;
+            factored.solve(&problem, x)
+        })
+    }
+
+    /// Reads and factors the matrix.
+    fn factored<'f>(
+        &'f self,
+        a: &'f dyn Operator,
+        settings: &'f Settings<'f>,
+        observer: &'f mut dyn FnMut(&Step<'_>),
+    ) -> Result<Factored<'f>, SolveError> {
+        let dim = a.partition().dim();
+        let started = Instant::now();
+        let factors = (self.factor)(matrix(a)?, dim, settings)?;
+        let condition = settings.condition.then(|| condition(a, &*factors));
+        Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
+    }
+}
+
+/// All entries of `a`, column by column.
+fn matrix(a: &dyn Operator) -> Result<Vec<f64>, SolveError> {
+    let partition = a.partition();
+    let dim = partition.dim();
+    let mut values = vec![0.0; dim * dim];
+    for block in 0..partition.len() {
+        let range = partition.range(block);
+        let values = &mut values[range.start * dim..range.end * dim];
+        a.entries(block, values);
+        finite(values)?;
+    }
+    Ok(values)
+}
+
+/// Estimate of ‖A‖₁ ‖A⁻¹‖₁ from below.
+fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
+    let partition = a.partition();
+    let dim = partition.dim();
+    let mut largest: f64 = 0.0;
+    for block in 0..partition.len() {
+        let mut values = vec![0.0; dim * partition.size(block)];
+        a.entries(block, &mut values);
+        for column in values.chunks_exact(dim) {
+            largest = largest.max(column.iter().map(|entry| entry.abs()).sum());
+        }
+    }
+    largest * inverse_norm(factors, dim)
+}
+
+/// A factored matrix that solves and then looks at what is left.
+struct Factored<'f> {
+    direct: &'f Direct,
+    a: &'f dyn Operator,
+    factors: Box<dyn Factors>,
+    settings: &'f Settings<'f>,
+    observer: &'f mut dyn FnMut(&Step<'_>),
+    started: Instant,
+    condition: Option<f64>,
+}
+
+impl Factored<'_> {
+    /// Solves and refines; `x` then holds what came of it, unless that is not finite.
+    fn solve(&mut self, problem: &Problem<'_>, x: &mut [f64]) -> Result<Report, SolveError> {
+        if problem.norm == 0.0 {
+            x.fill(0.0);
+            return Ok(self.report(vec![0.0]));
+        }
+        let mut first = problem.b.to_vec();
+        self.factors.solve(&mut first);
+        if !all_finite(&first) || norm(&first) > EXPLODED {
+            return Err(SolveError::Singular { what: "the matrix".into() });
+        }
+        x.copy_from_slice(&first);
+        let mut r = first;
+        let mut history = vec![problem.residual(x, &mut r)?];
+        self.observe(&history, x);
+        let ended = self.refine(problem, x, &mut r, &mut history)?;
+        let residual = history[history.len() - 1];
+        if residual <= self.settings.tolerance {
+            return Ok(self.report(history));
+        }
+        if ended == Stop::Stagnation && condition(self.a, &*self.factors) * f64::EPSILON >= 1.0 {
+            return Err(SolveError::Singular { what: "the matrix".into() });
+        }
+        Err(SolveError::NotConverged {
+            method: self.direct.method,
+            iterations: history.len() - 1,
+            residual,
+            tolerance: self.settings.tolerance,
+            stop: ended,
+        })
+    }
+
+    /// Refines `x`, whose residual is `r`, as long as it pays.
+    fn refine(
+        &mut self,
+        problem: &Problem<'_>,
+        x: &mut [f64],
+        r: &mut [f64],
+        history: &mut Vec<f64>,
+    ) -> Result<Stop, SolveError> {
+        let mut next = x.to_vec();
+        while history.len() <= REFINEMENTS {
+            let residual = history[history.len() - 1];
+            if residual <= self.settings.tolerance.min(AIM) {
+                break;
+            }
+            if self.settings.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+                return Err(SolveError::Cancelled { iterations: history.len() - 1, residual });
+            }
+            if self.settings.time_budget.is_some_and(|budget| self.started.elapsed() >= budget) {
+                return Ok(Stop::Time);
+            }
+            self.factors.solve(r);
+            next.copy_from_slice(x);
+            add_scaled(1.0, r, &mut next);
+            let refined = problem.residual(&next, r)?;
+            if refined >= residual {
+                break;
+            }
+            x.copy_from_slice(&next);
+            history.push(refined);
+            self.observe(history, x);
+            if refined > 0.5 * residual {
+                break;
+            }
+        }
+        Ok(Stop::Stagnation)
+    }
+
+    /// Multiplications so far: the factorisation, then per step two triangles and one product.
+    fn work(&self, steps: usize) -> f64 {
+        self.direct.cost * self.a.partition().dim() as f64 + 2.0 * steps as f64
+    }
+
+    fn observe(&mut self, history: &[f64], x: &[f64]) {
+        let (iteration, residual) = (history.len() - 1, history[history.len() - 1]);
+        let work = self.work(history.len());
+        (self.observer)(&Step { iteration, residual, work, largest_unshot: None, ambient: None, x });
+    }
+
+    /// The account of a success.
+    fn report(&self, history: Vec<f64>) -> Report {
+        Report {
+            method: self.direct.method,
+            iterations: history.len() - 1,
+            residual: history[history.len() - 1],
+            work: self.work(history.len()),
+            columns: self.a.partition().len(),
+            condition: self.condition,
+            history,
+        }
+    }
+}

@@ -1,0 +1,127 @@
+//! The only list of methods: name, what each needs, costs and stores.
+
+use std::fmt;
+
+use crate::gauss_seidel::{self, GaussSeidel};
+#[cfg(feature = "faer")]
+use crate::lu::{self, Lu};
+use crate::solver::Solver;
+use crate::southwell::{self, Southwell};
+
+/// What a matrix must have for a method to succeed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Needs {
+    /// An inverse.
+    Inverse,
+    /// Symmetry and positive eigenvalues.
+    PositiveDefinite,
+    /// Symmetry and positive eigenvalues, or a diagonal that outweighs the rest.
+    PositiveDefiniteOrDominant,
+    /// A diagonal that outweighs the rest.
+    Dominant,
+}
+
+impl fmt::Display for Needs {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Inverse => "any invertible matrix",
+            Self::PositiveDefinite => "symmetric positive definite",
+            Self::PositiveDefiniteOrDominant => "symmetric positive definite, or diagonally dominant",
+            Self::Dominant => "diagonally dominant",
+        })
+    }
+}
+
+/// One method of the list.
+pub struct Method {
+    /// Its name, as typed.
+    pub name: &'static str,
+    /// What it does, in a few words.
+    pub summary: &'static str,
+    /// What it needs to succeed.
+    pub needs: Needs,
+    /// Multiplications for n unknowns.
+    pub cost: &'static str,
+    /// Numbers stored beside the operator's own.
+    pub storage: &'static str,
+    /// The method itself.
+    pub solver: &'static dyn Solver,
+}
+
+impl fmt::Debug for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Method").field("name", &self.name).finish_non_exhaustive()
+    }
+}
+
+impl Method {
+    /// All methods of this build.
+    pub const ALL: &'static [Self] = &[
+        #[cfg(feature = "faer")]
+        Self {
+            name: lu::NAME,
+            summary: "LU with partial pivoting and refinement",
+            needs: Needs::Inverse,
+            cost: "n³/3",
+            storage: "n²",
+            solver: &Lu,
+        },
+        Self {
+            name: gauss_seidel::NAME,
+            summary: "relaxation in order, by block or coefficient",
+            needs: Needs::PositiveDefiniteOrDominant,
+            cost: "n² per sweep",
+            storage: "diagonal blocks",
+            solver: &GaussSeidel,
+        },
+        Self {
+            name: southwell::NAME,
+            summary: "shooting of the largest residual first",
+            needs: Needs::PositiveDefiniteOrDominant,
+            cost: "one block column per shot",
+            storage: "diagonal blocks",
+            solver: &Southwell,
+        },
+    ];
+
+    /// The method called `name`.
+    ///
+    /// # Errors
+    /// [`UnknownMethod`], which lists the names there are and suggests the nearest.
+    pub fn named(name: &str) -> Result<&'static Self, UnknownMethod> {
+        Self::ALL.iter().find(|method| method.name == name).ok_or_else(|| UnknownMethod::new(name))
+    }
+}
+
+/// No method has this name.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("no method is called \"{name}\"{}; there are {}", self.suggestion(), Self::names())]
+pub struct UnknownMethod {
+    /// The name that was asked for.
+    pub name: String,
+    /// The name most like it, if one is close.
+    pub nearest: Option<&'static str>,
+}
+
+impl UnknownMethod {
+    /// Similarity from which a name is worth suggesting.
+    const CLOSE: f64 = 0.7;
+
+    fn new(name: &str) -> Self {
+        let similar = |method: &Method| strsim::jaro_winkler(&name.to_lowercase(), method.name);
+        let nearest = Method::ALL
+            .iter()
+            .max_by(|a, b| similar(a).total_cmp(&similar(b)))
+            .filter(|method| similar(method) > Self::CLOSE)
+            .map(|method| method.name);
+        Self { name: name.to_owned(), nearest }
+    }
+
+    fn suggestion(&self) -> String {
+        self.nearest.map_or_else(String::new, |nearest| format!(", did you mean \"{nearest}\"?"))
+    }
+
+    fn names() -> String {
+        Method::ALL.iter().map(|method| method.name).collect::<Vec<_>>().join(", ")
+    }
+}

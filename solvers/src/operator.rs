@@ -1,0 +1,53 @@
+//! What a solver may ask of a matrix.
+
+use crate::partition::Partition;
+
+/// A real square matrix A, cut into blocks, known by what it does to vectors.
+///
+/// Every vector is a plain slice; a whole one has `partition().dim()` entries, a block one
+/// `partition().size(block)`. Several right-hand sides lie one after the other: entry `i` of column `c` is
+/// `x[c·dim + i]`. An implementation must write every entry it is asked for: what it leaves untouched
+/// is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
+pub trait Operator: Sync {
+    /// The blocks of rows, which are those of the columns too.
+    fn partition(&self) -> &Partition;
+
+    /// y = A x.
+    fn apply(&self, x: &[f64], y: &mut [f64]);
+
+    /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block.
+    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]);
+
+    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the
+    /// matrix, beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute
+    /// the column when it is first shot.
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]);
+
+    /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`.
+    fn diagonal(&self, block: usize, out: &mut [f64]);
+
+    /// Whether A = Aᵀ up to rounding. A wrong yes costs time, never a wrong answer.
+    fn symmetric(&self) -> bool {
+        false
+    }
+
+    /// Y = A X for several vectors at once; both of length `k·dim`.
+    fn apply_many(&self, x: &[f64], y: &mut [f64]) {
+        let dim = self.partition().dim().max(1);
+        for (x, y) in x.chunks_exact(dim).zip(y.chunks_exact_mut(dim)) {
+            self.apply(x, y);
+        }
+    }
+
+    /// The entries of block column `column`, for direct methods: (i, l) at `out[l·dim + i]`.
+    fn entries(&self, column: usize, out: &mut [f64]) {
+        let dim = self.partition().dim();
+        let mut unit = vec![0.0; self.partition().size(column)];
+        out.fill(0.0);
+        for l in 0..unit.len() {
+            unit[l] = 1.0;
+            self.shoot(column, &unit, &mut out[l * dim..][..dim]);
+            unit[l] = 0.0;
+        }
+    }
+}

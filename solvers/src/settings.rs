@@ -1,0 +1,104 @@
+//! What a caller may ask of a solver.
+
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use crate::error::SolveError;
+
+/// What jacobi, gauss-seidel and southwell relax at a time.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Granularity {
+    /// All unknowns of a block together, through the inverse of its diagonal block.
+    #[default]
+    Block,
+    /// One unknown at a time, through the diagonal entry.
+    Coefficient,
+}
+
+/// The order in which gauss-seidel visits the unknowns.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Sweep {
+    /// First to last.
+    #[default]
+    Forward,
+    /// First to last, then last to first; the two count as one iteration.
+    Symmetric,
+}
+
+/// What a caller may ask of a solver; a method ignores what does not concern it.
+#[derive(Clone, Debug)]
+pub struct Settings<'a> {
+    /// Wanted ‖b − A x‖₂ / ‖b‖₂, at least 0. Rounding leaves about ε ‖A‖ ‖x‖ / ‖b‖: less is never reached.
+    pub tolerance: f64,
+    /// Most iterations: sweeps of jacobi and gauss-seidel, matrix products of cg and gmres; for southwell
+    /// sweeps' worth of shots, one sweep being as many shots as there are blocks (or coefficients).
+    pub max_iterations: usize,
+    /// Most shots of southwell, beside `max_iterations`.
+    pub max_shots: Option<usize>,
+    /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
+    pub threads: usize,
+    /// Time after which an iteration gives up; asked for between iterations only.
+    pub time_budget: Option<Duration>,
+    /// Raised by the caller to stop; looked at between iterations only.
+    pub cancel: Option<&'a AtomicBool>,
+    /// southwell: weight w_l > 0 of each unknown; the one with the largest w_l |r_l|, or the block with the
+    /// largest sum of them, is shot next. All ones when absent.
+    pub measure: Option<&'a [f64]>,
+    /// jacobi, gauss-seidel, southwell: what is relaxed at a time.
+    pub granularity: Granularity,
+    /// gauss-seidel: the order of visits.
+    pub sweep: Sweep,
+    /// jacobi, gauss-seidel, southwell: multiplies every correction, in (0, 2); above 1 overshoots.
+    pub relaxation: f64,
+    /// gmres: vectors kept before it restarts, at least 1.
+    pub restart: usize,
+    /// lu, cholesky, lu-small: also estimate the condition number, at the price of some ten solves.
+    pub condition: bool,
+}
+
+impl Default for Settings<'_> {
+    fn default() -> Self {
+        Self {
+            tolerance: 1e-8,
+            max_iterations: 1000,
+            max_shots: None,
+            threads: 1,
+            time_budget: None,
+            cancel: None,
+            measure: None,
+            granularity: Granularity::Block,
+            sweep: Sweep::Forward,
+            relaxation: 1.0,
+            restart: 50,
+            condition: false,
+        }
+    }
+}
+
+impl Settings<'_> {
+    /// Refuses what is outside its range, for a system of `dim` unknowns.
+    pub(crate) fn check(&self, dim: usize) -> Result<(), SolveError> {
+        let wrong = |name, wanted| Err(SolveError::Setting { name, wanted });
+        if self.tolerance.is_nan() || self.tolerance < 0.0 {
+            return wrong("tolerance", "at least 0");
+        }
+        if !(self.relaxation > 0.0 && self.relaxation < 2.0) {
+            return wrong("relaxation", "above 0 and below 2");
+        }
+        if self.restart == 0 {
+            return wrong("restart", "at least 1");
+        }
+        let Some(measure) = self.measure else { return Ok(()) };
+        if measure.len() != dim {
+            return Err(SolveError::DimensionMismatch {
+                what: "the measure",
+                expected: dim,
+                found: measure.len(),
+            });
+        }
+        if measure.iter().all(|weight| *weight > 0.0 && weight.is_finite()) {
+            return Ok(());
+        }
+        wrong("measure", "positive and finite for every unknown")
+    }
+}

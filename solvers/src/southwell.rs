@@ -1,0 +1,191 @@
+//! Southwell: always relax where the residual weighs most.
+//!
+//! Unshot is the residual r = b − A x. With weights w_l > 0 the measure of an unknown is M_l = w_l |r_l|, that of a
+//! block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure and sets
+//!
+//!   δ = ω D_B⁻¹ r_B,   x_B ← x_B + δ,   r ← r − A[:, B] δ,
+//!
+//! which needs one block column and no other: an operator may compute columns when they are first shot. From x = 0 only
+//! shot columns are ever touched, the final check of the residual included. ω > 1 overshoots: it shoots
+//! ahead what later shots would send back.
+//!
+//! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the weights
+//! w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot of measure m
+//! that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all sent back to all
+//! shot, estimates how much each further shot will return, and Σ M_l / (1 − q) what is still to come (the ambient
+//! term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988): good for display, used for nothing else.
+//!
+//! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
+//! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot
+//! then lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in Engineering Science*, Oxford 1940; S. Gortler,
+//! M. Cohen, P. Slusallek, *Radiosity and relaxation methods*, IEEE CG&A 14(6), 1994.
+
+use std::ops::Range;
+
+use crate::diagonal::Pivot;
+use crate::error::SolveError;
+use crate::iteration::{Iteration, Watch, iterate};
+use crate::operator::Operator;
+use crate::problem::{Problem, finite};
+use crate::ranking::Ranking;
+use crate::settings::{Granularity, Settings};
+use crate::solver::{Report, Solver, Step};
+
+/// Name in the list of methods.
+pub(crate) const NAME: &str = "southwell";
+
+/// Greedy shooting, by block or by coefficient; see the [module](self).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Southwell;
+
+impl Solver for Southwell {
+    fn solve(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Report, SolveError> {
+        let problem = Problem::new(a, b, x, settings)?;
+        let mut shots = Shots::new(&problem, settings);
+        let sweep = shots.ranking.keys().len().max(1);
+        let watch = Watch {
+            method: NAME,
+            limit: settings
+                .max_iterations
+                .saturating_mul(sweep)
+                .min(settings.max_shots.unwrap_or(usize::MAX)),
+            patience: 20 * sweep + 100,
+            keep_every: sweep,
+        };
+        iterate(&problem, &watch, &mut shots, x, settings, observer)
+    }
+}
+
+/// The method at work.
+struct Shots<'p> {
+    problem: &'p Problem<'p>,
+    granularity: Granularity,
+    relaxation: f64,
+    weights: Vec<f64>,
+    /// The unshot residual.
+    r: Vec<f64>,
+    /// Items (blocks or unknowns) by measure.
+    ranking: Ranking,
+    /// Diagonal blocks of the columns shot so far.
+    pivots: Vec<Option<Pivot>>,
+    /// Columns of entries multiplied.
+    columns: f64,
+    /// Measure shot, and measure sent back by these shots.
+    shot: f64,
+    returned: f64,
+}
+
+impl<'p> Shots<'p> {
+    fn new(problem: &'p Problem<'p>, settings: &Settings<'_>) -> Self {
+        let partition = problem.a.partition();
+        let items = match settings.granularity {
+            Granularity::Block => partition.len(),
+            Granularity::Coefficient => partition.dim(),
+        };
+        Self {
+            problem,
+            granularity: settings.granularity,
+            relaxation: settings.relaxation,
+            weights: settings.measure.map_or_else(|| vec![1.0; problem.dim()], <[f64]>::to_vec),
+            r: problem.b.to_vec(),
+            ranking: Ranking::new(vec![0.0; items]),
+            pivots: (0..partition.len()).map(|_| None).collect(),
+            columns: 0.0,
+            shot: 0.0,
+            returned: 0.0,
+        }
+    }
+
+    /// The unknowns of one item.
+    fn unknowns(&self, item: usize) -> Range<usize> {
+        match self.granularity {
+            Granularity::Block => self.problem.a.partition().range(item),
+            Granularity::Coefficient => item..item + 1,
+        }
+    }
+
+    /// The block in which an item lies.
+    fn block(&self, item: usize) -> usize {
+        match self.granularity {
+            Granularity::Block => item,
+            Granularity::Coefficient => {
+                self.problem.a.partition().offsets().partition_point(|offset| *offset <= item) - 1
+            }
+        }
+    }
+
+    /// Measures all items anew; returns the sum of their measures.
+    fn measure(&mut self) -> f64 {
+        for item in 0..self.ranking.keys().len() {
+            let range = self.unknowns(item);
+            let key = self.r[range.clone()].iter().zip(&self.weights[range]).map(|(r, w)| w * r.abs()).sum();
+            if key != self.ranking.keys()[item] {
+                self.ranking.set(item, key);
+            }
+        }
+        self.ranking.keys().iter().sum()
+    }
+
+    /// Shoots one item: x and r change together.
+    fn shoot(&mut self, item: usize, x: &mut [f64]) -> Result<(), SolveError> {
+        let (block, unknowns) = (self.block(item), self.unknowns(item));
+        let range = self.problem.a.partition().range(block);
+        if self.pivots[block].is_none() {
+            self.pivots[block] = Some(Pivot::read(self.problem.a, block, self.granularity)?);
+        }
+        let mut step = vec![0.0; range.len()];
+        let within = unknowns.start - range.start..unknowns.end - range.start;
+        step[within].copy_from_slice(&self.r[unknowns.clone()]);
+        if let Some(pivot) = &self.pivots[block] {
+            pivot.divide(&mut step);
+        }
+        for (step, x) in step.iter_mut().zip(&mut x[range]) {
+            *step *= self.relaxation;
+            *x += *step;
+            *step = -*step;
+        }
+        self.columns += unknowns.len() as f64;
+        self.problem.a.shoot(block, &step, &mut self.r);
+        finite(&self.r)
+    }
+}
+
+impl Iteration for Shots<'_> {
+    fn renew(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
+        self.columns += x.iter().filter(|x| **x != 0.0).count() as f64;
+        let residual = self.problem.residual_by_columns(x, &mut self.r)?;
+        self.measure();
+        Ok(residual)
+    }
+
+    fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
+        let Some((item, shot)) = self.ranking.top() else { return Ok(0.0) };
+        let before: f64 = self.ranking.keys().iter().sum();
+        self.shoot(item, x)?;
+        let after = self.measure();
+        self.shot += shot;
+        self.returned += after - (before - shot);
+        Ok(self.problem.relative(&self.r))
+    }
+
+    fn work(&self) -> f64 {
+        self.columns / self.problem.dim().max(1) as f64
+    }
+
+    fn columns(&self) -> usize {
+        self.pivots.iter().flatten().count()
+    }
+
+    fn unshot(&self) -> Option<(f64, f64)> {
+        let total: f64 = self.ranking.keys().iter().sum();
+        let returned = if self.shot > 0.0 { (self.returned / self.shot).clamp(0.0, 0.999) } else { 0.0 };
+        Some((self.ranking.top()?.1, total / (1.0 - returned)))
+    }
+}

@@ -1,0 +1,44 @@
+//! Sums over slices in a fixed order, so that they give the same bits everywhere.
+
+/// Partial sums kept side by side, so that the compiler can use vector registers.
+const LANES: usize = 8;
+
+/// xᵀ y; both of the same length.
+pub(crate) fn dot(x: &[f64], y: &[f64]) -> f64 {
+    let (x_lanes, x_rest) = x.as_chunks::<LANES>();
+    let (y_lanes, y_rest) = y.as_chunks::<LANES>();
+    let mut sums = [0.0; LANES];
+    for (x, y) in x_lanes.iter().zip(y_lanes) {
+        for lane in 0..LANES {
+            sums[lane] += x[lane] * y[lane];
+        }
+    }
+    let rest: f64 = x_rest.iter().zip(y_rest).map(|(x, y)| x * y).sum();
+    sums.iter().sum::<f64>() + rest
+}
+
+/// ‖x‖₂, without overflow or underflow of the squares; NaN or infinite if an entry is.
+pub(crate) fn norm(x: &[f64]) -> f64 {
+    let squares = dot(x, x);
+    if squares > 1e-200 && squares < 1e200 {
+        return squares.sqrt();
+    }
+    let largest = x.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    if squares.is_nan() || largest == 0.0 || largest.is_infinite() {
+        return squares;
+    }
+    largest * x.iter().map(|x| (x / largest).powi(2)).sum::<f64>().sqrt()
+}
+
+/// y += a x; both of the same length.
+pub(crate) fn add_scaled(a: f64, x: &[f64], y: &mut [f64]) {
+    for (y, x) in y.iter_mut().zip(x) {
+        *y += a * x;
+    }
+}
+
+/// Whether no entry is infinite or NaN.
+pub(crate) fn all_finite(x: &[f64]) -> bool {
+    // No early exit within a chunk: only then does the test vectorise.
+    x.chunks(64).all(|chunk| chunk.iter().fold(true, |finite, x| finite & x.is_finite()))
+}

@@ -1,0 +1,314 @@
+//! What is in a scene: surfaces, what they do with light, and a camera.
+//!
+//! A [`Scene`] is read from TOML or JSON of one schema, and is valid by construction: every number finite, every
+//! reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given once.
+//! What is wrong in a file is a [`SceneError`] with line, column, name and cure.
+
+mod builtin;
+mod camera;
+mod coincident;
+mod cure;
+mod error;
+mod fields;
+mod file;
+mod json_text;
+mod material;
+mod nearest;
+mod placement;
+mod shape;
+mod source;
+mod surface;
+mod toml_text;
+mod tree;
+mod validation;
+
+use std::{io, path::Path};
+
+pub use camera::Camera;
+pub use error::{Fault, SceneError};
+pub use file::MAX_ORDER;
+pub use material::Material;
+pub use source::Place;
+pub use surface::SceneSurface;
+
+use error::Located;
+use file::SceneFile;
+use source::Source;
+use tree::Node;
+
+/// A valid scene.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    /// The built-in name, or the file's name without folder and ending; `stdin` if read from there.
+    pub name: String,
+    /// The title the file gives.
+    pub title: Option<String>,
+    /// Names of the bands, at least one.
+    pub bands: Vec<String>,
+    /// The surfaces in the order of the file; the back of a two-sided one follows its front.
+    pub surfaces: Vec<SceneSurface>,
+    /// The camera, if the file gives one.
+    pub camera: Option<Camera>,
+    /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
+    pub origin: String,
+}
+
+impl Scene {
+    /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
+    ///
+    /// A file named `.json`, and any text that starts with `{`, is JSON; everything else TOML.
+    ///
+    /// # Errors
+    /// A file that cannot be read, an unknown name, or anything wrong in the text.
+    pub fn load(source: &str) -> Result<Scene, SceneError> {
+        if builtin::text(source).is_some() {
+            return Scene::builtin(source);
+        }
+        let (origin, text) = match source {
+            "-" => ("<stdin>", io::read_to_string(io::stdin())),
+            path => (path, std::fs::read_to_string(path)),
+        };
+        let text = text.map_err(|error| unreadable(source, origin, &error))?;
+        match source.ends_with(".json") || text.trim_start().starts_with('{') {
+            true => Scene::from_json(&text, origin),
+            false => Scene::from_toml(&text, origin),
+        }
+    }
+
+    /// Reads TOML; `origin` is its name in messages.
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
+        let source = Source::new(origin, text);
+        toml_text::parse(text)
+            .and_then(|tree| assemble(&tree, &source))
+            .map_err(|located| located.in_source(&source))
+    }
+
+    /// Reads JSON, the same tree as the TOML; `origin` is its name in messages.
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
+        let source = Source::new(origin, text);
+        json_text::parse(text)
+            .and_then(|tree| assemble(&tree, &source))
+            .map_err(|located| located.in_source(&source))
+    }
+
+    /// The built-in scene `name`.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownScene`], which lists the names there are.
+    pub fn builtin(name: &str) -> Result<Scene, SceneError> {
+        match builtin::text(name) {
+            Some(text) => Scene::from_toml(text, name),
+            None => Err(whole_file(name, Fault::UnknownScene { name: name.to_owned() })),
+        }
+    }
+
+    /// The names of the built-in scenes.
+    pub fn builtin_names() -> &'static [&'static str] {
+        &builtin::NAMES
+    }
+
+    /// Checks what only light needs: a material on every surface, and one that emits.
+    ///
+    /// # Errors
+    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoEmitter`].
+    pub fn require_light(&self) -> Result<(), SceneError> {
+        if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
+            return Err(SceneError {
+                origin: self.origin.clone(),
+                place: Some(Box::new(bare.place.clone())),
+                owner: Some(file::surface_title(&bare.name)),
+                fault: Fault::MissingKey { key: "material" },
+            });
+        }
+        match self.surfaces.iter().any(|surface| surface.material.emits()) {
+            true => Ok(()),
+            false => Err(whole_file(&self.origin, Fault::NoEmitter)),
+        }
+    }
+}
+
+/// Tree → as typed → valid.
+fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
+    let file = SceneFile::read(tree)?;
+    let bands = validation::bands(file.bands, source)?;
+    let materials = validation::materials(file.materials, bands.len())?;
+    Ok(Scene {
+        name: stem(&source.origin),
+        title: file.title,
+        surfaces: validation::surfaces(file.surfaces, &materials, bands.len(), source)?,
+        bands,
+        camera: file.camera.map(validation::camera).transpose()?,
+        origin: source.origin.to_string(),
+    })
+}
+
+/// `rooms/desk.toml` → `desk`, `<stdin>` → `stdin`.
+fn stem(origin: &str) -> String {
+    let plain = origin.trim_matches(['<', '>']);
+    Path::new(plain).file_stem().map_or_else(|| plain.to_owned(), |stem| stem.to_string_lossy().into_owned())
+}
+
+/// A name without ending or folder was meant as a built-in scene, not as a file.
+fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
+    let meant_as_name = error.kind() == io::ErrorKind::NotFound && !source.contains(['.', '/', '\\']);
+    whole_file(
+        origin,
+        match meant_as_name {
+            true => Fault::UnknownScene { name: source.to_owned() },
+            false => Fault::Unreadable { reason: error.to_string() },
+        },
+    )
+}
+
+fn whole_file(origin: &str, fault: Fault) -> SceneError {
+    SceneError { origin: origin.to_owned(), place: None, owner: None, fault }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::PI;
+
+    use radiosity_geom::{DVec3, Ray};
+
+    use super::*;
+
+    /// Areas of the bilinear patches in mm², of the data the scene is made from. Ceiling and floor without their holes.
+    const CORNELL_AREAS: [(&str, f64); 16] = [
+        ("floor", 308231.04 - 27633.0 - 27626.5),
+        ("ceiling", 310915.2 - 13650.0),
+        ("back_wall", 303376.64),
+        ("right_wall", 306888.96),
+        ("left_wall", 306902.807638),
+        ("light", 13650.0),
+        ("short_block_top", 27633.0),
+        ("short_block_side1", 27344.238881),
+        ("short_block_side2", 27610.273903),
+        ("short_block_side3", 27562.409184),
+        ("short_block_side4", 27198.987573),
+        ("tall_block_top", 27626.5),
+        ("tall_block_side1", 54905.098124),
+        ("tall_block_side2", 54688.477763),
+        ("tall_block_side3", 55220.547806),
+        ("tall_block_side4", 54589.82048),
+    ];
+
+    #[test]
+    fn cornell_faces_have_the_measured_areas() {
+        let scene = Scene::builtin("cornell-box").unwrap();
+        assert_eq!(scene.surfaces.len(), CORNELL_AREAS.len());
+        for (surface, (name, area)) in scene.surfaces.iter().zip(CORNELL_AREAS) {
+            assert_eq!(surface.name, name);
+            let found = surface.shape.area();
+            assert!((found - area).abs() < 1e-6, "{name}: {found} instead of {area}");
+        }
+    }
+
+    #[test]
+    fn cornell_light_is_pi_times_the_published_radiance() {
+        let scene = Scene::builtin("cornell-box").unwrap();
+        let light = scene.surfaces.iter().find(|surface| surface.material.emits()).unwrap();
+        assert_eq!(light.name, "light");
+        assert_eq!(light.material.emission, [16.16, 11.04, 4.8].map(|radiance| PI * radiance));
+        assert_eq!(scene.surfaces.iter().filter(|surface| surface.material.emits()).count(), 1);
+    }
+
+    #[test]
+    fn cornell_fronts_face_the_air() {
+        let scene = Scene::builtin("cornell-box").unwrap();
+        let inside = DVec3::new(278.0, 400.0, 100.0);
+        for surface in &scene.surfaces {
+            let center = surface.shape.jet(0.0, 0.0);
+            let block = ["short_block", "tall_block"].iter().find(|block| surface.name.starts_with(**block));
+            // Out of a block its fronts face away from the middle of its top, lowered; walls face a point of the room.
+            let outward = match block {
+                Some(block) => {
+                    let top =
+                        scene.surfaces.iter().find(|other| other.name == format!("{block}_top")).unwrap();
+                    center.position - (top.shape.jet(0.0, 0.0).position - 10.0 * DVec3::Y)
+                }
+                None => inside - center.position,
+            };
+            assert!(outward.dot(center.normal) > 0.0, "{}", surface.name);
+        }
+    }
+
+    #[test]
+    fn closed_rooms_are_closed_and_face_inward() {
+        for name in ["empty-box", "furnace-cube"] {
+            let scene = Scene::builtin(name).unwrap();
+            let names: Vec<&str> = scene.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+            assert_eq!(names, ["floor", "ceiling", "wall-x0", "wall-x1", "wall-y0", "wall-y1"]);
+            assert_eq!(scene.bands, ["grey"]);
+            let middle = DVec3::splat(0.5);
+            for surface in &scene.surfaces {
+                let center = surface.shape.jet(0.0, 0.0);
+                assert!((middle - center.position).dot(center.normal) > 0.0);
+            }
+            let area: f64 = scene.surfaces.iter().map(|surface| surface.shape.area()).sum();
+            assert!((area - 6.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn cameras_of_the_built_in_scenes_see_a_front() {
+        for name in Scene::builtin_names() {
+            let scene = Scene::builtin(name).unwrap();
+            let camera = scene.camera.as_ref().unwrap();
+            let ray = Ray::new(camera.eye, camera.target - camera.eye);
+            let hits =
+                scene.surfaces.iter().filter_map(|surface| Some((surface, surface.shape.intersect(&ray)?)));
+            let (seen, hit) = hits.min_by(|a, b| a.1.t.total_cmp(&b.1.t)).unwrap();
+            assert!(seen.shape.jet(hit.u, hit.v).normal.dot(camera.target - camera.eye) < 0.0, "{name}");
+        }
+    }
+
+    const TOML: &str = r#"
+        bands = ["grey"]
+        [materials.wall]
+        reflectance = 0.25
+        emission = [2]
+        [[surfaces]]
+        material = "wall"
+        order = 6
+        subdivide = [2, 1]
+        two_sided = true
+        flip = true
+        transform = { scale = 2, rotate = [0, 0, 1, 90], translate = [0, 0, 1] }
+        triangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }
+    "#;
+
+    const JSON: &str = r#"{
+        "bands": ["grey"],
+        "materials": {"wall": {"reflectance": 0.25, "emission": [2]}},
+        "surfaces": [{
+            "material": "wall", "order": 6, "subdivide": [2, 1], "two_sided": true, "flip": true,
+            "transform": {"scale": 2, "rotate": [0, 0, 1, 90], "translate": [0, 0, 1]},
+            "triangle": {"vertices": [[0,0,0],[1,0,0],[0,1,0]]}
+        }]
+    }"#;
+
+    #[test]
+    fn toml_and_json_say_the_same() {
+        for scene in [Scene::from_toml(TOML, "a/room.toml").unwrap(), Scene::from_json(JSON, "room").unwrap()]
+        {
+            assert_eq!(scene.name, "room");
+            assert_eq!(scene.bands, ["grey"]);
+            let [front, back] = &scene.surfaces[..] else { panic!("a two-sided surface is two") };
+            assert_eq!((front.name.as_str(), back.name.as_str()), ("surface-1", "surface-1:back"));
+            assert_eq!((front.order, front.subdivide), (Some(6), Some([2, 1])));
+            assert_eq!(back.material, Material::new(vec![0.25], vec![2.0]).unwrap());
+            let (front, back) = (front.shape.jet(0.0, 0.0), back.shape.jet(0.0, 0.0));
+            assert!((front.normal + DVec3::Z).length() < 1e-15 && (back.normal - DVec3::Z).length() < 1e-15);
+            assert!((front.position.z - 1.0).abs() < 1e-15);
+            // Twice as long both ways, and a quarter turn takes +y to −x.
+            assert!((scene.surfaces[0].shape.area() - 2.0).abs() < 1e-14);
+            assert!(front.position.x < 0.0);
+        }
+    }
+}

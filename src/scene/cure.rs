@@ -1,0 +1,100 @@
+//! How to mend each fault of a scene, in words.
+
+use crate::scene::{builtin, error::Fault, nearest::nearest};
+
+impl Fault {
+    /// How to mend it; none where the message already says so.
+    pub fn cure(&self) -> Option<String> {
+        Some(match self {
+            Fault::Shape(_) => return None,
+            Fault::UnknownScene { name } => {
+                choose(name, builtin::NAMES, "built-in scenes")
+                    + "; a scene file is given by its path, ending in .toml or .json"
+            }
+            Fault::UnknownKey { key, known } => choose(key, known.iter().copied(), "known keys"),
+            Fault::UnknownMaterial { name, known } if known.is_empty() => {
+                format!("define it: [materials.{name}] with reflectance = 0.5")
+            }
+            Fault::UnknownMaterial { name, known } => {
+                choose(name, known.iter().map(String::as_str), "materials of this scene")
+            }
+            Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
+            Fault::WrongCount { expected, .. } => format!("give {expected}"),
+            Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
+            Fault::DuplicateName { first_line, .. } => {
+                format!("rename this one or the first, which stands on line {first_line}")
+            }
+            Fault::Coincident { other } => format!(
+                "remove one of the two, move them apart, or cut a hole into {other:?} where this one lies; \
+                 for both sides of one surface use two_sided = true"
+            ),
+            plain => plain_cure(plain).to_owned(),
+        })
+    }
+}
+
+/// Cures that do not depend on what was typed.
+fn plain_cure(fault: &Fault) -> &'static str {
+    match fault {
+        Fault::Unreadable { .. } => {
+            "check the path and its permissions; `radiosity scenes` lists scenes that need no file"
+        }
+        Fault::Syntax { language: "JSON", .. } => {
+            "JSON wants quotes around every key and a comma between items, none after the last"
+        }
+        Fault::Syntax { .. } => {
+            "TOML wants `key = value`, texts in quotes, and lists in brackets with commas"
+        }
+        Fault::RepeatedKey { .. } => "keep one of them",
+        Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
+        Fault::TwoShapes { .. } => "make two surfaces, one for each shape",
+        Fault::WrongType { expected, .. } => match *expected {
+            "a number" => "write it without quotes, e.g. 0.5",
+            "a list" => "write it in brackets, e.g. [0, 0, 1]",
+            "a text in quotes" => "write it in quotes, e.g. \"white\"",
+            _ => "write a value of that kind",
+        },
+        Fault::NotFinite { .. } => "give a number that a computation can start from",
+        Fault::NotWhole { .. } => "give 0, 1, 2, …",
+        Fault::EmptyText { .. } => "write at least one letter",
+        Fault::NoAxis => "give rotate = [x, y, z, degrees] with an axis that does not vanish",
+        Fault::BadCamera { .. } => "move the eye, the target or the up vector",
+        Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
+        Fault::NoEmitter => {
+            "give a material an emission above 0, e.g. emission = 10, and use it on a surface"
+        }
+        _ => "",
+    }
+}
+
+/// "did you mean" where a name is near, and the list of all.
+fn choose<'a>(name: &str, known: impl IntoIterator<Item = &'a str>, what: &str) -> String {
+    let known: Vec<&str> = known.into_iter().collect();
+    let list = format!("{what}: {}", known.join(", "));
+    match nearest(name, known.iter().copied()) {
+        Some(near) => format!("did you mean {near:?}? {list}"),
+        None => list,
+    }
+}
+
+/// What a missing key may look like.
+fn example(key: &str) -> &'static str {
+    match key {
+        "material" => ", the name of one of [materials.…]",
+        "reflectance" => ", a number or one per band, 0 ≤ ρ < 1; 0 is black",
+        "eye" | "target" | "origin" | "edge1" | "edge2" => ", three numbers in brackets",
+        "vertices" => ", a list of points, each three numbers in brackets",
+        _ => "",
+    }
+}
+
+fn out_of_range(what: &str, range: &str) -> String {
+    match what {
+        "the reflectance" => {
+            "choose a value in that range; a surface that loses nothing (ρ = 1) has no balance in a \
+                              closed room, 0.999 comes close"
+                .to_owned()
+        }
+        _ => format!("choose a value with {range}"),
+    }
+}

@@ -1,0 +1,218 @@
+//! What can be wrong with a scene: the fault, where it stands, and how to cure it.
+
+use std::fmt;
+
+use radiosity_geom::ShapeError;
+use thiserror::Error;
+
+use crate::scene::source::{Place, Source, Span};
+
+/// A scene that cannot be used, with the place in its text where there is one.
+///
+/// Displays as `file:line:column: owner: message`; the cure is apart, see [`SceneError::cure`].
+#[derive(Debug, Error)]
+pub struct SceneError {
+    /// File name, `<stdin>` or the name that was asked for.
+    pub origin: String,
+    /// Where the fault stands; none if it is something absent or a file that cannot be read.
+    pub place: Option<Box<Place>>,
+    /// The part of the scene it belongs to, e.g. `surface "floor"`.
+    pub owner: Option<String>,
+    /// What is wrong.
+    #[source]
+    pub fault: Fault,
+}
+
+/// What is wrong, without the place.
+#[derive(Clone, Debug, Error, PartialEq)]
+pub enum Fault {
+    /// The file or standard input cannot be read.
+    #[error("cannot be read: {reason}")]
+    Unreadable {
+        /// What the system said.
+        reason: String,
+    },
+    /// Neither a built-in scene nor a path.
+    #[error("unknown scene {name:?}")]
+    UnknownScene {
+        /// What was typed.
+        name: String,
+    },
+    /// The text is not TOML or JSON.
+    #[error("syntax error: {message}")]
+    Syntax {
+        /// `TOML` or `JSON`.
+        language: &'static str,
+        /// What the parser said.
+        message: String,
+    },
+    /// A key that means nothing here.
+    #[error("unknown key {key:?}")]
+    UnknownKey {
+        /// What was typed.
+        key: String,
+        /// Every key that may stand here.
+        known: Vec<&'static str>,
+    },
+    /// A key given twice in one table.
+    #[error("the key {key:?} stands twice")]
+    RepeatedKey {
+        /// The key.
+        key: String,
+    },
+    /// A key that has to be given.
+    #[error("the key {key:?} is missing")]
+    MissingKey {
+        /// The key.
+        key: &'static str,
+    },
+    /// A surface without a shape.
+    #[error("no shape is given")]
+    MissingShape,
+    /// A surface with more than one shape.
+    #[error("two shapes are given: {first:?} and {second:?}")]
+    TwoShapes {
+        /// The first shape key.
+        first: &'static str,
+        /// The second one.
+        second: &'static str,
+    },
+    /// A value of the wrong kind.
+    #[error("expected {expected}, found {found}")]
+    WrongType {
+        /// What should stand here.
+        expected: &'static str,
+        /// What stands here.
+        found: &'static str,
+    },
+    /// A list of the wrong length.
+    #[error("{what} takes {expected}, found {found}")]
+    WrongCount {
+        /// What the list gives, e.g. `a point`.
+        what: &'static str,
+        /// How many there should be.
+        expected: String,
+        /// How many there are.
+        found: usize,
+    },
+    /// NaN or an infinity.
+    #[error("{value} is not a finite number")]
+    NotFinite {
+        /// The number.
+        value: f64,
+    },
+    /// A fraction, a negative or a huge number where a count is needed.
+    #[error("{value} is not a whole number")]
+    NotWhole {
+        /// The number.
+        value: f64,
+    },
+    /// A number outside its range.
+    #[error("{what} is {value}, outside {range}")]
+    OutOfRange {
+        /// What the number gives, e.g. `the reflectance`.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// The range, e.g. `0 ≤ ρ < 1`.
+        range: &'static str,
+    },
+    /// A text that has to say something.
+    #[error("{what} is empty")]
+    EmptyText {
+        /// What the text gives, e.g. `a name`.
+        what: &'static str,
+    },
+    /// A material that is not defined.
+    #[error("unknown material {name:?}")]
+    UnknownMaterial {
+        /// What was typed.
+        name: String,
+        /// The materials of the scene.
+        known: Vec<String>,
+    },
+    /// Two things of one name.
+    #[error("the name {name:?} is given twice")]
+    DuplicateName {
+        /// The name.
+        name: String,
+        /// Line of the first use.
+        first_line: usize,
+    },
+    /// A shape that has no area, is folded, not planar, or has a hole outside; the message holds the cure.
+    #[error("{0}")]
+    Shape(ShapeError),
+    /// A transform that cannot be applied.
+    #[error("the rotation axis has no direction")]
+    NoAxis,
+    /// A camera that looks nowhere.
+    #[error("{problem}")]
+    BadCamera {
+        /// What is degenerate.
+        problem: &'static str,
+    },
+    /// Two surfaces lie in one another.
+    #[error("coincides with surface {other:?}")]
+    Coincident {
+        /// Name of the other surface.
+        other: String,
+    },
+    /// A scene without surfaces.
+    #[error("the scene has no surface")]
+    EmptyScene,
+    /// A scene in which nothing emits, where light is asked for.
+    #[error("no surface emits light")]
+    NoEmitter,
+}
+
+/// A fault on its way to the [`SceneError`], while the source is not at hand.
+#[derive(Debug)]
+pub(super) struct Located {
+    fault: Fault,
+    span: Option<Span>,
+    owner: Option<String>,
+}
+
+impl Located {
+    /// A fault of something that stands at `span`.
+    pub(super) fn at(span: &Span, fault: Fault) -> Self {
+        Located { fault, span: Some(span.clone()), owner: None }
+    }
+
+    /// A fault of the scene as a whole.
+    pub(super) fn nowhere(fault: Fault) -> Self {
+        Located { fault, span: None, owner: None }
+    }
+
+    /// Names the part of the scene the fault belongs to; the innermost name stays.
+    pub(super) fn within(mut self, owner: impl FnOnce() -> String) -> Self {
+        self.owner = self.owner.or_else(|| Some(owner()));
+        self
+    }
+
+    /// Looks the place up in the text.
+    pub(super) fn in_source(self, source: &Source) -> SceneError {
+        let place = self.span.map(|span| Box::new(source.place(&span)));
+        SceneError { origin: source.origin.to_string(), place, owner: self.owner, fault: self.fault }
+    }
+}
+
+impl SceneError {
+    /// How to mend it; none where the message already says so.
+    pub fn cure(&self) -> Option<String> {
+        self.fault.cure()
+    }
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.place {
+            Some(place) => write!(f, "{place}: ")?,
+            None => write!(f, "{}: ", self.origin)?,
+        }
+        if let Some(owner) = &self.owner {
+            write!(f, "{owner}: ")?;
+        }
+        self.fault.fmt(f)
+    }
+}

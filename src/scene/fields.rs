@@ -1,0 +1,146 @@
+//! Tree → plain values: a table's fields, numbers, points and lists, each refused at its own place.
+
+use radiosity_geom::DVec3;
+
+use crate::scene::{
+    error::{Fault, Located},
+    source::{At, Span},
+    tree::{Node, Value, entry},
+};
+
+/// The fields of one table, all of known names.
+pub(super) struct Fields<'a> {
+    entries: &'a [(At<String>, Node)],
+    span: Span,
+}
+
+impl<'a> Fields<'a> {
+    /// The fields of `node`, which must be a table with no other keys than `known`.
+    pub(super) fn new(node: &'a Node, known: &[&'static str]) -> Result<Self, Located> {
+        let entries = table(node)?;
+        for (key, _) in entries {
+            if !known.contains(&key.value.as_str()) {
+                let fault = Fault::UnknownKey { key: key.value.clone(), known: known.to_vec() };
+                return Err(Located::at(&key.span, fault));
+            }
+        }
+        // A table of a `[header]` spans its lines or nothing at all; its first key is the place to show.
+        let span = entries.first().map_or(node.span.clone(), |(key, _)| match node.span.is_empty() {
+            true => key.span.clone(),
+            false => node.span.clone(),
+        });
+        Ok(Fields { entries, span })
+    }
+
+    /// Where the table stands.
+    pub(super) fn span(&self) -> &Span {
+        &self.span
+    }
+
+    /// A field that may be left out.
+    pub(super) fn get(&self, key: &str) -> Option<&'a Node> {
+        entry(self.entries, key)
+    }
+
+    /// A field that has to be there.
+    pub(super) fn node(&self, key: &'static str) -> Result<&'a Node, Located> {
+        self.get(key).ok_or_else(|| Located::at(&self.span, Fault::MissingKey { key }))
+    }
+
+    /// A field that has to be there, read by `read`.
+    pub(super) fn require<T>(&self, key: &'static str, read: Reader<T>) -> Result<T, Located> {
+        read(self.node(key)?)
+    }
+
+    /// A field that may be left out, read by `read`.
+    pub(super) fn optional<T>(&self, key: &str, read: Reader<T>) -> Result<Option<T>, Located> {
+        self.get(key).map(read).transpose()
+    }
+}
+
+/// What turns a node into a value.
+pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
+
+fn wrong(node: &Node, expected: &'static str) -> Located {
+    Located::at(&node.span, Fault::WrongType { expected, found: node.value.kind() })
+}
+
+/// The entries of a table.
+pub(super) fn table(node: &Node) -> Result<&[(At<String>, Node)], Located> {
+    match &node.value {
+        Value::Table(entries) => Ok(entries),
+        _ => Err(wrong(node, "a table")),
+    }
+}
+
+/// The items of a list.
+pub(super) fn list(node: &Node) -> Result<&[Node], Located> {
+    match &node.value {
+        Value::List(items) => Ok(items),
+        _ => Err(wrong(node, "a list")),
+    }
+}
+
+/// A text that is not blank.
+pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
+    match &node.value {
+        Value::Text(text) if text.trim().is_empty() => {
+            Err(Located::at(&node.span, Fault::EmptyText { what: "this text" }))
+        }
+        Value::Text(text) => Ok(At::new(text.clone(), &node.span)),
+        _ => Err(wrong(node, "a text in quotes")),
+    }
+}
+
+/// `true` or `false`.
+pub(super) fn truth(node: &Node) -> Result<bool, Located> {
+    match node.value {
+        Value::Truth(truth) => Ok(truth),
+        _ => Err(wrong(node, "true or false")),
+    }
+}
+
+/// A finite number.
+pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
+    match node.value {
+        Value::Number(value) if value.is_finite() => Ok(At::new(value, &node.span)),
+        Value::Number(value) => Err(Located::at(&node.span, Fault::NotFinite { value })),
+        _ => Err(wrong(node, "a number")),
+    }
+}
+
+/// A whole number from 0 to 2³² − 1.
+pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
+    let number = number(node)?;
+    if number.value.fract() != 0.0 || !(0.0..=f64::from(u32::MAX)).contains(&number.value) {
+        let fault = Fault::NotWhole { value: number.value };
+        return Err(Located::at(&node.span, fault));
+    }
+    Ok(At::new(number.value as u32, &node.span))
+}
+
+/// Exactly `N` items, each read by `read`; `what` and `unit` name the list and its items in messages.
+pub(super) fn exactly<const N: usize, T: Copy>(
+    node: &Node,
+    what: &'static str,
+    unit: &'static str,
+    read: Reader<T>,
+) -> Result<[T; N], Located> {
+    let items = list(node)?;
+    if items.len() != N {
+        let fault = Fault::WrongCount { what, expected: format!("{N} {unit}"), found: items.len() };
+        return Err(Located::at(&node.span, fault));
+    }
+    let values = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
+    Ok(std::array::from_fn(|k| values[k]))
+}
+
+/// A point or a vector, three numbers.
+pub(super) fn point(node: &Node) -> Result<DVec3, Located> {
+    exactly::<3, f64>(node, "a point", "numbers", |item| Ok(number(item)?.value)).map(DVec3::from_array)
+}
+
+/// A list of points.
+pub(super) fn points(node: &Node) -> Result<Vec<DVec3>, Located> {
+    list(node)?.iter().map(point).collect()
+}

@@ -1,0 +1,240 @@
+//! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is checked.
+
+use radiosity_geom::DVec3;
+
+use crate::scene::{
+    camera::MAX_PIXELS,
+    error::{Fault, Located},
+    fields::{Fields, exactly, list, number, point, table, text, truth, whole},
+    placement::Placement,
+    shape::{KEYS, ShapeFile},
+    source::{At, Span},
+    tree::{Node, Value, entry},
+};
+
+/// The highest order of a basis.
+pub const MAX_ORDER: usize = 20;
+
+/// The finest `subdivide`, elements along one parameter.
+const MAX_PARTS: u32 = 256;
+
+/// A scene file.
+#[derive(Debug)]
+pub(super) struct SceneFile {
+    pub title: Option<String>,
+    pub bands: Option<Vec<At<String>>>,
+    pub camera: Option<CameraFile>,
+    pub materials: Vec<MaterialFile>,
+    pub surfaces: Vec<SurfaceFile>,
+}
+
+/// `[camera]`.
+#[derive(Debug)]
+pub(super) struct CameraFile {
+    pub span: Span,
+    pub eye: DVec3,
+    pub target: DVec3,
+    pub up: Option<DVec3>,
+    pub fov: Option<f64>,
+    pub width: Option<u32>,
+    pub height: Option<u32>,
+}
+
+/// `[materials.NAME]`.
+#[derive(Debug)]
+pub(super) struct MaterialFile {
+    pub name: At<String>,
+    pub reflectance: PerBand,
+    pub emission: Option<PerBand>,
+}
+
+/// One number for all bands, or a list with one per band.
+#[derive(Debug)]
+pub(super) enum PerBand {
+    All(At<f64>),
+    Each(At<Vec<At<f64>>>),
+}
+
+/// `[[surfaces]]`.
+#[derive(Debug)]
+pub(super) struct SurfaceFile {
+    pub name: Option<At<String>>,
+    pub span: Span,
+    pub material: Option<At<String>>,
+    pub shape: ShapeFile,
+    pub placement: Placement,
+    pub order: Option<usize>,
+    pub subdivide: Option<[usize; 2]>,
+    pub two_sided: bool,
+    pub flip: bool,
+}
+
+impl SceneFile {
+    /// Reads the tree of a whole scene.
+    pub(super) fn read(tree: &Node) -> Result<Self, Located> {
+        let fields = Fields::new(tree, &["title", "bands", "camera", "materials", "surfaces"])?;
+        let surfaces =
+            fields.optional("surfaces", |node| list(node).map(<[Node]>::to_vec))?.unwrap_or_default();
+        Ok(SceneFile {
+            title: fields.optional("title", text)?.map(|title| title.value),
+            bands: fields.optional("bands", |node| list(node)?.iter().map(text).collect())?,
+            camera: fields
+                .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
+            materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
+            surfaces: surfaces.iter().enumerate().map(read_named_surface).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+fn read_camera(node: &Node) -> Result<CameraFile, Located> {
+    let fields = Fields::new(node, &["eye", "target", "up", "fov", "width", "height"])?;
+    Ok(CameraFile {
+        span: fields.span().clone(),
+        eye: fields.require("eye", point)?,
+        target: fields.require("target", point)?,
+        up: fields.optional("up", point)?,
+        fov: fields.optional("fov", |node| {
+            let fov = number(node)?;
+            within(fov, |x| x > 0.0 && x < 180.0, "the angle of view", "0 < fov < 180 degrees")
+        })?,
+        width: fields.optional("width", pixels)?,
+        height: fields.optional("height", pixels)?,
+    })
+}
+
+fn pixels(node: &Node) -> Result<u32, Located> {
+    counted(node, 1, MAX_PIXELS, "the picture's size", "1 ≤ pixels ≤ 16384")
+}
+
+fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {
+    let read = |(name, node): &(At<String>, Node)| {
+        read_material(name, node).map_err(|error| error.within(|| material_title(&name.value)))
+    };
+    table(node)?.iter().map(read).collect()
+}
+
+fn read_material(name: &At<String>, node: &Node) -> Result<MaterialFile, Located> {
+    let fields = Fields::new(node, &["reflectance", "emission"])?;
+    Ok(MaterialFile {
+        name: name.clone(),
+        reflectance: fields.require("reflectance", per_band)?,
+        emission: fields.optional("emission", per_band)?,
+    })
+}
+
+fn per_band(node: &Node) -> Result<PerBand, Located> {
+    match &node.value {
+        Value::List(items) => {
+            let values = items.iter().map(number).collect::<Result<_, _>>()?;
+            Ok(PerBand::Each(At::new(values, &node.span)))
+        }
+        _ => Ok(PerBand::All(number(node)?)),
+    }
+}
+
+/// How messages call a material.
+pub(super) fn material_title(name: &str) -> String {
+    format!("material {name:?}")
+}
+
+/// How messages call a surface, by its name or else by its number.
+pub(super) fn surface_title(name: &str) -> String {
+    format!("surface {name:?}")
+}
+
+/// The name of the surface at `index` (from 0) if it is given none.
+pub(super) fn default_name(index: usize) -> String {
+    format!("surface-{}", index + 1)
+}
+
+fn read_named_surface((index, node): (usize, &Node)) -> Result<SurfaceFile, Located> {
+    read_surface(node).map_err(|error| {
+        error.within(|| match table(node).ok().and_then(|entries| entry(entries, "name")).map(text) {
+            Some(Ok(name)) => surface_title(&name.value),
+            _ => surface_title(&default_name(index)),
+        })
+    })
+}
+
+const SURFACE_KEYS: [&str; 7] = ["name", "material", "order", "subdivide", "two_sided", "flip", "transform"];
+
+fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
+    let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(KEYS).collect();
+    let fields = Fields::new(node, &known)?;
+    Ok(SurfaceFile {
+        name: fields.optional("name", text)?,
+        span: fields.span().clone(),
+        material: fields.optional("material", text)?,
+        shape: read_shape(&fields)?,
+        placement: fields.optional("transform", read_placement)?.unwrap_or(Placement::STAY),
+        order: fields.optional("order", order)?,
+        subdivide: fields.optional("subdivide", |node| exactly(node, "subdivide", "numbers", parts))?,
+        two_sided: fields.optional("two_sided", truth)?.unwrap_or(false),
+        flip: fields.optional("flip", truth)?.unwrap_or(false),
+    })
+}
+
+fn read_shape(fields: &Fields<'_>) -> Result<ShapeFile, Located> {
+    let given: Vec<&'static str> = KEYS.into_iter().filter(|key| fields.get(key).is_some()).collect();
+    match given[..] {
+        [] => Err(Located::at(fields.span(), Fault::MissingShape)),
+        [kind] => ShapeFile::read(kind, fields.node(kind)?),
+        [first, second, ..] => {
+            Err(Located::at(&fields.node(second)?.span, Fault::TwoShapes { first, second }))
+        }
+    }
+}
+
+fn order(node: &Node) -> Result<usize, Located> {
+    counted(node, 0, MAX_ORDER as u32, "the order", "0 ≤ order ≤ 20").map(|order| order as usize)
+}
+
+fn parts(node: &Node) -> Result<usize, Located> {
+    counted(node, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256").map(|parts| parts as usize)
+}
+
+fn read_placement(node: &Node) -> Result<Placement, Located> {
+    let fields = Fields::new(node, &["translate", "rotate", "scale"])?;
+    let translate = fields.optional("translate", point)?.unwrap_or(DVec3::ZERO);
+    let (axis, degrees) = fields.optional("rotate", rotation)?.unwrap_or((DVec3::Z, 0.0));
+    let scale = fields.optional("scale", |node| {
+        let scale = number(node)?;
+        within(scale, |x| x > 0.0, "the scale", "scale > 0")
+    })?;
+    Ok(Placement::new(scale.unwrap_or(1.0), axis, degrees, translate))
+}
+
+/// `[x, y, z, degrees]`: a unit axis and an angle.
+fn rotation(node: &Node) -> Result<(DVec3, f64), Located> {
+    let [x, y, z, degrees] =
+        exactly(node, "rotate", "numbers, an axis and degrees", |item| Ok(number(item)?.value))?;
+    let axis = DVec3::new(x, y, z).try_normalize();
+    Ok((axis.ok_or_else(|| Located::at(&node.span, Fault::NoAxis))?, degrees))
+}
+
+/// A whole number from `least` to `most`.
+fn counted(
+    node: &Node,
+    least: u32,
+    most: u32,
+    what: &'static str,
+    range: &'static str,
+) -> Result<u32, Located> {
+    let count = whole(node)?;
+    let inside = (least..=most).contains(&count.value);
+    let fault = || Fault::OutOfRange { what, value: f64::from(count.value), range };
+    if inside { Ok(count.value) } else { Err(Located::at(&count.span, fault())) }
+}
+
+/// A number that passes `test`.
+fn within(
+    number: At<f64>,
+    test: fn(f64) -> bool,
+    what: &'static str,
+    range: &'static str,
+) -> Result<f64, Located> {
+    match test(number.value) {
+        true => Ok(number.value),
+        false => Err(Located::at(&number.span, Fault::OutOfRange { what, value: number.value, range })),
+    }
+}

@@ -1,0 +1,81 @@
+//! What a surface does with light: reflectance ρ and emission, per band.
+
+use crate::scene::error::Fault;
+
+/// A Lambertian material. [`Material::new`] checks the ranges; scenes hold only checked ones.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Reflectance ρ of each band, 0 ≤ ρ < 1.
+    pub reflectance: Vec<f64>,
+    /// Emitted exitance of each band, W m⁻², ≥ 0.
+    pub emission: Vec<f64>,
+}
+
+impl Material {
+    /// A material of as many bands as `reflectance` and `emission` have entries.
+    ///
+    /// `reflectance`: 0 ≤ ρ < 1. `emission`: exitance, W m⁻², ≥ 0 and finite.
+    ///
+    /// # Errors
+    /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for the first number that is wrong, [`Fault::WrongCount`] if the
+    /// lengths differ.
+    pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
+        if emission.len() != reflectance.len() {
+            let expected = format!("{} numbers, one per band", reflectance.len());
+            return Err(Fault::WrongCount { what: "the emission", expected, found: emission.len() });
+        }
+        reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?;
+        emission.iter().try_for_each(|&exitance| check_emission(exitance))?;
+        Ok(Material { reflectance, emission })
+    }
+
+    /// The material that neither reflects nor emits.
+    pub fn black(bands: usize) -> Self {
+        Material { reflectance: vec![0.0; bands], emission: vec![0.0; bands] }
+    }
+
+    /// Whether it emits in any band.
+    pub fn emits(&self) -> bool {
+        self.emission.iter().any(|&exitance| exitance > 0.0)
+    }
+}
+
+/// 0 ≤ ρ < 1.
+pub(super) fn check_reflectance(rho: f64) -> Result<(), Fault> {
+    check(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
+}
+
+/// Emission ≥ 0.
+pub(super) fn check_emission(exitance: f64) -> Result<(), Fault> {
+    check(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
+}
+
+fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {
+    match (value.is_finite(), inside) {
+        (false, _) => Err(Fault::NotFinite { value }),
+        (true, false) => Err(Fault::OutOfRange { what, value, range }),
+        (true, true) => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn reflectance_may_be_zero_but_not_one() {
+        assert!(Material::new(vec![0.0], vec![0.0]).is_ok());
+        assert!(Material::new(vec![1.0_f64.next_down()], vec![0.0]).is_ok());
+        for rho in [1.0, 1.2, -1e-300] {
+            assert!(matches!(Material::new(vec![rho], vec![0.0]), Err(Fault::OutOfRange { .. })));
+        }
+    }
+
+    #[test]
+    fn numbers_are_finite_and_one_per_band() {
+        assert!(matches!(Material::new(vec![f64::NAN], vec![0.0]), Err(Fault::NotFinite { .. })));
+        assert!(matches!(Material::new(vec![0.5], vec![f64::INFINITY]), Err(Fault::NotFinite { .. })));
+        assert!(matches!(Material::new(vec![0.5], vec![-1.0]), Err(Fault::OutOfRange { .. })));
+        assert!(matches!(Material::new(vec![0.5; 3], vec![1.0]), Err(Fault::WrongCount { .. })));
+    }
+}

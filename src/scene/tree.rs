@@ -1,0 +1,42 @@
+//! A scene's text as a tree of values, each with the bytes it stands on: what TOML and JSON have in common.
+
+use crate::scene::source::At;
+
+/// A value and where it stands.
+pub(super) type Node = At<Value>;
+
+/// What a value can be.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Value {
+    /// A string.
+    Text(String),
+    /// Any number; integers are exact up to 2⁵³.
+    Number(f64),
+    /// `true` or `false`.
+    Truth(bool),
+    /// A list.
+    List(Vec<Node>),
+    /// A table (TOML) or an object (JSON), in the order the parser gives.
+    Table(Vec<(At<String>, Node)>),
+    /// Something no scene uses: a date (TOML), `null` (JSON).
+    Other(&'static str),
+}
+
+impl Value {
+    /// The kind of value, for messages.
+    pub(super) fn kind(&self) -> &'static str {
+        match self {
+            Value::Text(_) => "a text",
+            Value::Number(_) => "a number",
+            Value::Truth(_) => "true or false",
+            Value::List(_) => "a list",
+            Value::Table(_) => "a table",
+            Value::Other(kind) => kind,
+        }
+    }
+}
+
+/// The entries of a table, by key.
+pub(super) fn entry<'a>(entries: &'a [(At<String>, Node)], key: &str) -> Option<&'a Node> {
+    entries.iter().find(|(name, _)| name.value == key).map(|(_, node)| node)
+}

@@ -1,0 +1,184 @@
+//! As typed → valid: bands, materials, camera and surfaces of a scene.
+
+use std::{collections::BTreeMap, sync::Arc};
+
+use radiosity_geom::{DVec3, Flipped, Surface};
+
+use crate::scene::{
+    camera::Camera,
+    coincident::coincide,
+    error::{Fault, Located},
+    file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name, material_title, surface_title},
+    material::{Material, check_emission, check_reflectance},
+    source::{At, Source, Span},
+    surface::SceneSurface,
+};
+
+/// Materials by name.
+pub(super) type Materials = BTreeMap<String, Material>;
+
+/// The names of the bands; r, g, b if none are given.
+pub(super) fn bands(names: Option<Vec<At<String>>>, source: &Source) -> Result<Vec<String>, Located> {
+    let Some(names) = names else { return Ok(["r", "g", "b"].map(str::to_owned).to_vec()) };
+    if names.is_empty() {
+        let expected = "at least one name".to_owned();
+        return Err(Located::nowhere(Fault::WrongCount { what: "the list of bands", expected, found: 0 }));
+    }
+    let mut unique = UniqueNames::default();
+    for name in &names {
+        unique.add(&name.value, &name.span, source)?;
+    }
+    Ok(names.into_iter().map(|name| name.value).collect())
+}
+
+/// Every material, checked number by number.
+pub(super) fn materials(files: Vec<MaterialFile>, bands: usize) -> Result<Materials, Located> {
+    let checked = |file: MaterialFile| {
+        let name = file.name.value.clone();
+        match material(file, bands) {
+            Ok(material) => Ok((name, material)),
+            Err(error) => Err(error.within(|| material_title(&name))),
+        }
+    };
+    files.into_iter().map(checked).collect()
+}
+
+fn material(file: MaterialFile, bands: usize) -> Result<Material, Located> {
+    let reflectance = spread(&file.reflectance, bands, "the reflectance", check_reflectance)?;
+    let emission = file.emission.map(|emission| spread(&emission, bands, "the emission", check_emission));
+    let emission = emission.transpose()?.unwrap_or_else(|| vec![0.0; bands]);
+    Material::new(reflectance, emission).map_err(|fault| Located::at(&file.name.span, fault))
+}
+
+/// One number for each band.
+fn spread(
+    numbers: &PerBand,
+    bands: usize,
+    what: &'static str,
+    check: fn(f64) -> Result<(), Fault>,
+) -> Result<Vec<f64>, Located> {
+    let checked = |number: &At<f64>| match check(number.value) {
+        Ok(()) => Ok(number.value),
+        Err(fault) => Err(Located::at(&number.span, fault)),
+    };
+    match numbers {
+        PerBand::All(number) => Ok(vec![checked(number)?; bands]),
+        PerBand::Each(list) if list.value.len() == bands => list.value.iter().map(checked).collect(),
+        PerBand::Each(list) => {
+            let expected = format!("one number for all bands or {bands}, one per band");
+            Err(Located::at(&list.span, Fault::WrongCount { what, expected, found: list.value.len() }))
+        }
+    }
+}
+
+/// A camera with a view; up +z, 40 degrees and 512 × 512 pixels where nothing is said.
+pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
+    let camera = Camera {
+        eye: file.eye,
+        target: file.target,
+        up: file.up.unwrap_or(DVec3::Z),
+        fov: file.fov.unwrap_or(40.0),
+        width: file.width.unwrap_or(512),
+        height: file.height.unwrap_or(512),
+    };
+    camera.checked().map_err(|fault| Located::at(&file.span, fault).within(|| "camera".into()))
+}
+
+/// Every surface with its name, shape and material, no two in one another.
+pub(super) fn surfaces(
+    files: Vec<SurfaceFile>,
+    materials: &Materials,
+    bands: usize,
+    source: &Source,
+) -> Result<Vec<SceneSurface>, Located> {
+    if files.is_empty() {
+        return Err(Located::nowhere(Fault::EmptyScene));
+    }
+    let mut names = UniqueNames::default();
+    let mut surfaces: Vec<SceneSurface> = Vec::with_capacity(files.len());
+    for (index, file) in files.iter().enumerate() {
+        let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
+        let sides =
+            sides(file, &name, materials, bands, source).map_err(|e| e.within(|| surface_title(&name)))?;
+        let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
+        for side in &sides {
+            names.add(&side.name, name_span, source)?;
+        }
+        apart(&surfaces, &sides[0], &file.shape.span)?;
+        surfaces.extend(sides);
+    }
+    Ok(surfaces)
+}
+
+/// The surface, and its back if it is two-sided.
+fn sides(
+    file: &SurfaceFile,
+    name: &str,
+    materials: &Materials,
+    bands: usize,
+    source: &Source,
+) -> Result<Vec<SceneSurface>, Located> {
+    let front = SceneSurface {
+        name: name.to_owned(),
+        kind: file.shape.kind,
+        shape: shape(file, file.flip)?,
+        material: surface_material(file.material.as_ref(), materials, bands)?,
+        material_name: file.material.as_ref().map(|material| material.value.clone()),
+        order: file.order,
+        subdivide: file.subdivide,
+        place: source.place(&file.span),
+    };
+    if !file.two_sided {
+        return Ok(vec![front]);
+    }
+    let back =
+        SceneSurface { name: format!("{name}:back"), shape: shape(file, !file.flip)?, ..front.clone() };
+    Ok(vec![front, back])
+}
+
+fn shape(file: &SurfaceFile, flip: bool) -> Result<Arc<dyn Surface>, Located> {
+    let shape = file.shape.build(&file.placement).map_err(|error| {
+        let span = file.shape.span_of(error.field()).clone();
+        Located::at(&span, Fault::Shape(error))
+    })?;
+    Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
+}
+
+fn surface_material(
+    name: Option<&At<String>>,
+    materials: &Materials,
+    bands: usize,
+) -> Result<Material, Located> {
+    let Some(name) = name else { return Ok(Material::black(bands)) };
+    materials.get(&name.value).cloned().ok_or_else(|| {
+        let known = materials.keys().cloned().collect();
+        Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })
+    })
+}
+
+/// Whether `new` coincides with none of `earlier`.
+fn apart(earlier: &[SceneSurface], new: &SceneSurface, span: &Span) -> Result<(), Located> {
+    match earlier.iter().find(|other| coincide(&*other.shape, &*new.shape)) {
+        None => Ok(()),
+        Some(other) => {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            Err(Located::at(span, fault).within(|| surface_title(&new.name)))
+        }
+    }
+}
+
+/// Names seen so far, each with its line.
+#[derive(Default)]
+struct UniqueNames(BTreeMap<String, usize>);
+
+impl UniqueNames {
+    fn add(&mut self, name: &str, span: &Span, source: &Source) -> Result<(), Located> {
+        let line = source.place(span).line;
+        match self.0.insert(name.to_owned(), line) {
+            None => Ok(()),
+            Some(first_line) => {
+                Err(Located::at(span, Fault::DuplicateName { name: name.to_owned(), first_line }))
+            }
+        }
+    }
+}
