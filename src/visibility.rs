@@ -1,0 +1,118 @@
+//! Visibility: who may stand between two patches, and whether a segment is free.
+//!
+//! A pair of patches first loses every surface that certainly misses the convex hull of the two
+//! (the *shaft*); what is left are its candidate blockers, usually few or none. With none the pair is
+//! fully visible and no ray is cast. Where one flat convex blocker catches all segments between the
+//! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
+//! segment is tested against the candidates alone.
+
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Ray, Rect, Surface, separated};
+
+use crate::scene::Scene;
+
+/// A segment may touch surfaces within this part of its length at both ends.
+const END: f64 = 1e-9;
+
+/// The surfaces of a scene as obstacles.
+#[derive(Debug)]
+pub struct Visibility {
+    obstacles: Vec<Obstacle>,
+    tree: Bvh,
+    shadows: Shadows,
+}
+
+/// Whether surfaces hide each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Shadows {
+    /// Everything sees everything it faces.
+    Off,
+    /// Rays against the candidates of each pair. A blocker that reaches into the shaft of a pair by less
+    /// than this part of the pair's size is passed over: it hides no larger part of the light between
+    /// the two.
+    Rays(f64),
+}
+
+#[derive(Debug)]
+struct Obstacle {
+    shape: Arc<dyn Surface>,
+    hull: Vec<DVec3>,
+    /// Outline of a convex planar obstacle without holes: it can hide a pair by itself.
+    convex: bool,
+}
+
+impl Visibility {
+    /// The obstacles of `scene`.
+    pub fn new(scene: &Scene, shadows: Shadows) -> Self {
+        let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| Obstacle::new(&s.shape)).collect();
+        let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
+        Self { obstacles, tree: Bvh::build(&boxes), shadows }
+    }
+
+    /// Surfaces other than the two named that may stand between the hulls of points `a` and `b`, ascending.
+    pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
+        let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
+        let mut found = Vec::new();
+        if self.shadows == Shadows::Off {
+            return found;
+        }
+        self.tree.overlapping(&bounds, |index| {
+            if !surfaces.contains(&index) {
+                found.push(index);
+            }
+        });
+        found.sort_unstable();
+        self.narrow(&found, a, b)
+    }
+
+    /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
+    pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
+        let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
+        let size = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point)).diagonal();
+        let reaches = |index: &usize| !separated(a, b, &self.obstacles[*index].hull, tolerance * size);
+        blockers.iter().copied().filter(reaches).collect()
+    }
+
+    /// Whether one of `blockers` alone hides the hulls of `a` and `b` from each other wholly.
+    pub fn hidden(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> bool {
+        blockers.iter().any(|index| {
+            let obstacle = &self.obstacles[*index];
+            obstacle.convex && a.iter().all(|x| b.iter().all(|y| obstacle.shape.occludes(&segment(*x, *y))))
+        })
+    }
+
+    /// Whether the open segment from `x` to `y` misses all of `blockers`.
+    pub fn free(&self, blockers: &[usize], x: DVec3, y: DVec3) -> bool {
+        let ray = segment(x, y);
+        !blockers.iter().any(|index| self.obstacles[*index].shape.occludes(&ray))
+    }
+
+    /// Whether any surface of the scene may stand between any two others.
+    pub fn any_shadow(&self) -> bool {
+        let n = self.obstacles.len();
+        let pair = |i: usize, j: usize| (&self.obstacles[i].hull, &self.obstacles[j].hull);
+        (0..n).any(|i| {
+            (0..i).any(|j| {
+                let (a, b) = pair(i, j);
+                !self.candidates(a, b, [i, j]).is_empty()
+            })
+        })
+    }
+
+    /// The first surface that a ray meets.
+    pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
+        self.tree.nearest(ray, |index, ray| self.obstacles[index].shape.intersect(ray))
+    }
+}
+
+impl Obstacle {
+    fn new(shape: &Arc<dyn Surface>) -> Self {
+        let convex = shape.region().is_some_and(|region| region.convex_pieces().len() == 1);
+        Self { shape: Arc::clone(shape), hull: shape.hull(&Rect::FULL), convex }
+    }
+}
+
+fn segment(x: DVec3, y: DVec3) -> Ray {
+    Ray { origin: x, direction: y - x, range: [END, 1.0 - END] }
+}
