@@ -10,3 +10,4 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod elements;

@@ -1,0 +1,332 @@
+//! Elements: the scene's surfaces cut into pieces that carry polynomials.
+//!
+//! A planar element is any polygon, holes included, with polynomials of total degree N in affine
+//! coordinates of its plane; a curved element is a rectangle of its surface's parameters, with
+//! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
+//! an element is covered by [`patch`]es.
+
+pub mod basis;
+pub mod patch;
+pub mod rule;
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon};
+
+use crate::scene::{Scene, SceneSurface};
+use basis::{AreaBasis, Frame, HIGHEST_ORDER};
+use patch::Patch;
+use rule::UnitRule;
+
+/// How the scene is cut and which polynomials it carries.
+#[derive(Clone, Copy, Debug)]
+pub struct Discretization {
+    /// Total degree on every element that does not state its own, ≤ [`HIGHEST_ORDER`].
+    pub order: usize,
+    /// Cuts of surfaces that do not state their own.
+    pub subdivide: Subdivide,
+}
+
+/// Cuts along u and v of a surface that does not state its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Subdivide {
+    /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise.
+    Auto {
+        /// Whether anything in the scene can cast a shadow.
+        occluded: bool,
+    },
+    /// The same number along u and v everywhere.
+    Uniform(usize),
+}
+
+/// Why a scene could not be cut into elements.
+#[derive(Debug, thiserror::Error)]
+pub enum ElementError {
+    /// A degree above the highest offered.
+    #[error("order {order} is above the highest offered, {HIGHEST_ORDER}: choose a lower one")]
+    Order {
+        /// The degree asked for.
+        order: usize,
+    },
+    /// A surface too thin for its degree.
+    #[error(
+        "surface '{surface}' is too thin for polynomials of order {order}: lower its order or mend its shape"
+    )]
+    Thin {
+        /// Name of the surface.
+        surface: String,
+        /// The degree asked for.
+        order: usize,
+    },
+}
+
+/// A piece of a surface with its orthonormal polynomials.
+#[derive(Debug)]
+pub struct Element {
+    /// Index of the surface in the scene.
+    pub surface: usize,
+    /// The parameters it covers, as far as the surface reaches there.
+    pub rect: Rect,
+    /// φ_k, k = 0..basis.len().
+    pub basis: AreaBasis,
+    /// A cover by patches that do not overlap.
+    pub patches: Vec<Patch>,
+    /// A point and the unit normal of its plane, where it is flat.
+    pub plane: Option<(DVec3, DVec3)>,
+    /// Area (scene length²).
+    pub area: f64,
+    /// c_k = ∫ φ_k dA, the coefficients of the constant 1.
+    pub constant: Vec<f64>,
+    /// Points whose convex hull contains it.
+    pub hull: Vec<DVec3>,
+}
+
+impl Element {
+    /// Value at a point of Σ_k x_k φ_k given by its raw coefficients ([`AreaBasis::to_raw`]).
+    ///
+    /// `position` matters on flat elements, `parameters` on curved ones.
+    pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
+        let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
+        let mut values = [0.0; (HIGHEST_ORDER + 1) * (HIGHEST_ORDER + 2) / 2];
+        let values = &mut values[..self.basis.len()];
+        self.basis.raw(place, values);
+        values.iter().zip(raw).map(|(x, y)| x * y).sum()
+    }
+
+    /// ∬ |φ_k| dA for each k, by a Gauss rule: a measure, good to a few percent.
+    pub fn absolute_integrals(&self) -> Vec<f64> {
+        let count = self.basis.len();
+        let mut sums = vec![0.0; count];
+        let mut raw = vec![0.0; count];
+        let rule = UnitRule::of(2 * self.basis.order() + 2);
+        for patch in &self.patches {
+            for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                self.basis.raw(self.basis.frame().coordinates(&node), &mut raw);
+                for (sum, row) in sums.iter_mut().zip(self.basis.transform().chunks_exact(count)) {
+                    let value: f64 = row.iter().zip(&raw).map(|(t, l)| t * l).sum();
+                    *sum += ws * wt * node.area * value.abs();
+                }
+            }
+        }
+        sums
+    }
+
+    /// Bounding box.
+    pub fn bounds(&self) -> Aabb {
+        self.hull.iter().fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point))
+    }
+}
+
+/// All elements of a scene, surface by surface.
+#[derive(Debug)]
+pub struct Elements {
+    list: Vec<Element>,
+    surfaces: Vec<Cut>,
+}
+
+/// How one surface was cut: cells along u and v, and the element of each cell.
+#[derive(Debug)]
+struct Cut {
+    shape: Arc<dyn Surface>,
+    cells: [usize; 2],
+    element: Vec<Option<usize>>,
+}
+
+impl Elements {
+    /// Cuts `scene` as `how` says.
+    ///
+    /// # Errors
+    /// A degree out of range, or a surface without area at the degree asked.
+    pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        let extent = scene_extent(scene);
+        let mut elements = Self { list: Vec::new(), surfaces: Vec::new() };
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            let order = surface.order.unwrap_or(how.order);
+            if order > HIGHEST_ORDER {
+                return Err(ElementError::Order { order });
+            }
+            let cells = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
+            let mut cut = Cut { shape: Arc::clone(&surface.shape), cells, element: Vec::new() };
+            for rect in cells_of(cells) {
+                let element = element(index, surface, rect, order)?;
+                cut.element.push(element.is_some().then_some(elements.list.len()));
+                elements.list.extend(element);
+            }
+            elements.surfaces.push(cut);
+        }
+        Ok(elements)
+    }
+
+    /// The elements, in the order of their surfaces.
+    pub fn list(&self) -> &[Element] {
+        &self.list
+    }
+
+    /// Indices of the elements of one surface.
+    pub fn of_surface(&self, surface: usize) -> Range<usize> {
+        let start = self.list.partition_point(|element| element.surface < surface);
+        let end = self.list.partition_point(|element| element.surface <= surface);
+        start..end
+    }
+
+    /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
+    pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
+        let cut = &self.surfaces[surface];
+        let cell = |x: f64, cells: usize| (((x + 1.0) * 0.5 * cells as f64) as usize).min(cells - 1);
+        cut.element[cell(u, cut.cells[0]) * cut.cells[1] + cell(v, cut.cells[1])]
+    }
+
+    /// The element on the other side of the seam at (u, v), a little further in direction `step`; None
+    /// at the border of the surface and inside its holes.
+    pub fn across_seam(&self, surface: usize, [u, v]: [f64; 2], step: [f64; 2]) -> Option<usize> {
+        let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
+        let shape = self.shape(surface);
+        let covered = shape.region().is_none_or(|region| region.contains(shape.jet(u, v).position));
+        if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
+    }
+
+    /// The shape of a surface.
+    pub fn shape(&self, surface: usize) -> &dyn Surface {
+        self.surfaces[surface].shape.as_ref()
+    }
+
+    /// Number of coefficients per band of all elements together.
+    pub fn coefficients(&self) -> usize {
+        self.list.iter().map(|element| element.basis.len()).sum()
+    }
+}
+
+/// The cells of a uniform cut of [−1, 1]², v running fastest.
+pub fn cells_of(cells: [usize; 2]) -> impl Iterator<Item = Rect> {
+    let step = move |k: usize, n: usize| -1.0 + 2.0 * k as f64 / n as f64;
+    (0..cells[0] * cells[1]).map(move |index| {
+        let (i, j) = (index / cells[1], index % cells[1]);
+        Rect { u: [step(i, cells[0]), step(i + 1, cells[0])], v: [step(j, cells[1]), step(j + 1, cells[1])] }
+    })
+}
+
+/// The part of planar convex `pieces` over the parameter rectangle of a planar surface whose
+/// parameter lines are straight.
+pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -> Vec<Vec<DVec3>> {
+    let at = |u: f64, v: f64| surface.jet(u, v);
+    let corners = [
+        at(rect.u[0], rect.v[0]),
+        at(rect.u[1], rect.v[0]),
+        at(rect.u[1], rect.v[1]),
+        at(rect.u[0], rect.v[1]),
+    ]
+    .map(|jet| jet.position);
+    let middle = corners.iter().sum::<DVec3>() * 0.25;
+    let normal = at(0.0, 0.0).normal;
+    let mut parts = pieces.to_vec();
+    for k in 0..4 {
+        let (start, end) = (corners[k], corners[(k + 1) % 4]);
+        let inward = normal.cross(end - start).normalize();
+        let inward = if inward.dot(middle - start) < 0.0 { -inward } else { inward };
+        parts = parts.iter().map(|part| clip_polygon(part, start, inward)).filter(|p| p.len() > 2).collect();
+    }
+    parts
+}
+
+fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {
+    match subdivide {
+        Subdivide::Uniform(n) => [n, n],
+        Subdivide::Auto { occluded } => {
+            let bounds = surface.shape.bounds(&Rect::FULL);
+            let large = (bounds.max - bounds.min).max_element() > 0.5 * extent;
+            if occluded && large { [2, 2] } else { [1, 1] }
+        }
+    }
+}
+
+fn scene_extent(scene: &Scene) -> f64 {
+    let bounds = scene
+        .surfaces
+        .iter()
+        .fold(Aabb::EMPTY, |bounds, surface| bounds.union(surface.shape.bounds(&Rect::FULL)));
+    (bounds.max - bounds.min).max_element()
+}
+
+/// The element of one cell, or None where the cell lies in a hole.
+fn element(
+    index: usize,
+    surface: &SceneSurface,
+    rect: Rect,
+    order: usize,
+) -> Result<Option<Element>, ElementError> {
+    let thin = || ElementError::Thin { surface: surface.name.clone(), order };
+    let shape = &surface.shape;
+    let (patches, plane) = match shape.region() {
+        Some(region) => flat_patches(shape, &region.convex_pieces(), region.area(), &rect),
+        None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
+    };
+    if patches.is_empty() {
+        return Ok(None);
+    }
+    let frame = frame(shape.as_ref(), &patches, plane, &rect);
+    let basis = AreaBasis::new(order, frame, &patches).ok_or_else(thin)?;
+    let (area, constant) = area_and_constant(&basis, &patches);
+    let hull = match plane {
+        Some(_) => patches.iter().flat_map(Patch::polygon).collect(),
+        None => shape.hull(&rect),
+    };
+    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull }))
+}
+
+fn flat_patches(
+    shape: &Arc<dyn Surface>,
+    pieces: &[Vec<DVec3>],
+    area: f64,
+    rect: &Rect,
+) -> (Vec<Patch>, Option<(DVec3, DVec3)>) {
+    let jet = shape.jet(rect.center()[0], rect.center()[1]);
+    let parts =
+        if *rect == Rect::FULL { pieces.to_vec() } else { clip_to_cell(shape.as_ref(), pieces, rect) };
+    let patches = parts
+        .iter()
+        .filter(|part| polygon_area(part) > 1e-14 * area)
+        .flat_map(|part| Patch::of_polygon(part, jet.normal))
+        .collect();
+    (patches, Some((jet.position, jet.normal)))
+}
+
+fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, rect: &Rect) -> Frame {
+    let [u, v] = rect.center();
+    match plane {
+        Some((_, normal)) => {
+            let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
+            Frame::bounding(corners.iter().copied(), shape.jet(u, v).du, normal)
+        }
+        None => Frame::Parameters {
+            center: DVec2::new(u, v),
+            half: 0.5 * DVec2::new(rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]),
+        },
+    }
+}
+
+/// Area of a planar polygon (scene length²).
+pub fn polygon_area(polygon: &[DVec3]) -> f64 {
+    let fan = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0]));
+    0.5 * fan.sum::<DVec3>().length()
+}
+
+/// Area, and c = ∫ φ dA = T ∫ L dA.
+///
+/// φ₀ is constant, so c = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant
+/// function exact.
+fn area_and_constant(basis: &AreaBasis, patches: &[Patch]) -> (f64, Vec<f64>) {
+    let mut area = 0.0;
+    for patch in patches {
+        let rule = UnitRule::of(basis.order() + if patch.is_flat() { 2 } else { 12 });
+        for (s, ws) in rule.iter() {
+            for (t, wt) in rule.iter() {
+                area += ws * wt * patch.node(s, t).area;
+            }
+        }
+    }
+    let mut constant = vec![0.0; basis.len()];
+    constant[0] = area.sqrt();
+    (area, constant)
+}

@@ -1,0 +1,45 @@
+//! Gauss–Legendre rules on [0, 1], computed once and shared.
+//!
+//! Patches are charted by the unit square, so that a corner or an edge of contact sits at zero:
+//! `∫₀¹ f(s) ds ≈ Σ_a w_a f(x_a)`, exact for polynomials of degree 2n − 1.
+
+use std::sync::OnceLock;
+
+use radiosity_core::gauss;
+
+/// Most points per direction that any rule of the kernel asks for.
+pub const MOST_POINTS: usize = 64;
+
+/// An n-point rule on [0, 1].
+#[derive(Clone, Debug)]
+pub struct UnitRule {
+    /// Nodes, ascending, in (0, 1).
+    pub nodes: Vec<f64>,
+    /// Weights, positive, summing to 1.
+    pub weights: Vec<f64>,
+}
+
+impl UnitRule {
+    /// The rule of `points` points; `points` is brought into 1..=[`MOST_POINTS`].
+    pub fn of(points: usize) -> &'static Self {
+        static RULES: [OnceLock<UnitRule>; MOST_POINTS + 1] = [const { OnceLock::new() }; MOST_POINTS + 1];
+        let points = points.clamp(1, MOST_POINTS);
+        RULES[points].get_or_init(|| Self::compute(points))
+    }
+
+    fn compute(points: usize) -> Self {
+        let mut nodes = vec![0.0; points];
+        let mut weights = vec![0.0; points];
+        gauss::legendre(&mut nodes, &mut weights).expect("slices are equal and not empty");
+        for (x, w) in nodes.iter_mut().zip(&mut weights) {
+            *x = 0.5 * (1.0 + *x);
+            *w *= 0.5;
+        }
+        Self { nodes, weights }
+    }
+
+    /// Nodes with their weights.
+    pub fn iter(&self) -> impl Iterator<Item = (f64, f64)> + Clone {
+        self.nodes.iter().copied().zip(self.weights.iter().copied())
+    }
+}
