@@ -11,3 +11,4 @@
 pub mod scene;
 pub mod visibility;
 pub mod elements;
+pub mod kernel;

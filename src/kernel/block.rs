@@ -1,0 +1,353 @@
+//! One block of G: the transfer between two elements.
+//!
+//! ```text
+//! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
+//! ```
+//!
+//! Every pair of patches is brought to a case that a rule covers: flat pairs are clipped and matched
+//! ([`clip`]), then
+//!
+//! * a common edge → [`edge`], split while aspect > 2.5;
+//! * a common corner → [`vertex`], split while aspect > 2.5;
+//! * apart → [`separated`] where gap/extent ≥ ¼, else the longest extent is halved.
+//!
+//! A pair that a blocker may cut, or whose horizon crosses it, is halved a few times first: parts that
+//! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
+//! is multiplied by its own visibility.
+
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Patch};
+use crate::visibility::Visibility;
+
+use super::clip::{Facet, match_contact};
+use super::edge::{self, LARGEST_ASPECT, Wedge};
+use super::moments::Moments;
+use super::pair::{Contact, classify, gap};
+use super::separated::{self, SMALLEST_RATIO};
+use super::{same, vertex};
+
+/// Corners closer than this part of the pair's size coincide.
+const COINCIDENT: f64 = 1e-9;
+/// Near pairs are not halved below this part of their size.
+const SMALLEST_PART: f64 = 1.0 / 64.0;
+
+/// What accuracy the blocks are asked to have.
+#[derive(Clone, Copy, Debug)]
+pub struct Accuracy {
+    /// Of the smooth rules, relative to the block's largest entry.
+    pub eps: f64,
+    /// Of visibility within a block.
+    pub shadow_eps: f64,
+}
+
+impl Accuracy {
+    /// How often a partly hidden pair is halved: the hidden part of the last halves is what is left in doubt.
+    fn shadow_levels(&self) -> u32 {
+        (-self.shadow_eps.log2()).ceil().clamp(0.0, 12.0) as u32
+    }
+}
+
+/// The rule that a pair of elements needed most of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Plain tensor rule.
+    Separated,
+    /// Split because it is near.
+    Split,
+    /// A common corner.
+    Vertex,
+    /// A common edge.
+    Edge,
+    /// Cut so that edges of contact match.
+    Contact,
+    /// A curved element with itself.
+    Same,
+}
+
+/// One block and what it cost.
+#[derive(Debug)]
+pub(super) struct Block {
+    /// G_kl, row-major, receiver functions by emitter functions.
+    pub values: Vec<f64>,
+    /// Hardest kind of contact met.
+    pub kind: Kind,
+    /// Whether visibility had to be sampled.
+    pub partly_hidden: bool,
+    /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
+    pub unresolved: bool,
+    /// Kernel evaluations.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+/// The block between two elements; `blockers` are the surfaces that may stand between them.
+pub(super) fn block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Block {
+    let mut job = Job::new(receiver, emitter, visibility, accuracy);
+    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+    for p in &receiver.patches {
+        for q in &emitter.patches {
+            job.whole(p, q, &state);
+        }
+    }
+    job.finish()
+}
+
+/// The block of a curved element with itself.
+pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
+    let mut job = Job::new(element, element, visibility, accuracy);
+    for (i, p) in element.patches.iter().enumerate() {
+        for (j, q) in element.patches.iter().enumerate() {
+            let state = State { touching: true, levels: 0, blockers: Vec::new() };
+            if i == j {
+                same::integrate(&mut job.moments, p, job.degrees[0], None)
+            } else {
+                job.whole(p, q, &state)
+            }
+        }
+    }
+    job.kind = Kind::Same;
+    let mut block = job.finish();
+    symmetrise(&mut block.values, element.basis.len());
+    block
+}
+
+/// The two sides of the rule differ, so its error is not symmetric: the mean of block and transpose is.
+fn symmetrise(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..k {
+            let mean = 0.5 * (values[k * count + l] + values[l * count + k]);
+            (values[k * count + l], values[l * count + k]) = (mean, mean);
+        }
+    }
+}
+
+struct Job<'a> {
+    visibility: &'a Visibility,
+    accuracy: Accuracy,
+    degrees: [usize; 2],
+    size: f64,
+    moments: Moments<'a>,
+    kind: Kind,
+    partly_hidden: bool,
+    unresolved: bool,
+}
+
+#[derive(Clone)]
+struct State {
+    /// Whether the patches may touch.
+    touching: bool,
+    /// Halvings left for visibility and horizon.
+    levels: u32,
+    blockers: Vec<usize>,
+}
+
+impl<'a> Job<'a> {
+    fn new(
+        receiver: &'a Element,
+        emitter: &'a Element,
+        visibility: &'a Visibility,
+        accuracy: Accuracy,
+    ) -> Self {
+        let size = receiver.bounds().diagonal().max(emitter.bounds().diagonal());
+        Self {
+            visibility,
+            accuracy,
+            degrees: [receiver.basis.order(), emitter.basis.order()],
+            size,
+            moments: Moments::new(&receiver.basis, &emitter.basis),
+            kind: Kind::Separated,
+            partly_hidden: false,
+            unresolved: false,
+        }
+    }
+
+    fn finish(self) -> Block {
+        Block {
+            samples: self.moments.samples,
+            rays: self.moments.rays,
+            values: self.moments.into_block(),
+            kind: self.kind,
+            partly_hidden: self.partly_hidden,
+            unresolved: self.unresolved,
+        }
+    }
+
+    fn tolerance(&self) -> f64 {
+        COINCIDENT * self.size
+    }
+
+    /// A pair of whole patches: clips flat ones by each other's plane.
+    fn whole(&mut self, p: &Patch, q: &Patch, state: &State) {
+        let (Some(facet_p), Some(facet_q)) = (facet(p), facet(q)) else {
+            return self.visit(p, q, state.clone());
+        };
+        let seen = facet_p.in_front_of(&facet_q, self.tolerance());
+        let seeing = facet_q.in_front_of(&facet_p, self.tolerance());
+        if let (Some(seen), Some(seeing)) = (seen, seeing) {
+            self.facets(&seen, &seeing, state);
+        }
+    }
+
+    /// A pair of facets in front of each other: matches their contact.
+    fn facets(&mut self, p: &Facet, q: &Facet, state: &State) {
+        let pairs = match_contact(p, q, self.tolerance());
+        if pairs.len() > 1 {
+            self.kind = self.kind.max(Kind::Contact);
+        }
+        for (a, b) in pairs {
+            for patch_a in Patch::of_polygon(&a.corners, a.normal) {
+                for patch_b in Patch::of_polygon(&b.corners, b.normal) {
+                    self.visit(&patch_a, &patch_b, state.clone());
+                }
+            }
+        }
+    }
+
+    /// A pair made ready: halves it or applies its rule.
+    fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let mut smooth = true;
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+            smooth = state.blockers.is_empty();
+        }
+        match facing(p, q, self.accuracy.shadow_eps * self.size) {
+            Facing::Away => return,
+            Facing::Partly => smooth = false,
+            Facing::Wholly => {}
+        }
+        let contact =
+            if state.touching { classify(p, q, self.tolerance()) } else { Contact::Apart(gap(p, q)) };
+        if !smooth && state.levels > 0 {
+            state.levels -= 1;
+            return self.halve(p, q, &contact, state);
+        }
+        self.apply(p, q, contact, state);
+    }
+
+    /// Applies the rule of a contact, or halves the pair where the rule would be poor.
+    fn apply(&mut self, p: &Patch, q: &Patch, contact: Contact, state: State) {
+        self.partly_hidden |= !state.blockers.is_empty();
+        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
+        let free = |x, y| visibility.free(&blockers, x, y);
+        let sees: Option<super::moments::Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match &contact {
+            Contact::Edge(a, b) => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT {
+                    return self.halve(p, q, &contact, state);
+                }
+                let points = edge::counts(a, b, &wedge, self.degrees, eps);
+                edge::integrate(&mut self.moments, a, b, points, sees);
+            }
+            Contact::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if vertex::aspect(a, b) > LARGEST_ASPECT {
+                    return self.halve(p, q, &contact, state);
+                }
+                let points = vertex::counts(a, b, self.degrees, eps);
+                vertex::integrate(&mut self.moments, a, b, points, sees);
+            }
+            Contact::Apart(gap) => {
+                let longest = longest(p).1.max(longest(q).1);
+                let near = *gap < SMALLEST_RATIO * longest;
+                if near && longest > SMALLEST_PART * self.size {
+                    self.kind = self.kind.max(Kind::Split);
+                    return self.halve(p, q, &contact, state);
+                }
+                self.unresolved |= near;
+                let gap = gap.max(SMALLEST_RATIO * longest);
+                let points = separated::counts(p, q, self.degrees, gap, eps);
+                self.moments.tensor(p, q, points, sees);
+            }
+        }
+    }
+
+    /// Halves a pair where it is longest; both sides together along a common edge.
+    fn halve(&mut self, p: &Patch, q: &Patch, contact: &Contact, mut state: State) {
+        if let Contact::Edge(a, b) = contact {
+            let wedge = Wedge::of(a, b);
+            if wedge.length >= 0.999 * wedge.depths[0].max(wedge.depths[1]) {
+                return self.product(&a.halves(Direction::Along), &b.halves(Direction::Along), &state);
+            }
+        }
+        state.touching &= !matches!(contact, Contact::Apart(gap) if *gap > 0.0);
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        if extent_p >= extent_q {
+            self.product(&p.halves(direction_p), std::slice::from_ref(q), &state);
+        } else {
+            self.product(std::slice::from_ref(p), &q.halves(direction_q), &state);
+        }
+    }
+
+    fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
+        for a in receivers {
+            for b in emitters {
+                match (facet(a), facet(b)) {
+                    (Some(facet_a), Some(facet_b)) if state.touching => {
+                        self.facets(&facet_a, &facet_b, state)
+                    }
+                    _ => self.visit(a, b, state.clone()),
+                }
+            }
+        }
+    }
+}
+
+fn facet(patch: &Patch) -> Option<Facet> {
+    match patch {
+        Patch::Flat { normal, .. } => Some(Facet { corners: patch.polygon(), normal: *normal }),
+        Patch::Curved { .. } => None,
+    }
+}
+
+fn longest(patch: &Patch) -> (Direction, f64) {
+    let [along, across] = patch.extents();
+    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
+}
+
+enum Facing {
+    Wholly,
+    Partly,
+    Away,
+}
+
+/// Whether two patches face each other, up to heights of `tolerance`. Flat pairs were clipped already.
+fn facing(p: &Patch, q: &Patch, tolerance: f64) -> Facing {
+    if p.is_flat() && q.is_flat() {
+        return Facing::Wholly;
+    }
+    match (sides_seen(p, q, tolerance), sides_seen(q, p, tolerance)) {
+        ((false, _), _) | (_, (false, _)) => Facing::Away,
+        ((true, false), (true, false)) => Facing::Wholly,
+        _ => Facing::Partly,
+    }
+}
+
+/// Whether any of `other`'s hull lies in front of, and behind, the tangent planes of `patch`.
+fn sides_seen(patch: &Patch, other: &Patch, tolerance: f64) -> (bool, bool) {
+    let hull = other.hull();
+    let places = [(0.5, 0.5), (0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+    let places = if patch.is_flat() { &places[..1] } else { &places[..] };
+    let mut sides = (false, false);
+    for (s, t) in places {
+        let node = patch.node(*s, *t);
+        for point in &hull {
+            let height = (point - node.position).dot(node.normal);
+            sides.0 |= height > 0.0;
+            sides.1 |= height < -tolerance;
+        }
+    }
+    sides
+}
