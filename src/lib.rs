@@ -12,3 +12,4 @@ pub mod scene;
 pub mod visibility;
 pub mod elements;
 pub mod kernel;
+pub mod system;

@@ -1,0 +1,153 @@
+//! The linear system of one band.
+//!
+//! With coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. Written
+//! with b = e + √ρ y,
+//!
+//! ```text
+//! (I − √ρ G √ρ) y = √ρ G e
+//! ```
+//!
+//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos
+//! 1996 in another notation). Nothing is divided by ρ. Elements with ρ = 0 have no unknowns: they only
+//! enter the right-hand side. Irradiance is h = G b, on black elements too.
+
+use radiosity_solvers::{Dense, Partition, SolveError};
+
+use crate::elements::Element;
+use crate::kernel::Blocks;
+
+/// What the elements are made of in one band.
+#[derive(Clone, Debug)]
+pub struct Coating {
+    /// ρ per element, in [0, 1).
+    pub reflectance: Vec<f64>,
+    /// Emitted exitance per element (W m⁻²), constant over it.
+    pub exitance: Vec<f64>,
+}
+
+/// The system of one band.
+#[derive(Debug)]
+pub struct System<'a> {
+    elements: &'a [Element],
+    blocks: &'a Blocks,
+    coating: &'a Coating,
+    /// Elements with ρ > 0, ascending: the blocks of unknowns.
+    reflecting: Vec<usize>,
+    emitted: Vec<f64>,
+}
+
+/// Coefficients of one band's solution, element by element.
+#[derive(Clone, Debug)]
+pub struct Coefficients {
+    /// h of the irradiance (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// b of the radiosity (W m⁻²), b = e + ρ h.
+    pub radiosity: Vec<f64>,
+    /// ‖b − e − ρ G b‖₂ / ‖e‖₂ of the solver's own b, black elements included; 0 if nothing emits.
+    pub residual: f64,
+}
+
+impl<'a> System<'a> {
+    /// The system of `coating` over `elements` with transport `blocks`.
+    pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
+        let reflecting = (0..elements.len()).filter(|i| coating.reflectance[*i] > 0.0).collect();
+        let emitted = per_element(elements, |i, out| {
+            out.extend(elements[i].constant.iter().map(|c| c * coating.exitance[i]));
+        });
+        Self { elements, blocks, coating, reflecting, emitted }
+    }
+
+    /// I − √ρ G √ρ on the reflecting elements.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub fn matrix(&self) -> Result<Dense, SolveError> {
+        let sizes: Vec<usize> = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).collect();
+        let partition = Partition::new(&sizes);
+        let dim = partition.dim();
+        let mut values = vec![0.0; dim * dim];
+        values.iter_mut().step_by(dim + 1).for_each(|diagonal| *diagonal = 1.0);
+        let place =
+            |element: usize| self.reflecting.binary_search(&element).ok().map(|b| partition.range(b).start);
+        for (row, column, block) in self.blocks.iter() {
+            let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
+            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
+            let columns = self.elements[column].basis.len();
+            for (index, g) in block.iter().enumerate() {
+                let (k, l) = (i + index / columns, j + index % columns);
+                values[k + l * dim] -= root * g;
+                if row != column {
+                    values[l + k * dim] -= root * g;
+                }
+            }
+        }
+        Dense::new(partition, values, true)
+    }
+
+    /// √ρ G e on the reflecting elements.
+    pub fn right_hand_side(&self) -> Vec<f64> {
+        let direct = self.blocks.apply(&self.emitted);
+        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * direct[offset])
+    }
+
+    /// Shooting measure of the unknowns: √ρ ∬ |φ_k| dA, so that |y_k| times it is the power that an
+    /// unknown still has to shoot (Zatz 1993, eq. 25, corrected).
+    pub fn shooting_measure(&self) -> Vec<f64> {
+        let absolute = per_element(self.elements, |i, out| out.extend(self.elements[i].absolute_integrals()));
+        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * absolute[offset])
+    }
+
+    /// Radiosity and irradiance from the unknowns y: b = e + √ρ y, h = G b, then b = e + ρ h once more.
+    pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
+        let mut solved = self.emitted.clone();
+        let mut next = unknowns.iter();
+        for i in &self.reflecting {
+            let root = self.coating.reflectance[*i].sqrt();
+            for (b, y) in solved[self.range(*i)].iter_mut().zip(&mut next) {
+                *b += root * y;
+            }
+        }
+        let irradiance = self.blocks.apply(&solved);
+        let mut radiosity = self.emitted.clone();
+        for i in 0..self.elements.len() {
+            let reflectance = self.coating.reflectance[i];
+            for k in self.range(i) {
+                radiosity[k] += reflectance * irradiance[k];
+            }
+        }
+        let (difference, scale) = (distance(&solved, &radiosity), norm(&self.emitted));
+        let residual = if scale > 0.0 { difference / scale } else { 0.0 };
+        Coefficients { irradiance, radiosity, residual }
+    }
+
+    /// Coefficients e of the emitted exitance.
+    pub fn emitted(&self) -> &[f64] {
+        &self.emitted
+    }
+
+    fn range(&self, element: usize) -> std::ops::Range<usize> {
+        let starts = self.blocks.starts();
+        starts[element]..starts[element + 1]
+    }
+
+    fn unknowns(&self, value: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+        self.reflecting
+            .iter()
+            .flat_map(|i| self.range(*i).map(|k| value(*i, k)).collect::<Vec<_>>())
+            .collect()
+    }
+}
+
+fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
+    let mut all = Vec::new();
+    (0..elements.len()).for_each(|i| write(i, &mut all));
+    all
+}
+
+fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn distance(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+}
