@@ -13,3 +13,5 @@ pub mod visibility;
 pub mod elements;
 pub mod kernel;
 pub mod system;
+pub mod solution;
+pub mod checks;

@@ -1,0 +1,169 @@
+//! Figures by which a solution judges itself.
+//!
+//! With c the coefficients of the constant 1: closure r = c − G c vanishes in a closed scene; a row sum is
+//! Σ_j F_ij = c_i·(G c)_i / A_i. Energy: what is emitted is absorbed or lost,
+//!
+//! ```text
+//! ∫E₀ dA = ∫(1 − ρ) E dA + ⟨B, c − G c⟩ ,
+//! ```
+//!
+//! an identity of the discrete solution whatever the quadrature, up to the solver's residual.
+
+use serde::Serialize;
+
+use crate::elements::Element;
+use crate::kernel::Blocks;
+use crate::solution::{Place, Solution};
+use crate::system::Coating;
+
+/// The self-checks of a solution. Powers are summed over bands (W).
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Checks {
+    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene.
+    pub closure_max: f64,
+    /// Largest |A_i F_ij − A_j F_ji| / A_i; 0 because each pair is integrated once.
+    pub reciprocity_max: f64,
+    /// Smallest row sum Σ_j F_ij.
+    pub row_sum_min: f64,
+    /// Largest row sum.
+    pub row_sum_max: f64,
+    /// Emitted power.
+    pub energy_in: f64,
+    /// Absorbed power.
+    pub energy_absorbed: f64,
+    /// Power that leaves the scene.
+    pub energy_lost: f64,
+    /// Bound on the spectral radius of ρG, largest over the bands: below 1.
+    pub spectral_bound: f64,
+    /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
+    pub seam_jump_max: f64,
+}
+
+impl Checks {
+    /// Of a solution that was computed with `blocks`.
+    pub fn of(solution: &Solution, blocks: &Blocks) -> Self {
+        let list = solution.elements().list();
+        let ones: Vec<f64> = list.iter().flat_map(|element| element.constant.clone()).collect();
+        let transported = blocks.apply(&ones);
+        let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
+        let sums = row_sums(list, blocks.starts(), &transported);
+        let [energy_in, energy_absorbed, energy_lost] = energy(solution, &ones, &open, blocks.starts());
+        let bounds = solution.bands().iter().map(|band| spectral_bound(blocks, &band.coating, &ones));
+        Self {
+            closure_max: closure(blocks.starts(), &ones, &open),
+            reciprocity_max: 0.0,
+            row_sum_min: sums.iter().copied().fold(f64::INFINITY, f64::min),
+            row_sum_max: sums.iter().copied().fold(0.0, f64::max),
+            energy_in,
+            energy_absorbed,
+            energy_lost,
+            spectral_bound: bounds.fold(0.0, f64::max),
+            seam_jump_max: seam_jump(solution),
+        }
+    }
+}
+
+fn closure(starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
+    let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let ratio = |range: &[usize]| norm(&open[range[0]..range[1]]) / norm(&ones[range[0]..range[1]]);
+    starts.windows(2).map(ratio).fold(0.0, f64::max)
+}
+
+fn row_sums(list: &[Element], starts: &[usize], transported: &[f64]) -> Vec<f64> {
+    let sum = |(element, start): (&Element, &usize)| {
+        let own = &transported[*start..];
+        element.constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / element.area
+    };
+    list.iter().zip(starts).map(sum).collect()
+}
+
+/// Emitted, absorbed and lost power, summed over bands with compensation: their balance is a check.
+fn energy(solution: &Solution, ones: &[f64], open: &[f64], starts: &[usize]) -> [f64; 3] {
+    let mut sums = [Compensated::default(); 3];
+    for band in solution.bands() {
+        for (i, range) in starts.windows(2).enumerate() {
+            let (exitance, absorptance) = (band.coating.exitance[i], 1.0 - band.coating.reflectance[i]);
+            for k in range[0]..range[1] {
+                sums[0].add(exitance * ones[k] * ones[k]);
+                sums[1].add(absorptance * ones[k] * band.coefficients.irradiance[k]);
+                sums[2].add(band.coefficients.radiosity[k] * open[k]);
+            }
+        }
+    }
+    sums.map(|sum| sum.total + sum.rest)
+}
+
+/// A sum with Neumaier's compensation.
+#[derive(Clone, Copy, Default)]
+struct Compensated {
+    total: f64,
+    rest: f64,
+}
+
+impl Compensated {
+    fn add(&mut self, x: f64) {
+        let sum = self.total + x;
+        self.rest +=
+            if self.total.abs() >= x.abs() { (self.total - sum) + x } else { (x - sum) + self.total };
+        self.total = sum;
+    }
+}
+
+/// λ + ‖A v − λ v‖ after power iterations with A = √ρ G √ρ, started from the constant.
+///
+/// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
+/// constant already is.
+fn spectral_bound(blocks: &Blocks, coating: &Coating, ones: &[f64]) -> f64 {
+    let mut roots = Vec::with_capacity(ones.len());
+    for (range, reflectance) in blocks.starts().windows(2).zip(&coating.reflectance) {
+        roots.resize(roots.len() + range[1] - range[0], reflectance.sqrt());
+    }
+    let mut v: Vec<f64> = ones.iter().zip(&roots).map(|(c, root)| c * root).collect();
+    let mut bound = 0.0;
+    for _ in 0..40 {
+        let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
+        if norm == 0.0 {
+            return 0.0;
+        }
+        v.iter_mut().for_each(|x| *x /= norm);
+        let weighted: Vec<f64> = v.iter().zip(&roots).map(|(x, root)| x * root).collect();
+        let next: Vec<f64> = blocks.apply(&weighted).iter().zip(&roots).map(|(x, root)| x * root).collect();
+        let lambda: f64 = v.iter().zip(&next).map(|(x, y)| x * y).sum();
+        let error = v.iter().zip(&next).map(|(x, y)| (y - lambda * x).powi(2)).sum::<f64>().sqrt();
+        bound = lambda + error;
+        v = next;
+    }
+    bound
+}
+
+fn seam_jump(solution: &Solution) -> f64 {
+    let elements = solution.elements();
+    let mut largest = 0.0f64;
+    for (index, element) in elements.list().iter().enumerate() {
+        for (u, v, du, dv) in seam_points(element) {
+            let Some(other) = elements.across_seam(element.surface, [u, v], [du, dv]) else { continue };
+            let position = elements.shape(element.surface).jet(u, v).position;
+            let place = Place { surface: element.surface, parameters: [u, v], position };
+            largest = largest.max(relative_jump(solution, index, other, &place));
+        }
+    }
+    largest
+}
+
+fn relative_jump(solution: &Solution, a: usize, b: usize, place: &Place) -> f64 {
+    let jump = |band: usize| {
+        let (here, there) = (solution.radiosity(band, a, place), solution.radiosity(band, b, place));
+        let scale = here.abs().max(there.abs());
+        if scale > 0.0 { (here - there).abs() / scale } else { 0.0 }
+    };
+    (0..solution.bands().len()).map(jump).fold(0.0, f64::max)
+}
+
+/// Points on the far sides of an element's rectangle with the direction that leaves it.
+fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> {
+    let rect = element.rect;
+    [0.1, 0.3, 0.5, 0.7, 0.9].into_iter().flat_map(move |x| {
+        let (u, v) = (rect.u[0] + x * (rect.u[1] - rect.u[0]), rect.v[0] + x * (rect.v[1] - rect.v[0]));
+        [(rect.u[1], v, 1.0, 0.0), (u, rect.v[1], 0.0, 1.0)]
+    })
+}

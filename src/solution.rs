@@ -1,0 +1,88 @@
+//! The solution: polynomials of irradiance and radiosity on every element, per band.
+//!
+//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻². Read off by the
+//! polynomials alone.
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Elements;
+use crate::system::{Coating, Coefficients};
+
+/// A place on a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Its parameters there, in [−1, 1]².
+    pub parameters: [f64; 2],
+    /// The point.
+    pub position: DVec3,
+}
+
+/// Irradiance and radiosity of a scene.
+#[derive(Debug)]
+pub struct Solution {
+    elements: Elements,
+    bands: Vec<Band>,
+}
+
+/// One band of the solution.
+#[derive(Debug)]
+pub struct Band {
+    /// Its name.
+    pub name: String,
+    /// Reflectance and exitance per element.
+    pub coating: Coating,
+    /// Coefficients in the orthonormal bases, element by element.
+    pub coefficients: Coefficients,
+    /// The irradiance in the raw polynomials of each element, for evaluation.
+    raw: Vec<Vec<f64>>,
+}
+
+impl Band {
+    /// A band with its coefficients over `elements`.
+    pub fn new(name: String, elements: &Elements, coating: Coating, coefficients: Coefficients) -> Self {
+        let mut rest = coefficients.irradiance.as_slice();
+        let mut raw = Vec::with_capacity(elements.list().len());
+        for element in elements.list() {
+            let (own, others) = rest.split_at(element.basis.len());
+            raw.push(element.basis.to_raw(own));
+            rest = others;
+        }
+        Self { name, coating, coefficients, raw }
+    }
+
+    /// The irradiance on one element as coefficients of its raw polynomials.
+    pub fn raw_irradiance(&self, element: usize) -> &[f64] {
+        &self.raw[element]
+    }
+}
+
+impl Solution {
+    /// The solution of all bands over `elements`.
+    pub fn new(elements: Elements, bands: Vec<Band>) -> Self {
+        Self { elements, bands }
+    }
+
+    /// The elements that carry the polynomials.
+    pub fn elements(&self) -> &Elements {
+        &self.elements
+    }
+
+    /// The bands, in the scene's order.
+    pub fn bands(&self) -> &[Band] {
+        &self.bands
+    }
+
+    /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.
+    pub fn irradiance(&self, band: usize, element: usize, place: &Place) -> f64 {
+        let raw = &self.bands[band].raw[element];
+        self.elements.list()[element].evaluate(raw, place.position, place.parameters)
+    }
+
+    /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.
+    pub fn radiosity(&self, band: usize, element: usize, place: &Place) -> f64 {
+        let coating = &self.bands[band].coating;
+        coating.exitance[element] + coating.reflectance[element] * self.irradiance(band, element, place)
+    }
+}
