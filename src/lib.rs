@@ -15,3 +15,4 @@ pub mod kernel;
 pub mod system;
 pub mod solution;
 pub mod checks;
+pub mod solve;

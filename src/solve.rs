@@ -1,0 +1,209 @@
+//! The driver: scene → elements → blocks → system per band → solution, timed.
+
+use std::time::{Duration, Instant};
+
+use radiosity_solvers::{Settings, SolveError, Step, method::Method};
+use rayon::ThreadPoolBuildError;
+
+use crate::checks::Checks;
+use crate::elements::{Discretization, ElementError, Elements, Subdivide};
+use crate::kernel::{Accuracy, Blocks, PairCounts};
+use crate::scene::Scene;
+use crate::solution::{Band, Solution};
+use crate::system::{Coating, System};
+use crate::visibility::{Shadows, Visibility};
+
+/// What to solve and how well.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Total degree of the basis where a surface does not state its own.
+    pub order: usize,
+    /// Cuts along u and v of surfaces that do not state their own; None chooses.
+    pub subdivide: Option<usize>,
+    /// Accuracy of the kernel blocks.
+    pub eps: f64,
+    /// Accuracy of visibility within a block.
+    pub shadow_eps: f64,
+    /// Whether surfaces hide each other.
+    pub shadows: bool,
+    /// The solver.
+    pub method: &'static Method,
+    /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
+    pub tolerance: f64,
+    /// Most iterations of the linear solve.
+    pub max_iterations: usize,
+    /// Threads; the result does not depend on it.
+    pub threads: usize,
+}
+
+/// Where the work stands.
+#[derive(Clone, Copy, Debug)]
+pub enum Progress {
+    /// Pairs of elements integrated, and pairs in all.
+    Blocks(usize, usize),
+    /// Band, iteration and relative residual of the solver.
+    Solve(usize, usize, f64),
+}
+
+/// What the solution cost and how it judges itself.
+#[derive(Debug)]
+pub struct Outcome {
+    /// Polynomials of irradiance and radiosity.
+    pub solution: Solution,
+    /// Figures by which it judges itself.
+    pub checks: Checks,
+    /// How many pairs went which way.
+    pub pairs: PairCounts,
+    /// Kernel evaluations.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Iterations, the most of any band.
+    pub iterations: usize,
+    /// Relative residual of the original system, the largest of any band.
+    pub residual: f64,
+    /// Wall time of each stage.
+    pub seconds: Stages,
+}
+
+/// Wall time per stage.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stages {
+    /// Cutting into elements, with their bases.
+    pub elements: Duration,
+    /// Finding out whether anything can cast a shadow.
+    pub visibility: Duration,
+    /// Blocks of G, visibility within them included.
+    pub blocks: Duration,
+    /// The linear systems.
+    pub solve: Duration,
+}
+
+/// Why there is no solution.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The scene could not be cut into elements.
+    #[error(transparent)]
+    Elements(#[from] ElementError),
+    /// The linear solver failed.
+    #[error("band '{band}': {source}")]
+    Solver {
+        /// Name of the band.
+        band: String,
+        /// What the solver says.
+        source: SolveError,
+    },
+    /// No threads could be started.
+    #[error("cannot start {threads} threads: {source}; ask for fewer with --threads")]
+    Threads {
+        /// How many were asked for.
+        threads: usize,
+        /// What the system says.
+        source: ThreadPoolBuildError,
+    },
+}
+
+/// Solves `scene`; `progress` may be called from any thread.
+///
+/// # Errors
+/// A scene that cannot be cut into elements, a linear solver that fails or does not converge, or threads
+/// that cannot be started.
+pub fn solve(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads)
+        .build()
+        .map_err(|source| Failure::Threads { threads: options.threads, source })?;
+    pool.install(|| solve_in_pool(scene, options, progress))
+}
+
+fn solve_in_pool(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    let mut seconds = Stages::default();
+    let shadows = if options.shadows { Shadows::Rays(options.shadow_eps) } else { Shadows::Off };
+    let (visibility, subdivide) = timed(&mut seconds.visibility, || {
+        let visibility = Visibility::new(scene, shadows);
+        let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
+        let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+        (visibility, subdivide)
+    });
+    let how = Discretization { order: options.order, subdivide };
+    let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
+    let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
+    let report_pairs = |done, total| progress(Progress::Blocks(done, total));
+    let blocks =
+        timed(&mut seconds.blocks, || Blocks::assemble(&elements, &visibility, accuracy, &report_pairs));
+    let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
+    let iterations = solved.iter().map(|(_, iterations)| *iterations).max().unwrap_or(0);
+    let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
+    let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
+    let solution = Solution::new(elements, bands);
+    let checks = Checks::of(&solution, &blocks);
+    let (pairs, samples, rays) = (blocks.pairs, blocks.samples, blocks.rays);
+    Ok(Outcome { solution, checks, pairs, samples, rays, iterations, residual, seconds })
+}
+
+fn solve_bands(
+    scene: &Scene,
+    elements: &Elements,
+    blocks: &Blocks,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Vec<(Band, usize)>, Failure> {
+    let solve = |(index, name): (usize, &String)| {
+        let mut observe = |step: &Step<'_>| progress(Progress::Solve(index, step.iteration, step.residual));
+        solve_band(coating(scene, elements, index), name, elements, blocks, options, &mut observe)
+            .map_err(|source| Failure::Solver { band: name.clone(), source })
+    };
+    scene.bands.iter().enumerate().map(solve).collect()
+}
+
+fn solve_band(
+    coating: Coating,
+    name: &str,
+    elements: &Elements,
+    blocks: &Blocks,
+    options: &Options,
+    observe: &mut dyn FnMut(&Step<'_>),
+) -> Result<(Band, usize), SolveError> {
+    let system = System::new(elements.list(), blocks, &coating);
+    let right = system.right_hand_side();
+    let mut unknowns = vec![0.0; right.len()];
+    let measure = system.shooting_measure();
+    let mut iterations = 0;
+    if right.iter().any(|value| *value != 0.0) {
+        let settings = Settings {
+            tolerance: options.tolerance,
+            max_iterations: options.max_iterations,
+            threads: options.threads,
+            measure: Some(&measure),
+            ..Settings::default()
+        };
+        let solver = options.method.solver;
+        iterations = solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe)?.iterations;
+    }
+    let coefficients = system.coefficients(&unknowns);
+    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), iterations))
+}
+
+fn coating(scene: &Scene, elements: &Elements, band: usize) -> Coating {
+    let material = |surface: usize| &scene.surfaces[surface].material;
+    let list = elements.list();
+    Coating {
+        reflectance: list.iter().map(|element| material(element.surface).reflectance[band]).collect(),
+        exitance: list.iter().map(|element| material(element.surface).emission[band]).collect(),
+    }
+}
+
+fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {
+    let start = Instant::now();
+    let result = work();
+    *stage = start.elapsed();
+    result
+}
