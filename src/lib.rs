@@ -16,3 +16,4 @@ pub mod system;
 pub mod solution;
 pub mod checks;
 pub mod solve;
+pub mod output;

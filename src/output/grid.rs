@@ -1,0 +1,109 @@
+//! Means of irradiance and radiosity over cells of equal parameter size.
+//!
+//! For each surface and each cell of an m × n cut of [−1, 1]²,
+//!
+//! ```text
+//! mean E = 1/A_cell ∫_{cell ∩ element} E dA ,
+//! ```
+//!
+//! with A_cell the area of the cell within the surface's outer outline, holes included: where something
+//! else stands in a hole of the surface nothing arrives, and the mean says so. The integrals are exact
+//! for the polynomials on flat surfaces.
+
+use radiosity_geom::{DVec3, PlanarRegion, Rect};
+
+use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::UnitRule;
+use crate::elements::{cells_of, clip_to_cell, polygon_area};
+use crate::solution::{Place, Solution};
+
+/// Means over one cell of one surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Place of the cell along u and v.
+    pub index: [usize; 2],
+    /// Mean irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Mean radiosity per band (W m⁻²).
+    pub radiosity: Vec<f64>,
+    /// Area of the cell within the outer outline (scene length²).
+    pub area: f64,
+}
+
+/// The means over `cells` = [along u, along v] of every surface of `solution`, v running fastest.
+///
+/// Cells without area are left out.
+pub fn grid(solution: &Solution, surfaces: usize, cells: [usize; 2]) -> Vec<Cell> {
+    let of_surface = |surface| {
+        let rects = cells_of(cells).enumerate();
+        rects.map(move |(k, rect)| cell(solution, surface, [k / cells[1], k % cells[1]], &rect))
+    };
+    (0..surfaces).flat_map(of_surface).filter(|cell| cell.area > 0.0).collect()
+}
+
+fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> Cell {
+    let bands = solution.bands();
+    let mut sums = vec![0.0; bands.len()];
+    let mut radiated = vec![0.0; bands.len()];
+    let mut covered = 0.0;
+    for element in solution.elements().of_surface(surface) {
+        let order = solution.elements().list()[element].basis.order();
+        for patch in patches_in(solution, element, rect) {
+            for_each_point(&patch, order, |node, weight| {
+                let place =
+                    Place { surface, parameters: node.parameters.to_array(), position: node.position };
+                covered += weight;
+                for (band, (sum, out)) in sums.iter_mut().zip(&mut radiated).enumerate() {
+                    *sum += weight * solution.irradiance(band, element, &place);
+                    *out += weight * solution.radiosity(band, element, &place);
+                }
+            });
+        }
+    }
+    let area = outer_area(solution, surface, rect).unwrap_or(covered);
+    let mean = |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
+    Cell { surface, index, irradiance: mean(sums), radiosity: mean(radiated), area }
+}
+
+/// The part of an element over a parameter rectangle.
+fn patches_in(solution: &Solution, element: usize, rect: &Rect) -> Vec<Patch> {
+    let element = &solution.elements().list()[element];
+    let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
+    let Some((_, normal)) = element.plane else {
+        return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
+    };
+    let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
+    let parts = clip_to_cell(solution.elements().shape(element.surface), &pieces, rect);
+    parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
+}
+
+fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
+    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
+    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
+}
+
+fn for_each_point(patch: &Patch, order: usize, mut visit: impl FnMut(&Node, f64)) {
+    let rule = UnitRule::of(if patch.is_flat() { order / 2 + 2 } else { order + 4 });
+    for (s, ws) in rule.iter() {
+        for (t, wt) in rule.iter() {
+            let node = patch.node(s, t);
+            visit(&node, ws * wt * node.area);
+        }
+    }
+}
+
+/// Area of a cell within the outer outline of a planar surface; None for curved ones.
+fn outer_area(solution: &Solution, surface: usize, rect: &Rect) -> Option<f64> {
+    let shape = solution.elements().shape(surface);
+    let region = shape.region()?;
+    let outer = if region.holes().is_empty() {
+        region.convex_pieces()
+    } else {
+        let whole = PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok()?;
+        whole.convex_pieces()
+    };
+    Some(clip_to_cell(shape, &outer, rect).iter().map(|part| polygon_area(part)).sum())
+}

@@ -1,0 +1,156 @@
+//! The report of a run: JSON with stable keys.
+
+use serde::Serialize;
+
+use crate::checks::Checks;
+use crate::kernel::PairCounts;
+use crate::scene::Scene;
+use crate::solve::{Options, Outcome};
+
+/// What a run did, what it cost and how its result judges itself.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// Name of the scene.
+    pub scene: String,
+    /// Names of its bands.
+    pub bands: Vec<String>,
+    /// Number of surfaces.
+    pub surfaces: usize,
+    /// Number of elements.
+    pub elements: usize,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// Total degree where a surface does not state its own.
+    pub order: usize,
+    /// Name of the solver.
+    pub solver: String,
+    /// Threads used.
+    pub threads: usize,
+    /// Version of the program.
+    pub version: &'static str,
+    /// Wall time per stage.
+    pub seconds: Seconds,
+    /// Largest memory in use, where the system tells it.
+    pub peak_bytes: Option<u64>,
+    /// How many pairs of elements went which way.
+    pub pairs: PairCounts,
+    /// Kernel evaluations.
+    pub kernel_samples: u64,
+    /// Kernel evaluations at distinct relative positions: all of them, until equal ones are shared.
+    pub kernel_samples_distinct: u64,
+    /// Segments tested for visibility.
+    pub shadow_rays: u64,
+    /// Iterations of the solver, the most of any band.
+    pub iterations: usize,
+    /// ‖b − e − ρ G b‖₂ / ‖e‖₂, the largest of any band.
+    pub residual: f64,
+    /// Whether the solver reached its tolerance.
+    pub converged: bool,
+    /// Self-checks.
+    pub checks: Checks,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
+}
+
+/// Wall time per stage, s.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Seconds {
+    /// Reading the scene.
+    pub load: f64,
+    /// Cutting it into elements.
+    pub elements: f64,
+    /// Blocks of G, visibility within them included.
+    pub blocks: f64,
+    /// Looking for surfaces that can cast a shadow.
+    pub visibility: f64,
+    /// The linear systems.
+    pub solve: f64,
+    /// Pictures, grids and files.
+    pub output: f64,
+    /// Everything.
+    pub total: f64,
+}
+
+/// Something the user should know.
+#[derive(Clone, Debug, Serialize)]
+pub struct Warning {
+    /// Stable name of the kind of warning.
+    pub code: String,
+    /// The warning, with its cure.
+    pub message: String,
+    /// The surface concerned.
+    pub surface: Option<String>,
+}
+
+impl Report {
+    /// The report of a solved scene; times of loading and output, and the total, are the caller's.
+    pub fn new(scene: &Scene, options: &Options, outcome: &Outcome) -> Self {
+        let elements = outcome.solution.elements();
+        Self {
+            scene: scene.name.clone(),
+            bands: scene.bands.clone(),
+            surfaces: scene.surfaces.len(),
+            elements: elements.list().len(),
+            unknowns: elements.coefficients(),
+            order: options.order,
+            solver: options.method.name.to_owned(),
+            threads: options.threads,
+            version: env!("CARGO_PKG_VERSION"),
+            seconds: seconds(outcome),
+            peak_bytes: peak_bytes(),
+            pairs: outcome.pairs,
+            kernel_samples: outcome.samples,
+            kernel_samples_distinct: outcome.samples,
+            shadow_rays: outcome.rays,
+            iterations: outcome.iterations,
+            residual: outcome.residual,
+            converged: true,
+            checks: outcome.checks,
+            warnings: warnings(outcome),
+        }
+    }
+}
+
+fn seconds(outcome: &Outcome) -> Seconds {
+    let stages = outcome.seconds;
+    Seconds {
+        elements: stages.elements.as_secs_f64(),
+        blocks: stages.blocks.as_secs_f64(),
+        visibility: stages.visibility.as_secs_f64(),
+        solve: stages.solve.as_secs_f64(),
+        ..Seconds::default()
+    }
+}
+
+fn warnings(outcome: &Outcome) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let mut warn = |code: &str, message: String| {
+        warnings.push(Warning { code: code.to_owned(), message, surface: None });
+    };
+    if outcome.pairs.unresolved > 0 {
+        warn(
+            "near-floor",
+            format!(
+                "{} pairs come so near each other, or touch in such a way, that splitting stopped at 1/64 of their \
+                 size: their blocks may miss the accuracy asked; subdivide the surfaces there",
+                outcome.pairs.unresolved
+            ),
+        );
+    }
+    if outcome.checks.spectral_bound >= 1.0 {
+        let message = format!(
+            "the bound on the spectral radius is {:.6}: quadrature is too coarse for so little loss; lower --eps",
+            outcome.checks.spectral_bound
+        );
+        warn("spectral-bound", message);
+    }
+    warnings
+}
+
+/// Peak resident memory, from the system's own account (Linux); None elsewhere.
+fn peak_bytes() -> Option<u64> {
+    let status = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(1024 * kibibytes)
+}
