@@ -1,0 +1,182 @@
+//! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
+
+use radiosity::checks::Checks;
+use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::output::grid::grid;
+use radiosity::scene::Scene;
+use radiosity::solution::{Band, Place, Solution};
+use radiosity::solve::{Options, Outcome, solve};
+use radiosity::system::{Coating, System};
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_solvers::Settings;
+use radiosity_solvers::method::Method;
+
+fn options(order: usize, solver: &str) -> Options {
+    Options {
+        order,
+        subdivide: None,
+        eps: 1e-3,
+        shadow_eps: 3e-3,
+        shadows: true,
+        method: Method::named(solver).expect("the solver is listed"),
+        tolerance: 1e-10,
+        max_iterations: 1000,
+        threads: 2,
+    }
+}
+
+fn solved(scene: &str, options: &Options) -> Outcome {
+    let scene = Scene::builtin(scene).expect("the scene is built in");
+    solve(&scene, options, &|_| {}).expect("the scene can be solved")
+}
+
+/// Largest |B − 2| over a grid on every element that reaches its corners.
+fn furnace_error(solution: &Solution) -> f64 {
+    let ticks: Vec<f64> = (0..=10).map(|k| -1.0 + 0.2 * f64::from(k)).collect();
+    let mut largest = 0.0f64;
+    for (index, element) in solution.elements().list().iter().enumerate() {
+        for (u, v) in ticks.iter().flat_map(|u| ticks.iter().map(move |v| (*u, *v))) {
+            let position = solution.elements().shape(element.surface).jet(u, v).position;
+            let place = Place { surface: element.surface, parameters: [u, v], position };
+            largest = largest.max((solution.radiosity(0, index, &place) - 2.0).abs());
+        }
+    }
+    largest
+}
+
+/// The furnace cube with given blocks, by one solver; the residual is that of the original system.
+fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
+    let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
+    let assemble = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));
+    let solve_with = |method: &'static Method| {
+        let elements = Elements::new(&scene, &how).expect("a cube has area");
+        let coating = Coating { reflectance: vec![0.5; 6], exitance: vec![1.0; 6] };
+        let system = System::new(elements.list(), &blocks, &coating);
+        let right = system.right_hand_side();
+        let mut unknowns = vec![0.0; right.len()];
+        let measure = system.shooting_measure();
+        let settings = Settings { tolerance: 1e-12, measure: Some(&measure), ..Settings::default() };
+        let matrix = system.matrix().expect("the matrix is finite");
+        method.solver.solve(&matrix, &right, &mut unknowns, &settings, &mut |_| {}).expect(method.name);
+        let coefficients = system.coefficients(&unknowns);
+        let residual = coefficients.residual;
+        let band = Band::new("grey".into(), &elements, coating.clone(), coefficients);
+        let solution = Solution::new(elements, vec![band]);
+        let checks = Checks::of(&solution, &blocks);
+        (method.name, solution, checks, residual)
+    };
+    Method::ALL.iter().map(solve_with).collect()
+}
+
+#[test]
+fn white_furnace_is_two_everywhere_for_every_solver_and_order() {
+    for eps in [1e-4, 1e-8] {
+        for order in 0..=8 {
+            for (name, solution, checks, residual) in furnace(order, eps) {
+                let error = furnace_error(&solution);
+                assert!(error <= 10.0 * eps, "{name}, order {order}, eps {eps:e}: |B - 2| = {error:e}");
+                let imbalance = checks.energy_in - checks.energy_absorbed - checks.energy_lost;
+                // A direct solver's residual can be below one rounding of the sums themselves.
+                let allowed = 10.0 * residual.max(f64::EPSILON) * checks.energy_in;
+                assert!(imbalance.abs() <= allowed, "{name}, order {order}: {imbalance:e} of {allowed:e}");
+            }
+        }
+    }
+}
+
+#[test]
+fn furnace_error_falls_with_eps() {
+    let error = |eps| furnace_error(&furnace(4, eps)[0].1);
+    let (coarse, fine) = (error(1e-2), error(1e-8));
+    assert!(fine < 1e-4 * coarse, "{coarse:e} {fine:e}");
+}
+
+/// Largest difference of radiosity coefficients relative to the largest coefficient.
+fn difference(a: &Outcome, b: &Outcome) -> f64 {
+    let (mut largest, mut scale) = (0.0f64, 0.0f64);
+    for (x, y) in a.solution.bands().iter().zip(b.solution.bands()) {
+        for (x, y) in x.coefficients.radiosity.iter().zip(&y.coefficients.radiosity) {
+            largest = largest.max((x - y).abs());
+            scale = scale.max(x.abs());
+        }
+    }
+    largest / scale
+}
+
+#[test]
+fn solvers_agree_on_every_built_in_scene() {
+    for scene in Scene::builtin_names() {
+        let reference = solved(scene, &options(2, "lu"));
+        assert!(reference.residual < 1e-12);
+        for method in Method::ALL {
+            let other = solved(scene, &options(2, method.name));
+            // Error of the unknowns: the residual over the lowest eigenvalue, 1 − ρ_max.
+            let largest = difference(&reference, &other);
+            assert!(largest <= 1e-8, "{scene}, {}: {largest:e}", method.name);
+        }
+    }
+}
+
+#[test]
+fn threads_do_not_change_a_bit() {
+    let with = |threads| solved("cornell-box", &Options { threads, ..options(3, "lu") });
+    let (one, two) = (with(1), with(2));
+    assert_eq!(difference(&one, &two), 0.0);
+    assert_eq!(one.checks, two.checks);
+    assert_eq!((one.samples, one.rays), (two.samples, two.rays));
+}
+
+#[test]
+fn transport_is_bounded_and_energy_is_kept_with_shadows() {
+    for order in [0, 3] {
+        let outcome = solved("cornell-box", &options(order, "lu"));
+        let checks = outcome.checks;
+        assert!(checks.row_sum_min > 0.0 && checks.row_sum_max <= 1.0 + 3e-3, "{checks:?}");
+        assert!(checks.spectral_bound < 0.765, "below the largest reflectance but one: {checks:?}");
+        let imbalance = (checks.energy_in - checks.energy_absorbed - checks.energy_lost).abs();
+        assert!(imbalance <= 1e-7 * checks.energy_in, "{imbalance:e}");
+        assert!(checks.energy_lost > 0.1 * checks.energy_in, "the box is open");
+    }
+}
+
+#[test]
+fn projection_keeps_power_at_every_order() {
+    // Every face of the empty box carries the same mean at each order up to quadrature, since testing with
+    // the constant conserves power: emitted = absorbed in a closed box.
+    for order in [0, 1, 4] {
+        let outcome = solved("empty-box", &Options { eps: 1e-8, ..options(order, "lu") });
+        let checks = outcome.checks;
+        assert!((checks.energy_absorbed - checks.energy_in).abs() <= 1e-7 * checks.energy_in, "{checks:?}");
+        assert!(checks.closure_max < 1e-7);
+    }
+}
+
+#[test]
+fn cells_add_up_to_the_whole() {
+    let outcome = solved("cornell-box", &options(3, "lu"));
+    let solution = &outcome.solution;
+    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    for cells in [[1, 1], [3, 5]] {
+        let mut power = vec![0.0; scene.surfaces.len()];
+        for cell in grid(solution, scene.surfaces.len(), cells) {
+            power[cell.surface] += cell.area * cell.irradiance[0];
+        }
+        for (surface, power) in power.iter().enumerate() {
+            let exact: f64 = solution.elements().of_surface(surface).map(|i| mean_power(solution, i)).sum();
+            assert!((power - exact).abs() <= 1e-9 * exact, "surface {surface}: {power} {exact}");
+        }
+    }
+}
+
+/// ∫ E dA over an element: ⟨c, h⟩.
+fn mean_power(solution: &Solution, element: usize) -> f64 {
+    let list = solution.elements().list();
+    let start: usize = list[..element].iter().map(|e| e.basis.len()).sum();
+    let own = &solution.bands()[0].coefficients.irradiance[start..];
+    list[element].constant.iter().zip(own).map(|(c, h)| c * h).sum()
+}
