@@ -1,0 +1,96 @@
+//! What ends a command early, how it is told, and the exit code.
+
+use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
+
+use radiosity::scene::{Place, SceneError};
+use thiserror::Error;
+
+/// Why a command ended early.
+#[derive(Debug, Error)]
+pub(crate) enum CliError {
+    /// Something is wrong with the scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// An output that cannot be written, found out before the work.
+    #[error("{}: cannot be written: {reason}", path.display())]
+    Unwritable {
+        /// The output as typed.
+        path: PathBuf,
+        /// What the system said.
+        reason: io::Error,
+    },
+    /// An output that failed while it was written; the file is as it was before.
+    #[error("{}: writing failed: {reason}", path.display())]
+    Unwritten {
+        /// The output as typed.
+        path: PathBuf,
+        /// What the system said.
+        reason: io::Error,
+    },
+    /// A verb whose computation is not there.
+    #[error("{verb} cannot compute yet")]
+    Unwired {
+        /// The verb.
+        verb: &'static str,
+    },
+    /// Standard output failed.
+    #[error("standard output: {0}")]
+    Stdout(#[from] io::Error),
+}
+
+impl CliError {
+    /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
+    pub(crate) fn exit_code(&self) -> ExitCode {
+        match self {
+            CliError::Scene(_) | CliError::Unwritable { .. } => ExitCode::from(2),
+            CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            CliError::Unwritten { .. } | CliError::Unwired { .. } | CliError::Stdout(_) => ExitCode::from(1),
+        }
+    }
+
+    /// The text for stderr: message, the line it is about, cure.
+    pub(crate) fn explain(&self) -> String {
+        if matches!(self, CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe) {
+            return String::new();
+        }
+        let mut text = format!("error: {self}\n");
+        if let CliError::Scene(SceneError { place: Some(place), .. }) = self {
+            text += &excerpt(place);
+        }
+        if let Some(cure) = self.cure() {
+            writeln!(text, "help: {cure}").expect("a String takes all text");
+        }
+        text
+    }
+
+    fn cure(&self) -> Option<String> {
+        match self {
+            CliError::Scene(error) => error.cure(),
+            CliError::Unwritable { .. } => {
+                Some("choose a file in a folder that exists and can be written to".into())
+            }
+            CliError::Unwritten { .. } | CliError::Unwired { .. } | CliError::Stdout(_) => None,
+        }
+    }
+}
+
+/// Longest piece of a line that is shown.
+const SHOWN: usize = 100;
+
+/// The line at `place` with the piece that is meant underlined:
+///
+/// ```text
+///    |
+/// 12 | reflectance = 1.2
+///    |               ^^^
+/// ```
+fn excerpt(place: &Place) -> String {
+    let number = place.line.to_string();
+    let margin = " ".repeat(number.len());
+    // Of a long line show the part from a little before the place.
+    let skipped = (place.column - 1).saturating_sub(SHOWN / 2);
+    let shown: String = place.text.chars().skip(skipped).take(SHOWN).collect();
+    let indent = " ".repeat(place.column - 1 - skipped);
+    let marks = "^".repeat(place.width.min(SHOWN.saturating_sub(indent.len()).max(1)));
+    format!("{margin} |\n{number} | {shown}\n{margin} | {indent}{marks}\n")
+}

@@ -1,0 +1,161 @@
+//! Options that several verbs share.
+
+use std::{path::PathBuf, str::FromStr};
+
+use clap::{
+    Args, ValueEnum,
+    builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
+};
+use radiosity::scene::MAX_ORDER;
+use radiosity_solvers::method::Method;
+
+use crate::cli::{error::CliError, output_file::OutputFile};
+
+/// The scene a verb works on.
+#[derive(Debug, Args)]
+pub(crate) struct SceneArg {
+    /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
+    #[arg(value_name = "SCENE", default_value = "cornell-box")]
+    pub(crate) scene: String,
+}
+
+/// How the radiosity is computed.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Method")]
+pub(crate) struct MethodArgs {
+    /// Total degree of the polynomials on each element; 0 is classical radiosity
+    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
+    pub(crate) order: usize,
+
+    /// Cuts each surface into K × K elements; auto looks at what the scene needs
+    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
+    pub(crate) subdivide: Subdivide,
+
+    /// Accuracy of the transfers between elements, between 0 and 1
+    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
+    pub(crate) eps: f64,
+
+    /// Solver of the linear system
+    #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
+    pub(crate) solver: String,
+
+    /// Relative residual at which an iterative solver stops
+    #[arg(long, value_name = "T", default_value = "1e-8", value_parser = positive)]
+    pub(crate) tolerance: f64,
+
+    /// Iterations after which an iterative solver gives up
+    #[arg(long, value_name = "K", default_value = "1000", value_parser = at_least_one())]
+    pub(crate) max_iterations: usize,
+
+    /// How it is found out what surfaces hide from each other
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) shadows: Shadows,
+
+    /// What a result is read from
+    #[arg(long, value_name = "MODE", default_value = "basis")]
+    pub(crate) read: ReadMode,
+
+    /// Threads to use, all by default; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = at_least_one())]
+    pub(crate) threads: Option<usize>,
+}
+
+/// What is told while the work is done, and after it.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Messages")]
+pub(crate) struct ReportArgs {
+    /// Writes counts, times and self-checks to a JSON file
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) report: Option<PathBuf>,
+
+    /// Prints no progress and no summary
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+
+    /// Prints more about each stage
+    #[arg(short, long, conflicts_with = "quiet")]
+    pub(crate) verbose: bool,
+}
+
+impl ReportArgs {
+    /// Finds out, before the work, whether the report can be written.
+    pub(crate) fn reserve(&self) -> Result<Option<OutputFile>, CliError> {
+        self.report.as_deref().map(OutputFile::reserve).transpose()
+    }
+}
+
+/// `--subdivide`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Subdivide {
+    /// As the scene needs.
+    Auto,
+    /// This many elements along u and along v.
+    Parts(usize),
+}
+
+/// `--shadows`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Shadows {
+    /// Rays where something can stand between
+    Auto,
+    /// Nothing hides anything
+    Off,
+    /// Rays between all elements
+    Rays,
+}
+
+/// `--read`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReadMode {
+    /// The polynomials of the elements alone
+    Basis,
+}
+
+/// Two counts written `AxB`, such as `16x16` or `800x600`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Counts(pub(crate) [u32; 2]);
+
+impl FromStr for Counts {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        const MOST: u32 = 16384;
+        let count = |part: &str| part.parse().ok().filter(|count| (1..=MOST).contains(count));
+        text.split_once(['x', 'X', '×'])
+            .and_then(|(first, second)| Some(Counts([count(first)?, count(second)?])))
+            .ok_or_else(|| format!("expected two numbers from 1 to {MOST} with an x between, such as 16x16"))
+    }
+}
+
+/// A number above 0.
+pub(crate) fn positive(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
+}
+
+fn fraction(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
+}
+
+fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
+}
+
+fn order() -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
+}
+
+/// A count from 1 on.
+pub(crate) fn at_least_one() -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
+}
+
+fn solver() -> PossibleValuesParser {
+    let methods = Method::ALL.iter().map(|method| PossibleValue::new(method.name).help(method.summary));
+    let auto = PossibleValue::new("auto").help("as the scene needs");
+    PossibleValuesParser::new(std::iter::once(auto).chain(methods))
+}
+
+fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
+    PossibleValuesParser::new(["auto", "1", "2", "4"])
+        .map(|text| text.parse().map_or(Subdivide::Auto, Subdivide::Parts))
+}

@@ -1,0 +1,144 @@
+//! Outputs that are there whole or not at all.
+
+use std::{
+    fs::{File, OpenOptions},
+    io::{self, BufWriter, Write},
+    path::{Path, PathBuf},
+};
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::cli::error::CliError;
+
+/// A file that will be written. It comes into being only when all of it is there: the text goes to a temporary file in the
+/// same folder, which then takes the name.
+#[derive(Debug)]
+pub(crate) struct OutputFile {
+    typed: PathBuf,
+    target: Target,
+}
+
+#[derive(Debug)]
+enum Target {
+    /// A file of this name, or none yet; links are followed.
+    Regular(PathBuf),
+    /// A device or a pipe, which cannot be replaced.
+    Special,
+}
+
+impl OutputFile {
+    /// Finds out whether `path` can be written, before any long work. Creates nothing that stays.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist or cannot be written to.
+    pub(crate) fn reserve(path: &Path) -> Result<Self, CliError> {
+        let target = target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?;
+        Ok(OutputFile { typed: path.to_owned(), target })
+    }
+
+    /// Has `write` write the whole output, and then puts it in place.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritten`] if anything fails; what stood at the path before still stands there.
+    pub(crate) fn write(
+        &self,
+        write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
+    ) -> Result<(), CliError> {
+        self.try_write(write).map_err(|reason| CliError::Unwritten { path: self.typed.clone(), reason })
+    }
+
+    fn try_write(&self, write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>) -> io::Result<()> {
+        let fill = |file: &File| {
+            let mut writer = BufWriter::new(file);
+            write(&mut writer)?;
+            writer.flush()
+        };
+        match &self.target {
+            Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?),
+            Target::Regular(path) => {
+                let temporary = temporary_beside(path)?;
+                fill(temporary.as_file())?;
+                temporary.persist(path).map(drop).map_err(|error| error.error)
+            }
+        }
+    }
+}
+
+fn target(path: &Path) -> io::Result<Target> {
+    match path.metadata() {
+        Ok(metadata) if metadata.is_dir() => Err(io::Error::other("it is a folder")),
+        Ok(metadata) if !metadata.is_file() => {
+            OpenOptions::new().write(true).open(path).map(|_| Target::Special)
+        }
+        found => {
+            let path = if found.is_ok() { path.canonicalize()? } else { path.to_owned() };
+            temporary_beside(&path)?.close()?;
+            Ok(Target::Regular(path))
+        }
+    }
+}
+
+/// A temporary file in the folder of `path`, with the permissions an ordinary new file has.
+fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
+    if path.file_name().is_none() {
+        return Err(io::Error::other("it names no file"));
+    }
+    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
+    let mut builder = Builder::new();
+    builder.prefix(".radiosity-");
+    #[cfg(unix)]
+    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
+    // The system's message alone: the temporary name would only confuse.
+    builder.tempfile_in(folder).map_err(|error| match error.kind() {
+        io::ErrorKind::NotFound => io::Error::other("its folder does not exist"),
+        kind => io::Error::from(kind),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::fs;
+
+    #[test]
+    fn a_failed_write_leaves_the_old_file_and_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("out.txt");
+        fs::write(&path, "old").unwrap();
+        let output = OutputFile::reserve(&path).unwrap();
+        let failed = output.write(|file| {
+            file.write_all(b"half of it")?;
+            Err(io::Error::other("no more"))
+        });
+        assert!(matches!(failed, Err(CliError::Unwritten { .. })));
+        assert_eq!(fs::read_to_string(&path).unwrap(), "old");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        output.write(|file| file.write_all(b"new")).unwrap();
+        assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn reserving_creates_nothing() {
+        let folder = tempfile::tempdir().unwrap();
+        OutputFile::reserve(&folder.path().join("out.txt")).unwrap();
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0);
+    }
+
+    #[test]
+    fn folders_and_files_in_no_folder_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        for path in [folder.path().to_owned(), folder.path().join("none/out.txt")] {
+            assert!(matches!(OutputFile::reserve(&path), Err(CliError::Unwritable { .. })));
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn devices_are_written_to_not_replaced() {
+        use std::os::unix::fs::FileTypeExt;
+        let null = Path::new("/dev/null");
+        OutputFile::reserve(null).unwrap().write(|file| file.write_all(b"gone")).unwrap();
+        assert!(fs::metadata(null).unwrap().file_type().is_char_device());
+    }
+}

@@ -1,0 +1,353 @@
+//! Bad input: every case gets file, line, column, name and cure on stderr, exit code 2, and leaves no file behind.
+
+use std::{
+    fs,
+    io::Write,
+    path::Path,
+    process::{Command, Output, Stdio},
+};
+
+/// A scene that is right, to be broken in one place.
+const ROOM: &str = r#"title = "room"
+[camera]
+eye = [0, -3, 1]
+target = [0, 0, 1]
+[materials.white]
+reflectance = 0.5
+emission = 1
+[[surfaces]]
+name = "floor"
+material = "white"
+quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
+"#;
+
+/// `ROOM` with `old`, which it must contain, replaced by `new`.
+fn room(old: &str, new: &str) -> String {
+    assert!(ROOM.contains(old), "{old:?} is not in the room");
+    ROOM.replace(old, new)
+}
+
+fn radiosity(folder: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+    command.current_dir(folder).args(args).output().expect("the binary runs")
+}
+
+/// Renders a scene that must be refused: exit code 2, empty stdout, no new file, all of `parts` on stderr.
+#[track_caller]
+fn refused_file(file: &str, scene: &str, parts: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join(file), scene).unwrap();
+    let output = radiosity(folder.path(), &["render", file, "-o", "out.png", "--report", "report.json"]);
+    assert_refused(&output, parts);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a file was left behind");
+}
+
+#[track_caller]
+fn refused(scene: &str, parts: &[&str]) {
+    refused_file("room.toml", scene, parts);
+}
+
+/// Runs in an empty folder, which must stay empty.
+#[track_caller]
+fn refused_command(args: &[&str], parts: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    assert_refused(&radiosity(folder.path(), args), parts);
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 0, "a file was left behind");
+}
+
+#[track_caller]
+fn assert_refused(output: &Output, parts: &[&str]) {
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(output.stdout.is_empty(), "{}", String::from_utf8_lossy(&output.stdout));
+    for part in parts {
+        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
+    }
+}
+
+#[test]
+fn the_room_itself_is_right() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.toml"), ROOM).unwrap();
+    let output = radiosity(folder.path(), &["check", "room.toml"]);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+#[test]
+fn toml_syntax() {
+    refused(&room("0.5", "0,5"), &["room.toml:6:16: syntax error", "help: TOML wants"]);
+    refused(&room("[camera]", "[camera"), &["room.toml:2:", "syntax error"]);
+}
+
+#[test]
+fn json_syntax() {
+    let scene = "{\n  \"title\": \"room\",\n  \"surfaces\": [}\n}";
+    refused_file("room.json", scene, &["room.json:3:16: syntax error: expected value", "help: JSON wants"]);
+    refused_file("room.json", "{\"title\": NaN}", &["room.json:1:11: syntax error"]);
+}
+
+#[test]
+fn unknown_key() {
+    let parts =
+        ["room.toml:6:1: material \"white\": unknown key \"reflectence\"", "did you mean \"reflectance\"?"];
+    refused(&room("reflectance", "reflectence"), &parts);
+    let parts = ["room.toml:1:1: unknown key \"tilte\"", "did you mean \"title\"?", "surfaces"];
+    refused(&room("title", "tilte"), &parts);
+    let parts =
+        ["room.toml:11:10: surface \"floor\": unknown key \"vertexes\"", "did you mean \"vertices\"?"];
+    refused(&room("vertices", "vertexes"), &parts);
+}
+
+#[test]
+fn repeated_key() {
+    refused(&room("emission = 1", "reflectance = 1"), &["room.toml:7:1: syntax error: duplicate key"]);
+    let scene = "{\"title\": \"a\",\n \"title\": \"b\"}";
+    refused_file("room.json", scene, &["room.json:2:2: the key \"title\" stands twice", "help: keep one"]);
+}
+
+#[test]
+fn unknown_material() {
+    let parts = ["room.toml:10:12: surface \"floor\": unknown material \"whit\"", "did you mean \"white\"?"];
+    refused(&room("= \"white\"", "= \"whit\""), &parts);
+}
+
+#[test]
+fn missing_material() {
+    let parts = ["room.toml:8:", "surface \"floor\": the key \"material\" is missing", "help: add `material"];
+    refused(&room("material = \"white\"", ""), &parts);
+}
+
+#[test]
+fn unknown_shape() {
+    let parts =
+        ["room.toml:11:1: surface \"floor\": unknown key \"quadd\"", "did you mean \"quad\"?", "polygon"];
+    refused(&room("quad", "quadd"), &parts);
+    refused(
+        &room("quad = {", "# {"),
+        &["room.toml:8:", "surface \"floor\": no shape is given", "help: add one"],
+    );
+}
+
+#[test]
+fn two_shapes() {
+    let scene = format!("{ROOM}triangle = {{ vertices = [[0,0,0],[1,0,0],[1,1,0]] }}\n");
+    refused(&scene, &["room.toml:12:12: surface \"floor\": two shapes are given: \"quad\" and \"triangle\""]);
+}
+
+#[test]
+fn wrong_number_of_numbers() {
+    refused(
+        &room("[1,1,0]", "[1,1]"),
+        &["room.toml:11:38: surface \"floor\": a point takes 3 numbers, found 2"],
+    );
+    refused(&room(",[1,1,0]", ""), &["room.toml:11:21: surface \"floor\": a quad takes 4 vertices, found 3"]);
+    refused(
+        &room("0.5", "[0.5, 0.5]"),
+        &["room.toml:6:15: material \"white\"", "3, one per band", "found 2"],
+    );
+}
+
+#[test]
+fn wrong_kind_of_value() {
+    refused(
+        &room("0.5", "\"half\""),
+        &["room.toml:6:15: material \"white\": expected a number, found a text"],
+    );
+    refused(&room("= \"white\"", "= 3"), &["room.toml:10:12: surface \"floor\": expected a text in quotes"]);
+    let scene = "{\"surfaces\": [{\"name\": null}]}";
+    refused_file("room.json", scene, &["room.json:1:24: surface \"surface-1\"", "found null"]);
+}
+
+#[test]
+fn not_finite() {
+    refused(&room("0.5", "nan"), &["room.toml:6:15: material \"white\": NaN is not a finite number"]);
+    refused(
+        &room("[1,1,0]", "[1,inf,0]"),
+        &["room.toml:11:41: surface \"floor\": inf is not a finite number"],
+    );
+    let scene = "{\"camera\": {\"eye\": [0, 0, 1e999], \"target\": [0, 0, 0]}}";
+    refused_file("room.json", scene, &["room.json:1:27: camera: inf is not a finite number"]);
+}
+
+#[test]
+fn reflectance_out_of_range() {
+    for rho in ["1.2", "1", "-0.1"] {
+        let message =
+            format!("room.toml:6:15: material \"white\": the reflectance is {rho}, outside 0 ≤ ρ < 1");
+        refused(&room("0.5", rho), &[&message, "help: choose"]);
+    }
+    refused(&room("0.5", "[0.1, 0.2, 1.5]"), &["room.toml:6:26: material \"white\": the reflectance is 1.5"]);
+}
+
+#[test]
+fn negative_emission() {
+    let parts =
+        ["room.toml:7:12: material \"white\": the emission is -1, outside emission ≥ 0", "help: choose"];
+    refused(&room("emission = 1", "emission = -1"), &parts);
+}
+
+#[test]
+fn surface_without_area() {
+    refused(&room("[1,1,0],[0,1,0]", "[1,0,0],[0,0,0]"), &["room.toml:11:", "surface \"floor\": `vertices`"]);
+    let parallelogram = "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [2,0,0] }\n#";
+    refused(
+        &room("quad", parallelogram),
+        &["room.toml:11:", "surface \"floor\"", "`edge2` is parallel to `edge1`"],
+    );
+}
+
+#[test]
+fn folded_surface() {
+    let parts = ["room.toml:11:21: surface \"floor\": `vertices` folds over", "in order around"];
+    // Corners in the wrong order, and an outline that is not convex.
+    refused(&room("[1,1,0],[0,1,0]", "[0,1,0],[1,1,0]"), &parts);
+    refused(&room("[1,1,0]", "[0.2,0.2,0]"), &parts);
+}
+
+#[test]
+fn polygon_that_is_not_planar() {
+    let scene = room("quad", "polygon").replace("[1,1,0]", "[1,1,0.4]");
+    refused(&scene, &["room.toml:11:", "surface \"floor\": `vertices`", "off the plane"]);
+}
+
+#[test]
+fn hole_outside() {
+    let parts = ["room.toml:11:19: surface \"floor\": `holes[0]` reaches outside the outline"];
+    refused(&room("vertices", "holes = [[[0.1,0.1,0],[0.4,0.1,0],[2,2,0]]], vertices"), &parts);
+}
+
+#[test]
+fn duplicate_names() {
+    let moved = "[[surfaces]]\nname = \"floor\"\nmaterial = \"white\"\n\
+                 quad = { vertices = [[0,0,1],[1,0,1],[1,1,1],[0,1,1]] }\n";
+    let parts = ["room.toml:13:8: the name \"floor\" is given twice", "on line 9"];
+    refused(&format!("{ROOM}{moved}"), &parts);
+    let named_back = moved.replace("\"floor\"", "\"floor:back\"");
+    refused(&format!("{ROOM}two_sided = true\n{named_back}"), &["the name \"floor:back\" is given twice"]);
+    refused(
+        &room("[camera]", "bands = [\"a\", \"a\"]\n[camera]"),
+        &["room.toml:2:15: the name \"a\" is given twice"],
+    );
+}
+
+#[test]
+fn coincident_surfaces() {
+    // Overlapping by a half, and turned over.
+    let other = "[[surfaces]]\nname = \"carpet\"\nmaterial = \"white\"\n\
+                 polygon = { vertices = [[0.5,0,0],[0.5,1,0],[2,1,0],[2,0,0]] }\n";
+    let parts = [
+        "room.toml:15:11: surface \"carpet\": coincides with surface \"floor\"",
+        "cut a hole into \"floor\"",
+    ];
+    refused(&format!("{ROOM}{other}"), &parts);
+    // A copy of a surface that is not planar, with other corners first.
+    let bent = room("[1,1,0]", "[1,1,0.2]");
+    let copy =
+        "[[surfaces]]\nmaterial = \"white\"\nquad = { vertices = [[1,0,0],[1,1,0.2],[0,1,0],[0,0,0]] }\n";
+    refused(&format!("{bent}{copy}"), &["surface \"surface-2\": coincides with surface \"floor\""]);
+}
+
+#[test]
+fn no_surface() {
+    let (before, _) = ROOM.split_once("[[surfaces]]").unwrap();
+    refused(before, &["room.toml: the scene has no surface", "help: add a [[surfaces]] entry"]);
+    refused("", &["room.toml: the scene has no surface"]);
+}
+
+#[test]
+fn no_emitter_is_wrong_only_where_light_is_asked_for() {
+    let dark = room("emission = 1", "emission = 0");
+    refused(&dark, &["room.toml: no surface emits light", "help: give a material an emission"]);
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.toml"), dark).unwrap();
+    let output = radiosity(folder.path(), &["check", "room.toml"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("warning: no surface emits light"));
+}
+
+#[test]
+fn order_out_of_range() {
+    let parts = ["room.toml:9:9: surface \"floor\": the order is 21, outside 0 ≤ order ≤ 20"];
+    refused(&room("name", "order = 21\nname"), &parts);
+    refused(
+        &room("name", "order = 1.5\nname"),
+        &["room.toml:9:9: surface \"floor\": 1.5 is not a whole number"],
+    );
+    refused_command(
+        &["solve", "--order", "21"],
+        &["invalid value '21' for '--order <N>'", "21 is not in 0..=20"],
+    );
+}
+
+#[test]
+fn camera_without_view() {
+    let parts = ["room.toml:", "camera: eye and target are the same point", "help: move the eye"];
+    refused(&room("target = [0, 0, 1]", "target = [0, -3, 1]"), &parts);
+    refused(&room("eye", "fov = 180\neye"), &["room.toml:3:7: camera: the angle of view is 180"]);
+}
+
+#[test]
+fn bad_transform() {
+    let parts = ["room.toml:9:24: surface \"floor\": the rotation axis has no direction"];
+    refused(&room("name", "transform = { rotate = [0, 0, 0, 30] }\nname"), &parts);
+    refused(&room("name", "transform = { scale = 0 }\nname"), &["the scale is 0, outside scale > 0"]);
+}
+
+#[test]
+fn missing_file() {
+    refused_command(&["render", "none.toml"], &["none.toml: cannot be read", "help: check the path"]);
+}
+
+#[test]
+fn unknown_scene_name() {
+    let parts = ["unknown scene \"cornel-box\"", "did you mean \"cornell-box\"?", "furnace-cube"];
+    refused_command(&["solve", "cornel-box"], &parts);
+}
+
+#[test]
+fn unwritable_output() {
+    refused_command(
+        &["render", "-o", "none/out.png"],
+        &["none/out.png: cannot be written", "help: choose a file"],
+    );
+    refused_command(&["solve", "-o", "."], &[".: cannot be written: it is a folder"]);
+    refused_command(&["grid", "--report", "none/r.json"], &["none/r.json: cannot be written"]);
+}
+
+#[test]
+fn unknown_solver() {
+    refused_command(&["solve", "--solver", "gauss"], &["'gauss'", "lu", "gauss-seidel", "southwell"]);
+}
+
+#[test]
+fn options_out_of_range() {
+    for (option, value) in [
+        ("--eps", "1"),
+        ("--eps", "nan"),
+        ("--tolerance", "0"),
+        ("--max-iterations", "0"),
+        ("--subdivide", "3"),
+        ("--shadows", "some"),
+        ("--threads", "0"),
+    ] {
+        refused_command(&["grid", option, value], &[option, &format!("invalid value '{value}'")]);
+    }
+    refused_command(&["grid", "--cells", "16"], &["invalid value '16' for '--cells", "such as 16x16"]);
+    refused_command(&["render", "--size", "0x5"], &["invalid value '0x5' for '--size"]);
+}
+
+#[test]
+fn standard_input_is_named() {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+    command.args(["check", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().unwrap();
+    child.stdin.take().unwrap().write_all(b"{\"surfaces\": 1}").unwrap();
+    let output = child.wait_with_output().unwrap();
+    assert_refused(&output, &["<stdin>:1:14: expected a list, found a number"]);
+}
+
+#[test]
+fn the_line_is_shown_and_underlined() {
+    let parts = ["  |\n6 | reflectance = 1.2\n  |               ^^^\n"];
+    refused(&room("0.5", "1.2"), &parts);
+}
