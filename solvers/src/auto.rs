@@ -44,9 +44,7 @@ impl Solver for Auto {
         settings: &Settings<'_>,
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Report, SolveError> {
-        in_turn(candidates(a, 1, settings), settings, |solver, settings| {
-            solver.solve(a, b, x, settings, observer)
-        })
+        Plan::new(a, 1, settings).run(settings, |solver, settings| solver.solve(a, b, x, settings, observer))
     }
 
     fn solve_many(
@@ -58,50 +56,58 @@ impl Solver for Auto {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Vec<Report>, SolveError> {
         let columns = b.len() / a.partition().dim().max(1);
-        in_turn(candidates(a, columns, settings), settings, |solver, settings| {
-            solver.solve_many(a, b, x, settings, observer)
-        })
+        Plan::new(a, columns, settings)
+            .run(settings, |solver, settings| solver.solve_many(a, b, x, settings, observer))
     }
 }
 
-/// The methods to try, in order; never none.
-fn candidates(a: &dyn Operator, columns: usize, settings: &Settings<'_>) -> Vec<&'static dyn Solver> {
-    let dim = a.partition().dim();
-    let mut direct: Vec<&'static dyn Solver> = vec![&Lu];
-    let mut iterative: Vec<&'static dyn Solver> = vec![&Gmres];
-    if a.symmetric() {
-        #[cfg(feature = "faer")]
-        direct.insert(0, &Cholesky);
-        iterative.insert(0, &Cg);
-    }
-    if dim >= HUGE {
-        return iterative;
-    }
-    if dim <= DIRECT.saturating_mul(columns.max(1)) || settings.tolerance < STRICT {
-        return direct;
-    }
-    iterative.append(&mut direct);
-    iterative
+/// The methods to try, in order.
+struct Plan {
+    first: Vec<&'static dyn Solver>,
+    last: &'static dyn Solver,
 }
 
-/// Tries one method after the other, each in the time the earlier ones left, until one succeeds or none can.
-fn in_turn<T>(
-    candidates: Vec<&'static dyn Solver>,
-    settings: &Settings<'_>,
-    mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
-) -> Result<T, SolveError> {
-    let started = Instant::now();
-    let mut outcome = None;
-    for solver in candidates {
-        let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
-        let tried = attempt(solver, &Settings { time_budget, ..settings.clone() });
-        let hopeless = tried.as_ref().err().is_none_or(is_final);
-        outcome = Some(tried);
-        if hopeless {
-            break;
+impl Plan {
+    /// The plan for `a` and this many right-hand sides.
+    fn new(a: &dyn Operator, columns: usize, settings: &Settings<'_>) -> Self {
+        let dim = a.partition().dim();
+        let direct_only = dim <= DIRECT.saturating_mul(columns.max(1)) || settings.tolerance < STRICT;
+        let mut first: Vec<&'static dyn Solver> = Vec::new();
+        if dim >= HUGE {
+            if a.symmetric() {
+                first.push(&Cg);
+            }
+            return Self { first, last: &Gmres };
         }
+        if !direct_only {
+            first.push(if a.symmetric() { &Cg } else { &Gmres });
+        }
+        #[cfg(feature = "faer")]
+        if a.symmetric() {
+            first.push(&Cholesky);
+        }
+        Self { first, last: &Lu }
     }
-    outcome.unwrap_or(Err(SolveError::Breakdown { method: NAME, iterations: 0 }))
+
+    /// Tries one method after the other, each in the time the earlier ones left.
+    fn run<T>(
+        self,
+        settings: &Settings<'_>,
+        mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
+    ) -> Result<T, SolveError> {
+        let started = Instant::now();
+        let mut tried = |solver| {
+            let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
+            attempt(solver, &Settings { time_budget, ..settings.clone() })
+        };
+        for solver in self.first {
+            match tried(solver) {
+                Err(error) if !is_final(&error) => {}
+                outcome => return outcome,
+            }
+        }
+        tried(self.last)
+    }
 }
 
 /// Whether no other method could do better after this error.
