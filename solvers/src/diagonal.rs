@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 
 use crate::error::SolveError;
 use crate::operator::Operator;
+use crate::partition::Partition;
 use crate::problem::finite;
 use crate::settings::Granularity;
 
@@ -35,6 +36,13 @@ impl Pivot {
     /// All diagonal blocks of `a`, in order.
     pub(crate) fn read_all(a: &dyn Operator, granularity: Granularity) -> Result<Vec<Self>, SolveError> {
         (0..a.partition().len()).map(|block| Self::read(a, block, granularity)).collect()
+    }
+
+    /// r := D⁻¹ r for all blocks of a whole vector.
+    pub(crate) fn divide_all(pivots: &[Self], partition: &Partition, r: &mut [f64]) {
+        for (block, pivot) in pivots.iter().enumerate() {
+            pivot.divide(&mut r[partition.range(block)]);
+        }
     }
 
     /// r := D⁻¹ r, or r_k := r_k / d_kk.

@@ -86,10 +86,18 @@ impl Direct {
     ) -> Result<Factored<'f>, SolveError> {
         let dim = a.partition().dim();
         let started = Instant::now();
+        if cancelled(settings) {
+            return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
+        }
         let factors = (self.factor)(matrix(a)?, dim, settings)?;
         let condition = settings.condition.then(|| condition(a, &*factors));
         Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
     }
+}
+
+/// Whether the caller has raised the flag.
+fn cancelled(settings: &Settings<'_>) -> bool {
+    settings.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
 }
 
 /// All entries of `a`, column by column.
@@ -179,7 +187,7 @@ impl Factored<'_> {
             if residual <= self.settings.tolerance.min(AIM) {
                 break;
             }
-            if self.settings.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed)) {
+            if cancelled(self.settings) {
                 return Err(SolveError::Cancelled { iterations: history.len() - 1, residual });
             }
             if self.settings.time_budget.is_some_and(|budget| self.started.elapsed() >= budget) {

@@ -20,11 +20,26 @@ mod direct;
 mod iteration;
 mod ranking;
 
-pub mod gauss_seidel;
 #[cfg(feature = "faer")]
 pub mod lu;
-pub mod method;
+
+#[cfg(feature = "faer")]
+pub mod cholesky;
+pub mod lu_small;
+
+pub mod jacobi;
+
+pub mod gauss_seidel;
+
 pub mod southwell;
+
+pub mod cg;
+
+pub mod gmres;
+
+pub mod auto;
+
+pub mod method;
 
 pub use dense::Dense;
 pub use error::{SolveError, Stop};

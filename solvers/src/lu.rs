@@ -22,7 +22,7 @@ pub(crate) const NAME: &str = "lu";
 const THREADED: usize = 2000;
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor: Lu::factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor };
 
 /// LU with partial pivoting and refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
@@ -52,30 +52,24 @@ impl Solver for Lu {
     }
 }
 
-impl Lu {
-    /// P A = L U, in place.
-    fn factor(
-        mut matrix: Vec<f64>,
-        dim: usize,
-        settings: &Settings<'_>,
-    ) -> Result<Box<dyn Factors>, SolveError> {
-        let par = parallelism(dim, settings.threads);
-        let mut forward = vec![0; dim];
-        let mut inverse = vec![0; dim];
-        let scratch = factor::lu_in_place_scratch::<usize, f64>(dim, dim, par, Default::default());
-        factor::lu_in_place(
-            MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
-            &mut forward,
-            &mut inverse,
-            par,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-            Default::default(),
-        );
-        if (0..dim).any(|k| matrix[k * dim + k] == 0.0) {
-            return Err(SolveError::Singular { what: "the matrix".into() });
-        }
-        Ok(Box::new(Triangles { matrix, forward, inverse }))
+/// P A = L U, in place.
+fn factor(mut matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
+    let par = parallelism(dim, settings.threads);
+    let mut forward = vec![0; dim];
+    let mut inverse = vec![0; dim];
+    let scratch = factor::lu_in_place_scratch::<usize, f64>(dim, dim, par, Default::default());
+    factor::lu_in_place(
+        MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
+        &mut forward,
+        &mut inverse,
+        par,
+        MemStack::new(&mut MemBuffer::new(scratch)),
+        Default::default(),
+    );
+    if (0..dim).any(|k| matrix[k * dim + k] == 0.0) {
+        return Err(SolveError::Singular { what: "the matrix".into() });
     }
+    Ok(Box::new(Triangles { matrix, forward, inverse }))
 }
 
 /// How a factorisation of dimension `dim` may use `threads` threads: always said outright, because the

@@ -2,9 +2,16 @@
 
 use std::fmt;
 
+use crate::auto::{self, Auto};
+use crate::cg::{self, Cg};
+#[cfg(feature = "faer")]
+use crate::cholesky::{self, Cholesky};
 use crate::gauss_seidel::{self, GaussSeidel};
+use crate::gmres::{self, Gmres};
+use crate::jacobi::{self, Jacobi};
 #[cfg(feature = "faer")]
 use crate::lu::{self, Lu};
+use crate::lu_small::{self, LuSmall};
 use crate::solver::Solver;
 use crate::southwell::{self, Southwell};
 
@@ -57,6 +64,23 @@ impl fmt::Debug for Method {
 impl Method {
     /// All methods of this build.
     pub const ALL: &'static [Self] = &[
+        Self {
+            name: auto::NAME,
+            summary: "whatever fits the matrix, its size and the tolerance",
+            needs: Needs::Inverse,
+            cost: "that of its choice",
+            storage: "that of its choice",
+            solver: &Auto,
+        },
+        #[cfg(feature = "faer")]
+        Self {
+            name: cholesky::NAME,
+            summary: "Cholesky with refinement, LU where that fails",
+            needs: Needs::PositiveDefinite,
+            cost: "n³/6",
+            storage: "n²",
+            solver: &Cholesky,
+        },
         #[cfg(feature = "faer")]
         Self {
             name: lu::NAME,
@@ -67,19 +91,51 @@ impl Method {
             solver: &Lu,
         },
         Self {
+            name: lu_small::NAME,
+            summary: "the same, plain, for up to 1000 unknowns",
+            needs: Needs::Inverse,
+            cost: "n³/3, slow ones",
+            storage: "n²",
+            solver: &LuSmall,
+        },
+        Self {
+            name: cg::NAME,
+            summary: "conjugate gradients preconditioned by the diagonal blocks",
+            needs: Needs::PositiveDefinite,
+            cost: "n² per iteration, √κ iterations per digit",
+            storage: "4n and the diagonal blocks",
+            solver: &Cg,
+        },
+        Self {
+            name: gmres::NAME,
+            summary: "restarted minimal residuals preconditioned by the diagonal blocks",
+            needs: Needs::Inverse,
+            cost: "n² per iteration",
+            storage: "50n and the diagonal blocks",
+            solver: &Gmres,
+        },
+        Self {
             name: gauss_seidel::NAME,
-            summary: "relaxation in order, by block or coefficient",
+            summary: "relaxation in order, by block or by coefficient",
             needs: Needs::PositiveDefiniteOrDominant,
             cost: "n² per sweep",
-            storage: "diagonal blocks",
+            storage: "2n and the diagonal blocks",
             solver: &GaussSeidel,
         },
         Self {
+            name: jacobi::NAME,
+            summary: "relaxation of all unknowns at once",
+            needs: Needs::Dominant,
+            cost: "n² per sweep",
+            storage: "2n and the diagonal blocks",
+            solver: &Jacobi,
+        },
+        Self {
             name: southwell::NAME,
-            summary: "shooting of the largest residual first",
+            summary: "shooting, largest residual first, of columns computed on demand",
             needs: Needs::PositiveDefiniteOrDominant,
             cost: "one block column per shot",
-            storage: "diagonal blocks",
+            storage: "3n and the diagonal blocks shot",
             solver: &Southwell,
         },
     ];

@@ -1,0 +1,123 @@
+//! The method that fits the matrix, its size, and what is asked.
+//!
+//! A direct method while its n³/6 (Cholesky) or n³/3 (LU) multiplications, fast ones in cache, cost less than the
+//! products of an iteration, slow ones from memory, for all right-hand sides together; beyond that cg or gmres, and a
+//! direct method again where they fail. Symmetric matrices are tried as positive definite first.
+
+use std::time::Instant;
+
+use crate::cg::Cg;
+#[cfg(feature = "faer")]
+use crate::cholesky::Cholesky;
+use crate::error::{SolveError, Stop};
+use crate::gmres::Gmres;
+#[cfg(feature = "faer")]
+use crate::lu::Lu;
+#[cfg(not(feature = "faer"))]
+use crate::lu_small::LuSmall as Lu;
+use crate::operator::Operator;
+use crate::settings::Settings;
+use crate::solver::{Report, Solver, Step};
+
+/// Name in the list of methods.
+pub(crate) const NAME: &str = "auto";
+
+/// Unknowns per right-hand side up to which a direct method comes first.
+const DIRECT: usize = if cfg!(feature = "faer") { 2000 } else { 500 };
+
+/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB.
+const HUGE: usize = 30_000;
+
+/// Tolerance below which iterations may fail where a refined direct method does not.
+const STRICT: f64 = 1e-13;
+
+/// Chooses among the other methods; see the [module](self).
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Auto;
+
+impl Solver for Auto {
+    fn solve(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Report, SolveError> {
+        Plan::new(a, 1, settings).run(settings, |solver, settings| solver.solve(a, b, x, settings, observer))
+    }
+
+    fn solve_many(
+        &self,
+        a: &dyn Operator,
+        b: &[f64],
+        x: &mut [f64],
+        settings: &Settings<'_>,
+        observer: &mut dyn FnMut(&Step<'_>),
+    ) -> Result<Vec<Report>, SolveError> {
+        let columns = b.len() / a.partition().dim().max(1);
+        Plan::new(a, columns, settings)
+            .run(settings, |solver, settings| solver.solve_many(a, b, x, settings, observer))
+    }
+}
+
+/// The methods to try, in order.
+struct Plan {
+    first: Vec<&'static dyn Solver>,
+    last: &'static dyn Solver,
+}
+
+impl Plan {
+    /// The plan for `a` and this many right-hand sides.
+    fn new(a: &dyn Operator, columns: usize, settings: &Settings<'_>) -> Self {
+        let dim = a.partition().dim();
+        let direct_only = dim <= DIRECT.saturating_mul(columns.max(1)) || settings.tolerance < STRICT;
+        let mut first: Vec<&'static dyn Solver> = Vec::new();
+        if dim >= HUGE {
+            if a.symmetric() {
+                first.push(&Cg);
+            }
+            return Self { first, last: &Gmres };
+        }
+        if !direct_only {
+            first.push(if a.symmetric() { &Cg } else { &Gmres });
+        }
+        #[cfg(feature = "faer")]
+        if a.symmetric() {
+            first.push(&Cholesky);
+        }
+        Self { first, last: &Lu }
+    }
+
+    /// Tries one method after the other, each in the time the earlier ones left.
+    fn run<T>(
+        self,
+        settings: &Settings<'_>,
+        mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
+    ) -> Result<T, SolveError> {
+        let started = Instant::now();
+        let mut tried = |solver| {
+            let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
+            attempt(solver, &Settings { time_budget, ..settings.clone() })
+        };
+        for solver in self.first {
+            match tried(solver) {
+                Err(error) if !is_final(&error) => {}
+                outcome => return outcome,
+            }
+        }
+        tried(self.last)
+    }
+}
+
+/// Whether no other method could do better after this error.
+fn is_final(error: &SolveError) -> bool {
+    match error {
+        SolveError::NotConverged { stop, .. } => *stop == Stop::Time,
+        SolveError::Cancelled { .. }
+        | SolveError::NonFinite { .. }
+        | SolveError::DimensionMismatch { .. }
+        | SolveError::Setting { .. } => true,
+        _ => false,
+    }
+}

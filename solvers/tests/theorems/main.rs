@@ -1,0 +1,10 @@
+//! What must hold for every method on every system.
+
+mod agreement;
+mod exact;
+mod refusals;
+mod settings;
+mod shooting;
+mod stress;
+mod systems;
+mod threads;

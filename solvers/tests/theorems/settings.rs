@@ -1,0 +1,126 @@
+//! What the settings promise.
+
+use radiosity_solvers::method::Method;
+use radiosity_solvers::{Operator, Partition, Settings, SolveError, Stop};
+
+use crate::exact::norm;
+use crate::systems::{Random, enclosure, matrix, positive_definite};
+
+#[test]
+fn no_tolerance_is_too_small_to_end() {
+    let random = &mut Random(19);
+    for floor in [1e-1, 1e-4, 1e-8] {
+        let partition = random.partition(40, 7);
+        let a = positive_definite(random, partition, floor);
+        let b = random.vector(40);
+        let settings = Settings { tolerance: 0.0, max_iterations: 100_000, ..Settings::default() };
+        for method in Method::ALL {
+            let mut x = vec![0.0; 40];
+            let solved = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
+            let Err(SolveError::NotConverged { residual, stop, .. }) = solved else {
+                panic!("{}: {solved:?}", method.name);
+            };
+            assert!(
+                matches!(stop, Stop::Stagnation | Stop::Iterations | Stop::Divergence),
+                "{}",
+                method.name
+            );
+            // What converges at all goes down to the rounding floor, ε ‖A‖ ‖x‖ / ‖b‖ times a modest factor.
+            let reachable = 1e-14 * norm(&x) / norm(&b);
+            let slow = method.name == "jacobi" || floor < 1e-6;
+            assert!(slow || residual <= reachable, "{}: {residual:e} {reachable:e}", method.name);
+        }
+    }
+}
+
+#[test]
+fn the_condition_number_is_found_on_request() {
+    // ‖A‖₁ = 1, ‖A⁻¹‖₁ = 10⁶.
+    let diagonal = [1.0, 1e-3, 1e-6, 0.5];
+    let a = matrix(Partition::new(&[2, 2]), true, |i, j| if i == j { diagonal[i] } else { 0.0 });
+    for method in Method::ALL.iter().filter(|method| method.storage == "n²") {
+        let mut x = vec![0.0; 4];
+        let asked = Settings { condition: true, ..Settings::default() };
+        let report = method.solver.solve(&a, &[1.0; 4], &mut x, &asked, &mut |_| ()).unwrap();
+        assert!(
+            (report.condition.unwrap() / 1e6 - 1.0).abs() < 1e-12,
+            "{}: {:?}",
+            method.name,
+            report.condition
+        );
+        let report = method.solver.solve(&a, &[1.0; 4], &mut x, &Settings::default(), &mut |_| ()).unwrap();
+        assert_eq!(report.condition, None);
+    }
+}
+
+#[test]
+fn the_condition_number_is_a_close_lower_bound() {
+    let random = &mut Random(23);
+    for _ in 0..50 {
+        let dim = 1 + random.below(12);
+        let a = matrix(Partition::points(dim), false, |_, _| random.signed());
+        let mut inverse = vec![0.0; dim * dim];
+        let mut identity = inverse.clone();
+        (0..dim).for_each(|i| identity[i * dim + i] = 1.0);
+        let one_norm = |values: &[f64]| {
+            values.chunks(dim).map(|column| column.iter().map(|a| a.abs()).sum::<f64>()).fold(0.0, f64::max)
+        };
+        let settings = Settings { condition: true, ..Settings::default() };
+        for method in Method::ALL.iter().filter(|method| method.name.starts_with("lu")) {
+            let reports =
+                method.solver.solve_many(&a, &identity, &mut inverse, &settings, &mut |_| ()).unwrap();
+            let condition = one_norm(a.values()) * one_norm(&inverse);
+            let estimate = reports[0].condition.unwrap();
+            assert!(estimate <= condition * 1.000_001, "{}: {estimate} {condition}", method.name);
+            assert!(estimate >= condition / 5.0, "{}: {estimate} {condition}", method.name);
+        }
+    }
+}
+
+#[test]
+fn iterations_start_from_the_given_guess() {
+    let random = &mut Random(29);
+    let a = enclosure(random, Partition::new(&[3; 10]), (0.5, 0.95), true);
+    let truth: Vec<f64> = (0..30).map(|_| random.unit()).collect();
+    let mut b = vec![0.0; 30];
+    a.apply(&truth, &mut b);
+    for name in ["gauss-seidel", "southwell", "cg", "gmres", "jacobi"] {
+        let solver = Method::named(name).unwrap().solver;
+        let mut x = truth.clone();
+        let report = solver.solve(&a, &b, &mut x, &Settings::default(), &mut |_| ()).unwrap();
+        assert_eq!((report.iterations, &x), (0, &truth), "{name}");
+    }
+}
+
+#[test]
+fn nothing_and_zero_are_solved() {
+    let empty = matrix(Partition::new(&[]), true, |_, _| 0.0);
+    let identity = matrix(Partition::new(&[1, 0, 2]), true, |i, j| f64::from(u8::from(i == j)));
+    for method in Method::ALL {
+        let report = method.solver.solve(&empty, &[], &mut [], &Settings::default(), &mut |_| ()).unwrap();
+        assert_eq!(report.residual, 0.0, "{}", method.name);
+        let none = method.solver.solve_many(&empty, &[], &mut [], &Settings::default(), &mut |_| ());
+        assert_eq!(none, Ok(Vec::new()), "{}", method.name);
+        let mut x = [1.0, 2.0, 3.0];
+        let report =
+            method.solver.solve(&identity, &[0.0; 3], &mut x, &Settings::default(), &mut |_| ()).unwrap();
+        assert_eq!((report.residual, x), (0.0, [0.0; 3]), "{}", method.name);
+    }
+}
+
+#[test]
+fn observers_see_what_the_report_keeps() {
+    let random = &mut Random(31);
+    let a = enclosure(random, Partition::new(&[2; 9]), (0.5, 0.9), true);
+    let b = random.vector(18);
+    for method in Method::ALL {
+        let (mut x, mut seen) = (vec![0.0; 18], Vec::new());
+        let report = method.solver.solve(&a, &b, &mut x, &Settings::default(), &mut |step| {
+            assert_eq!(step.iteration, seen.len());
+            seen.push(step.residual);
+        });
+        let report = report.unwrap();
+        assert_eq!(seen, report.history, "{}", method.name);
+        assert_eq!(report.iterations + 1, seen.len(), "{}", method.name);
+    }
+}
