@@ -6,6 +6,7 @@ mod laguerre;
 mod legendre;
 mod polish;
 mod symmetric;
+mod trail;
 
 pub use self::error::RuleError;
 pub use self::jacobi::jacobi;

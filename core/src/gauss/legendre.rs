@@ -104,15 +104,13 @@ const fn evaluate(monic: &Monic, m: usize, x: &Lane) -> (Lane, Lane) {
     let (mut before, mut last) = ([0.0; LANES], [1.0; LANES]);
     let mut k = 0;
     while k < m {
-        let steps = monic.steps(k);
+        let (delta, gamma) = monic.coarse_steps(k);
         let mut l = 0;
         while l < CHUNK && k < m {
-            let delta = steps.delta[l] + steps.delta_tail[l] + 2.0;
-            let gamma = steps.gamma[l] + steps.gamma_tail[l];
             if l % 2 == 0 {
-                forward(x, delta, gamma, &last, &mut before);
+                forward(x, delta[l] + 2.0, gamma[l], &last, &mut before);
             } else {
-                forward(x, delta, gamma, &before, &mut last);
+                forward(x, delta[l] + 2.0, gamma[l], &before, &mut last);
             }
             l += 1;
             k += 1;
