@@ -80,7 +80,8 @@ impl Search {
             while e < 2 {
                 let gap = trail.t[e] - t[e];
                 let step = 2.0 * s_1[e] / (s_1[e] * s_1[e] + s_2[e]);
-                if !(step.abs() < 0.1 * gap) {
+                let neighbour = step.abs() < 0.1 * gap;
+                if !neighbour {
                     return None;
                 }
                 near = near && step.abs() < 0.004 * gap;
