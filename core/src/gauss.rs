@@ -1,12 +1,27 @@
 //! Gauss rules: n nodes and weights with ∫₋₁¹ f(x) W(x) dx = Σ wᵢ f(xᵢ) for every polynomial f of degree ≤ 2n − 1.
+//!
+//! | | weight | cost | nodes, weights | |
+//! | --- | --- | --- | --- | --- |
+//! | [`Legendre`], [`Jacobi`], [`Rule`] | any | none at run time | correctly rounded | `const` |
+//! | [`legendre`] | 1 | O(n²) | correctly rounded | `const fn` |
+//! | [`legendre_asymptotic`] | 1, n > 100 | O(n) | 3 ulp, 4 ulp | |
+//! | [`jacobi`](jacobi()) | (1 − x)^α (1 + x)^β | O(n²) | correctly rounded | `const fn` |
+//! | [`golub_welsch`] | (1 − x)^α (1 + x)^β | O(n²) | 10⁻¹⁵, 2 to 4 digits lost | the classical route |
 
+mod asymptotic;
 mod error;
+mod golub_welsch;
 mod jacobi;
 mod laguerre;
 mod legendre;
 mod polish;
+mod rule;
 mod symmetric;
+mod trail;
 
+pub use self::asymptotic::legendre_asymptotic;
 pub use self::error::RuleError;
+pub use self::golub_welsch::golub_welsch;
 pub use self::jacobi::jacobi;
-pub use self::legendre::{Legendre, legendre};
+pub use self::legendre::legendre;
+pub use self::rule::{Jacobi, Legendre, Rule};

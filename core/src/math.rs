@@ -5,6 +5,8 @@
 
 use crate::double::Double;
 
+pub(crate) use libm::hypot;
+
 /// √v for a positive normal v, within 0.51 ulp; 0 for 0.
 pub(crate) const fn sqrt(v: f64) -> f64 {
     if v == 0.0 {
@@ -25,16 +27,16 @@ const fn heron(v: f64, s: f64) -> f64 {
     0.5 * (s + v / s)
 }
 
-/// The quarter circle t ∈ [0, π/4] → (sin t, cos t), each within 2 ulp.
+/// The octant t ∈ [0, π/4] → (sin t, cos t), each within 1 ulp.
 ///
-/// Taylor polynomials of degree 17 and 18; the first neglected terms are below 2⁻⁵⁸ of the value.
+/// Taylor polynomials of degree 17 and 16; the first neglected terms are below 2⁻⁶⁰.
 #[inline(always)]
 pub(crate) const fn sin_cos_octant(t: f64) -> (f64, f64) {
     let q = t * t;
     (t + t * q * horner(q, &SINE), 1.0 - q * (0.5 - q * horner(q, &COSINE)))
 }
 
-/// φ ∈ [0, π/2] → sin φ = 2 sin(φ/2) cos(φ/2), relative error below 4 ulp, exact at 0.
+/// sin φ for φ ∈ [0, π/2].
 #[inline(always)]
 pub(crate) const fn sin_quadrant(phi: f64) -> f64 {
     let (sin, cos) = sin_cos_octant(0.5 * phi);
@@ -57,7 +59,7 @@ pub(crate) const fn horner<const N: usize>(q: f64, c: &[f64; N]) -> f64 {
 const SINE: [f64; 8] = factorials::<8>(3, -1.0);
 
 /// (−1)ᵏ/(2k+4)!: cos t = 1 − t²/2 + t⁴ Σ COSINE[k] t²ᵏ.
-const COSINE: [f64; 8] = factorials::<8>(4, 1.0);
+const COSINE: [f64; 7] = factorials::<7>(4, 1.0);
 
 /// ±1/first!, ∓1/(first+2)!, …
 const fn factorials<const N: usize>(first: usize, sign: f64) -> [f64; N] {

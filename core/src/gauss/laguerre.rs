@@ -12,13 +12,16 @@
 //! A search stops once a step is below 10⁻³ of its distance to the root before: convergence is cubic, and the
 //! polish that follows is cubic again.
 //!
+//! Once the angles between roots are known well enough to extrapolate (module `trail`), Halley's step from there
+//! replaces the search. It is taken only if it stays within a tenth of the gap, so that it lands on the neighbour;
+//! otherwise Laguerre's method goes on.
+//!
 //! Reference: A. S. Householder, The Numerical Treatment of a Single Nonlinear Equation (1970), §4.4.
 
-use crate::jacobi::{Weight, monic::{CHUNK, Monic}};
+use super::trail::{Ends, Trail};
+use crate::jacobi::Weight;
+use crate::jacobi::monic::{CHUNK, Monic};
 use crate::math::rough_sqrt;
-
-/// One number per end: right, left.
-type Ends = [f64; 2];
 
 /// The sign that mirrors the left end.
 const SIGN: Ends = [1.0, -1.0];
@@ -38,12 +41,16 @@ struct Search {
 pub(super) const fn roots(weight: Weight, roots: &mut [f64]) {
     let n = roots.len();
     let search = Search::new(weight, n);
-    let mut t = [1.0, 1.0];
+    let mut trail = Trail::new();
     let mut found = 0;
     while 2 * found < n {
-        t = search.next(t, roots, found);
+        let t = match search.follow(&trail) {
+            Some(t) => t,
+            None => search.descend(&trail, roots, found),
+        };
         roots[found] = -t[1];
         roots[n - 1 - found] = t[0];
+        trail.push(t);
         found += 1;
     }
 }
@@ -62,34 +69,56 @@ impl Search {
         }
     }
 
-    /// The next root at each end, given `found` roots at each end, the last of them at t.
-    const fn next(&self, t: Ends, roots: &[f64], found: usize) -> Ends {
-        let remaining = [(self.n - 2 * found) as f64; 2];
-        let from = t;
-        let (mut s_1, mut s_2) = if found == 0 { self.at_ends() } else { self.at_roots(t) };
-        let mut t = t;
+    /// The next root at each end by Halley's steps from the extrapolated ones, if these are near enough.
+    const fn follow(&self, trail: &Trail) -> Option<Ends> {
+        let Some(mut t) = trail.next() else { return None };
+        let mut near = false;
+        while !near {
+            let (s_1, s_2) = self.inside(&t);
+            near = true;
+            let mut e = 0;
+            while e < 2 {
+                let gap = trail.t[e] - t[e];
+                let step = 2.0 * s_1[e] / (s_1[e] * s_1[e] + s_2[e]);
+                let neighbour = step.abs() < 0.1 * gap;
+                if !neighbour {
+                    return None;
+                }
+                near = near && step.abs() < 0.004 * gap;
+                t[e] -= step;
+                e += 1;
+            }
+        }
+        Some(t)
+    }
+
+    /// The next root at each end by Laguerre's method, given `found` roots at each end.
+    const fn descend(&self, trail: &Trail, roots: &[f64], found: usize) -> Ends {
+        let m = (self.n - 2 * found) as f64;
+        let (mut s_1, mut s_2) = if found == 0 { self.at_ends() } else { self.at_roots(trail.t) };
+        let mut t = trail.t;
         let mut moving = [true; 2];
-        // The first step leaves the root at t itself out of the sums: its limit is in s₁, s₂ already.
+        // The root at t itself is left out of the first sums: its limit is in s₁ and s₂ already.
         let mut skip = 1;
-        while moving[0] || moving[1] {
+        loop {
             deflate(&t, roots, found, skip, &mut s_1, &mut s_2);
             let mut e = 0;
             while e < 2 {
                 if moving[e] {
-                    let m = remaining[e];
                     let inner = (m - 1.0) * (m * s_2[e] - s_1[e] * s_1[e]);
-                    let step = m / (s_1[e] + rough_sqrt(if inner > 0.0 { inner } else { 0.0 }));
+                    let root = rough_sqrt(if inner > 0.0 { inner } else { 0.0 });
+                    let step = m / (s_1[e] + root.copysign(s_1[e]));
                     t[e] -= step;
-                    moving[e] = step > 1e-3 * (from[e] - t[e]);
+                    moving[e] = step.abs() > 1e-3 * (trail.t[e] - t[e]);
                 }
                 e += 1;
             }
-            if moving[0] || moving[1] {
-                (s_1, s_2) = self.inside(&t);
+            if !moving[0] && !moving[1] {
+                return t;
             }
+            (s_1, s_2) = self.inside(&t);
             skip = 0;
         }
-        t
     }
 
     /// s₁ and s₂ of π_n at t = 1.
@@ -112,7 +141,9 @@ impl Search {
         while e < 2 {
             let one = (1.0 - t[e]) * (1.0 + t[e]);
             let second = (self.difference[e] + (self.sigma + 2.0) * t[e]) / one;
-            let third = ((self.difference[e] + (self.sigma + 4.0) * t[e]) * second + self.sigma + 2.0 - self.lambda) / one;
+            let third = ((self.difference[e] + (self.sigma + 4.0) * t[e]) * second + self.sigma + 2.0
+                - self.lambda)
+                / one;
             s_1[e] = 0.5 * second;
             s_2[e] = 0.25 * second * second - third / 3.0;
             e += 1;
@@ -144,14 +175,12 @@ impl Search {
         let (mut last, mut before) = ([1.0; 2], [0.0; 2]);
         let mut k = 0;
         while k < self.n {
-            let steps = self.monic.steps(k);
+            let (delta, gamma) = self.monic.coarse_steps(k);
             let mut l = 0;
             while l < CHUNK && k < self.n {
-                let delta = steps.delta[l] + steps.delta_tail[l];
-                let gamma = steps.gamma[l] + steps.gamma_tail[l];
                 let mut e = 0;
                 while e < 2 {
-                    let next = (twice[e] - SIGN[e] * delta) * last[e] - gamma * before[e];
+                    let next = (twice[e] - SIGN[e] * delta[l]) * last[e] - gamma[l] * before[e];
                     before[e] = last[e];
                     last[e] = next;
                     e += 1;

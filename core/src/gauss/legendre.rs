@@ -18,26 +18,6 @@ use crate::double::Double;
 use crate::jacobi::monic::{CHUNK, Monic};
 use crate::math::sin_quadrant;
 
-/// The Gauss–Legendre rule of N points on [−1, 1], computed by the compiler.
-///
-/// The same bits as [`legendre`] writes at run time. N = 64 costs well under a second of compile time.
-pub struct Legendre<const N: usize>;
-
-impl<const N: usize> Legendre<N> {
-    /// Nodes, ascending, and their weights.
-    pub const RULE: ([f64; N], [f64; N]) = {
-        let mut rule = ([0.0; N], [0.0; N]);
-        assert!(legendre(&mut rule.0, &mut rule.1).is_ok(), "a Gauss rule has at least one node");
-        rule
-    };
-
-    /// The nodes, ascending in (−1, 1).
-    pub const NODES: [f64; N] = Self::RULE.0;
-
-    /// The weights, positive, of sum 2.
-    pub const WEIGHTS: [f64; N] = Self::RULE.1;
-}
-
 /// Writes the n-point Gauss–Legendre rule on [−1, 1], n = `nodes.len()`, nodes ascending.
 ///
 /// Exact for polynomials of degree ≤ 2n − 1. Nodes and weights are correctly rounded (0.5 ulp measured
@@ -104,21 +84,19 @@ const fn evaluate(monic: &Monic, m: usize, x: &Lane) -> (Lane, Lane) {
     let (mut before, mut last) = ([0.0; LANES], [1.0; LANES]);
     let mut k = 0;
     while k < m {
-        let steps = monic.steps(k);
+        let (delta, gamma) = monic.coarse_steps(k);
         let mut l = 0;
         while l < CHUNK && k < m {
-            let delta = steps.delta[l] + steps.delta_tail[l] + 2.0;
-            let gamma = steps.gamma[l] + steps.gamma_tail[l];
             if l % 2 == 0 {
-                forward(x, delta, gamma, &last, &mut before);
+                forward(x, delta[l] + 2.0, gamma[l], &last, &mut before);
             } else {
-                forward(x, delta, gamma, &before, &mut last);
+                forward(x, delta[l] + 2.0, gamma[l], &before, &mut last);
             }
             l += 1;
             k += 1;
         }
     }
-    if m % 2 == 0 { (last, before) } else { (before, last) }
+    if m.is_multiple_of(2) { (last, before) } else { (before, last) }
 }
 
 /// Replaces π̂_{k−1} in `before` by π̂_{k+1} = (4x² − δ) π̂_k − γ π̂_{k−1}.

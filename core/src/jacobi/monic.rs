@@ -128,30 +128,72 @@ impl Monic {
         let exact = self.halves && self.s(first + CHUNK).hi <= EXACT;
         if exact {
             self.exact_steps(first, &mut steps);
-        }
-        let careful = if !exact {
-            CHUNK
-        } else if first == 0 && self.is_degenerate() {
-            2
         } else {
-            0
-        };
-        let mut l = 0;
-        while l < careful {
-            let k = first + l;
-            (steps.delta[l], steps.delta_tail[l]) = on_grid(self.delta(k).scale(2.0));
+            self.general_steps(first, &mut steps);
+        }
+        let special = if first == 0 && !(exact && self.is_regular()) { 2 } else { 0 };
+        let mut k = 0;
+        while k < special {
+            (steps.delta[k], steps.delta_tail[k]) = on_grid(self.delta(k).scale(2.0));
             let gamma = if k == 0 { Double::ZERO } else { self.four_gamma(k) };
             let (head, rest) = split(gamma.hi);
-            (steps.gamma[l], steps.gamma_tail[l]) = (head, rest + gamma.lo);
-            l += 1;
+            (steps.gamma[k], steps.gamma_tail[k]) = (head, rest + gamma.lo);
+            k += 1;
         }
         steps
     }
 
-    /// The general formulas are 0/0 at k = 0 or 1.
-    const fn is_degenerate(&self) -> bool {
+    /// [`Monic::steps`] in plain floats: (2δ_k, 4γ_k).
+    #[inline]
+    pub(crate) const fn coarse_steps(&self, first: usize) -> ([f64; CHUNK], [f64; CHUNK]) {
+        let (alpha, beta, sigma) = (self.weight.alpha(), self.weight.beta(), self.sigma.hi);
+        let mean = -2.0 * sigma * self.difference.hi;
+        let (mut delta, mut gamma) = ([0.0; CHUNK], [0.0; CHUNK]);
+        let mut l = 0;
+        while l < CHUNK {
+            let k = (first + l) as f64;
+            let s = 2.0 * k + sigma;
+            let square = s * (s * s - 1.0);
+            let inverse = 1.0 / (s * square * (s + 2.0));
+            delta[l] = mean * square * inverse;
+            gamma[l] = 16.0 * k * (k + sigma) * (k + alpha) * (k + beta) * (s + 2.0) * inverse;
+            l += 1;
+        }
+        if first == 0 {
+            (delta[0], gamma[0]) = (2.0 * self.delta(0).hi, 0.0);
+            (delta[1], gamma[1]) = (2.0 * self.delta(1).hi, self.four_gamma(1).hi);
+        }
+        (delta, gamma)
+    }
+
+    /// The formulas of the header for k ≥ 2 are nowhere 0/0 at k = 0 and 1 either.
+    const fn is_regular(&self) -> bool {
         let sigma = self.sigma.hi;
-        sigma == 0.0 || sigma == 1.0 || sigma == -1.0
+        sigma != 0.0 && sigma != 1.0 && sigma != -1.0
+    }
+
+    /// [`Monic::steps`] from double-double numerators and denominators; k = 0 and 1 may come out undefined.
+    #[inline(always)]
+    const fn general_steps(&self, first: usize, steps: &mut Steps) {
+        let mean = self.sigma.mul(self.difference).scale(-2.0);
+        let mut l = 0;
+        while l < CHUNK {
+            let s = Double::new((2 * (first + l)) as f64).add(self.sigma);
+            let below = s.mul(s.add(Double::new(2.0)));
+            let head = (mean.hi / below.hi + GRID) - GRID;
+            let rest = mean.sub(below.mul(Double::new(head)));
+            steps.delta[l] = head;
+            steps.delta_tail[l] = rest.hi / below.hi;
+
+            let square = s.mul(s);
+            let above = square.sub(self.sigma_squared).mul(square.sub(self.difference_squared));
+            let below = square.mul(square.sub(Double::ONE));
+            let (head, _) = split(above.hi / below.hi);
+            let rest = above.sub(below.mul(Double::new(head)));
+            steps.gamma[l] = head;
+            steps.gamma_tail[l] = rest.hi / below.hi;
+            l += 1;
+        }
     }
 
     /// [`Monic::steps`] where numerators and denominators are exact floats; k = 0 and 1 may come out undefined.

@@ -63,6 +63,11 @@ impl Weight {
         self.beta
     }
 
+    /// μ₀ = ∫₋₁¹ (1 − x)^α (1 + x)^β dx, correctly rounded up to rare ties.
+    pub const fn integral(self) -> f64 {
+        super::integral::integral(self).hi
+    }
+
     /// The mirrored weight, (1 − x)^β (1 + x)^α.
     pub const fn mirrored(self) -> Weight {
         Weight { alpha: self.beta, beta: self.alpha }
