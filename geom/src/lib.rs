@@ -7,6 +7,7 @@
 //! The modules stand in the order of the nouns they define, and each imports only from those above it.
 
 mod aabb;
+mod bernstein;
 mod clip;
 mod ray;
 mod rect;
@@ -15,6 +16,7 @@ mod roots;
 mod separated;
 mod shape_error;
 mod surface;
+mod zeros;
 
 mod bvh;
 mod flipped;
