@@ -1,0 +1,3 @@
+//! Polynomial bases in two variables.
+
+pub mod total;

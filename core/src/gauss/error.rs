@@ -1,0 +1,32 @@
+//! Why a rule could not be written.
+
+use core::fmt;
+
+/// Why a rule could not be written into the slices given.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RuleError {
+    /// The slices are empty: a rule has at least one node.
+    Empty,
+    /// Slices that must be of equal length are not.
+    Lengths,
+}
+
+impl fmt::Display for RuleError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            RuleError::Empty => "a Gauss rule has at least one node; the slices given are empty",
+            RuleError::Lengths => "the slices for nodes and weights must be of equal length",
+        })
+    }
+}
+
+impl core::error::Error for RuleError {}
+
+/// The common length of the two slices of a rule.
+pub(super) const fn points(nodes: &[f64], weights: &[f64]) -> Result<usize, RuleError> {
+    if nodes.len() != weights.len() {
+        return Err(RuleError::Lengths);
+    }
+    if nodes.is_empty() { Err(RuleError::Empty) } else { Ok(nodes.len()) }
+}

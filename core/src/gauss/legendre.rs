@@ -1,0 +1,132 @@
+//! Gauss–Legendre rules, correctly rounded.
+//!
+//!   ∫₋₁¹ f(x) dx = Σ wᵢ f(xᵢ),   P_n(xᵢ) = 0,   wᵢ = 2 / ((1 − xᵢ²) P_n′(xᵢ)²)
+//!
+//! Route: Tricomi's approximation x ≈ (1 − 1/(8n²) + 1/(8n³)) sin(π (n − 1 − 2i)/(2n + 1)), which is
+//! right to O(n⁻⁴); two Halley steps in plain floats, eight nodes side by side; one compensated step
+//! (module `polish`). Cost O(n²).
+//!
+//! Reference: F. G. Tricomi, "Sugli zeri dei polinomi sferici ed ultrasferici", Ann. Mat. Pura Appl. 31 (1950).
+
+use core::f64::consts::PI;
+
+use super::RuleError;
+use super::error::points;
+use super::polish::{LANES, Lane};
+use super::symmetric::{self, root_shift};
+use crate::double::Double;
+use crate::jacobi::monic::{CHUNK, Monic};
+use crate::math::sin_quadrant;
+
+/// The Gauss–Legendre rule of N points on [−1, 1], computed by the compiler.
+///
+/// The same bits as [`legendre`] writes at run time. N = 64 costs well under a second of compile time.
+pub struct Legendre<const N: usize>;
+
+impl<const N: usize> Legendre<N> {
+    /// Nodes, ascending, and their weights.
+    pub const RULE: ([f64; N], [f64; N]) = {
+        let mut rule = ([0.0; N], [0.0; N]);
+        assert!(legendre(&mut rule.0, &mut rule.1).is_ok(), "a Gauss rule has at least one node");
+        rule
+    };
+
+    /// The nodes, ascending in (−1, 1).
+    pub const NODES: [f64; N] = Self::RULE.0;
+
+    /// The weights, positive, of sum 2.
+    pub const WEIGHTS: [f64; N] = Self::RULE.1;
+}
+
+/// Writes the n-point Gauss–Legendre rule on [−1, 1], n = `nodes.len()`, nodes ascending.
+///
+/// Exact for polynomials of degree ≤ 2n − 1. Nodes and weights are correctly rounded (0.5 ulp measured
+/// for n ≤ 1000), the rule is symmetric to the last bit, and the middle node of an odd rule is 0.
+///
+/// # Errors
+/// [`RuleError`] if the slices are empty or differ in length; they are then left as they were.
+pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), RuleError> {
+    let n = match points(nodes, weights) {
+        Ok(n) => n,
+        Err(error) => return Err(error),
+    };
+    let half = n / 2;
+    let monic = Monic::new(symmetric::weight(0.0, n));
+    let mut i = 0;
+    while i < half {
+        let x = halley(&monic, half, &start(n, half - 1 - i));
+        let mut l = 0;
+        while l < LANES && i + l < half {
+            nodes[n - half + i + l] = x[l];
+            l += 1;
+        }
+        i += LANES;
+    }
+    symmetric::finish(0.0, Double::new(2.0), nodes, weights);
+    Ok(())
+}
+
+/// Floats near the roots number i, i − 1, … from the right; lanes beyond the last repeat it.
+const fn start(n: usize, i: usize) -> Lane {
+    let order = n as f64;
+    let shrink = 1.0 - (1.0 - 1.0 / order) / (8.0 * order * order);
+    let mut x = [0.0; LANES];
+    let mut l = 0;
+    while l < LANES {
+        let from_middle = n - 1 - 2 * i.saturating_sub(l);
+        x[l] = shrink * sin_quadrant(PI * from_middle as f64 / (2 * n + 1) as f64);
+        l += 1;
+    }
+    x
+}
+
+/// One Halley step for π_m(2x² − 1) on every lane, in the notation of module `polish`.
+const fn halley(monic: &Monic, m: usize, x: &Lane) -> Lane {
+    let (last, before) = evaluate(monic, m, x);
+    let (order, s, d) = (m as f64, monic.s(m).hi, monic.difference().hi);
+    let factor = 0.5 * (s + 1.0) * monic.four_gamma(m).hi;
+    let mut out = [0.0; LANES];
+    let mut l = 0;
+    while l < LANES {
+        let z = 2.0 * x[l] * x[l] - 1.0;
+        let one = (1.0 - z) * (1.0 + z);
+        let q = -last[l] * one / (factor * before[l] + order * (d / s - z) * last[l]);
+        let curvature = d + (s - 2.0 * order + 2.0) * z + order * (s - order + 1.0) * q;
+        out[l] = x[l] + root_shift(x[l], q / (1.0 + 0.5 * q * curvature / one));
+        l += 1;
+    }
+    out
+}
+
+/// π̂_m and π̂_{m−1} at 2x² − 1, in plain floats.
+#[inline(always)]
+const fn evaluate(monic: &Monic, m: usize, x: &Lane) -> (Lane, Lane) {
+    let (mut before, mut last) = ([0.0; LANES], [1.0; LANES]);
+    let mut k = 0;
+    while k < m {
+        let steps = monic.steps(k);
+        let mut l = 0;
+        while l < CHUNK && k < m {
+            let delta = steps.delta[l] + steps.delta_tail[l] + 2.0;
+            let gamma = steps.gamma[l] + steps.gamma_tail[l];
+            if l % 2 == 0 {
+                forward(x, delta, gamma, &last, &mut before);
+            } else {
+                forward(x, delta, gamma, &before, &mut last);
+            }
+            l += 1;
+            k += 1;
+        }
+    }
+    if m % 2 == 0 { (last, before) } else { (before, last) }
+}
+
+/// Replaces π̂_{k−1} in `before` by π̂_{k+1} = (4x² − δ) π̂_k − γ π̂_{k−1}.
+#[inline(always)]
+const fn forward(x: &Lane, delta: f64, gamma: f64, last: &Lane, before: &mut Lane) {
+    let mut l = 0;
+    while l < LANES {
+        before[l] = (4.0 * x[l] * x[l] - delta) * last[l] - gamma * before[l];
+        l += 1;
+    }
+}

@@ -1,0 +1,99 @@
+//! Rules of symmetric weights (1 − x²)^α at half the degree.
+//!
+//! With z = 2x² − 1 the polynomials of even and odd degree are Jacobi polynomials of half the degree,
+//!
+//!   π_{2m}(x) ∝ P_m^(α,−½)(z),   π_{2m+1}(x) ∝ x P_m^(α,½)(z),
+//!
+//! so that a rule of n points costs a recurrence of ⌊n/2⌋ steps at ⌊n/2⌋ points. If ζ is a root, of weight ω in the
+//! m-point rule of (α, ∓½) scaled to sum 1, the nodes are ±√((1 + ζ)/2) and, μ₀ being the integral of (1 − x²)^α,
+//!
+//!   n = 2m:      w = ω μ₀ / 2
+//!   n = 2m + 1:  w = ω μ₀ / (2 (2α + 3) x²),   in the middle  w₀ = μ₀ Π_{j=1…m} j (j + α) / ((j + ½)(j + α + ½))
+//!
+//! where μ₀/(2α + 3) is the integral of x² (1 − x²)^α.
+//!
+//! Reference: G. Szegő, Orthogonal Polynomials, §4.1.
+
+use super::polish::{LANES, Lane, Polish};
+use crate::double::Double;
+use crate::jacobi::{Weight, monic::Monic};
+
+/// The weight whose ⌊n/2⌋-point rule yields the n-point rule of (1 − x²)^α.
+pub(super) const fn weight(alpha: f64, n: usize) -> Weight {
+    Weight::valid(alpha, if n % 2 == 1 { 0.5 } else { -0.5 })
+}
+
+/// Completes a rule whose last ⌊n/2⌋ nodes are floats near the positive roots, ascending.
+pub(super) const fn finish(alpha: f64, mu_0: Double, nodes: &mut [f64], weights: &mut [f64]) {
+    let n = nodes.len();
+    let half = n / 2;
+    if n % 2 == 1 {
+        nodes[half] = 0.0;
+        weights[half] = middle(alpha, half, mu_0);
+    }
+    let polish = Polish::new(Monic::new(weight(alpha, n)), half, share(alpha, n, mu_0));
+    let mut i = 0;
+    while i < half {
+        let mut x = [0.0; LANES];
+        let mut l = 0;
+        while l < LANES {
+            x[l] = nodes[n - half + if i + l < half { i + l } else { half - 1 }];
+            l += 1;
+        }
+        let (x, w) = refine(&polish, n % 2 == 1, &x);
+        let mut l = 0;
+        while l < LANES && i + l < half {
+            (nodes[n - half + i + l], weights[n - half + i + l]) = (x[l], w[l]);
+            (nodes[half - 1 - i - l], weights[half - 1 - i - l]) = (-x[l], w[l]);
+            l += 1;
+        }
+        i += LANES;
+    }
+}
+
+/// What the weights of the rule in z must sum to.
+const fn share(alpha: f64, n: usize, mu_0: Double) -> Double {
+    if n % 2 == 1 { mu_0.div(Double::sum(2.0 * alpha, 3.0)).scale(0.5) } else { mu_0.scale(0.5) }
+}
+
+/// Floats near positive roots → the rounded roots and their weights.
+const fn refine(polish: &Polish, odd: bool, x: &Lane) -> (Lane, Lane) {
+    let mut z = [Double::ZERO; LANES];
+    let mut l = 0;
+    while l < LANES {
+        z[l] = Double::product(2.0 * x[l], x[l]).sub(Double::ONE);
+        l += 1;
+    }
+    let refined = polish.refine(&z);
+    let (mut nodes, mut weights) = ([0.0; LANES], [0.0; LANES]);
+    let mut l = 0;
+    while l < LANES {
+        let shift = refined.shift[l];
+        nodes[l] = x[l] + root_shift(x[l], shift);
+        let square = Double::product(x[l], x[l]).add(Double::new(0.5 * shift));
+        weights[l] = if odd { refined.weight[l].div(square).hi } else { refined.weight[l].hi };
+        l += 1;
+    }
+    (nodes, weights)
+}
+
+/// √(x² + h/2) − x to third order in h.
+#[inline(always)]
+pub(super) const fn root_shift(x: f64, h: f64) -> f64 {
+    let e = 0.25 * h / x;
+    e * (1.0 - 0.5 * e / x * (1.0 - e / x))
+}
+
+/// The weight of the middle node of 2m + 1 points.
+const fn middle(alpha: f64, m: usize, mu_0: Double) -> f64 {
+    let mut product = mu_0;
+    let mut j = 1;
+    while j <= m {
+        let whole = Double::sum(j as f64, alpha);
+        let above = whole.mul(Double::new(j as f64));
+        let below = whole.add(Double::new(0.5)).mul(Double::new(j as f64 + 0.5));
+        product = product.mul(above).div(below);
+        j += 1;
+    }
+    product.hi
+}

@@ -1,0 +1,8 @@
+//! Jacobi polynomials: orthogonal on [−1, 1] for the weight (1 − x)^α (1 + x)^β, α, β > −1.
+
+mod integral;
+pub(crate) mod monic;
+mod weight;
+
+pub(crate) use self::integral::integral;
+pub use self::weight::{Weight, WeightError};
