@@ -5,7 +5,7 @@
 //! coefficients of the derivative differ from the identity by at most κ < 1 in the maximum norm, f is one-to-one and its only
 //! zero lies within κ/(1 − κ) |g| of the centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it;
 //! (3) else the rectangle is halved across its longer side. Where the mean derivative is nearly singular (silhouettes, collapsed
-//! edges) only the axes are turned along the image's long side, which keeps the bounds of (1) tight. So every zero is bracketed
+//! edges) test (1) is repeated with the axes turned along the image's long side, where the bounds are tight. So every zero is bracketed
 //! until it is proved single or its rectangle has shrunk to a point of the image.
 //!
 //! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*, 1990), which shrinks the
@@ -18,8 +18,8 @@ use glam::{DMat2, DVec2};
 const OUTSIDE: f64 = 0.5e-9;
 /// Below this deviation of the derivative from its mean, Newton's method takes over.
 const NEARLY_LINEAR: f64 = 0.3;
-/// Images smaller than this multiple of the whole count as points.
-const POINT: f64 = 1e-14;
+/// Images smaller than this multiple of the whole count as points: rounding decides where they are.
+const POINT: f64 = 1e-13;
 /// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes near.
 const BUDGET: usize = 4000;
 
@@ -59,7 +59,9 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         self.budget -= 1;
         let mean = mean_derivative(part);
         let slack = DVec2::new(4.0 * OUTSIDE / cell.width, 4.0 * OUTSIDE / cell.height);
-        if mean.determinant().abs() > 0.05 * mean.x_axis.length() * mean.y_axis.length() {
+        let lengths = mean.x_axis.length() * mean.y_axis.length();
+        let spans = mean.determinant().abs() / lengths.max(f64::MIN_POSITIVE);
+        if spans > 1e-12 {
             let straight = transform(part, &mean.inverse());
             if misses(&straight, slack) {
                 return false;
@@ -68,16 +70,9 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
             if bend <= NEARLY_LINEAR {
                 return self.settle(&straight, bend, slack, cell);
             }
-        } else {
-            let long = if mean.x_axis.length() > mean.y_axis.length() { mean.x_axis } else { mean.y_axis };
-            let axis = long.try_normalize().unwrap_or(DVec2::X);
-            let turned =
-                transform(part, &DMat2::from_cols(DVec2::new(axis.x, -axis.y), DVec2::new(axis.y, axis.x)));
-            if misses(&turned, DVec2::splat(8.0 * OUTSIDE * self.extent)) {
-                return false;
-            }
         }
-        self.halve(part, cell)
+        let apart = spans <= 0.1 && misses(&turned(part, &mean), DVec2::splat(POINT * self.extent));
+        !apart && self.halve(part, cell)
     }
 
     /// The only zero of a nearly linear cell, if it lies in it.
@@ -97,24 +92,19 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         zero.is_some_and(|at| (self.visit)(at.x, at.y))
     }
 
-    /// Newton's method on the whole map, kept within the cell; `None` where it is stopped at the cell's border.
+    /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's border.
     fn newton(&self, mut at: DVec2, low: DVec2, high: DVec2) -> Option<DVec2> {
+        let mut wanted = f64::INFINITY;
         for _ in 0..12 {
             let (f, derivative) = value(self.net, at.x, at.y);
             let step = derivative.inverse() * f;
-            let next = (at - step).clamp(low, high);
-            let moved = (next - at).abs().max_element();
-            let wanted = step.abs().max_element();
-            at = next;
+            wanted = step.abs().max_element();
+            at = (at - step).clamp(low, high);
             if wanted <= 1e-15 {
-                return Some(at);
-            }
-            if moved <= 1e-15 {
-                // Rounding may keep a zero just outside; anything more belongs to another cell.
-                return (wanted <= OUTSIDE).then_some(at);
+                break;
             }
         }
-        Some(at)
+        (wanted <= OUTSIDE).then_some(at)
     }
 
     fn halve(&mut self, part: &[[DVec2; N]; M], cell: Cell) -> bool {
@@ -146,6 +136,13 @@ fn mean_derivative<const M: usize, const N: usize>(part: &[[DVec2; N]; M]) -> DM
     let ds = (sum(&part[M - 1]) - sum(&part[0])) / N as f64;
     let dt = part.iter().map(|row| row[N - 1] - row[0]).sum::<DVec2>() / M as f64;
     DMat2::from_cols(ds, dt)
+}
+
+/// The map with its axes turned along the longer of the mean derivatives and across it.
+fn turned<const M: usize, const N: usize>(part: &[[DVec2; N]; M], mean: &DMat2) -> [[DVec2; N]; M] {
+    let long = if mean.x_axis.length() > mean.y_axis.length() { mean.x_axis } else { mean.y_axis };
+    let axis = long.try_normalize().unwrap_or(DVec2::X);
+    transform(part, &DMat2::from_cols(DVec2::new(axis.x, -axis.y), DVec2::new(axis.y, axis.x)))
 }
 
 fn transform<const M: usize, const N: usize>(part: &[[DVec2; N]; M], by: &DMat2) -> [[DVec2; N]; M] {

@@ -57,7 +57,12 @@ impl Surface for Rational {
     }
 
     fn bounds(&self, rect: &Rect) -> Aabb {
-        Aabb::around(part(&self.weighted, rect).into_iter().flatten().map(project))
+        // The control points of four parts keep closer to the patch than those of the whole.
+        Aabb::around(
+            rect.quarters()
+                .into_iter()
+                .flat_map(|quarter| part(&self.weighted, &quarter).into_iter().flatten().map(project)),
+        )
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

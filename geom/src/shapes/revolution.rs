@@ -107,9 +107,14 @@ impl Surface for Revolution {
     }
 
     fn bounds(&self, rect: &Rect) -> Aabb {
-        let [low, high] = rect.v.map(|v| 0.5 * (1.0 + v));
-        let part = restrict(&self.profile, low, high);
-        self.turn.bounds(rect.u, |g, h| part.iter().map(|p| p.x * g + p.y * h).fold(f64::MIN, f64::max))
+        // The control points of four pieces keep closer to the curve than those of the whole.
+        let pieces = rect.split_v().map(|half| half.split_v());
+        let points = pieces.as_flattened().iter().flat_map(|piece| {
+            let [low, high] = piece.v.map(|v| 0.5 * (1.0 + v));
+            restrict(&self.profile, low, high)
+        });
+        let points: Vec<DVec2> = points.collect();
+        self.turn.bounds(rect.u, |g, h| points.iter().map(|p| p.x * g + p.y * h).fold(f64::MIN, f64::max))
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
