@@ -4,20 +4,27 @@
 //! normal, area element) is exact at every parameter, and a ray meets the surface itself. The front is the side that
 //! x_u × x_v points to.
 //!
-//! The modules stand in the order of the nouns they define, and each imports only from those above it.
+//! The modules stand in groups; each imports only from groups above its own.
 
 mod aabb;
+mod bernstein;
 mod clip;
 mod ray;
 mod rect;
-mod region;
-mod roots;
 mod separated;
 mod shape_error;
-mod surface;
 
 mod bvh;
+mod motion;
+mod roots;
+mod zeros;
+
+mod region;
+
+mod surface;
+
 mod flipped;
+mod placed;
 pub mod shapes;
 
 pub use aabb::Aabb;
@@ -25,6 +32,8 @@ pub use bvh::Bvh;
 pub use clip::clip_polygon;
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
+pub use motion::Motion;
+pub use placed::Placed;
 pub use ray::{Hit, Ray};
 pub use rect::Rect;
 pub use region::PlanarRegion;

@@ -61,4 +61,9 @@ impl Hit {
         let inside = u.abs() <= 1.0 + Hit::SEAM && v.abs() <= 1.0 + Hit::SEAM;
         (inside && ray.reaches(t)).then(|| Hit { t, u: u.clamp(-1.0, 1.0), v: v.clamp(-1.0, 1.0) })
     }
+
+    /// The one of lower t.
+    pub(crate) fn nearer(best: Option<Hit>, hit: Hit) -> Option<Hit> {
+        Some(best.filter(|b| b.t <= hit.t).unwrap_or(hit))
+    }
 }

@@ -6,7 +6,7 @@
 mod pieces;
 mod rings;
 
-use crate::ShapeError;
+use crate::{Motion, ShapeError};
 use glam::{DVec2, DVec3};
 
 /// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed decimals and single
@@ -149,6 +149,23 @@ impl PlanarRegion {
             normal: -self.normal,
             pieces: reversed(&self.pieces),
             ..*self
+        }
+    }
+
+    /// The region after a motion.
+    pub(crate) fn moved(&self, motion: &Motion) -> PlanarRegion {
+        let ring = |ring: &[DVec3]| -> Vec<DVec3> { ring.iter().map(|x| motion.point(*x)).collect() };
+        let rings = |rings: &[Vec<DVec3>]| rings.iter().map(|r| ring(r)).collect();
+        let scale = motion.scale();
+        PlanarRegion {
+            outer: ring(&self.outer),
+            holes: rings(&self.holes),
+            flat: self.flat.iter().map(|r| r.iter().map(|p| scale * *p).collect()).collect(),
+            axes: self.axes.map(|axis| motion.direction(axis)),
+            normal: motion.direction(self.normal),
+            area: scale * scale * self.area,
+            extent: scale * self.extent,
+            pieces: rings(&self.pieces),
         }
     }
 }

@@ -3,6 +3,13 @@
 //! Quadratic a x² + b x + c: with q = −½(b + sgn(b)√(b² − 4ac)) the roots are q/a and c/q; neither subtracts nearly equal
 //! numbers except in the discriminant, which is formed with a fused product (Kahan, *On the cost of floating-point
 //! computation without extra-precise arithmetic*, 2004).
+//!
+//! Higher degrees on [0, 1]: in the Bernstein form Σ bᵢ Bᵢⁿ(x) the number of sign changes of b is at least the number of roots and
+//! differs from it by an even number (Descartes' rule). No change: no root. One: exactly one, found by bisection sped up by
+//! Newton steps. More: halve the interval by de Casteljau's scheme (Lane and Riesenfeld, *Bounds on a polynomial*, 1981).
+//! Double roots never separate; where the interval has shrunk to 2⁻²⁶ its middle is reported.
+
+use crate::bernstein::{evaluate, split};
 
 /// The real roots of a x² + b x + c, in no particular order; a double root twice; infinite or NaN where there are fewer.
 pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> [f64; 2] {
@@ -21,9 +28,70 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     a.mul_add(b, -cd) + error
 }
 
+/// How often an interval is halved before its middle stands for the roots in it.
+const DEEPEST: usize = 26;
+
+/// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple ones to full
+/// precision, multiple ones to about 1e-8, where there may be false ones too: the caller has to check.
+pub(crate) fn bernstein<const N: usize>(b: [f64; N], mut visit: impl FnMut(f64)) {
+    let largest = b.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
+    // The zero polynomial vanishes everywhere and so nowhere in particular.
+    if largest > 0.0 {
+        isolate(&b, [0.0, 1.0], 0, 4.0 * f64::EPSILON * largest, &mut visit);
+    }
+}
+
+fn isolate<const N: usize>(
+    b: &[f64; N],
+    [low, high]: [f64; 2],
+    depth: usize,
+    noise: f64,
+    visit: &mut impl FnMut(f64),
+) {
+    if b.iter().all(|x| *x > noise) || b.iter().all(|x| *x < -noise) {
+        return;
+    }
+    if b.iter().all(|x| x.abs() <= noise) {
+        return visit(0.5 * (low + high));
+    }
+    let changes = b.windows(2).filter(|w| (w[0] < 0.0) != (w[1] < 0.0)).count();
+    if changes == 1 && b[0].abs() > noise && b[N - 1].abs() > noise {
+        return visit(low + (high - low) * bracketed(b));
+    }
+    let middle = 0.5 * (low + high);
+    if depth == DEEPEST {
+        return visit(middle);
+    }
+    let [left, right] = split(b, 0.5);
+    isolate(&left, [low, middle], depth + 1, noise, visit);
+    isolate(&right, [middle, high], depth + 1, noise, visit);
+}
+
+/// The only root in [0, 1] of a polynomial that changes sign there.
+fn bracketed<const N: usize>(b: &[f64; N]) -> f64 {
+    let (mut low, mut high) = (0.0, 1.0);
+    let mut x = b[0] / (b[0] - b[N - 1]);
+    for _ in 0..60 {
+        let (value, slope) = evaluate(b, x);
+        if (value < 0.0) == (b[0] < 0.0) {
+            low = x
+        } else {
+            high = x
+        }
+        let newton = x - value / slope;
+        let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
+        if (next - x).abs() <= f64::EPSILON {
+            return next;
+        }
+        x = next;
+    }
+    x
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::bernstein::from_powers;
     use proptest::prelude::*;
 
     #[test]
@@ -33,7 +101,30 @@ mod tests {
         assert!(linear.contains(&0.5) && linear.iter().any(|x| !x.is_finite()));
     }
 
+    #[test]
+    fn double_roots_are_seen() {
+        let mut seen = Vec::new();
+        // (x − 0.3)², and its Bernstein coefficients.
+        bernstein(from_powers([0.09, -0.6, 1.0]), |x| seen.push(x));
+        assert!(!seen.is_empty() && seen.iter().all(|x| (x - 0.3).abs() < 1e-7));
+    }
+
     proptest! {
+        #[test]
+        fn quartics_find_all_their_roots(roots in prop::collection::vec(0.0..1.0_f64, 4)) {
+            let mut power = [1.0, 0.0, 0.0, 0.0, 0.0];
+            for r in &roots {
+                power = std::array::from_fn(|k| if k == 0 { 0.0 } else { power[k - 1] } - r * power[k]);
+            }
+            let mut seen = Vec::new();
+            bernstein(from_powers(power), |x| seen.push(x));
+            for r in &roots {
+                let others: f64 = roots.iter().filter(|x| *x != r).map(|x: &f64| (x - r).abs()).product();
+                let tolerance = f64::max(1e-15 / others.max(1e-12), 1e-13);
+                prop_assert!(others < 1e-8 || seen.iter().any(|x| (x - r).abs() < tolerance), "{roots:?} {seen:?}");
+            }
+        }
+
         #[test]
         fn quadratic_finds_its_roots(x in -10.0..10.0, y in -10.0..10.0, a in prop_oneof![-3.0..-0.1, 0.1..3.0]) {
             let (low, high) = (f64::min(x, y), f64::max(x, y));

@@ -135,6 +135,26 @@ pub enum ShapeError {
         /// The field at fault.
         field: String,
     },
+    /// The curve of a surface of revolution is not in one half-plane bounded by the axis.
+    #[error(
+        "`{field}`: point {index} lies {deviation:.3e} off the half-plane of the axis and the farthest point; move it there"
+    )]
+    OffMeridian {
+        /// The curve at fault.
+        field: String,
+        /// Zero-based index of the point farthest off.
+        index: usize,
+        /// Its distance from the half-plane.
+        deviation: f64,
+    },
+    /// The curve of a surface of revolution crosses the axis.
+    #[error("`{field}` crosses the axis by {depth:.3e}; keep the curve on one side")]
+    CrossesAxis {
+        /// The curve at fault.
+        field: String,
+        /// How far it gets to the other side.
+        depth: f64,
+    },
     /// The front of the surface turns over inside it.
     #[error(
         "`{field}` folds over: its normal changes side; give the corners in order around a convex outline"
@@ -164,6 +184,8 @@ impl ShapeError {
             | ShapeError::HolesOverlap { field, .. }
             | ShapeError::HolesOnCurved { field }
             | ShapeError::NoArea { field }
+            | ShapeError::OffMeridian { field, .. }
+            | ShapeError::CrossesAxis { field, .. }
             | ShapeError::Folded { field } => field,
         }
     }

@@ -6,6 +6,7 @@
 
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect};
 use glam::DVec3;
+use radiosity_core::gauss::Legendre;
 use std::fmt::Debug;
 
 /// Position, tangents, normal and area element of a surface at one parameter pair.
@@ -96,7 +97,7 @@ pub trait Surface: Debug + Send + Sync {
     /// The nearest point of the parameter domain's image: exact for points close to the surface, a local minimum of the
     /// distance for those far from a strongly curved one.
     fn project(&self, point: DVec3) -> Foot {
-        descend(self, point, nearest_seed(self, point))
+        nearest_foot(self, point)
     }
 
     /// Parameters of a `point` on the surface; `None` where it is farther off than 1e-9 of the surface's extent.
@@ -106,21 +107,18 @@ pub trait Surface: Debug + Send + Sync {
     }
 }
 
-/// ∬ |X_u × X_v| over `rect` by the five-point Gauss rule in each direction.
+/// ∬ |X_u × X_v| over `rect` by the ten-point Gauss rule in each direction.
 fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
-    let root = (10.0_f64 / 7.0).sqrt();
-    let (inner, outer) = ((5.0 - 2.0 * root).sqrt() / 3.0, (5.0 + 2.0 * root).sqrt() / 3.0);
-    let (near, far) = ((322.0 + 13.0 * 70.0_f64.sqrt()) / 900.0, (322.0 - 13.0 * 70.0_f64.sqrt()) / 900.0);
-    let rule = [(-outer, far), (-inner, near), (0.0, 128.0 / 225.0), (inner, near), (outer, far)];
-    let mut sum = 0.0;
-    for (s, ws) in rule {
-        for (t, wt) in rule {
+    let (nodes, weights) = Legendre::<10>::RULE;
+    let row = |s: f64| -> f64 {
+        let value = |t: f64| {
             let [u, v] = rect.at(s, t);
-            sum += ws * wt * surface.jet(u, v).area;
-        }
-    }
+            surface.jet(u, v).area
+        };
+        nodes.iter().zip(weights).map(|(t, w)| w * value(*t)).sum()
+    };
     let [du, dv] = rect.half_extent();
-    sum * du * dv
+    du * dv * nodes.iter().zip(weights).map(|(s, w)| w * row(*s)).sum::<f64>()
 }
 
 /// Splits `rect` until quartering it no longer changes its area, `whole` by one rule.
@@ -128,17 +126,36 @@ fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth:
     let quarters = rect.quarters();
     let parts = quarters.map(|quarter| gauss_area(surface, &quarter));
     let sum: f64 = parts.iter().sum();
-    if depth >= 1 && (sum - whole).abs() <= 1e-14 * sum || depth == 7 {
+    if (sum - whole).abs() <= 2e-14 * sum || depth == 8 {
         return sum;
     }
     quarters.iter().zip(parts).map(|(quarter, part)| refine_area(surface, quarter, part, depth + 1)).sum()
 }
 
-/// The best of 9 × 9 parameters to start a descent from.
-fn nearest_seed<S: Surface + ?Sized>(surface: &S, point: DVec3) -> [f64; 2] {
-    let grid = (0..81).map(|k| [(k % 9) as f64 / 4.0 - 1.0, (k / 9) as f64 / 4.0 - 1.0]);
-    let distance = |at: &[f64; 2]| surface.jet(at[0], at[1]).position.distance_squared(point);
-    grid.min_by(|a, b| distance(a).total_cmp(&distance(b))).expect("the grid is not empty")
+/// Parameters to start descents from: the middles of 10 × 10 cells, which keep off poles and seams, nearest first.
+fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])> {
+    let middle = |k: usize| (k as f64 + 0.5) / 5.0 - 1.0;
+    let grid = (0..100).map(|k| [middle(k % 10), middle(k / 10)]);
+    let distance = |[u, v]: [f64; 2]| surface.jet(u, v).position.distance_squared(point);
+    let mut seeds: Vec<(f64, [f64; 2])> = grid.map(|at| (distance(at), at)).collect();
+    seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+    seeds
+}
+
+/// The best of a few descents: several, since about a pole the nearest seed may lie on the wrong side of the seam.
+fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
+    let near = 1e-12 * surface.bounds(&Rect::FULL).diagonal();
+    let mut best = Foot { u: 0.0, v: 0.0, distance: f64::INFINITY };
+    for (_, start) in seeds(surface, point).into_iter().take(6) {
+        let foot = descend(surface, point, start);
+        if foot.distance < best.distance {
+            best = foot;
+        }
+        if best.distance <= near {
+            break;
+        }
+    }
+    best
 }
 
 /// Minimises |X(u, v) − point| from `start` by damped Gauss–Newton steps kept within the domain.

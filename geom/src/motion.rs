@@ -1,0 +1,98 @@
+//! Rigid motions with a uniform scale: x ↦ σ R x + τ.
+
+use crate::ShapeError;
+use glam::{DMat3, DVec3};
+
+/// A uniform scale, a rotation about an axis through the origin, and a translation, in this order.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    translation: DVec3,
+    rotation: DMat3,
+    scale: f64,
+}
+
+impl Motion {
+    /// Leaves everything where it is.
+    pub const IDENTITY: Motion = Motion { translation: DVec3::ZERO, rotation: DMat3::IDENTITY, scale: 1.0 };
+
+    /// Scales by `scale`, turns by `angle` (radians, right-handed) about `axis`, then moves by `translate`. The axis may have any
+    /// length, and none where the angle is 0.
+    ///
+    /// # Errors
+    ///
+    /// Numbers that are not finite (`translate`, `rotate`), a scale not above zero, an angle about no axis.
+    pub fn new(translate: DVec3, axis: DVec3, angle: f64, scale: f64) -> Result<Motion, ShapeError> {
+        if !translate.is_finite() {
+            return Err(ShapeError::NotFinite { field: "translate".into() });
+        }
+        if !axis.is_finite() || !angle.is_finite() {
+            return Err(ShapeError::NotFinite { field: "rotate".into() });
+        }
+        if !scale.is_finite() {
+            return Err(ShapeError::NotFinite { field: "scale".into() });
+        }
+        if scale <= 0.0 {
+            return Err(ShapeError::NotPositive { field: "scale".into(), value: scale });
+        }
+        let rotation = match axis.try_normalize() {
+            Some(axis) => DMat3::from_axis_angle(axis, angle),
+            None if angle == 0.0 => DMat3::IDENTITY,
+            None => return Err(ShapeError::ZeroLength { field: "rotate".into() }),
+        };
+        Ok(Motion { translation: translate, rotation, scale })
+    }
+
+    /// The factor by which lengths grow.
+    pub fn scale(&self) -> f64 {
+        self.scale
+    }
+
+    /// Where a point gets to.
+    pub fn point(&self, x: DVec3) -> DVec3 {
+        self.scale * (self.rotation * x) + self.translation
+    }
+
+    /// What becomes of a difference of points.
+    pub fn vector(&self, d: DVec3) -> DVec3 {
+        self.scale * (self.rotation * d)
+    }
+
+    /// What becomes of a unit vector.
+    pub fn direction(&self, d: DVec3) -> DVec3 {
+        self.rotation * d
+    }
+
+    /// Where a point came from.
+    pub fn point_back(&self, x: DVec3) -> DVec3 {
+        self.rotation.transpose() * (x - self.translation) / self.scale
+    }
+
+    /// What a difference of points came from.
+    pub fn vector_back(&self, d: DVec3) -> DVec3 {
+        self.rotation.transpose() * d / self.scale
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn motions_go_back() {
+        let motion = Motion::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 1.0, 0.0), 0.7, 2.5).unwrap();
+        let x = DVec3::new(0.3, -4.0, 2.0);
+        assert!(motion.point_back(motion.point(x)).distance(x) < 1e-14);
+        assert!((motion.vector(x).length() - 2.5 * x.length()).abs() < 1e-14);
+        let quarter = Motion::new(DVec3::X, 3.0 * DVec3::Z, std::f64::consts::FRAC_PI_2, 2.0).unwrap();
+        assert!(quarter.point(DVec3::X).distance(DVec3::new(1.0, 2.0, 0.0)) < 1e-15);
+    }
+
+    #[test]
+    fn wrong_motions_name_the_field() {
+        let new = |axis, angle, scale| Motion::new(DVec3::ZERO, axis, angle, scale).unwrap_err();
+        assert_eq!(new(DVec3::Z, 0.0, 0.0), ShapeError::NotPositive { field: "scale".into(), value: 0.0 });
+        assert_eq!(new(DVec3::ZERO, 1.0, 1.0), ShapeError::ZeroLength { field: "rotate".into() });
+        assert_eq!(new(DVec3::Z, f64::NAN, 1.0).field(), "rotate");
+        assert_eq!(Motion::new(DVec3::ZERO, DVec3::ZERO, 0.0, 1.0).unwrap(), Motion::IDENTITY);
+    }
+}

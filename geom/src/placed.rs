@@ -1,0 +1,80 @@
+//! Surfaces moved: x ↦ σ R x + τ.
+//!
+//! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit where the moved
+//! surface is: t stays the same, since the direction is carried back unnormalised.
+
+use crate::{Aabb, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, Surface};
+use glam::DVec3;
+
+/// The surface `base` after a motion; parameters and front go with it.
+#[derive(Debug)]
+pub struct Placed {
+    base: Box<dyn Surface>,
+    motion: Motion,
+    region: Option<PlanarRegion>,
+}
+
+impl Placed {
+    /// Moves `base` by `motion`.
+    pub fn new(base: Box<dyn Surface>, motion: Motion) -> Placed {
+        let region = base.region().map(|region| region.moved(&motion));
+        Placed { base, motion, region }
+    }
+
+    fn ray_back(&self, ray: &Ray) -> Ray {
+        let (origin, direction) =
+            (self.motion.point_back(ray.origin), self.motion.vector_back(ray.direction));
+        Ray { origin, direction, range: ray.range }
+    }
+
+    fn jet_forth(&self, jet: Jet) -> Jet {
+        Jet {
+            position: self.motion.point(jet.position),
+            du: self.motion.vector(jet.du),
+            dv: self.motion.vector(jet.dv),
+            normal: self.motion.direction(jet.normal),
+            area: self.motion.scale().powi(2) * jet.area,
+        }
+    }
+}
+
+impl Surface for Placed {
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        self.jet_forth(self.base.jet(u, v))
+    }
+
+    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
+        self.base.jets(at, out);
+        for jet in out {
+            *jet = self.jet_forth(*jet);
+        }
+    }
+
+    /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of what is in it, the less so the smaller it is.
+    fn bounds(&self, rect: &Rect) -> Aabb {
+        let parts = rect.quarters().into_iter().flat_map(|quarter| quarter.quarters());
+        let corners = parts.flat_map(|part| self.base.bounds(&part).corners());
+        Aabb::around(corners.map(|x| self.motion.point(x)))
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        self.base.intersect(&self.ray_back(ray))
+    }
+
+    fn region(&self) -> Option<&PlanarRegion> {
+        self.region.as_ref()
+    }
+
+    fn occludes(&self, ray: &Ray) -> bool {
+        self.base.occludes(&self.ray_back(ray))
+    }
+
+    fn area(&self) -> f64 {
+        self.motion.scale().powi(2) * self.base.area()
+    }
+
+    fn project(&self, point: DVec3) -> Foot {
+        let foot = self.base.project(self.motion.point_back(point));
+        Foot { distance: self.motion.scale() * foot.distance, ..foot }
+    }
+}

@@ -1,0 +1,107 @@
+//! Cubic Bézier curve moved along a straight line: X(u, v) = C(s) + ½(1 + v) d, s = ½(1 + u).
+//!
+//! Front C′ × d. Area |d| times the length of the curve seen along d, by quadrature. Range: a curve that moves across d.
+//!
+//! Ray o + t w: (C(s) − o) · (w × d) = 0, a cubic in s; then t and v where the ray passes the ruling.
+
+use super::check_edge;
+use crate::bernstein::{evaluate, restrict};
+use crate::roots::bernstein;
+use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use glam::DVec3;
+
+/// A curved wall, straight in one direction.
+#[derive(Clone, Debug)]
+pub struct Extrusion {
+    curve: [DVec3; 4],
+    direction: DVec3,
+}
+
+impl Extrusion {
+    /// The sheet swept by the cubic Bézier curve with control points `curve` on its way along `direction`.
+    ///
+    /// # Errors
+    ///
+    /// Numbers that are not finite, a direction of no length, a curve that runs along the direction only.
+    pub fn new(curve: [DVec3; 4], direction: DVec3) -> Result<Extrusion, ShapeError> {
+        for x in curve {
+            super::check_finite("curve", x)?;
+        }
+        check_edge("direction", direction)?;
+        let extent = Aabb::around(curve).diagonal();
+        let spread = curve.map(|x| (x - curve[0]).cross(direction).length());
+        if spread.iter().all(|x| *x <= 1e-9 * extent * direction.length()) {
+            return Err(ShapeError::NoArea { field: "curve".into() });
+        }
+        Ok(Extrusion { curve, direction })
+    }
+
+    /// t and v where the ray's line passes the ruling through `start`.
+    fn on_ruling(&self, ray: &Ray, start: DVec3) -> (f64, f64) {
+        let normal = ray.direction.cross(self.direction);
+        let gap = start - ray.origin;
+        let scale = 1.0 / normal.length_squared();
+        let t = scale * gap.cross(self.direction).dot(normal);
+        (t, 2.0 * scale * gap.cross(ray.direction).dot(normal) - 1.0)
+    }
+}
+
+impl Surface for Extrusion {
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        let (position, slope) = evaluate(&self.curve, 0.5 * (1.0 + u));
+        let (du, dv) = (0.5 * slope, 0.5 * self.direction);
+        let cross = du.cross(dv);
+        let across = |slope: DVec3| slope.cross(self.direction).try_normalize();
+        // Where the curve stops for a moment (coinciding control points), its direction a little farther inside.
+        let nudged = || evaluate(&self.curve, 0.5 * (1.0 + (1.0 - 1e-6) * u)).1;
+        let normal = across(slope).or_else(|| across(nudged())).unwrap_or(DVec3::Z);
+        Jet { position: position + (1.0 + v) * dv, du, dv, normal, area: cross.length() }
+    }
+
+    fn bounds(&self, rect: &Rect) -> Aabb {
+        let [low, high] = rect.u.map(|u| 0.5 * (1.0 + u));
+        let part = restrict(&self.curve, low, high);
+        let ends = rect.v.map(|v| 0.5 * (1.0 + v) * self.direction);
+        Aabb::around(ends.into_iter().flat_map(|end| part.map(|x| x + end)))
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        let normal = ray.direction.cross(self.direction);
+        let height = self.curve.map(|x| (x - ray.origin).dot(normal));
+        // A little beyond both ends, so that seams are closed.
+        let wide = [-Hit::SEAM, 1.0 + Hit::SEAM];
+        let mut best = None;
+        bernstein(restrict(&height, wide[0], wide[1]), |x| {
+            let s = wide[0] + x * (wide[1] - wide[0]);
+            let (t, v) = self.on_ruling(ray, evaluate(&self.curve, s).0);
+            if let Some(hit) = Hit::accept(ray, t, 2.0 * s - 1.0, v) {
+                best = Hit::nearer(best, hit);
+            }
+        });
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_name_the_field() {
+        let [o, x, z] = [DVec3::ZERO, DVec3::X, DVec3::Z];
+        assert_eq!(Extrusion::new([o, x, x, z], o).unwrap_err().field(), "direction");
+        assert_eq!(Extrusion::new([o; 4], z).unwrap_err(), ShapeError::NoArea { field: "curve".into() });
+        assert_eq!(
+            Extrusion::new([o, z, 3.0 * z, z], z).unwrap_err(),
+            ShapeError::NoArea { field: "curve".into() }
+        );
+    }
+
+    #[test]
+    fn a_curve_that_starts_at_rest_has_a_normal() {
+        let [o, x, y, z] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
+        let sheet = Extrusion::new([o, o, x, x + y], z).unwrap();
+        assert!(sheet.jet(-1.0, 0.0).normal.distance(-y) < 1e-5);
+        assert!(!sheet.occludes(&Ray::new(-z + x, z)));
+    }
+}

@@ -1,0 +1,231 @@
+//! Surface of revolution of a cubic Bézier curve: X(u, v) = o + x(s)(cos φ x̂ + sin φ ŷ) + z(s) ẑ, s = ½(1 + v), φ linear in u.
+//!
+//! x and z are the distance from the axis and the height along it of the curve; its own azimuth does not matter. The front is
+//! the outside where the curve runs up the axis. Area 2π-fold (or less) ∫ x |C′| ds, by quadrature. Range: a curve in one half-plane
+//! bounded by the axis; it may end on the axis, where the normal is the limit along the curve.
+//!
+//! Ray: it is at the height z(s) and the distance x(s) where f(t, s) = (z(s) − z(t), x²(s) − ρ²(t)) vanishes, a polynomial map of
+//! degree 2 in t and 6 in s whose zeros are bracketed. The square loses digits near the axis; two Newton steps on x(s) − ρ(t) restore
+//! them.
+
+use super::check_finite;
+use super::sphere::meet;
+use super::turn::{Profile, Turn};
+use crate::bernstein::{evaluate, from_powers, restrict};
+use crate::roots::quadratic;
+use crate::zeros::zeros;
+use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
+use glam::{DMat2, DVec2, DVec3};
+
+/// A vase: a curve turned about an axis.
+#[derive(Clone, Debug)]
+pub struct Revolution {
+    turn: Turn,
+    /// (x, z) of the control points.
+    profile: [DVec2; 4],
+    /// x² and z in Bernstein form of degree 6.
+    squares: [DVec2; 7],
+    extent: f64,
+}
+
+impl Revolution {
+    /// The cubic Bézier curve with control points `curve` turned about the line through `center` along `axis`, with `angle` from
+    /// and to in radians.
+    ///
+    /// # Errors
+    ///
+    /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its half-plane, crosses the
+    /// axis, or spans no area.
+    pub fn new(
+        curve: [DVec3; 4],
+        center: DVec3,
+        axis: DVec3,
+        angle: [f64; 2],
+    ) -> Result<Revolution, ShapeError> {
+        for x in curve {
+            check_finite("curve", x)?;
+        }
+        check_finite("center", center)?;
+        let turn = Turn::new(center, "axis", axis, angle)?;
+        let profile = profile_of(&curve, &turn)?;
+        let [x, z] = [profile.map(|p| p.x), profile.map(|p| p.y)];
+        let (squares, heights) = (product(&x, &x), product(&z, &[1.0; 4]));
+        let squares = std::array::from_fn(|k| DVec2::new(heights[k], squares[k]));
+        let extent = profile.iter().map(|p| p.distance(profile[0])).fold(0.0, f64::max)
+            + x.into_iter().fold(0.0, f64::max);
+        Ok(Revolution { turn, profile, squares, extent })
+    }
+
+    /// A ball around the whole surface: height of its centre, and radius.
+    fn ball(&self) -> (f64, f64) {
+        let [low, high] = [f64::min, f64::max]
+            .map(|pick| self.profile.map(|p| p.y).into_iter().reduce(pick).expect("four points"));
+        let widest = self.profile.iter().map(|p| p.x).fold(0.0, f64::max);
+        (0.5 * (low + high), 1.001 * widest.hypot(0.5 * (high - low)))
+    }
+
+    /// The map f over the stretch p + t w, t ∈ [0, 1].
+    fn net(&self, p: DVec3, w: DVec3) -> [[DVec2; 7]; 3] {
+        let (flat_p, flat_w) = (p.truncate(), w.truncate());
+        let rho = from_powers([flat_p.length_squared(), 2.0 * flat_p.dot(flat_w), flat_w.length_squared()]);
+        let z = from_powers([p.z, w.z, 0.0]);
+        std::array::from_fn(|i| self.squares.map(|at| at - DVec2::new(z[i], rho[i])))
+    }
+
+    /// Newton's method on (x(s) − ρ(t), z(s) − z(t)); `None` where it does not get there.
+    fn refine(&self, o: DVec3, w: DVec3, mut t: f64, mut s: f64) -> Option<(f64, f64)> {
+        let mut off = f64::INFINITY;
+        for _ in 0..4 {
+            let local = o + t * w;
+            let rho = local.x.hypot(local.y);
+            let (at, slope) = evaluate(&self.profile, s);
+            let gap = at - DVec2::new(rho, local.z);
+            off = gap.length();
+            let growth = if rho > 0.0 { (local.x * w.x + local.y * w.y) / rho } else { 0.0 };
+            let step = DMat2::from_cols(DVec2::new(-growth, -w.z), slope).inverse() * gap;
+            let moved = (step.x * w.length()).hypot(step.y * slope.length());
+            if moved.is_finite() && moved < 1e-3 * self.extent {
+                (t, s) = (t - step.x, s - step.y);
+            }
+        }
+        (off <= 1e-12 * self.extent).then_some((t, s))
+    }
+}
+
+impl Surface for Revolution {
+    fn jet(&self, u: f64, v: f64) -> Jet {
+        let (at, slope) = evaluate(&self.profile, 0.5 * (1.0 + v));
+        let jet =
+            self.turn.jet(u, Profile { x: at.x.max(0.0), z: at.y, dx: 0.5 * slope.x, dz: 0.5 * slope.y });
+        if slope.length() > 1e-12 * self.extent {
+            return jet;
+        }
+        // Where the curve stops for a moment (coinciding control points), the normal a little farther inside.
+        let inside = evaluate(&self.profile, 0.5 * (1.0 + (1.0 - 1e-6) * v)).1;
+        let normal = self.turn.jet(u, Profile { x: at.x, z: at.y, dx: inside.x, dz: inside.y }).normal;
+        Jet { normal, ..jet }
+    }
+
+    fn bounds(&self, rect: &Rect) -> Aabb {
+        // The control points of four pieces keep closer to the curve than those of the whole.
+        let pieces = rect.split_v().map(|half| half.split_v());
+        let points = pieces.as_flattened().iter().flat_map(|piece| {
+            let [low, high] = piece.v.map(|v| 0.5 * (1.0 + v));
+            restrict(&self.profile, low, high)
+        });
+        let points: Vec<DVec2> = points.collect();
+        self.turn.bounds(rect.u, |g, h| points.iter().map(|p| p.x * g + p.y * h).fold(f64::MIN, f64::max))
+    }
+
+    fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        let (height, radius) = self.ball();
+        let [enter, leave] = meet(self.turn.origin + height * self.turn.axis(), radius, ray);
+        if !(enter <= leave && ray.range[0] <= leave && enter <= ray.range[1]) {
+            return None;
+        }
+        let (o, w) = (self.turn.local_point(ray.origin), self.turn.local_vector(ray.direction));
+        let length = leave - enter;
+        let mut best = None;
+        zeros(&self.net(o + enter * w, length * w), |x, s| {
+            if let Some((t, s)) = self.refine(o, w, enter + x * length, s)
+                && let Some(hit) =
+                    Hit::accept(ray, t, self.turn.parameter(o + t * w, self.extent), 2.0 * s - 1.0)
+            {
+                best = Hit::nearer(best, hit);
+            }
+            false
+        });
+        best
+    }
+}
+
+/// Distances from the axis and heights of the control points, if they lie in a half-plane and the curve keeps to it.
+fn profile_of(curve: &[DVec3; 4], turn: &Turn) -> Result<[DVec2; 4], ShapeError> {
+    let field = || "curve".to_string();
+    let local = curve.map(|x| turn.local_point(x));
+    let farthest = local
+        .iter()
+        .map(|p| p.truncate())
+        .max_by(|a, b| a.length().total_cmp(&b.length()))
+        .expect("four points");
+    let extent = local.iter().map(|p| p.distance(local[0])).fold(farthest.length(), f64::max);
+    let Some(outward) = farthest.try_normalize().filter(|_| farthest.length() > 1e-9 * extent) else {
+        return Err(ShapeError::NoArea { field: field() });
+    };
+    let off = local.map(|p| outward.perp_dot(p.truncate()).abs());
+    let (index, deviation) =
+        off.into_iter().enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).expect("four points");
+    if deviation > 1e-6 * extent {
+        return Err(ShapeError::OffMeridian { field: field(), index, deviation });
+    }
+    let profile = local.map(|p| DVec2::new(outward.dot(p.truncate()), p.z));
+    let lowest = least(&profile.map(|p| p.x));
+    if lowest < -1e-9 * extent {
+        return Err(ShapeError::CrossesAxis { field: field(), depth: -lowest });
+    }
+    if profile.iter().all(|p| p.distance(profile[0]) <= 1e-9 * extent) {
+        return Err(ShapeError::NoArea { field: field() });
+    }
+    Ok(profile)
+}
+
+/// The least value of a cubic on [0, 1]: at an end or where the derivative vanishes.
+fn least(b: &[f64; 4]) -> f64 {
+    let [p, q, r] = std::array::from_fn(|k| b[k + 1] - b[k]);
+    let critical =
+        quadratic(p - 2.0 * q + r, 2.0 * (q - p), p).into_iter().filter(|x| (0.0..=1.0).contains(x));
+    critical.map(|x| evaluate(b, x).0).fold(b[0].min(b[3]), f64::min)
+}
+
+/// The product of two cubics in Bernstein form: cₖ = Σ_{i + j = k} C(3, i) C(3, j)/C(6, k) aᵢ bⱼ.
+fn product(a: &[f64; 4], b: &[f64; 4]) -> [f64; 7] {
+    const THREE: [f64; 4] = [1.0, 3.0, 3.0, 1.0];
+    const SIX: [f64; 7] = [1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0];
+    let mut c = [0.0; 7];
+    for i in 0..4 {
+        for j in 0..4 {
+            c[i + j] += THREE[i] * THREE[j] / SIX[i + j] * a[i] * b[j];
+        }
+    }
+    c
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::FULL_TURN;
+    use super::*;
+
+    fn turned(curve: [DVec3; 4]) -> Result<Revolution, ShapeError> {
+        Revolution::new(curve, DVec3::ZERO, DVec3::Z, FULL_TURN)
+    }
+
+    #[test]
+    fn errors_name_the_field() {
+        let [o, x, z] = [DVec3::ZERO, DVec3::X, DVec3::Z];
+        assert!(matches!(
+            turned([x, x + DVec3::Y, 2.0 * x, x + z]).unwrap_err(),
+            ShapeError::OffMeridian { .. }
+        ));
+        assert!(matches!(turned([x, o, -x, z - x]).unwrap_err(), ShapeError::CrossesAxis { .. }));
+        assert_eq!(turned([o, z, z, 2.0 * z]).unwrap_err(), ShapeError::NoArea { field: "curve".into() });
+        assert_eq!(turned([x; 4]).unwrap_err(), ShapeError::NoArea { field: "curve".into() });
+        assert_eq!(Revolution::new([x, x, z, z], o, o, FULL_TURN).unwrap_err().field(), "axis");
+    }
+
+    #[test]
+    fn a_control_point_beyond_the_axis_is_allowed_if_the_curve_stays() {
+        let point = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+        assert!(turned([point(1.0, 0.0), point(-0.1, 0.3), point(0.5, 0.6), point(1.0, 1.0)]).is_ok());
+    }
+
+    #[test]
+    fn rays_across_the_axis_see_both_walls() {
+        let point = |x: f64, z: f64| DVec3::new(x, 0.0, z);
+        let vase = turned([point(1.0, 0.0), point(1.0, 1.0), point(0.5, 1.0), point(0.5, 2.0)]).unwrap();
+        // At s = ½ the curve is at x = ¾, z = 1.
+        for (from, t) in [(-3.0, 2.25), (0.0, 0.75)] {
+            let hit = vase.intersect(&Ray::new(DVec3::new(from, 0.0, 1.0), DVec3::X)).unwrap();
+            assert!((hit.t - t).abs() < 1e-14 && hit.v.abs() < 1e-14, "{hit:?}");
+        }
+    }
+}
