@@ -148,6 +148,13 @@ fn wrong_number_of_numbers() {
 }
 
 #[test]
+fn empty_list_and_empty_text() {
+    let parts = ["room.toml:2:9: the list of bands takes at least one name, found 0"];
+    refused(&room("[camera]", "bands = []\n[camera]"), &parts);
+    refused(&room("\"floor\"", "\" \""), &["room.toml:9:8: surface \"surface-1\": this text is empty"]);
+}
+
+#[test]
 fn wrong_kind_of_value() {
     refused(
         &room("0.5", "\"half\""),

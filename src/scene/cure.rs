@@ -56,7 +56,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         },
         Fault::NotFinite { .. } => "give a number that a computation can start from",
         Fault::NotWhole { .. } => "give 0, 1, 2, …",
-        Fault::EmptyText { .. } => "write at least one letter",
+        Fault::EmptyText => "write at least one letter",
         Fault::NoAxis => "give rotate = [x, y, z, degrees] with an axis that does not vanish",
         Fault::BadCamera { .. } => "move the eye, the target or the up vector",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",

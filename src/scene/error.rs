@@ -118,11 +118,8 @@ pub enum Fault {
         range: &'static str,
     },
     /// A text that has to say something.
-    #[error("{what} is empty")]
-    EmptyText {
-        /// What the text gives, e.g. `a name`.
-        what: &'static str,
-    },
+    #[error("this text is empty")]
+    EmptyText,
     /// A material that is not defined.
     #[error("unknown material {name:?}")]
     UnknownMaterial {

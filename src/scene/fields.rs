@@ -11,7 +11,7 @@ use crate::scene::{
 /// The fields of one table, all of known names.
 pub(super) struct Fields<'a> {
     entries: &'a [(At<String>, Node)],
-    span: Span,
+    span: &'a Span,
 }
 
 impl<'a> Fields<'a> {
@@ -24,17 +24,12 @@ impl<'a> Fields<'a> {
                 return Err(Located::at(&key.span, fault));
             }
         }
-        // A table of a `[header]` spans its lines or nothing at all; its first key is the place to show.
-        let span = entries.first().map_or(node.span.clone(), |(key, _)| match node.span.is_empty() {
-            true => key.span.clone(),
-            false => node.span.clone(),
-        });
-        Ok(Fields { entries, span })
+        Ok(Fields { entries, span: &node.span })
     }
 
     /// Where the table stands.
-    pub(super) fn span(&self) -> &Span {
-        &self.span
+    pub(super) fn span(&self) -> &'a Span {
+        self.span
     }
 
     /// A field that may be left out.
@@ -44,7 +39,7 @@ impl<'a> Fields<'a> {
 
     /// A field that has to be there.
     pub(super) fn node(&self, key: &'static str) -> Result<&'a Node, Located> {
-        self.get(key).ok_or_else(|| Located::at(&self.span, Fault::MissingKey { key }))
+        self.get(key).ok_or_else(|| Located::at(self.span, Fault::MissingKey { key }))
     }
 
     /// A field that has to be there, read by `read`.
@@ -84,9 +79,7 @@ pub(super) fn list(node: &Node) -> Result<&[Node], Located> {
 /// A text that is not blank.
 pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
     match &node.value {
-        Value::Text(text) if text.trim().is_empty() => {
-            Err(Located::at(&node.span, Fault::EmptyText { what: "this text" }))
-        }
+        Value::Text(text) if text.trim().is_empty() => Err(Located::at(&node.span, Fault::EmptyText)),
         Value::Text(text) => Ok(At::new(text.clone(), &node.span)),
         _ => Err(wrong(node, "a text in quotes")),
     }

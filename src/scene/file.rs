@@ -22,7 +22,7 @@ const MAX_PARTS: u32 = 256;
 #[derive(Debug)]
 pub(super) struct SceneFile {
     pub title: Option<String>,
-    pub bands: Option<Vec<At<String>>>,
+    pub bands: Option<At<Vec<At<String>>>>,
     pub camera: Option<CameraFile>,
     pub materials: Vec<MaterialFile>,
     pub surfaces: Vec<SurfaceFile>,
@@ -77,13 +77,18 @@ impl SceneFile {
             fields.optional("surfaces", |node| list(node).map(<[Node]>::to_vec))?.unwrap_or_default();
         Ok(SceneFile {
             title: fields.optional("title", text)?.map(|title| title.value),
-            bands: fields.optional("bands", |node| list(node)?.iter().map(text).collect())?,
+            bands: fields.optional("bands", read_bands)?,
             camera: fields
                 .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             surfaces: surfaces.iter().enumerate().map(read_named_surface).collect::<Result<_, _>>()?,
         })
     }
+}
+
+fn read_bands(node: &Node) -> Result<At<Vec<At<String>>>, Located> {
+    let names = list(node)?.iter().map(text).collect::<Result<_, _>>()?;
+    Ok(At::new(names, &node.span))
 }
 
 fn read_camera(node: &Node) -> Result<CameraFile, Located> {
@@ -137,7 +142,7 @@ pub(super) fn material_title(name: &str) -> String {
     format!("material {name:?}")
 }
 
-/// How messages call a surface, by its name or else by its number.
+/// How messages call a surface.
 pub(super) fn surface_title(name: &str) -> String {
     format!("surface {name:?}")
 }

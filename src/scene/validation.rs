@@ -18,17 +18,18 @@ use crate::scene::{
 pub(super) type Materials = BTreeMap<String, Material>;
 
 /// The names of the bands; r, g, b if none are given.
-pub(super) fn bands(names: Option<Vec<At<String>>>, source: &Source) -> Result<Vec<String>, Located> {
+pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Result<Vec<String>, Located> {
     let Some(names) = names else { return Ok(["r", "g", "b"].map(str::to_owned).to_vec()) };
-    if names.is_empty() {
+    if names.value.is_empty() {
         let expected = "at least one name".to_owned();
-        return Err(Located::nowhere(Fault::WrongCount { what: "the list of bands", expected, found: 0 }));
+        let fault = Fault::WrongCount { what: "the list of bands", expected, found: 0 };
+        return Err(Located::at(&names.span, fault));
     }
     let mut unique = UniqueNames::default();
-    for name in &names {
+    for name in &names.value {
         unique.add(&name.value, &name.span, source)?;
     }
-    Ok(names.into_iter().map(|name| name.value).collect())
+    Ok(names.value.into_iter().map(|name| name.value).collect())
 }
 
 /// Every material, checked number by number.
