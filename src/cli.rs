@@ -7,6 +7,7 @@ mod options;
 mod output_file;
 mod progress;
 mod render;
+mod run;
 mod scenes;
 mod solve;
 mod table;
@@ -15,6 +16,7 @@ use clap::{Parser, Subcommand};
 use radiosity::scene::Scene;
 
 use error::CliError;
+use run::Loaded;
 
 const EXAMPLES: &str = "\
 Examples:
@@ -46,18 +48,11 @@ impl Cli {
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, lit(&args.scene.scene)?),
-            Verb::Render(args) => render::run(args, lit(&args.scene.scene)?),
-            Verb::Grid(args) => grid::run(args, lit(&args.scene.scene)?),
+            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
             Verb::Scenes(args) => scenes::run(args),
         }
     }
-}
-
-/// A scene that light can be asked of.
-fn lit(source: &str) -> Result<Scene, CliError> {
-    let scene = Scene::load(source)?;
-    scene.require_light()?;
-    Ok(scene)
 }

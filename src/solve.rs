@@ -113,11 +113,17 @@ pub fn solve(
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
-    let pool = rayon::ThreadPoolBuilder::new()
-        .num_threads(options.threads)
-        .build()
-        .map_err(|source| Failure::Threads { threads: options.threads, source })?;
-    pool.install(|| solve_in_pool(scene, options, progress))
+    in_threads(options.threads, || solve_in_pool(scene, options, progress))?
+}
+
+/// Does `work` with that many threads.
+///
+/// # Errors
+/// Threads that cannot be started.
+pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> Result<T, Failure> {
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let pool = pool.map_err(|source| Failure::Threads { threads, source })?;
+    Ok(pool.install(work))
 }
 
 fn solve_in_pool(

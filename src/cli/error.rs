@@ -3,6 +3,7 @@
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
 use radiosity::scene::{Place, SceneError};
+use radiosity::solve::Failure;
 use thiserror::Error;
 
 /// Why a command ended early.
@@ -27,11 +28,14 @@ pub(crate) enum CliError {
         /// What the system said.
         reason: io::Error,
     },
-    /// A verb whose computation is not there.
-    #[error("{verb} cannot compute yet")]
-    Unwired {
-        /// The verb.
-        verb: &'static str,
+    /// The scene could not be solved.
+    #[error(transparent)]
+    Solve(#[from] Failure),
+    /// A picture was asked of a scene without a camera.
+    #[error("{origin}: there is no camera to take a picture with")]
+    NoCamera {
+        /// The scene as named in messages.
+        origin: String,
     },
     /// Standard output failed.
     #[error("standard output: {0}")]
@@ -42,9 +46,10 @@ impl CliError {
     /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
-            CliError::Scene(_) | CliError::Unwritable { .. } => ExitCode::from(2),
+            CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
+            CliError::Solve(Failure::Elements(_)) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Unwritten { .. } | CliError::Unwired { .. } | CliError::Stdout(_) => ExitCode::from(1),
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
         }
     }
 
@@ -69,7 +74,8 @@ impl CliError {
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
-            CliError::Unwritten { .. } | CliError::Unwired { .. } | CliError::Stdout(_) => None,
+            CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => None,
         }
     }
 }

@@ -1,8 +1,10 @@
 //! `radiosity grid`: mean irradiance and radiosity over the cells of every surface.
 
+use std::io::{Write, stdout};
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity::output::grid::{Cell, grid};
 use radiosity::scene::Scene;
 
 use crate::cli::{
@@ -10,6 +12,7 @@ use crate::cli::{
     options::{Counts, MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and prints means over the cells of every surface, as CSV
@@ -34,11 +37,40 @@ pub(crate) struct GridArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// Solves `scene` and prints the means.
-pub(crate) fn run(args: &GridArgs, scene: Scene) -> Result<(), CliError> {
+/// Solves the scene and prints the means.
+pub(crate) fn run(args: &GridArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
     let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
-    let report = args.report.reserve()?;
     let progress = Progress::new(args.report.quiet);
-    let _ = (output, report, progress, scene);
-    Err(CliError::Unwired { verb: "grid" })
+    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let cells = args.cells.0.map(|count| count as usize);
+    let table = csv(scene, &grid(&run.outcome.solution, scene.surfaces.len(), cells));
+    match &output {
+        Some(file) => file.write(|writer| writer.write_all(table.as_bytes()))?,
+        None => stdout().write_all(table.as_bytes())?,
+    }
+    run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
+}
+
+/// `surface,i,j,E_<band>…,B_<band>…,area`, a row per cell.
+fn csv(scene: &Scene, cells: &[Cell]) -> String {
+    let columns = |letter: char| scene.bands.iter().map(move |band| quoted(&format!("{letter}_{band}")));
+    let header = ["surface", "i", "j"].map(str::to_owned).into_iter().chain(columns('E')).chain(columns('B'));
+    let mut table = header.chain(["area".to_owned()]).collect::<Vec<_>>().join(",") + "\n";
+    for cell in cells {
+        let name = quoted(&scene.surfaces[cell.surface].name);
+        let numbers = cell.irradiance.iter().chain(&cell.radiosity).chain([&cell.area]);
+        let numbers: Vec<String> = numbers.map(f64::to_string).collect();
+        table += &format!("{name},{},{},{}\n", cell.index[0], cell.index[1], numbers.join(","));
+    }
+    table
+}
+
+/// A CSV field (RFC 4180): in quotes if it has to be.
+fn quoted(field: &str) -> String {
+    if field.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", field.replace('"', "\"\""))
+    } else {
+        field.to_owned()
+    }
 }

@@ -37,7 +37,7 @@ pub(crate) struct MethodArgs {
 
     /// Solver of the linear system
     #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
-    pub(crate) solver: String,
+    pub(crate) solver: &'static Method,
 
     /// Relative residual at which an iterative solver stops
     #[arg(long, value_name = "T", default_value = "1e-8", value_parser = positive)]
@@ -149,10 +149,10 @@ pub(crate) fn at_least_one() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
 }
 
-fn solver() -> PossibleValuesParser {
-    let methods = Method::ALL.iter().map(|method| PossibleValue::new(method.name).help(method.summary));
-    let auto = PossibleValue::new("auto").help("as the scene needs");
-    PossibleValuesParser::new(std::iter::once(auto).chain(methods))
+fn solver() -> impl TypedValueParser<Value = &'static Method> {
+    let summary = |method: &Method| PossibleValue::new(method.name).help(method.summary);
+    PossibleValuesParser::new(Method::ALL.iter().map(summary))
+        .map(|name| Method::named(&name).expect("the parser lets only listed names pass"))
 }
 
 fn subdivide() -> impl TypedValueParser<Value = Subdivide> {

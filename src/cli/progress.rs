@@ -1,9 +1,6 @@
 //! A bar on stderr for long work: stage, done and total, time left.
 
-use std::{
-    io::{IsTerminal, stderr},
-    time::Duration,
-};
+use std::io::{IsTerminal, stderr};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -26,17 +23,14 @@ impl Progress {
         Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style) }
     }
 
-    /// Starts a stage of `total` steps.
-    pub(crate) fn stage(&self, name: &'static str, total: u64) {
-        self.bar.reset();
-        self.bar.set_message(name);
-        self.bar.set_length(total);
-        self.bar.enable_steady_tick(Duration::from_millis(200));
-    }
-
-    /// Sets how many steps of the stage are done; may be called from any thread.
-    pub(crate) fn done(&self, steps: u64) {
-        self.bar.set_position(steps);
+    /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
+    pub(crate) fn show(&self, stage: &'static str, done: usize, total: usize) {
+        if self.bar.message() != stage {
+            self.bar.reset();
+            self.bar.set_message(stage);
+        }
+        self.bar.set_length(total as u64);
+        self.bar.set_position(done as u64);
     }
 }
 

@@ -3,13 +3,17 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::scene::Scene;
+use radiosity::output::render::render;
+use radiosity::scene::{Camera, Scene};
+use radiosity::solve::in_threads;
+use radiosity::visibility::{Shadows, Visibility};
 
 use crate::cli::{
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SceneArg, at_least_one, positive},
+    options::{Counts, MethodArgs, ReportArgs, SceneArg, positive},
     output_file::OutputFile,
     progress::Progress,
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -27,9 +31,9 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Counts>,
 
-    /// Camera rays for each pixel
-    #[arg(long, value_name = "S", default_value = "16", value_parser = at_least_one())]
-    pub(crate) samples: usize,
+    /// Camera rays along each side of a pixel: S × S in all
+    #[arg(long, value_name = "S", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) samples: u32,
 
     /// Factor on all radiances before they become colours [default: chosen for the picture]
     #[arg(long, value_name = "X", value_parser = positive)]
@@ -42,12 +46,29 @@ pub(crate) struct RenderArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// Solves `scene` and writes a picture.
-pub(crate) fn run(args: &RenderArgs, scene: Scene) -> Result<(), CliError> {
+/// Solves the scene and writes a picture.
+pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", scene.name).into());
     let output = OutputFile::reserve(&path)?;
-    let report = args.report.reserve()?;
+    let camera = camera(args, scene)?;
     let progress = Progress::new(args.report.quiet);
-    let _ = (output, report, progress);
-    Err(CliError::Unwired { verb: "render" })
+    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let visibility = Visibility::new(scene, Shadows::Off);
+    let rows = |done, total| progress.show("picture", done, total);
+    let solution = &run.outcome.solution;
+    let picture = || render(solution, &visibility, &camera, args.samples, &rows);
+    let image = in_threads(run.threads, picture)?;
+    let exposure = args.exposure.unwrap_or_else(|| image.automatic_exposure());
+    output.write(|writer| image.write_png(exposure, writer))?;
+    run.finish(progress, Some(&path.display().to_string()))
+}
+
+fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {
+    let no_camera = || CliError::NoCamera { origin: scene.origin.clone() };
+    let camera = scene.camera.clone().ok_or_else(no_camera)?;
+    Ok(match args.size {
+        Some(Counts([width, height])) => Camera { width, height, ..camera },
+        None => camera,
+    })
 }

@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::scene::Scene;
+use radiosity::output::solution_file::SolutionFile;
 
 use crate::cli::{
     error::CliError,
     options::{MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and writes the coefficients of its radiosity
@@ -32,12 +33,14 @@ pub(crate) struct SolveArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// Solves `scene` and writes the coefficients.
-pub(crate) fn run(args: &SolveArgs, scene: Scene) -> Result<(), CliError> {
+/// Solves the scene and writes the coefficients.
+pub(crate) fn run(args: &SolveArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", scene.name).into());
     let output = OutputFile::reserve(&path)?;
-    let report = args.report.reserve()?;
     let progress = Progress::new(args.report.quiet);
-    let _ = (output, report, progress);
-    Err(CliError::Unwired { verb: "solve" })
+    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let file = SolutionFile::new(scene, &run.outcome.solution);
+    output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
+    run.finish(progress, Some(&path.display().to_string()))
 }

@@ -25,8 +25,8 @@ impl Image {
         &self.pixels
     }
 
-    /// Exposure that brings the brightest hundredth of the pixels that are not black, lamps aside, to
-    /// white: 1 over the 95th percentile of their largest channel; 1 for a black picture.
+    /// Exposure that brings the brightest fiftieth of the pixels that are not black to white: 1 over the
+    /// 98th percentile of their largest channel; 1 for a black picture.
     pub fn automatic_exposure(&self) -> f64 {
         let mut levels: Vec<f64> =
             self.pixels.iter().map(|p| p.iter().copied().fold(0.0, f64::max)).filter(|x| *x > 0.0).collect();
@@ -34,7 +34,7 @@ impl Image {
             return 1.0;
         }
         levels.sort_by(f64::total_cmp);
-        1.0 / levels[(levels.len() - 1) * 95 / 100]
+        1.0 / levels[(levels.len() - 1) * 98 / 100]
     }
 
     /// Writes an 8-bit sRGB PNG of the pixels times `exposure`, clipped at white.
