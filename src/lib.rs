@@ -7,6 +7,18 @@
 //! The modules are the nouns that flow from a scene to its picture, each a function of those before it:
 //! scene → (visibility) → elements → blocks → system → solution → output. A module imports only modules
 //! listed above it.
+//!
+//! ```
+//! use radiosity::scene::Scene;
+//! use radiosity::solve::{Options, solve};
+//!
+//! let scene = Scene::builtin("furnace-cube")?;
+//! let outcome = solve(&scene, &Options::default(), &|_progress| {})?;
+//! // In a closed room of reflectance ½ that emits 1 everywhere, every face absorbs what it emits.
+//! assert!((outcome.checks.energy_in - 6.0).abs() < 1e-12);
+//! assert!((outcome.checks.energy_absorbed - 6.0).abs() < 6e-3);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod scene;
 pub mod visibility;

@@ -1,5 +1,6 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
+use std::num::NonZero;
 use std::time::{Duration, Instant};
 
 use radiosity_solvers::{Settings, SolveError, Step, method::Method};
@@ -34,6 +35,23 @@ pub struct Options {
     pub max_iterations: usize,
     /// Threads; the result does not depend on it.
     pub threads: usize,
+}
+
+impl Default for Options {
+    /// Order 3, blocks to 1e-3, shadows to 3e-3, the solver chosen by the system, all threads.
+    fn default() -> Self {
+        Self {
+            order: 3,
+            subdivide: None,
+            eps: 1e-3,
+            shadow_eps: 3e-3,
+            shadows: true,
+            method: Method::named("auto").expect("auto is always listed"),
+            tolerance: 1e-8,
+            max_iterations: 1000,
+            threads: std::thread::available_parallelism().map_or(1, NonZero::get),
+        }
+    }
 }
 
 /// Where the work stands.

@@ -11,7 +11,6 @@ use std::path::Path;
 use radiosity::output::grid::{Cell, grid};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, solve};
-use radiosity_solvers::method::Method;
 use serde_json::Value;
 
 /// Emission of the scene file over unit exitance, per band: π × the published values.
@@ -21,17 +20,7 @@ fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
     let mut scene = Scene::builtin("cornell-box").expect("the scene is built in");
     let index = scene.surfaces.iter().position(|s| s.name == surface).expect("the surface is there");
     scene.surfaces[index].subdivide = Some([subdivide; 2]);
-    let options = Options {
-        order,
-        subdivide: Some(1),
-        eps: 1e-3,
-        shadow_eps: 3e-3,
-        shadows: true,
-        method: Method::named("lu").expect("listed"),
-        tolerance: 1e-8,
-        max_iterations: 1000,
-        threads: 2,
-    };
+    let options = Options { order, subdivide: Some(1), threads: 2, ..Options::default() };
     let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
     let all = grid(&outcome.solution, scene.surfaces.len(), [16, 16]);
     all.into_iter().filter(|cell| cell.surface == index).collect()

@@ -13,17 +13,8 @@ use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
 
 fn options(order: usize, solver: &str) -> Options {
-    Options {
-        order,
-        subdivide: None,
-        eps: 1e-3,
-        shadow_eps: 3e-3,
-        shadows: true,
-        method: Method::named(solver).expect("the solver is listed"),
-        tolerance: 1e-10,
-        max_iterations: 1000,
-        threads: 2,
-    }
+    let method = Method::named(solver).expect("the solver is listed");
+    Options { order, method, tolerance: 1e-10, threads: 2, ..Options::default() }
 }
 
 fn solved(scene: &str, options: &Options) -> Outcome {

@@ -11,9 +11,6 @@ use crate::cli::options::{MethodArgs, ReportArgs, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
-/// Accuracy of visibility within a block.
-const SHADOW_EPS: f64 = 3e-3;
-
 /// A scene just read.
 #[derive(Debug)]
 pub(crate) struct Loaded {
@@ -135,7 +132,7 @@ impl Run {
 }
 
 fn options(method: &MethodArgs) -> Options {
-    let every = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let defaults = Options::default();
     Options {
         order: method.order,
         subdivide: match method.subdivide {
@@ -143,11 +140,11 @@ fn options(method: &MethodArgs) -> Options {
             Subdivide::Parts(parts) => Some(parts),
         },
         eps: method.eps,
-        shadow_eps: SHADOW_EPS,
         shadows: method.shadows != Shadows::Off,
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,
-        threads: method.threads.unwrap_or_else(every),
+        threads: method.threads.unwrap_or(defaults.threads),
+        ..defaults
     }
 }

@@ -1,0 +1,41 @@
+//! What does the transfer between elements cost, and what does a whole scene?
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::scene::Scene;
+use radiosity::solve::{Options, solve};
+use radiosity::visibility::{Shadows, Visibility};
+
+/// Blocks of the empty box, six elements: edge and face pairs, no shadows.
+fn blocks_of_the_empty_box(criterion: &mut Criterion) {
+    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    for (order, eps) in [(4, 1e-2), (4, 1e-4), (8, 1e-2), (8, 1e-4)] {
+        let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+        let elements = Elements::new(&scene, &how).expect("a box has area");
+        let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
+        criterion.bench_function(&format!("blocks of the empty box, order {order}, eps {eps:e}"), |bench| {
+            bench.iter(|| Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+        });
+    }
+}
+
+/// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of visibility.
+fn cornell_box(criterion: &mut Criterion) {
+    let scene = Scene::builtin("cornell-box").expect("the scene is built in");
+    for shadows in [false, true] {
+        let options = Options { shadows, threads: 1, ..Options::default() };
+        let name = format!("solve the Cornell box, {} shadows", if shadows { "with" } else { "without" });
+        criterion.bench_function(&name, |bench| {
+            bench.iter(|| solve(&scene, &options, &|_| {}).expect("the box can be solved"));
+        });
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = blocks_of_the_empty_box, cornell_box
+}
+criterion_main!(benches);
