@@ -3,7 +3,7 @@
 use std::num::NonZero;
 use std::time::{Duration, Instant};
 
-use radiosity_solvers::{Settings, SolveError, Step, method::Method};
+use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
@@ -76,6 +76,8 @@ pub struct Outcome {
     pub samples: u64,
     /// Segments tested for visibility.
     pub rays: u64,
+    /// Name of the solver that did it: the choice made, where the choice was left open.
+    pub solver: &'static str,
     /// Iterations, the most of any band.
     pub iterations: usize,
     /// Relative residual of the original system, the largest of any band.
@@ -164,13 +166,14 @@ fn solve_in_pool(
     let blocks =
         timed(&mut seconds.blocks, || Blocks::assemble(&elements, &visibility, accuracy, &report_pairs));
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
-    let iterations = solved.iter().map(|(_, iterations)| *iterations).max().unwrap_or(0);
+    let slowest = solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);
+    let (solver, iterations) = slowest.map_or((options.method.name, 0), |r| (r.method, r.iterations));
     let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands);
     let checks = Checks::of(&solution, &blocks);
     let (pairs, samples, rays) = (blocks.pairs, blocks.samples, blocks.rays);
-    Ok(Outcome { solution, checks, pairs, samples, rays, iterations, residual, seconds })
+    Ok(Outcome { solution, checks, pairs, samples, rays, solver, iterations, residual, seconds })
 }
 
 fn solve_bands(
@@ -179,7 +182,7 @@ fn solve_bands(
     blocks: &Blocks,
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Vec<(Band, usize)>, Failure> {
+) -> Result<Vec<(Band, Option<Report>)>, Failure> {
     let solve = |(index, name): (usize, &String)| {
         let mut observe = |step: &Step<'_>| progress(Progress::Solve(index, step.iteration, step.residual));
         solve_band(coating(scene, elements, index), name, elements, blocks, options, &mut observe)
@@ -195,12 +198,12 @@ fn solve_band(
     blocks: &Blocks,
     options: &Options,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Band, usize), SolveError> {
+) -> Result<(Band, Option<Report>), SolveError> {
     let system = System::new(elements.list(), blocks, &coating);
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     let measure = system.shooting_measure();
-    let mut iterations = 0;
+    let mut report = None;
     if right.iter().any(|value| *value != 0.0) {
         let settings = Settings {
             tolerance: options.tolerance,
@@ -210,10 +213,10 @@ fn solve_band(
             ..Settings::default()
         };
         let solver = options.method.solver;
-        iterations = solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe)?.iterations;
+        report = Some(solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe)?);
     }
     let coefficients = system.coefficients(&unknowns);
-    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), iterations))
+    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), report))
 }
 
 fn coating(scene: &Scene, elements: &Elements, band: usize) -> Coating {

@@ -96,11 +96,11 @@ pub(crate) enum Subdivide {
 /// `--shadows`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Shadows {
-    /// Rays where something can stand between
+    /// As the scene needs: rays where something can stand between
     Auto,
     /// Nothing hides anything
     Off,
-    /// Rays between all elements
+    /// Rays where something can stand between
     Rays,
 }
 

@@ -22,7 +22,7 @@ pub struct Report {
     pub unknowns: usize,
     /// Total degree where a surface does not state its own.
     pub order: usize,
-    /// Name of the solver.
+    /// Name of the solver that did it.
     pub solver: String,
     /// Threads used.
     pub threads: usize,
@@ -93,7 +93,7 @@ impl Report {
             elements: elements.list().len(),
             unknowns: elements.coefficients(),
             order: options.order,
-            solver: options.method.name.to_owned(),
+            solver: outcome.solver.to_owned(),
             threads: options.threads,
             version: env!("CARGO_PKG_VERSION"),
             seconds: seconds(outcome),
