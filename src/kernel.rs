@@ -10,8 +10,10 @@
 mod block;
 mod clip;
 mod edge;
+mod edge_table;
 mod integrand;
 mod moments;
+mod own;
 mod pair;
 mod same;
 mod separated;
@@ -69,8 +71,10 @@ pub struct Blocks {
     stored: Vec<Stored>,
     /// How many pairs went which way.
     pub pairs: PairCounts,
-    /// Kernel evaluations.
+    /// Terms of the rules.
     pub samples: u64,
+    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
 }
@@ -116,6 +120,7 @@ impl Blocks {
             stored: Vec::new(),
             pairs: PairCounts::default(),
             samples: 0,
+            distinct: 0,
             rays: 0,
         };
         for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
@@ -186,6 +191,7 @@ impl Blocks {
         self.pairs.partly_hidden += usize::from(block.partly_hidden);
         self.pairs.unresolved += usize::from(block.unresolved);
         self.samples += block.samples;
+        self.distinct += block.distinct;
         self.rays += block.rays;
         if block.values.iter().any(|value| *value != 0.0) {
             self.stored.push(Stored { row, column, values: block.values });

@@ -72,8 +72,10 @@ pub struct Outcome {
     pub checks: Checks,
     /// How many pairs went which way.
     pub pairs: PairCounts,
-    /// Kernel evaluations.
+    /// Terms of the kernel's quadrature rules.
     pub samples: u64,
+    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
     /// Name of the solver that did it: the choice made, where the choice was left open.
@@ -166,14 +168,15 @@ fn solve_in_pool(
     let blocks =
         timed(&mut seconds.blocks, || Blocks::assemble(&elements, &visibility, accuracy, &report_pairs));
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
-    let slowest = solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);
+    let slowest =
+        solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);
     let (solver, iterations) = slowest.map_or((options.method.name, 0), |r| (r.method, r.iterations));
     let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands);
     let checks = Checks::of(&solution, &blocks);
-    let (pairs, samples, rays) = (blocks.pairs, blocks.samples, blocks.rays);
-    Ok(Outcome { solution, checks, pairs, samples, rays, solver, iterations, residual, seconds })
+    let Blocks { pairs, samples, distinct, rays, .. } = blocks;
+    Ok(Outcome { solution, checks, pairs, samples, distinct, rays, solver, iterations, residual, seconds })
 }
 
 fn solve_bands(

@@ -1,5 +1,6 @@
 //! What every verb that needs light does first: solve, with progress and a report.
 
+use std::io::{Write, stderr};
 use std::time::Instant;
 
 use radiosity::output::report::Report;
@@ -125,9 +126,8 @@ impl Run {
         }
         lines.extend(self.report.warnings.iter().map(|warning| format!("warning: {}", warning.message)));
         lines.extend(written.map(|path| format!("wrote {path}")));
-        for line in lines {
-            eprintln!("{line}");
-        }
+        // Nobody is left to tell if stderr is closed.
+        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
     }
 }
 

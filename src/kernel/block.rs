@@ -79,8 +79,10 @@ pub(super) struct Block {
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
     pub unresolved: bool,
-    /// Kernel evaluations.
+    /// Terms of the rules.
     pub samples: u64,
+    /// Kernel evaluations.
+    pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
 }
@@ -175,6 +177,7 @@ impl<'a> Job<'a> {
     fn finish(self) -> Block {
         Block {
             samples: self.moments.samples,
+            distinct: self.moments.distinct,
             rays: self.moments.rays,
             values: self.moments.into_block(),
             kind: self.kind,
@@ -253,7 +256,7 @@ impl<'a> Job<'a> {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = edge::counts(a, b, &wedge, self.degrees, eps);
-                edge::integrate(&mut self.moments, a, b, points, sees);
+                edge::integrate(&mut self.moments, a, b, self.degrees, points, sees);
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);

@@ -10,6 +10,7 @@
 use radiosity_geom::DVec3;
 
 use super::integrand::kernel;
+use super::own::Change;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
@@ -26,8 +27,10 @@ pub(super) struct Moments<'a> {
     values: Vec<f64>,
     row: Vec<f64>,
     column: Vec<f64>,
-    /// Kernel evaluations so far.
+    /// Terms of the rules so far.
     pub samples: u64,
+    /// Kernel evaluations so far: less than the terms where the kernel is known to repeat.
+    pub distinct: u64,
     /// Segments tested for visibility so far.
     pub rays: u64,
 }
@@ -43,6 +46,7 @@ impl<'a> Moments<'a> {
             row: vec![0.0; rows],
             column: vec![0.0; columns],
             samples: 0,
+            distinct: 0,
             rays: 0,
         }
     }
@@ -62,12 +66,15 @@ impl<'a> Moments<'a> {
             }
             rank_one(&mut self.values, left, &self.column);
         }
-        self.samples += (receiver.nodes.len() * emitter.nodes.len()) as u64;
+        let terms = (receiver.nodes.len() * emitter.nodes.len()) as u64;
+        self.samples += terms;
+        self.distinct += terms;
     }
 
     /// Adds one pair of points with a weight for the two charts.
     pub(super) fn scattered(&mut self, x: &Node, y: &Node, weight: f64, sees: Option<Sees>) {
         self.samples += 1;
+        self.distinct += 1;
         let value = visible_kernel(x, y, sees, &mut self.rays) * weight * x.area * y.area;
         if value == 0.0 {
             return;
@@ -76,6 +83,15 @@ impl<'a> Moments<'a> {
         self.emitter.raw(self.emitter.frame().coordinates(y), &mut self.column);
         self.row.iter_mut().for_each(|left| *left *= value);
         rank_one(&mut self.values, &self.row, &self.column);
+    }
+
+    /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.
+    pub(super) fn own(&mut self, p: &Patch, q: &Patch, own: &[f64]) {
+        let (rows, columns) = (self.row.len(), self.column.len());
+        let half = Change::new(p, self.receiver).rows(own, columns);
+        let whole = Change::new(q, self.emitter).rows(&transposed(&half, columns), rows);
+        let back = transposed(&whole, rows);
+        self.values.iter_mut().zip(&back).for_each(|(value, own)| *value += own);
     }
 
     /// G = T_i M T_jᵀ, row-major.
@@ -133,6 +149,11 @@ fn visible_kernel(x: &Node, y: &Node, sees: Option<Sees>, rays: &mut u64) -> f64
         }
         _ => value,
     }
+}
+
+/// A row-major matrix of `columns` columns, turned over.
+fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
+    (0..columns).flat_map(|l| matrix.iter().skip(l).step_by(columns).copied()).collect()
 }
 
 fn rank_one(values: &mut [f64], left: &[f64], right: &[f64]) {

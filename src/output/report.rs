@@ -34,9 +34,9 @@ pub struct Report {
     pub peak_bytes: Option<u64>,
     /// How many pairs of elements went which way.
     pub pairs: PairCounts,
-    /// Kernel evaluations.
+    /// Terms of the kernel's quadrature rules.
     pub kernel_samples: u64,
-    /// Kernel evaluations at distinct relative positions: all of them, until equal ones are shared.
+    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
     pub kernel_samples_distinct: u64,
     /// Segments tested for visibility.
     pub shadow_rays: u64,
@@ -100,7 +100,7 @@ impl Report {
             peak_bytes: peak_bytes(),
             pairs: outcome.pairs,
             kernel_samples: outcome.samples,
-            kernel_samples_distinct: outcome.samples,
+            kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             iterations: outcome.iterations,
             residual: outcome.residual,
