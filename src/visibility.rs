@@ -29,8 +29,8 @@ pub enum Shadows {
     /// Everything sees everything it faces.
     Off,
     /// Rays against the candidates of each pair. A blocker that reaches into the shaft of a pair by less
-    /// than this part of the pair's size is passed over: it hides no larger part of the light between
-    /// the two.
+    /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
+    /// of the light between them at the most.
     Rays(f64),
 }
 
@@ -69,7 +69,7 @@ impl Visibility {
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
-        let size = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point)).diagonal();
+        let size = breadth(a).min(breadth(b));
         let reaches = |index: &usize| !separated(a, b, &self.obstacles[*index].hull, tolerance * size);
         blockers.iter().copied().filter(reaches).collect()
     }
@@ -101,8 +101,16 @@ impl Visibility {
     }
 
     /// The first surface that a ray meets.
+    ///
+    /// Front and back of a two-sided surface are met at once: a back counts as a trifle farther.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        self.tree.nearest(ray, |index, ray| self.obstacles[index].shape.intersect(ray))
+        self.tree.nearest(ray, |index, ray| {
+            let shape = &self.obstacles[index].shape;
+            let hit = shape.intersect(ray)?;
+            let back = shape.jet(hit.u, hit.v).normal.dot(ray.direction) > 0.0;
+            let t = if back { hit.t * (1.0 + 1e-12) } else { hit.t };
+            ray.reaches(t).then_some(Hit { t, ..hit })
+        })
     }
 }
 
@@ -111,6 +119,14 @@ impl Obstacle {
         let convex = shape.region().is_some_and(|region| region.convex_pieces().len() == 1);
         Self { shape: Arc::clone(shape), hull: shape.hull(&Rect::FULL), convex }
     }
+}
+
+/// Largest distance of points from the line through the first and the point farthest from it.
+fn breadth(points: &[DVec3]) -> f64 {
+    let farther = |a: &&DVec3, b: &&DVec3| a.distance(points[0]).total_cmp(&b.distance(points[0]));
+    let Some(far) = points.iter().max_by(farther) else { return 0.0 };
+    let along = (far - points[0]).normalize_or_zero();
+    points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
 }
 
 fn segment(x: DVec3, y: DVec3) -> Ray {
