@@ -49,9 +49,10 @@ pub enum ElementError {
         /// The degree asked for.
         order: usize,
     },
-    /// A surface too thin for its degree.
+    /// A surface that fills its bounding parallelogram too badly for its degree.
     #[error(
-        "surface '{surface}' is too thin for polynomials of order {order}: lower its order or mend its shape"
+        "surface '{surface}' has a shape on which polynomials of order {order} lose their digits: lower its order, \
+         subdivide it, or cut it into parts nearer to parallelograms"
     )]
     Thin {
         /// Name of the surface.
@@ -295,9 +296,10 @@ fn flat_patches(
 fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, rect: &Rect) -> Frame {
     let [u, v] = rect.center();
     match plane {
-        Some((_, normal)) => {
+        Some(_) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
-            Frame::bounding(corners.iter().copied(), shape.jet(u, v).du, normal)
+            let jet = shape.jet(u, v);
+            Frame::bounding(&corners, [jet.du, jet.dv])
         }
         None => Frame::Parameters {
             center: DVec2::new(u, v),

@@ -17,22 +17,27 @@
 use radiosity_core::{basis::total, legendre};
 use radiosity_geom::{DVec2, DVec3};
 
+use crate::scene::MAX_ORDER;
+
 use super::patch::{Node, Patch};
 use super::rule::UnitRule;
 
 /// Highest total degree offered.
-pub const HIGHEST_ORDER: usize = 20;
+pub const HIGHEST_ORDER: usize = MAX_ORDER;
+
+/// Largest loss of orthonormality with which a basis is still used.
+pub const LARGEST_DEFECT: f64 = 1e-8;
 
 /// Coordinates (a, b) of an element, [−1, 1]² over it.
 #[derive(Clone, Debug)]
 pub enum Frame {
     /// Affine in the plane: a = (x − origin)·first, b = (x − origin)·second.
     Plane {
-        /// Centre of the bounding box.
+        /// Centre of the bounding parallelogram.
         origin: DVec3,
-        /// Direction of a over half the extent.
+        /// Gradient of a.
         first: DVec3,
-        /// Direction of b over half the extent.
+        /// Gradient of b.
         second: DVec3,
     },
     /// A rectangle of surface parameters.
@@ -45,23 +50,23 @@ pub enum Frame {
 }
 
 impl Frame {
-    /// The bounding box of `points` (not all collinear) with one side along `direction`, in the plane of `normal`.
-    pub fn bounding(points: impl Iterator<Item = DVec3> + Clone, direction: DVec3, normal: DVec3) -> Self {
-        let along = (direction - normal * direction.dot(normal)).normalize();
-        let axes = [along, normal.cross(along)];
-        let bounds = axes.map(|axis| {
+    /// The parallelogram around coplanar `points` with sides along `sides`, two directions in their plane
+    /// that are not parallel.
+    ///
+    /// A parallelogram with its own sides fills its frame: its basis is as well conditioned as the square's.
+    pub fn bounding(points: &[DVec3], sides: [DVec3; 2]) -> Self {
+        let normal = sides[0].cross(sides[1]);
+        // Gradients of the coordinates along the two sides: dual to them in the plane.
+        let duals = [sides[1].cross(normal), normal.cross(sides[0])].map(|d| d / normal.length_squared());
+        let bounds = duals.map(|dual| {
             points
-                .clone()
-                .map(|p| p.dot(axis))
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+                .iter()
+                .map(|p| (p - points[0]).dot(dual))
+                .fold((0.0f64, 0.0f64), |(low, high), x| (low.min(x), high.max(x)))
         });
-        let height = points.clone().next().map_or(0.0, |p| p.dot(normal));
-        let middle = bounds.map(|(low, high)| 0.5 * (low + high));
-        Self::Plane {
-            origin: axes[0] * middle[0] + axes[1] * middle[1] + normal * height,
-            first: axes[0] * (2.0 / (bounds[0].1 - bounds[0].0)),
-            second: axes[1] * (2.0 / (bounds[1].1 - bounds[1].0)),
-        }
+        let [a, b] = bounds.map(|(low, high)| 0.5 * (low + high));
+        let [first, second] = [0, 1].map(|k| duals[k] * (2.0 / (bounds[k].1 - bounds[k].0)));
+        Self::Plane { origin: points[0] + sides[0] * a + sides[1] * b, first, second }
     }
 
     /// (a, b) of a node.
@@ -96,12 +101,13 @@ pub struct AreaBasis {
 impl AreaBasis {
     /// The basis of total degree `order` over `patches`.
     ///
-    /// None where the element has no area or is too thin for the degree: the table loses rank.
+    /// None where the element has no area, or fills its frame so badly that functions of this degree,
+    /// evaluated through the frame's polynomials, lose their orthonormality beyond [`LARGEST_DEFECT`].
     pub fn new(order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
         let mut basis = Self { order, frame, transform: Vec::new() };
         let table = basis.weighted_table(patches);
-        basis.transform = orthonormalise(table, total::count(order))?;
-        Some(basis)
+        basis.transform = orthonormalise(&table, total::count(order))?;
+        (basis.defect(&table) <= LARGEST_DEFECT).then_some(basis)
     }
 
     /// Total degree N.
@@ -156,6 +162,24 @@ impl AreaBasis {
         raw
     }
 
+    /// max |∫ φ_k φ_l dA − δ_kl| as evaluated through the raw polynomials of a weighted table.
+    fn defect(&self, table: &[Vec<f64>]) -> f64 {
+        let count = self.len();
+        let mut gram = vec![0.0; count * count];
+        let mut values = vec![0.0; count];
+        for row in table {
+            for (k, value) in values.iter_mut().enumerate() {
+                *value = dot(&self.transform[k * count..=k * count + k], &row[..=k]);
+            }
+            for (line, x) in gram.chunks_exact_mut(count).zip(&values) {
+                line.iter_mut().zip(&values).for_each(|(g, y)| *g += x * y);
+            }
+        }
+        gram.iter_mut().step_by(count + 1).for_each(|diagonal| *diagonal -= 1.0);
+        // Not a number counts as the largest of defects.
+        gram.iter().map(|g| if g.is_nan() { f64::INFINITY } else { g.abs() }).fold(0.0, f64::max)
+    }
+
     /// One row per point of a rule exact for products of two functions: √w L_k.
     fn weighted_table(&self, patches: &[Patch]) -> Vec<Vec<f64>> {
         let mut rows = Vec::new();
@@ -178,7 +202,7 @@ impl AreaBasis {
 }
 
 /// Gram–Schmidt, two passes per column; the rows of T are carried along.
-fn orthonormalise(rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
+fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
     let mut columns: Vec<Vec<f64>> = (0..count).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
     let mut transform = vec![0.0; count * count];
     for k in 0..count {
@@ -196,7 +220,7 @@ fn orthonormalise(rows: Vec<Vec<f64>>, count: usize) -> Option<Vec<f64>> {
             }
         }
         let norm = dot(column, column).sqrt();
-        if norm.is_nan() || norm <= 1e-12 * before {
+        if norm.is_nan() || norm <= f64::EPSILON * before {
             return None;
         }
         column.iter_mut().for_each(|x| *x /= norm);
@@ -250,7 +274,7 @@ mod tests {
         ];
         let patches: Vec<Patch> = arms.iter().flat_map(|arm| Patch::of_polygon(arm, DVec3::Z)).collect();
         for order in 0..=6 {
-            let frame = Frame::bounding(arms.iter().flatten().copied(), DVec3::X, DVec3::Z);
+            let frame = Frame::bounding(&arms.concat(), [DVec3::X, DVec3::Y]);
             let basis = AreaBasis::new(order, frame, &patches).expect("the shape has area");
             let defect = orthonormality_defect(&basis, &patches);
             assert!(defect < 1e-12, "order {order}: {defect:e}");
@@ -262,11 +286,34 @@ mod tests {
         let corners = [[0.0, 0.0], [3.0, 0.0], [2.8, 1.0], [0.1, 1.2]].map(|[x, y]| DVec3::new(x, y, 0.0));
         let patches = Patch::of_polygon(&corners, DVec3::Z);
         for order in 0..=12 {
-            let frame = Frame::bounding(corners.iter().copied(), DVec3::X, DVec3::Z);
+            let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
             let basis = AreaBasis::new(order, frame, &patches).expect("the shape has area");
             let defect = orthonormality_defect(&basis, &patches);
             assert!(defect < 1e-12, "order {order}: {defect:e}");
         }
+    }
+
+    #[test]
+    fn sheared_parallelogram_is_as_good_as_a_square() {
+        let (a, b) = (DVec3::new(1.0, 0.0, 0.0), DVec3::new(100.0, 1.0, 0.5));
+        let corners = [DVec3::ZERO, a, a + b, b];
+        let patches = Patch::of_polygon(&corners, a.cross(b).normalize());
+        let basis = AreaBasis::new(HIGHEST_ORDER, Frame::bounding(&corners, [a, b]), &patches);
+        let defect = orthonormality_defect(&basis.expect("it has area"), &patches);
+        assert!(defect < 1e-12, "{defect:e}");
+    }
+
+    #[test]
+    fn a_shape_that_loses_its_digits_is_refused() {
+        let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let arms = [
+            vec![p(0.0, 0.0), p(1.0, 0.0), p(1.0, 0.1), p(0.0, 0.1)],
+            vec![p(0.0, 0.1), p(0.1, 0.1), p(0.1, 1.0), p(0.0, 1.0)],
+        ];
+        let patches: Vec<Patch> = arms.iter().flat_map(|arm| Patch::of_polygon(arm, DVec3::Z)).collect();
+        let frame = Frame::bounding(&arms.concat(), [DVec3::X, DVec3::Y]);
+        assert!(AreaBasis::new(20, frame.clone(), &patches).is_none());
+        assert!(AreaBasis::new(4, frame, &patches).is_some());
     }
 
     #[test]

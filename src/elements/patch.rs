@@ -156,13 +156,16 @@ impl Patch {
         [a.distance(b).max(d.distance(c)), a.distance(d).max(b.distance(c))]
     }
 
-    /// How far the middle lies from the bilinear image of the corners; zero for flat patches.
+    /// About how far the patch lies from the plane of its corners: its middle from theirs, and their twist.
+    /// Zero for flat patches.
     pub fn sagitta(&self) -> f64 {
         if self.is_flat() {
             return 0.0;
         }
-        let middle = self.corners().iter().sum::<DVec3>() * 0.25;
-        self.node(0.5, 0.5).position.distance(middle)
+        let [a, b, c, d] = self.corners();
+        let middle = self.node(0.5, 0.5);
+        let twist = 0.25 * (a - b + c - d).dot(middle.normal).abs();
+        middle.position.distance(0.25 * (a + b + c + d)) + 2.0 * twist
     }
 
     /// The two halves of a cut at the middle of one direction.
