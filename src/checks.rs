@@ -33,7 +33,7 @@ pub struct Checks {
     pub energy_absorbed: f64,
     /// Power that leaves the scene.
     pub energy_lost: f64,
-    /// Bound on the spectral radius of ρG, largest over the bands: below 1.
+    /// Estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is good.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
@@ -109,7 +109,7 @@ impl Compensated {
     }
 }
 
-/// λ + ‖A v − λ v‖ after power iterations with A = √ρ G √ρ, started from the constant.
+/// λ + ‖A v − λ v‖ after power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
 ///
 /// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
 /// constant already is.

@@ -21,6 +21,7 @@ mod vertex;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use radiosity_geom::DVec3;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -231,13 +232,13 @@ fn integrate(
 /// Whether the plane of either element leaves nothing of the other in front of it.
 fn planes_exchange_nothing(receiver: &Element, emitter: &Element) -> Option<Outcome> {
     let tolerance = 1e-9 * receiver.bounds().union(emitter.bounds()).diagonal();
-    let highest = |plane: &(radiosity_geom::DVec3, radiosity_geom::DVec3), other: &Element| {
+    let range = |plane: &(DVec3, DVec3), other: &Element| {
         let heights = other.hull.iter().map(|point| (point - plane.0).dot(plane.1));
         heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
     };
     for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
         let Some(plane) = plane else { continue };
-        let (low, high) = highest(plane, other);
+        let (low, high) = range(plane, other);
         if high <= tolerance {
             return Some(if low >= -tolerance { Outcome::Coplanar } else { Outcome::Facing });
         }

@@ -205,14 +205,15 @@ fn solve_band(
     let system = System::new(elements.list(), blocks, &coating);
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
-    let measure = system.shooting_measure();
+    // Only shooting asks for it, and it costs as much as a basis.
+    let measure = (options.method.name == "southwell").then(|| system.shooting_measure());
     let mut report = None;
     if right.iter().any(|value| *value != 0.0) {
         let settings = Settings {
             tolerance: options.tolerance,
             max_iterations: options.max_iterations,
             threads: options.threads,
-            measure: Some(&measure),
+            measure: measure.as_deref(),
             ..Settings::default()
         };
         let solver = options.method.solver;

@@ -35,7 +35,7 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) samples: u32,
 
-    /// Factor on all radiances before they become colours [default: chosen for the picture]
+    /// Factor on the radiosities before they become colours [default: chosen for the picture]
     #[arg(long, value_name = "X", value_parser = positive)]
     pub(crate) exposure: Option<f64>,
 

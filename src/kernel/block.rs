@@ -15,8 +15,9 @@
 //! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
 //! is multiplied by its own visibility.
 
-use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
+use crate::elements::rule::MOST_POINTS;
+use crate::elements::{Element, polygon_area};
 use crate::visibility::Visibility;
 
 use super::clip::{Facet, match_contact};
@@ -28,8 +29,13 @@ use super::{same, vertex};
 
 /// Corners closer than this part of the pair's size coincide.
 const COINCIDENT: f64 = 1e-9;
-/// Near pairs are not halved below this part of their size.
+/// Pairs are not halved below this part of their size.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
+/// A part that carries less than this times ε of the geometric mean of the two areas is left out.
+const NEGLIGIBLE: f64 = 1e-3;
+/// Most angular points for parts that may not be halved further although they are slender, and of the corner
+/// rule, which takes their third power.
+const MOST_SLIVER_POINTS: usize = 16;
 
 /// What accuracy the blocks are asked to have.
 #[derive(Clone, Copy, Debug)]
@@ -105,18 +111,11 @@ pub(super) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself.
+/// The block of a curved element with itself. Its accuracy does not follow ε, and it hides nothing from itself.
 pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
     let mut job = Job::new(element, element, visibility, accuracy);
-    for (i, p) in element.patches.iter().enumerate() {
-        for (j, q) in element.patches.iter().enumerate() {
-            let state = State { touching: true, levels: 0, blockers: Vec::new() };
-            if i == j {
-                same::integrate(&mut job.moments, p, job.degrees[0], None)
-            } else {
-                job.whole(p, q, &state)
-            }
-        }
+    for patch in &element.patches {
+        same::integrate(&mut job.moments, patch, job.degrees[0]);
     }
     job.kind = Kind::Same;
     let mut block = job.finish();
@@ -139,6 +138,8 @@ struct Job<'a> {
     accuracy: Accuracy,
     degrees: [usize; 2],
     size: f64,
+    /// Parts of less area are left out.
+    negligible_area: f64,
     moments: Moments<'a>,
     kind: Kind,
     partly_hidden: bool,
@@ -167,6 +168,7 @@ impl<'a> Job<'a> {
             accuracy,
             degrees: [receiver.basis.order(), emitter.basis.order()],
             size,
+            negligible_area: NEGLIGIBLE * accuracy.eps * (receiver.area * emitter.area).sqrt(),
             moments: Moments::new(&receiver.basis, &emitter.basis),
             kind: Kind::Separated,
             partly_hidden: false,
@@ -197,17 +199,20 @@ impl<'a> Job<'a> {
         };
         let seen = facet_p.in_front_of(&facet_q, self.tolerance());
         let seeing = facet_q.in_front_of(&facet_p, self.tolerance());
-        if let (Some(seen), Some(seeing)) = (seen, seeing) {
-            self.facets(&seen, &seeing, state);
+        let (Some(seen), Some(seeing)) = (seen, seeing) else { return };
+        // ∫κ dA ≤ 1 on either side: a sliver cannot carry more than its own area.
+        if polygon_area(&seen.corners).min(polygon_area(&seeing.corners)) < self.negligible_area {
+            return;
+        }
+        if self.facets(&seen, &seeing, state) > 1 {
+            self.kind = self.kind.max(Kind::Contact);
         }
     }
 
-    /// A pair of facets in front of each other: matches their contact.
-    fn facets(&mut self, p: &Facet, q: &Facet, state: &State) {
+    /// A pair of facets in front of each other: matches their contact. Returns the number of pairs it took.
+    fn facets(&mut self, p: &Facet, q: &Facet, state: &State) -> usize {
         let pairs = match_contact(p, q, self.tolerance());
-        if pairs.len() > 1 {
-            self.kind = self.kind.max(Kind::Contact);
-        }
+        let count = pairs.len();
         for (a, b) in pairs {
             for patch_a in Patch::of_polygon(&a.corners, a.normal) {
                 for patch_b in Patch::of_polygon(&b.corners, b.normal) {
@@ -215,6 +220,7 @@ impl<'a> Job<'a> {
                 }
             }
         }
+        count
     }
 
     /// A pair made ready: halves it or applies its rule.
@@ -248,28 +254,33 @@ impl<'a> Job<'a> {
         let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
         let free = |x, y| visibility.free(&blockers, x, y);
         let sees: Option<super::moments::Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        let longest = longest(p).1.max(longest(q).1);
+        let divisible = longest > SMALLEST_PART * self.size;
         match &contact {
             Contact::Edge(a, b) => {
                 self.kind = self.kind.max(Kind::Edge);
                 let wedge = Wedge::of(a, b);
-                if wedge.aspect() > LARGEST_ASPECT {
+                if wedge.aspect() > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = edge::counts(a, b, &wedge, self.degrees, eps);
-                edge::integrate(&mut self.moments, a, b, self.degrees, points, sees);
+                let most = if wedge.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
+                self.unresolved |= points[2] > most;
+                edge::integrate(&mut self.moments, a, b, self.degrees, points.map(|n| n.min(most)), sees);
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
-                if vertex::aspect(a, b) > LARGEST_ASPECT {
+                if vertex::aspect(a, b) > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = vertex::counts(a, b, self.degrees, eps);
+                self.unresolved |= points[1] > MOST_SLIVER_POINTS;
+                let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
                 vertex::integrate(&mut self.moments, a, b, points, sees);
             }
             Contact::Apart(gap) => {
-                let longest = longest(p).1.max(longest(q).1);
                 let near = *gap < SMALLEST_RATIO * longest;
-                if near && longest > SMALLEST_PART * self.size {
+                if near && divisible {
                     self.kind = self.kind.max(Kind::Split);
                     return self.halve(p, q, &contact, state);
                 }
@@ -303,7 +314,7 @@ impl<'a> Job<'a> {
             for b in emitters {
                 match (facet(a), facet(b)) {
                     (Some(facet_a), Some(facet_b)) if state.touching => {
-                        self.facets(&facet_a, &facet_b, state)
+                        self.facets(&facet_a, &facet_b, state);
                     }
                     _ => self.visit(a, b, state.clone()),
                 }

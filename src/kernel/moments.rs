@@ -115,7 +115,7 @@ impl<'a> Moments<'a> {
     }
 }
 
-/// Points of a tensor rule on a patch, with w A L_k at each.
+/// Points of a tensor rule on a patch, and a row of w A L_k for each.
 struct Table {
     nodes: Vec<Node>,
     rows: Vec<f64>,
@@ -124,9 +124,10 @@ struct Table {
 impl Table {
     fn new(patch: &Patch, basis: &AreaBasis, points: [usize; 2]) -> Self {
         let count = basis.len();
-        let mut nodes = Vec::with_capacity(points[0] * points[1]);
-        let mut rows = vec![0.0; points[0] * points[1] * count];
         let (along, across) = (UnitRule::of(points[0]), UnitRule::of(points[1]));
+        let total = along.nodes.len() * across.nodes.len();
+        let mut nodes = Vec::with_capacity(total);
+        let mut rows = vec![0.0; total * count];
         let product = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
         for (((s, ws), (t, wt)), row) in product.zip(rows.chunks_exact_mut(count)) {
             let node = patch.node(s, t);

@@ -61,7 +61,8 @@ fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f6
     })
 }
 
-/// Distance between two patches: exact for flat ones, less the sagitta for curved ones.
+/// Distance between two patches: exact for flat ones, that of the corners' polygons less their sagittas for
+/// curved ones.
 pub(super) fn gap(p: &Patch, q: &Patch) -> f64 {
     let distance = polygon_distance(&p.polygon(), &q.polygon());
     (distance - p.sagitta() - q.sagitta()).max(0.0)

@@ -7,10 +7,10 @@
 
 use crate::elements::patch::Patch;
 
-use super::moments::{Moments, Sees};
+use super::moments::Moments;
 
 /// Adds a patch with itself at degree `degree`.
-pub(super) fn integrate(moments: &mut Moments, patch: &Patch, degree: usize, sees: Option<Sees>) {
+pub(super) fn integrate(moments: &mut Moments, patch: &Patch, degree: usize) {
     let n = degree + 4;
-    moments.tensor(patch, patch, [n, n, n + 1, n + 1], sees);
+    moments.tensor(patch, patch, [n, n, n + 1, n + 1], None);
 }

@@ -2,8 +2,8 @@
 //!
 //! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular
 //! grid; a ray that meets the back of a surface, or nothing, is black. Bands become colours thus: three
-//! bands are red, green and blue; any other number is averaged to grey. Three bands are white-balanced on
-//! the light that the scene emits, as a camera would do.
+//! bands are red, green and blue; any other number is averaged to grey. Three bands that all emit are
+//! white-balanced on the light that the scene emits, as a camera would do: the lamps' own colour is taken away.
 
 use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
@@ -105,7 +105,7 @@ fn colour(solution: &Solution, visibility: &Visibility, ray: &Ray) -> [f64; 3] {
     [(0..bands).map(value).sum::<f64>() / bands as f64; 3]
 }
 
-/// Factors that make the emitted light of a three-band scene white; 1 where a band emits nothing.
+/// Factors that make the emitted light of a three-band scene white; all 1 if any band emits nothing.
 fn white_balance(solution: &Solution) -> [f64; 3] {
     if solution.bands().len() != 3 {
         return [1.0; 3];

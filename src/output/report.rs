@@ -106,7 +106,7 @@ impl Report {
             residual: outcome.residual,
             converged: true,
             checks: outcome.checks,
-            warnings: warnings(outcome),
+            warnings: warnings(options, outcome),
         }
     }
 }
@@ -122,7 +122,7 @@ fn seconds(outcome: &Outcome) -> Seconds {
     }
 }
 
-fn warnings(outcome: &Outcome) -> Vec<Warning> {
+fn warnings(options: &Options, outcome: &Outcome) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let mut warn = |code: &str, message: String| {
         warnings.push(Warning { code: code.to_owned(), message, surface: None });
@@ -137,9 +137,18 @@ fn warnings(outcome: &Outcome) -> Vec<Warning> {
             ),
         );
     }
+    let excess = outcome.checks.row_sum_max - 1.0;
+    if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
+        let message = format!(
+            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; lower --eps, or \
+             subdivide surfaces that meet at small angles",
+            100.0 * excess
+        );
+        warn("row-sum", message);
+    }
     if outcome.checks.spectral_bound >= 1.0 {
         let message = format!(
-            "the bound on the spectral radius is {:.6}: quadrature is too coarse for so little loss; lower --eps",
+            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; lower --eps",
             outcome.checks.spectral_bound
         );
         warn("spectral-bound", message);
