@@ -15,9 +15,15 @@
 #[cfg(test)]
 extern crate std;
 
-pub mod basis;
 mod double;
-pub mod gauss;
-pub mod jacobi;
-pub mod legendre;
 mod math;
+
+pub mod recurrence;
+
+pub mod jacobi;
+
+pub mod gauss;
+
+pub mod legendre;
+
+pub mod basis;

@@ -7,24 +7,9 @@ use crate::double::Double;
 
 pub(crate) use libm::hypot;
 
-/// √v for a positive normal v, within 0.51 ulp; 0 for 0.
+/// √v for v = 0 or positive and normal, within 0.51 ulp.
 pub(crate) const fn sqrt(v: f64) -> f64 {
-    if v == 0.0 {
-        return v;
-    }
-    let s = heron(v, heron(v, rough_sqrt(v)));
-    let square = Double::product(s, s);
-    s + 0.5 * ((v - square.hi) - square.lo) / s
-}
-
-/// √v for v ≥ 0, to 10⁻⁶: half the exponent and two steps of Heron.
-#[inline(always)]
-pub(crate) const fn rough_sqrt(v: f64) -> f64 {
-    heron(v, heron(v, f64::from_bits((v.to_bits() >> 1) + 0x1FF7_A3BE_0000_0000)))
-}
-
-const fn heron(v: f64, s: f64) -> f64 {
-    0.5 * (s + v / s)
+    Double::new(v).sqrt().hi
 }
 
 /// The octant t ∈ [0, π/4] → (sin t, cos t), each within 1 ulp.

@@ -19,9 +19,9 @@
 //! Reference: A. S. Householder, The Numerical Treatment of a Single Nonlinear Equation (1970), §4.4.
 
 use super::trail::{Ends, Trail};
+use crate::double::rough_sqrt;
 use crate::jacobi::Weight;
 use crate::jacobi::monic::{CHUNK, Monic};
-use crate::math::rough_sqrt;
 
 /// The sign that mirrors the left end.
 const SIGN: Ends = [1.0, -1.0];
