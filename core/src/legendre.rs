@@ -4,8 +4,8 @@
 //!
 //!   y = 1 − |x|,  R₀ = 1,  D₀ = 0,  D_{k+1} = (k D_k − (2k + 1) y R_k)/(k + 1),  R_{k+1} = R_k + D_{k+1},
 //!
-//! where R_k = P_k(|x|). It is exact at the ends, where the three-term recurrence loses n² ulp; on n ≤ 32 the error
-//! is below 10 ε of the local size √(p_n² + p_{n−1}²). Tiles use the three-term recurrence
+//! where R_k = P_k(|x|). It is exact at the ends, where the three-term recurrence loses n² ulp; for n ≤ 32 the error
+//! is a few ε of the local size √(p_n² + p_{n−1}²). Tiles use the three-term recurrence
 //!
 //!   p_{k+1} = a_k x p_k − c_k p_{k−1},   a_k = √((2k + 1)(2k + 3))/(k + 1),   c_k = k/(k + 1) · √((2k + 3)/(2k − 1)),
 //!
@@ -15,7 +15,7 @@
 
 use crate::jacobi::{Polynomials, Weight};
 use crate::math;
-use crate::recurrence::Recurrence;
+use crate::recurrence::{Differences, Recurrence, Step};
 
 mod derivative;
 mod mass;
@@ -44,14 +44,11 @@ pub fn end(n: usize) -> f64 {
 
 /// Writes p_0(x) … p_{m−1}(x), m = `out.len()`, for x ∈ [−1, 1].
 pub fn orthonormal(x: f64, out: &mut [f64]) {
-    let y = 1.0 - x.abs();
     let turn = if x < 0.0 { -1.0 } else { 1.0 };
-    let (mut value, mut difference, mut sign) = (1.0, 0.0, 1.0);
+    let (mut walk, mut sign) = (Differences::new(1.0 - x.abs()), 1.0);
     for (k, p) in out.iter_mut().enumerate() {
-        *p = sign * (end(k) * value);
-        let (rho, sigma) = link(k);
-        difference = rho * difference - sigma * y * value;
-        value += difference;
+        *p = sign * (end(k) * walk.value());
+        walk.advance(step(k));
         sign *= turn;
     }
 }
@@ -62,26 +59,20 @@ pub fn orthonormal(x: f64, out: &mut [f64]) {
 /// If the slices differ in length.
 pub fn orthonormal_with_derivatives(x: f64, out: &mut [f64], slopes: &mut [f64]) {
     assert_eq!(out.len(), slopes.len(), "one derivative per value");
-    let y = 1.0 - x.abs();
     let turn = if x < 0.0 { -1.0 } else { 1.0 };
-    let (mut value, mut difference, mut sign) = (1.0, 0.0, 1.0);
-    let (mut slope, mut slope_difference) = (0.0, 0.0);
+    let (mut walk, mut sign) = (Differences::new(1.0 - x.abs()), 1.0);
     for (k, (p, d)) in out.iter_mut().zip(slopes).enumerate() {
-        (*p, *d) = (sign * (end(k) * value), -sign * turn * (end(k) * slope));
-        let (rho, sigma) = link(k);
-        slope_difference = rho * slope_difference - sigma * (value + y * slope);
-        difference = rho * difference - sigma * y * value;
-        slope += slope_difference;
-        value += difference;
+        (*p, *d) = (sign * (end(k) * walk.value()), -sign * turn * (end(k) * walk.slope()));
+        walk.advance_with_slope(step(k));
         sign *= turn;
     }
 }
 
-/// k/(k + 1) and (2k + 1)/(k + 1).
+/// κ_k = 1/(k + 1) and σ_k = (2k + 1)/(k + 1).
 #[inline(always)]
-const fn link(k: usize) -> (f64, f64) {
-    let inverse = 1.0 / (k + 1) as f64;
-    (k as f64 * inverse, (2 * k + 1) as f64 * inverse)
+const fn step(k: usize) -> Step {
+    let next = (k + 1) as f64;
+    Step { keep: 1.0, kappa: 1.0 / next, sigma: (2 * k + 1) as f64 / next }
 }
 
 /// Σ f_n p_n(x) for x ∈ [−1, 1] by Clenshaw's recurrence; 0 for no coefficients.
@@ -89,8 +80,7 @@ pub fn sum(f: &[f64], x: f64) -> f64 {
     // b_n = f_n √(n + ½) + (2n + 1)/(n + 1) x b_{n+1} − (n + 1)/(n + 2) b_{n+2} for the classical P_n.
     let (mut above, mut last) = (0.0, 0.0);
     for (n, coefficient) in f.iter().enumerate().rev() {
-        let (_, a) = link(n);
-        let (back, _) = link(n + 1);
+        let (a, back) = (step(n).sigma, 1.0 - step(n + 1).kappa);
         (above, last) = (last, coefficient * end(n) + (a * x * last - back * above));
     }
     last
@@ -129,17 +119,17 @@ pub fn sum_tile<const N: usize, const W: usize>(f: &[f64; N], x: &[f64; W]) -> [
     const { &Table::<N>::RECURRENCE }.sum_tile(f, x)
 }
 
-/// out[n][l] = p_n(x[l]), anchored at the ends: twice the cost of [`tile`], exact as [`orthonormal`].
+/// out[n][l] = p_n(x[l]), anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact around them.
 #[inline]
 pub fn tile_anchored<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
     let (y, turn) = (x.map(|x| 1.0 - x.abs()), x.map(|x| 1.0f64.copysign(x)));
     let (mut value, mut difference, mut sign) = ([1.0; W], [0.0; W], [1.0; W]);
     for (k, row) in out.iter_mut().enumerate() {
-        let (rho, sigma) = link(k);
+        let Step { kappa, sigma, .. } = step(k);
         let end = end(k);
         for l in 0..W {
             row[l] = sign[l] * (end * value[l]);
-            difference[l] = rho * difference[l] - sigma * y[l] * value[l];
+            difference[l] -= kappa * difference[l] + sigma * y[l] * value[l];
             value[l] += difference[l];
             sign[l] *= turn[l];
         }

@@ -15,6 +15,10 @@
 //!
 //! Reference: W. Gautschi, Orthogonal Polynomials: Computation and Approximation (2004), §1.3 and §2.1.8.
 
+mod differences;
+
+pub(crate) use self::differences::{Differences, Step};
+
 /// The coefficients that carry p₀ to p₁ … p_N; row k leads to p_{k+1}.
 #[derive(Clone, Copy, Debug)]
 pub struct Recurrence<const N: usize> {

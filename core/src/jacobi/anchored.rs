@@ -2,27 +2,20 @@
 //!
 //! With y = 1 − x, s = 2k + α + β, R_k = p_k(x)/p_k(1) and D_{k+1} = R_{k+1} − R_k:
 //!
-//!   R₀ = 1,  D₀ = 0,   D_{k+1} = ρ_k D_k − σ_k y R_k,   R_{k+1} = R_k + D_{k+1}
-//!   ρ_k = k (k + β)(s + 2) / ((k + α + 1)(k + α + β + 1) s),      ρ₀ = 0
+//!   R₀ = 1,  D₀ = 0,   D_{k+1} = (1 − κ_k) D_k − σ_k y R_k,   R_{k+1} = R_k + D_{k+1}
+//!   1 − κ_k = k (k + β)(s + 2) / ((k + α + 1)(k + α + β + 1) s),  κ₀ = 1
 //!   σ_k = (s + 1)(s + 2) / (2 (k + α + 1)(k + α + β + 1)),        σ₀ = (α + β + 2)/(2 (α + 1))
 //!   p_{k+1}(1)²/p_k(1)² = (s + 3)(k + α + β + 1)(k + α + 1) / ((s + 1)(k + 1)(k + β + 1)),   p₀² = 1/μ₀
 //!
 //! Exact at the end and a few ulp of the local size √(p_k² + p_{k−1}²) elsewhere on the half nearer to it, where the
-//! three-term recurrence loses k² ulp. Derivatives differentiate the same recurrence. No Γ function occurs: norms
+//! three-term recurrence loses k² ulp. (`recurrence::differences` takes the steps.) No Γ function occurs: norms
 //! are products of ratios, in double-double.
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.1, rewritten in differences.
 
 use super::{Weight, integral};
 use crate::double::Double;
-
-/// One step of the recurrence: ρ_k, σ_k and p_{k+1}(1).
-#[derive(Clone, Copy)]
-pub(super) struct Link {
-    pub(super) rho: f64,
-    pub(super) sigma: f64,
-    pub(super) end: f64,
-}
+use crate::recurrence::Step;
 
 /// Walks k = 0, 1, … along the end x = 1 of a weight.
 #[derive(Clone, Copy)]
@@ -49,7 +42,7 @@ impl Anchor {
     }
 
     /// The coefficients that lead from k to k + 1.
-    pub(super) const fn advance(&mut self) -> Link {
+    pub(super) const fn advance(&mut self) -> Step {
         let k = Double::new(self.k as f64);
         let s = k.scale(2.0).add(self.alpha).add(self.beta);
         let right = k.add(self.alpha).add(Double::ONE);
@@ -59,15 +52,17 @@ impl Anchor {
         // (k + α + β + 1)/(s + 1), which is 1 at k = 0 even where both vanish.
         let share = if self.k == 0 { Double::ONE } else { both.div(s_1) };
         let below = right.mul(share);
-        let rho = if self.k == 0 {
+        // 1 − κ_k.
+        let rest = if self.k == 0 {
             Double::ZERO
         } else {
             k.mul(k.add(self.beta)).mul(s_2).div(below.mul(s_1).mul(s))
         };
+        let keep = if rest.hi < 0.5 { 0.0 } else { 1.0 };
         let sigma = s_2.div(below.scale(2.0));
         let growth = s.add(Double::new(3.0)).mul(below).div(left.mul(k.add(Double::ONE)));
         self.end = self.end.mul(growth.sqrt());
         self.k += 1;
-        Link { rho: rho.hi, sigma: sigma.hi, end: self.end.hi }
+        Step { keep, kappa: Double::new(keep).sub(rest).hi, sigma: sigma.hi }
     }
 }

@@ -7,7 +7,7 @@ use super::Weight;
 use super::anchored::Anchor;
 use super::monic::Monic;
 use crate::double::Double;
-use crate::recurrence::Recurrence;
+use crate::recurrence::{Differences, Recurrence, Step};
 
 /// Writes p₀(x) … p_{m−1}(x), m = `out.len()`, for x ∈ [−1, 1].
 ///
@@ -15,64 +15,32 @@ use crate::recurrence::Recurrence;
 pub fn orthonormal(weight: Weight, x: f64, out: &mut [f64]) {
     let (end, turn) = if x < 0.0 { (weight.mirrored(), -1.0) } else { (weight, 1.0) };
     let mut anchor = Anchor::new(end);
-    let mut walk = Walk::new(x);
+    let mut walk = Differences::new(1.0 - x.abs());
     let (mut sign, mut scale) = (1.0, anchor.end());
     for p in out {
-        *p = sign * scale * walk.value;
-        let link = anchor.advance();
-        walk.advance(link.rho, link.sigma);
-        (sign, scale) = (sign * turn, link.end);
+        *p = sign * scale * walk.value();
+        walk.advance(anchor.advance());
+        (sign, scale) = (sign * turn, anchor.end());
     }
 }
 
-/// R_k, D_k and their derivatives by y on the way along k.
-struct Walk {
-    y: f64,
-    value: f64,
-    difference: f64,
-    slope: f64,
-    slope_difference: f64,
-}
-
-impl Walk {
-    /// At k = 0, seen from the end nearer to x.
-    fn new(x: f64) -> Walk {
-        Walk { y: 1.0 - x.abs(), value: 1.0, difference: 0.0, slope: 0.0, slope_difference: 0.0 }
-    }
-
-    #[inline(always)]
-    fn advance(&mut self, rho: f64, sigma: f64) {
-        self.difference = rho * self.difference - sigma * self.y * self.value;
-        self.value += self.difference;
-    }
-
-    #[inline(always)]
-    fn advance_with_slope(&mut self, rho: f64, sigma: f64) {
-        let turned = self.value + self.y * self.slope;
-        self.slope_difference = rho * self.slope_difference - sigma * turned;
-        self.slope += self.slope_difference;
-        self.advance(rho, sigma);
-    }
-}
-
-/// One end: ρ_k, σ_k and the value of p_k there.
+/// One end: the steps along k and the value of p_k there.
 #[derive(Clone, Copy, Debug)]
 struct End<const N: usize> {
-    rho: [f64; N],
-    sigma: [f64; N],
+    steps: [Step; N],
     value: [f64; N],
 }
 
 impl<const N: usize> End<N> {
     /// The end +1 of a weight.
     const fn right(weight: Weight) -> End<N> {
-        let mut end = End { rho: [0.0; N], sigma: [0.0; N], value: [0.0; N] };
+        let none = Step { keep: 0.0, kappa: 0.0, sigma: 0.0 };
+        let mut end = End { steps: [none; N], value: [0.0; N] };
         let mut anchor = Anchor::new(weight);
         let mut k = 0;
         while k < N {
             end.value[k] = anchor.end();
-            let link = anchor.advance();
-            (end.rho[k], end.sigma[k]) = (link.rho, link.sigma);
+            end.steps[k] = anchor.advance();
             k += 1;
         }
         end
@@ -153,10 +121,10 @@ impl<const N: usize> Polynomials<N> {
     /// Writes p_k(x) for x ∈ [−1, 1], anchored at the nearer end.
     pub fn values(&self, x: f64, out: &mut [f64; N]) {
         let end = self.nearer(x);
-        let mut walk = Walk::new(x);
+        let mut walk = Differences::new(1.0 - x.abs());
         for (k, p) in out.iter_mut().enumerate() {
-            *p = end.value[k] * walk.value;
-            walk.advance(end.rho[k], end.sigma[k]);
+            *p = end.value[k] * walk.value();
+            walk.advance(end.steps[k]);
         }
     }
 
@@ -164,11 +132,11 @@ impl<const N: usize> Polynomials<N> {
     pub fn values_with_derivatives(&self, x: f64, out: &mut [f64; N], slopes: &mut [f64; N]) {
         let end = self.nearer(x);
         let outward = if x < 0.0 { 1.0 } else { -1.0 };
-        let mut walk = Walk::new(x);
+        let mut walk = Differences::new(1.0 - x.abs());
         for k in 0..N {
-            out[k] = end.value[k] * walk.value;
-            slopes[k] = outward * end.value[k] * walk.slope;
-            walk.advance_with_slope(end.rho[k], end.sigma[k]);
+            out[k] = end.value[k] * walk.value();
+            slopes[k] = outward * end.value[k] * walk.slope();
+            walk.advance_with_slope(end.steps[k]);
         }
     }
 
