@@ -27,3 +27,5 @@ pub mod gauss;
 pub mod legendre;
 
 pub mod basis;
+
+pub mod convert;
