@@ -1,18 +1,24 @@
 //! From orthonormal Jacobi to orthonormal Legendre coefficients and back, integer exponents.
 //!
-//!   Σ_n c_n p_n^(α,β) = Σ_k d_k p_k
+//! ```text
+//! Σ_n c_n p_n^(α,β) = Σ_k d_k p_k
+//! ```
 //!
 //! Both ways rest on one step between neighbouring exponents in the classical polynomials,
 //!
-//!   (2n + α + β + 1) P_n^(α,β) = (n + α + β + 1) P_n^(α,β+1) + (n + α) P_{n−1}^(α,β+1)
-//!   (2n + α + β + 1) P_n^(α,β) = (n + α + β + 1) P_n^(α+1,β) − (n + β) P_{n−1}^(α+1,β)
+//! ```text
+//! (2n + α + β + 1) P_n^(α,β) = (n + α + β + 1) P_n^(α,β+1) + (n + α) P_{n−1}^(α,β+1)
+//! (2n + α + β + 1) P_n^(α,β) = (n + α + β + 1) P_n^(α+1,β) − (n + β) P_{n−1}^(α+1,β)
+//! ```
 //!
 //! which multiplies forwards (Legendre to Jacobi) and is solved downwards (Jacobi to Legendre): O(n) per unit of α or β,
 //! in place ([`to_legendre`], [`from_legendre`]). [`Connection`] holds the whole matrix, made from the same steps in
 //! double-double and rounded once: exact entries, O(n²) to apply, and the better choice for α, β > 0 together, where
 //! the steps lose a digit by n = 30. Converting through powers of x, as the seed paper suggests, loses nine.
 //!
-//!   ‖P_n^(α,β)‖² = 2^(α+β+1)/(2n + α + β + 1) · Π_{j=1…β} (n + j)/(n + α + j)
+//! ```text
+//! ‖P_n^(α,β)‖² = 2^(α+β+1)/(2n + α + β + 1) · Π_{j=1…β} (n + j)/(n + α + j)
+//! ```
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.5 and table 18.3.1.
 

@@ -2,12 +2,16 @@
 //!
 //! Values at single points come from the recurrence of differences anchored at the nearer end,
 //!
-//!   y = 1 − |x|,  R₀ = 1,  D₀ = 0,  D_{k+1} = (k D_k − (2k + 1) y R_k)/(k + 1),  R_{k+1} = R_k + D_{k+1},
+//! ```text
+//! y = 1 − |x|,  R₀ = 1,  D₀ = 0,  D_{k+1} = (k D_k − (2k + 1) y R_k)/(k + 1),  R_{k+1} = R_k + D_{k+1},
+//! ```
 //!
 //! where R_k = P_k(|x|). It is exact at the ends, where the three-term recurrence loses n² ulp; for n ≤ 32 the error
 //! is a few ε of the local size √(p_n² + p_{n−1}²). Tiles use the three-term recurrence
 //!
-//!   p_{k+1} = a_k x p_k − c_k p_{k−1},   a_k = √((2k + 1)(2k + 3))/(k + 1),   c_k = k/(k + 1) · √((2k + 3)/(2k − 1)),
+//! ```text
+//! p_{k+1} = a_k x p_k − c_k p_{k−1},   a_k = √((2k + 1)(2k + 3))/(k + 1),   c_k = k/(k + 1) · √((2k + 3)/(2k − 1)),
+//! ```
 //!
 //! or, where points lie near ±1, the differences in lanes.
 //!
@@ -97,13 +101,13 @@ impl<const N: usize> Table<N> {
     pub const RECURRENCE: Recurrence<N> = *Self::POLYNOMIALS.recurrence();
 }
 
-/// out[n][l] = p_n(x[l]); W = 8 or 16 lanes, x ∈ [−1, 1].
+/// `out[n][l]` = `p_n(x[l])`; W = 8 or 16 lanes, x ∈ [−1, 1].
 #[inline]
 pub fn tile<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
     const { &Table::<N>::RECURRENCE }.tile(x, out);
 }
 
-/// out[n][l] = p_n(x[l]) and slopes[n][l] = p_n′(x[l]).
+/// `out[n][l]` = `p_n(x[l])` and `slopes[n][l]` = `p_n′(x[l])`.
 #[inline]
 pub fn tile_with_derivatives<const N: usize, const W: usize>(
     x: &[f64; W],
@@ -113,13 +117,13 @@ pub fn tile_with_derivatives<const N: usize, const W: usize>(
     const { &Table::<N>::RECURRENCE }.tile_with_derivatives(x, out, slopes);
 }
 
-/// Σ f_n p_n(x[l]) at every lane, by Clenshaw's recurrence.
+/// Σ f_n `p_n(x[l])` at every lane, by Clenshaw's recurrence.
 #[inline]
 pub fn sum_tile<const N: usize, const W: usize>(f: &[f64; N], x: &[f64; W]) -> [f64; W] {
     const { &Table::<N>::RECURRENCE }.sum_tile(f, x)
 }
 
-/// out[n][l] = p_n(x[l]), anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact around them.
+/// `out[n][l]` = `p_n(x[l])`, anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact around them.
 #[inline]
 pub fn tile_anchored<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
     let (y, turn) = (x.map(|x| 1.0 - x.abs()), x.map(|x| 1.0f64.copysign(x)));

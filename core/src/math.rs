@@ -40,10 +40,10 @@ pub(crate) const fn horner<const N: usize>(q: f64, c: &[f64; N]) -> f64 {
     sum
 }
 
-/// (−1)ᵏ⁺¹/(2k+3)!: sin t = t + t³ Σ SINE[k] t²ᵏ.
+/// (−1)ᵏ⁺¹/(2k+3)!: sin t = t + t³ Σ `SINE[k]` t²ᵏ.
 const SINE: [f64; 8] = factorials::<8>(3, -1.0);
 
-/// (−1)ᵏ/(2k+4)!: cos t = 1 − t²/2 + t⁴ Σ COSINE[k] t²ᵏ.
+/// (−1)ᵏ/(2k+4)!: cos t = 1 − t²/2 + t⁴ Σ `COSINE[k]` t²ᵏ.
 const COSINE: [f64; 7] = factorials::<7>(4, 1.0);
 
 /// ±1/first!, ∓1/(first+2)!, …

@@ -1,6 +1,8 @@
 //! Three-term recurrences of orthonormal polynomials.
 //!
-//!   p₀ = first,   p_{k+1}(x) = (a_k x + b_k) p_k(x) − c_k p_{k−1}(x)
+//! ```text
+//! p₀ = first,   p_{k+1}(x) = (a_k x + b_k) p_k(x) − c_k p_{k−1}(x)
+//! ```
 //!
 //! Each polynomial system is a table of a, b, c. Evaluation in the direction of growing k is stable on [−1, 1]; the
 //! error grows like k² ulp towards the ends and like k ulp inside, and is that of the plain recurrence. Where points
@@ -9,7 +11,7 @@
 //!
 //! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2}, downwards, Σ = first · b₀.
 //!
-//! A tile is a block of W points treated side by side, W = 8 or 16: out[k][l] = p_k(x[l]). Its loops run over
+//! A tile is a block of W points treated side by side, W = 8 or 16: `out[k][l] = p_k(x[l])`. Its loops run over
 //! lanes innermost and vectorise on every target; a tile of 16 fills from the first-level cache, so consume it
 //! before making the next.
 //!
@@ -45,7 +47,7 @@ impl<const N: usize> Recurrence<N> {
         self.sum_tile(f, &[x])[0]
     }
 
-    /// out[k][l] = p_k(x[l]).
+    /// `out[k][l]` = `p_k(x[l])`.
     #[inline]
     pub fn tile<const W: usize>(&self, x: &[f64; W], out: &mut [[f64; W]; N]) {
         let (mut before, mut last) = ([0.0; W], [self.first; W]);
@@ -59,7 +61,7 @@ impl<const N: usize> Recurrence<N> {
         }
     }
 
-    /// out[k][l] = p_k(x[l]) and slopes[k][l] = p_k′(x[l]).
+    /// `out[k][l]` = `p_k(x[l])` and `slopes[k][l]` = `p_k′(x[l])`.
     #[inline]
     pub fn tile_with_derivatives<const W: usize>(
         &self,
@@ -82,7 +84,7 @@ impl<const N: usize> Recurrence<N> {
         }
     }
 
-    /// Σ f_k p_k(x[l]), k = 0 … N − 1, at every lane.
+    /// Σ f_k `p_k(x[l])`, k = 0 … N − 1, at every lane.
     #[inline]
     pub fn sum_tile<const W: usize>(&self, f: &[f64; N], x: &[f64; W]) -> [f64; W] {
         let (mut above, mut last) = ([0.0; W], [0.0; W]);

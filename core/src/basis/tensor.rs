@@ -1,6 +1,8 @@
 //! The square [−1, 1]², all products of degree ≤ N in each variable.
 //!
-//!   φ_k(s, t) = p_i(s) p_j(t),   i, j ≤ N,   k = i (N + 1) + j,   ∬ φ_k φ_l ds dt = δ_kl
+//! ```text
+//! φ_k(s, t) = p_i(s) p_j(t),   i, j ≤ N,   k = i (N + 1) + j,   ∬ φ_k φ_l ds dt = δ_kl
+//! ```
 
 use super::{LARGEST, Row};
 use crate::legendre;
@@ -49,7 +51,7 @@ pub fn gradients(order: usize, s: f64, t: f64, out: &mut [f64], by_s: &mut [f64]
     products(order, &p, &dq, by_t);
 }
 
-/// out[k][l] = φ_k(s[l], t[l]) for the order P − 1, W = 8 or 16 points side by side.
+/// `out[k][l]` = `φ_k(s[l], t[l])` for the order P − 1, W = 8 or 16 points side by side.
 ///
 /// # Panics
 /// If `out.len() != P²`.
@@ -71,7 +73,7 @@ fn check(order: usize, length: usize) {
     assert_eq!(length, count(order), "one entry per function of degree ≤ {order} in each variable");
 }
 
-/// out[k] = p_i q_j.
+/// `out[k]` = p_i q_j.
 fn products(order: usize, p: &Row, q: &Row, out: &mut [f64]) {
     for (k, value) in out.iter_mut().enumerate() {
         let (i, j) = degrees(order, k);

@@ -1,6 +1,8 @@
 //! The square [−1, 1]², all products of total degree ≤ N.
 //!
-//!   φ_k(s, t) = p_i(s) p_j(t),   i + j ≤ N,   p_n = √(n + ½) P_n,   ∬ φ_k φ_l ds dt = δ_kl
+//! ```text
+//! φ_k(s, t) = p_i(s) p_j(t),   i + j ≤ N,   p_n = √(n + ½) P_n,   ∬ φ_k φ_l ds dt = δ_kl
+//! ```
 //!
 //! Order: total degree d = i + j ascending, within d: j ascending, i = d − j. Hence k = d (d + 1)/2 + j, and the
 //! functions of a lower order are the first ones of a higher.
@@ -55,7 +57,7 @@ pub fn gradients(order: usize, s: f64, t: f64, out: &mut [f64], by_s: &mut [f64]
     products(order, &p, &dq, by_t);
 }
 
-/// out[k][l] = φ_k(s[l], t[l]) for the order P − 1, W = 8 or 16 points side by side.
+/// `out[k][l]` = `φ_k(s[l], t[l])` for the order P − 1, W = 8 or 16 points side by side.
 ///
 /// # Panics
 /// If `out.len() != count(P − 1)`.
@@ -80,7 +82,7 @@ fn check(order: usize, length: usize) {
     assert_eq!(length, count(order), "one entry per function of total degree ≤ {order}");
 }
 
-/// out[k] = p_i q_j.
+/// `out[k]` = p_i q_j.
 fn products(order: usize, p: &Row, q: &Row, out: &mut [f64]) {
     for degree in 0..=order {
         for j in 0..=degree {

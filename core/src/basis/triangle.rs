@@ -2,15 +2,21 @@
 //!
 //! With a = 2 (1 + s)/(1 − t) − 1, which maps the triangle to the square,
 //!
-//!   ψ_ij(s, t) = √((i + ½)(i + j + 1)) · Q_i(s, t) · P_j^(2i+1,0)(t),   Q_i = ((1 − t)/2)ⁱ P_i(a),   i + j ≤ N
+//! ```text
+//! ψ_ij(s, t) = √((i + ½)(i + j + 1)) · Q_i(s, t) · P_j^(2i+1,0)(t),   Q_i = ((1 − t)/2)ⁱ P_i(a),   i + j ≤ N
+//! ```
 //!
 //! is orthonormal: ∬ ψ_ij ψ_kl ds dt = δ. Q_i is a polynomial, and its recurrence has no singularity at the vertex t = 1:
 //!
-//!   (i + 1) Q_{i+1} = (2i + 1) z Q_i − i c² Q_{i−1},   z = (1 + 2s + t)/2,   c = (1 − t)/2
+//! ```text
+//! (i + 1) Q_{i+1} = (2i + 1) z Q_i − i c² Q_{i−1},   z = (1 + 2s + t)/2,   c = (1 − t)/2
+//! ```
 //!
 //! P_j^(α,0) with α = 2i + 1 and e = 2j + α:
 //!
-//!   2 (j + 1)(j + α + 1) e P_{j+1} = (e + 1)(α² + e (e + 2) t) P_j − 2 j (j + α)(e + 2) P_{j−1}
+//! ```text
+//! 2 (j + 1)(j + α + 1) e P_{j+1} = (e + 1)(α² + e (e + 2) t) P_j − 2 j (j + α)(e + 2) P_{j−1}
+//! ```
 //!
 //! Order: as in the square, k = d (d + 1)/2 + j with d = i + j ([`total::index`]).
 //!
@@ -57,7 +63,7 @@ pub fn gradients(order: usize, s: f64, t: f64, out: &mut [f64], by_s: &mut [f64]
     }
 }
 
-/// out[k][l] = ψ_k(s[l], t[l]), W = 8 or 16 points side by side.
+/// `out[k][l]` = `ψ_k(s[l], t[l])`, W = 8 or 16 points side by side.
 ///
 /// # Panics
 /// If `out.len() != total::count(order)`.

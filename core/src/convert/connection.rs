@@ -3,7 +3,7 @@
 use super::squared_norm;
 use crate::double::Double;
 
-/// The exact lower triangular matrix C of p_n^(α,β) = Σ_{k≤n} C[n][k] p_k, n < N, entries correctly rounded.
+/// The exact lower triangular matrix C of p_n^(α,β) = Σ_{k≤n} `C[n][k]` p_k, n < N, entries correctly rounded.
 ///
 /// ```
 /// use radiosity_core::convert::Connection;
@@ -29,7 +29,10 @@ impl<const N: usize> Connection<N> {
             let jacobi = squared_norm(a, b, n);
             let mut k = 0;
             while k <= n {
-                matrix[n][k] = row[k].mul(squared_norm(0, 0, k).div(jacobi).sqrt()).hi;
+                // Equal exponents keep the parity: the other entries are zero, which the steps only approach.
+                if a != b || (n - k).is_multiple_of(2) {
+                    matrix[n][k] = row[k].mul(squared_norm(0, 0, k).div(jacobi).sqrt()).hi;
+                }
                 k += 1;
             }
             n += 1;
@@ -37,12 +40,12 @@ impl<const N: usize> Connection<N> {
         Connection { matrix }
     }
 
-    /// C[n][k].
+    /// `C[n][k]`.
     pub const fn matrix(&self) -> &[[f64; N]; N] {
         &self.matrix
     }
 
-    /// Jacobi coefficients → Legendre coefficients of the same function: d_k = Σ_n C[n][k] c_n.
+    /// Jacobi coefficients → Legendre coefficients of the same function: d_k = Σ_n `C[n][k]` c_n.
     pub fn to_legendre(&self, jacobi: &[f64; N]) -> [f64; N] {
         let mut out = [0.0; N];
         for (row, c) in self.matrix.iter().zip(jacobi) {

@@ -6,7 +6,7 @@
 
 use crate::math::sqrt;
 
-/// D with p_n′ = Σ_k D[n][k] p_k: a function of coefficients f has the derivative of coefficients Dᵀ f.
+/// D with p_n′ = Σ_k `D[n][k]` p_k: a function of coefficients f has the derivative of coefficients Dᵀ f.
 pub const fn derivative<const N: usize>() -> [[f64; N]; N] {
     let mut matrix = [[0.0; N]; N];
     let mut n = 1;

@@ -8,7 +8,7 @@
 use crate::gauss::Rule;
 use crate::jacobi::Weight;
 
-/// M[m][n] = ∫₋₁¹ p_m p_n W dx for the first N polynomials.
+/// `M[m][n]` = ∫₋₁¹ p_m p_n W dx for the first N polynomials.
 pub fn mass<const N: usize>(weight: Weight) -> [[f64; N]; N] {
     let rule = Rule::<N>::jacobi(weight);
     let mut matrix = [[0.0; N]; N];

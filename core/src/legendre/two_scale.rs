@@ -26,7 +26,7 @@ pub enum Half {
     Right,
 }
 
-/// H with p_n(x(t)) = Σ_m H[n][m] p_m(t) on a half; lower triangular.
+/// H with p_n(x(t)) = Σ_m `H[n][m]` p_m(t) on a half; lower triangular.
 pub const fn two_scale<const N: usize>(half: Half) -> [[f64; N]; N] {
     let centre = match half {
         Half::Left => -1.0,
