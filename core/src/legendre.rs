@@ -34,7 +34,7 @@ const ENDS: [f64; 64] = {
     let mut ends = [0.0; 64];
     let mut n = 0;
     while n < ends.len() {
-        ends[n] = math::sqrt(n as f64 + 0.5);
+        ends[n] = math::const_sqrt(n as f64 + 0.5);
         n += 1;
     }
     ends
@@ -127,15 +127,17 @@ pub fn sum_tile<const N: usize, const W: usize>(f: &[f64; N], x: &[f64; W]) -> [
 #[inline]
 pub fn tile_anchored<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
     let (y, turn) = (x.map(|x| 1.0 - x.abs()), x.map(|x| 1.0f64.copysign(x)));
-    let (mut value, mut difference, mut sign) = ([1.0; W], [0.0; W], [1.0; W]);
+    let (mut value, mut difference) = ([1.0; W], [0.0; W]);
     for (k, row) in out.iter_mut().enumerate() {
         let Step { kappa, sigma, .. } = step(k);
         let end = end(k);
         for l in 0..W {
-            row[l] = sign[l] * (end * value[l]);
+            row[l] = end * value[l];
+            if k % 2 == 1 {
+                row[l] *= turn[l];
+            }
             difference[l] -= kappa * difference[l] + sigma * y[l] * value[l];
             value[l] += difference[l];
-            sign[l] *= turn[l];
         }
     }
 }

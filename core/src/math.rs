@@ -5,10 +5,10 @@
 
 use crate::double::Double;
 
-pub(crate) use libm::hypot;
+pub(crate) use libm::{hypot, sqrt};
 
-/// √v for v = 0 or positive and normal, within 0.51 ulp.
-pub(crate) const fn sqrt(v: f64) -> f64 {
+/// √v for v = 0 or positive and normal, within 0.51 ulp; a dozen times slower than [`sqrt`], and `const`.
+pub(crate) const fn const_sqrt(v: f64) -> f64 {
     Double::new(v).sqrt().hi
 }
 

@@ -15,7 +15,7 @@
 use super::RuleError;
 use super::error::points;
 use crate::jacobi::{Weight, integral, monic::Monic};
-use crate::math::hypot;
+use crate::math::{hypot, sqrt};
 
 /// QL steps allowed per eigenvalue; three are usual.
 const STEPS: usize = 60;
@@ -40,7 +40,7 @@ pub fn golub_welsch(
     let monic = Monic::new(weight);
     for k in 0..n {
         nodes[k] = monic.delta(k).hi;
-        scratch[k] = 0.5 * libm::sqrt(monic.four_gamma(k + 1).hi);
+        scratch[k] = 0.5 * sqrt(monic.four_gamma(k + 1).hi);
         weights[k] = 0.0;
     }
     scratch[n - 1] = 0.0;

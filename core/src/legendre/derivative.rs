@@ -4,7 +4,7 @@
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.20 summed over k.
 
-use crate::math::sqrt;
+use crate::math::const_sqrt;
 
 /// D with p_n′ = Σ_k `D[n][k]` p_k: a function of coefficients f has the derivative of coefficients Dᵀ f.
 pub const fn derivative<const N: usize>() -> [[f64; N]; N] {
@@ -13,7 +13,7 @@ pub const fn derivative<const N: usize>() -> [[f64; N]; N] {
     while n < N {
         let mut k = (n - 1) % 2;
         while k < n {
-            matrix[n][k] = sqrt(((2 * n + 1) * (2 * k + 1)) as f64);
+            matrix[n][k] = const_sqrt(((2 * n + 1) * (2 * k + 1)) as f64);
             k += 2;
         }
         n += 1;
