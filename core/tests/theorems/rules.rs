@@ -222,7 +222,7 @@ fn rules_integrate_monomials_up_to_twice_their_size_and_no_further() {
         let (x, w) = jacobi_rule(0.0, 2.0, n);
         let sum = |k: usize| x.iter().zip(&w).map(|(x, w)| w * x.powi(k as i32)).sum::<f64>();
         // ∫ xᵏ (1 + 2x + x²) dx.
-        let even = |k: usize| if k % 2 == 0 { 2.0 / (k + 1) as f64 } else { 0.0 };
+        let even = |k: usize| if k.is_multiple_of(2) { 2.0 / (k + 1) as f64 } else { 0.0 };
         let exact = |k: usize| even(k) + 2.0 * even(k + 1) + even(k + 2);
         for k in 0..2 * n {
             assert!((sum(k) - exact(k)).abs() < 1e-15, "n = {n}, x^{k}");
