@@ -2,8 +2,8 @@
 //!
 //!   J = tridiag(√γ_k, δ_k, √γ_{k+1}),   J v = x v   ⇒   xᵢ = eigenvalue,  wᵢ = μ₀ v₀² / ‖v‖²
 //!
-//! where δ_k, γ_k are the coefficients of the monic recurrence π_{k+1} = (x − δ_k) π_k − γ_k π_{k−1}. This is the route of the
-//! seed paper's equation (17), with the factor μ₀ it leaves out. The eigenvalues come from the implicit QL iteration
+//! where δ_k, γ_k are the coefficients of the monic recurrence π_{k+1} = (x − δ_k) π_k − γ_k π_{k−1}. This is the route of
+//! equation (17) in H. R. Zatz, "Galerkin radiosity" (1993), with the factor μ₀ it leaves out. The eigenvalues come from the implicit QL iteration
 //! with Wilkinson's shift; of the eigenvectors only the first components are carried along.
 //!
 //! It is the reference for any weight given by its recurrence alone. For Jacobi weights
