@@ -122,4 +122,27 @@ impl Double {
         let r = self.sub(b.mul(Double::new(q)));
         Double::renormalised(q, (r.hi + r.lo) / b.hi)
     }
+
+    /// √self, for a positive normal float hi.
+    #[inline(always)]
+    pub(crate) const fn sqrt(self) -> Double {
+        if self.hi == 0.0 {
+            return self;
+        }
+        let s = heron(self.hi, heron(self.hi, rough_sqrt(self.hi)));
+        let square = Double::product(s, s);
+        Double::renormalised(s, self.sub(square).hi / (2.0 * s))
+    }
+}
+
+/// √v for v = 0 or positive and normal, to 10⁻⁶: half the exponent and two steps of Heron.
+#[inline(always)]
+pub(crate) const fn rough_sqrt(v: f64) -> f64 {
+    heron(v, heron(v, f64::from_bits((v.to_bits() >> 1) + 0x1FF7_A3BE_0000_0000)))
+}
+
+/// One step of Heron from s towards √v.
+#[inline(always)]
+const fn heron(v: f64, s: f64) -> f64 {
+    0.5 * (s + v / s)
 }

@@ -1,8 +1,11 @@
 //! Jacobi polynomials: orthogonal on [−1, 1] for the weight (1 − x)^α (1 + x)^β, α, β > −1.
 
+mod anchored;
 mod integral;
 pub(crate) mod monic;
+mod polynomials;
 mod weight;
 
 pub(crate) use self::integral::integral;
+pub use self::polynomials::{Polynomials, orthonormal};
 pub use self::weight::{Weight, WeightError};

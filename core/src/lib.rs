@@ -10,14 +10,26 @@
 //! let integral: f64 = Legendre::<3>::NODES.iter().zip(Legendre::<3>::WEIGHTS).map(|(x, w)| w * x.powi(4)).sum();
 //! assert!((integral - 0.4).abs() < 1e-15);
 //! ```
+//!
+//! From below upwards: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and orthonormal polynomials),
+//! [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`] (squares and triangles),
+//! [`convert`] (Jacobi coefficients to Legendre).
 #![no_std]
 
 #[cfg(test)]
 extern crate std;
 
-pub mod basis;
 mod double;
-pub mod gauss;
-pub mod jacobi;
-pub mod legendre;
 mod math;
+
+pub mod recurrence;
+
+pub mod jacobi;
+
+pub mod gauss;
+
+pub mod legendre;
+
+pub mod basis;
+
+pub mod convert;

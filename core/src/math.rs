@@ -5,26 +5,11 @@
 
 use crate::double::Double;
 
-pub(crate) use libm::hypot;
+pub(crate) use libm::{hypot, sqrt};
 
-/// √v for a positive normal v, within 0.51 ulp; 0 for 0.
-pub(crate) const fn sqrt(v: f64) -> f64 {
-    if v == 0.0 {
-        return v;
-    }
-    let s = heron(v, heron(v, rough_sqrt(v)));
-    let square = Double::product(s, s);
-    s + 0.5 * ((v - square.hi) - square.lo) / s
-}
-
-/// √v for v ≥ 0, to 10⁻⁶: half the exponent and two steps of Heron.
-#[inline(always)]
-pub(crate) const fn rough_sqrt(v: f64) -> f64 {
-    heron(v, heron(v, f64::from_bits((v.to_bits() >> 1) + 0x1FF7_A3BE_0000_0000)))
-}
-
-const fn heron(v: f64, s: f64) -> f64 {
-    0.5 * (s + v / s)
+/// √v for v = 0 or positive and normal, within 0.51 ulp; a dozen times slower than [`sqrt`], and `const`.
+pub(crate) const fn const_sqrt(v: f64) -> f64 {
+    Double::new(v).sqrt().hi
 }
 
 /// The octant t ∈ [0, π/4] → (sin t, cos t), each within 1 ulp.
@@ -55,10 +40,10 @@ pub(crate) const fn horner<const N: usize>(q: f64, c: &[f64; N]) -> f64 {
     sum
 }
 
-/// (−1)ᵏ⁺¹/(2k+3)!: sin t = t + t³ Σ SINE[k] t²ᵏ.
+/// (−1)ᵏ⁺¹/(2k+3)!: sin t = t + t³ Σ `SINE[k]` t²ᵏ.
 const SINE: [f64; 8] = factorials::<8>(3, -1.0);
 
-/// (−1)ᵏ/(2k+4)!: cos t = 1 − t²/2 + t⁴ Σ COSINE[k] t²ᵏ.
+/// (−1)ᵏ/(2k+4)!: cos t = 1 − t²/2 + t⁴ Σ `COSINE[k]` t²ᵏ.
 const COSINE: [f64; 7] = factorials::<7>(4, 1.0);
 
 /// ±1/first!, ∓1/(first+2)!, …

@@ -162,11 +162,11 @@ const BEND: [f64; 11] = integrated(&SLOPE);
 const BEND_2: [f64; 9] = integrated(&SLOPE_2);
 const BEND_3: [f64; 7] = integrated(&SLOPE_3);
 
-/// ε_k = u Σ MCMAHON[j] u²ʲ, u = 1/(8π (k − ¼)).
+/// ε_k = u Σ `MCMAHON[j]` u²ʲ, u = 1/(8π (k − ¼)).
 const MCMAHON: [f64; 5] =
     [1.0, -124.0 / 3.0, 120_928.0 / 15.0, -401_743_168.0 / 105.0, 1_071_187_749_376.0 / 315.0];
 
-/// 2/(π α J₁²) = Σ HANKEL[j] t²ʲ, t = 1/(2α).
+/// 2/(π α J₁²) = Σ `HANKEL[j]` t²ʲ, t = 1/(2α).
 const HANKEL: [f64; 5] = [1.0, -0.5, 27.0 / 8.0, -3_375.0 / 48.0, 1_157_625.0 / 384.0];
 
 /// ε_k for k = 1 … 20.

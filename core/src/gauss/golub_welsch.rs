@@ -2,20 +2,19 @@
 //!
 //!   J = tridiag(√γ_k, δ_k, √γ_{k+1}),   J v = x v   ⇒   xᵢ = eigenvalue,  wᵢ = μ₀ v₀² / ‖v‖²
 //!
-//! where δ_k, γ_k are the coefficients of the monic recurrence π_{k+1} = (x − δ_k) π_k − γ_k π_{k−1}. This is the route of the
-//! seed paper's equation (17), with the factor μ₀ it leaves out. The eigenvalues come from the implicit QL iteration
-//! with Wilkinson's shift; of the eigenvectors only the first components are carried along.
+//! where δ_k, γ_k are the coefficients of the monic recurrence π_{k+1} = (x − δ_k) π_k − γ_k π_{k−1}. This is
+//! equation (17) in H. R. Zatz, "Galerkin radiosity" (1993), with the factor μ₀ it leaves out. The eigenvalues come
+//! from the implicit QL iteration with Wilkinson's shift; of the eigenvectors only the first components are carried.
 //!
-//! It is the reference for any weight given by its recurrence alone. For Jacobi weights
-//! [`jacobi`](super::jacobi()) is faster and far more accurate: here nodes are good to about 10⁻¹⁵ absolutely and the
-//! weights near the ends lose two to four digits, as in every implementation of this route.
+//! The classical route, kept for comparison: [`jacobi`](super::jacobi()) is faster and far more accurate. Here nodes are
+//! good to about 10⁻¹⁵ absolutely and the weights near the ends lose two to four digits.
 //!
 //! Reference: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", Math. Comp. 23 (1969).
 
 use super::RuleError;
 use super::error::points;
 use crate::jacobi::{Weight, integral, monic::Monic};
-use crate::math::hypot;
+use crate::math::{hypot, sqrt};
 
 /// QL steps allowed per eigenvalue; three are usual.
 const STEPS: usize = 60;
@@ -40,7 +39,7 @@ pub fn golub_welsch(
     let monic = Monic::new(weight);
     for k in 0..n {
         nodes[k] = monic.delta(k).hi;
-        scratch[k] = 0.5 * libm::sqrt(monic.four_gamma(k + 1).hi);
+        scratch[k] = 0.5 * sqrt(monic.four_gamma(k + 1).hi);
         weights[k] = 0.0;
     }
     scratch[n - 1] = 0.0;

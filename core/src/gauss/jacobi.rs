@@ -7,11 +7,11 @@
 //! `symmetric`). Cost O(n²), no scratch memory.
 
 use super::error::points;
-use super::polish::{LANES, Polish};
+use super::polish::{Doubles, LANES, Polish};
 use super::{RuleError, laguerre, symmetric};
 use crate::double::Double;
 use crate::jacobi::{Weight, integral, monic::Monic};
-use crate::math::sqrt;
+use crate::math::const_sqrt;
 
 /// Writes the n-point Gauss rule of the weight (1 − x)^α (1 + x)^β, n = `nodes.len()`, nodes ascending.
 ///
@@ -40,17 +40,17 @@ const fn uneven(weight: Weight, mu_0: Double, nodes: &mut [f64], weights: &mut [
     let polish = Polish::new(Monic::new(weight), n, mu_0);
     let mut i = 0;
     while i < n {
-        let mut x = [Double::ZERO; LANES];
+        let mut x = Doubles::ZERO;
         let mut l = 0;
         while l < LANES {
-            x[l] = Double::new(nodes[if i + l < n { i + l } else { n - 1 }]);
+            x.hi[l] = nodes[if i + l < n { i + l } else { n - 1 }];
             l += 1;
         }
         let refined = polish.refine(&x);
         let mut l = 0;
         while l < LANES && i + l < n {
             nodes[i + l] += refined.shift[l];
-            weights[i + l] = refined.weight[l].hi;
+            weights[i + l] = refined.weight.hi[l];
             l += 1;
         }
         i += LANES;
@@ -64,7 +64,7 @@ const fn even(alpha: f64, mu_0: Double, nodes: &mut [f64], weights: &mut [f64]) 
     laguerre::roots(symmetric::weight(alpha, n), right);
     let mut i = 0;
     while i < right.len() {
-        right[i] = sqrt(0.5 + 0.5 * right[i]);
+        right[i] = const_sqrt(0.5 + 0.5 * right[i]);
         i += 1;
     }
     symmetric::finish(alpha, mu_0, nodes, weights);

@@ -9,8 +9,8 @@
 //! equation (1 − t²) π″ = (d + (σ + 2) t) π′ − λπ, with d = α − β, σ = α + β, λ = n (n + σ + 1); at t = 1 and at a root
 //! just found the limits of s₁ and s₂ are known too, so that the first step of each search needs no recurrence.
 //! Two searches run side by side, one from each end; the left one sees the mirrored polynomial (t = −x, d → −d).
-//! A search stops once a step is below 10⁻³ of its distance to the root before: convergence is cubic, and the
-//! polish that follows is cubic again.
+//! A search stops once a step is below 10⁻³ of the distance to the root before (10⁻⁵ of that to the end): convergence
+//! is cubic, and the polish that follows is cubic again.
 //!
 //! Once the angles between roots are known well enough to extrapolate (module `trail`), Halley's step from there
 //! replaces the search. It is taken only if it stays within a tenth of the gap, so that it lands on the neighbour;
@@ -19,9 +19,9 @@
 //! Reference: A. S. Householder, The Numerical Treatment of a Single Nonlinear Equation (1970), §4.4.
 
 use super::trail::{Ends, Trail};
+use crate::double::rough_sqrt;
 use crate::jacobi::Weight;
 use crate::jacobi::monic::{CHUNK, Monic};
-use crate::math::rough_sqrt;
 
 /// The sign that mirrors the left end.
 const SIGN: Ends = [1.0, -1.0];
@@ -97,6 +97,8 @@ impl Search {
         let m = (self.n - 2 * found) as f64;
         let (mut s_1, mut s_2) = if found == 0 { self.at_ends() } else { self.at_roots(trail.t) };
         let mut t = trail.t;
+        // The first root lies farther from the end than from the second when the exponent is large.
+        let near = if found == 0 { 1e-5 } else { 1e-3 };
         let mut moving = [true; 2];
         // The root at t itself is left out of the first sums: its limit is in s₁ and s₂ already.
         let mut skip = 1;
@@ -109,7 +111,7 @@ impl Search {
                     let root = rough_sqrt(if inner > 0.0 { inner } else { 0.0 });
                     let step = m / (s_1[e] + root.copysign(s_1[e]));
                     t[e] -= step;
-                    moving[e] = step.abs() > 1e-3 * (trail.t[e] - t[e]);
+                    moving[e] = step.abs() > near * (trail.t[e] - t[e]);
                 }
                 e += 1;
             }

@@ -2,9 +2,9 @@
 //!
 //!   ∫₋₁¹ f(x) dx = Σ wᵢ f(xᵢ),   P_n(xᵢ) = 0,   wᵢ = 2 / ((1 − xᵢ²) P_n′(xᵢ)²)
 //!
-//! Route: Tricomi's approximation x ≈ (1 − 1/(8n²) + 1/(8n³)) sin(π (n − 1 − 2i)/(2n + 1)), which is
-//! right to O(n⁻⁴); two Halley steps in plain floats, eight nodes side by side; one compensated step
-//! (module `polish`). Cost O(n²).
+//! Route: Tricomi's approximation x ≈ (1 − 1/(8n²) + 1/(8n³)) sin(π (n − 1 − 2i)/(2n + 1)), which is right to O(n⁻⁴);
+//! one Halley step in plain floats, eight nodes side by side; one step with heads and tails (module `polish`), both
+//! at half the degree (module `symmetric`). Cost O(n²).
 //!
 //! Reference: F. G. Tricomi, "Sugli zeri dei polinomi sferici ed ultrasferici", Ann. Mat. Pura Appl. 31 (1950).
 

@@ -39,11 +39,31 @@ pub(super) struct Polish {
     mu_0: Double,
 }
 
+/// One double-double number per lane, in a layout that vectorises.
+pub(super) struct Doubles {
+    pub(super) hi: Lane,
+    pub(super) lo: Lane,
+}
+
 /// Where the roots are, seen from the points given, and the weights of the rule there.
 pub(super) struct Refined {
     /// r − x.
     pub(super) shift: Lane,
-    pub(super) weight: [Double; LANES],
+    pub(super) weight: Doubles,
+}
+
+impl Doubles {
+    pub(super) const ZERO: Doubles = Doubles { hi: [0.0; LANES], lo: [0.0; LANES] };
+
+    #[inline(always)]
+    pub(super) const fn get(&self, l: usize) -> Double {
+        Double { hi: self.hi[l], lo: self.lo[l] }
+    }
+
+    #[inline(always)]
+    pub(super) const fn set(&mut self, l: usize, v: Double) {
+        (self.hi[l], self.lo[l]) = (v.hi, v.lo);
+    }
 }
 
 /// One number per lane: head (26 bits) + tail.
@@ -82,15 +102,17 @@ impl Polish {
 
     /// Numbers near roots → where the roots are and what they weigh.
     #[inline]
-    pub(super) const fn refine(&self, x: &[Double; LANES]) -> Refined {
+    pub(super) const fn refine(&self, x: &Doubles) -> Refined {
         let at = self.evaluate(x);
         let node = Node::new(self, &at);
-        let mut refined = Refined { shift: [0.0; LANES], weight: [Double::ZERO; LANES] };
+        let mut refined = Refined { shift: [0.0; LANES], weight: Doubles::ZERO };
         let mut l = 0;
         while l < LANES {
             let last = at.last.head[l] + at.last.tail[l];
             let before = Double::sum(at.before.head[l], at.before.tail[l]);
-            (refined.shift[l], refined.weight[l]) = node.finish(x[l], last, before);
+            let (shift, weight) = node.finish(x.get(l), last, before);
+            refined.shift[l] = shift;
+            refined.weight.set(l, weight);
             l += 1;
         }
         refined
@@ -98,11 +120,11 @@ impl Polish {
 
     /// The recurrence from π̂₀ to π̂_n.
     #[inline]
-    const fn evaluate(&self, x: &[Double; LANES]) -> Evaluated {
+    const fn evaluate(&self, x: &Doubles) -> Evaluated {
         let mut twice = Row::constant(0.0);
         let mut l = 0;
         while l < LANES {
-            (twice.head[l], twice.tail[l]) = on_grid(x[l].scale(2.0));
+            (twice.head[l], twice.tail[l]) = on_grid(x.get(l).scale(2.0));
             l += 1;
         }
         let (mut last, mut before) = (Row::constant(1.0), Row::constant(0.0));

@@ -14,7 +14,7 @@
 //!
 //! Reference: G. Szegő, Orthogonal Polynomials, §4.1.
 
-use super::polish::{LANES, Lane, Polish};
+use super::polish::{Doubles, LANES, Lane, Polish};
 use crate::double::Double;
 use crate::jacobi::{Weight, monic::Monic};
 
@@ -58,20 +58,23 @@ const fn share(alpha: f64, n: usize, mu_0: Double) -> Double {
 
 /// Floats near positive roots → the rounded roots and their weights.
 const fn refine(polish: &Polish, odd: bool, x: &Lane) -> (Lane, Lane) {
-    let mut z = [Double::ZERO; LANES];
+    let mut z = Doubles::ZERO;
     let mut l = 0;
     while l < LANES {
-        z[l] = Double::product(2.0 * x[l], x[l]).sub(Double::ONE);
+        z.set(l, Double::product(2.0 * x[l], x[l]).sub(Double::ONE));
         l += 1;
     }
     let refined = polish.refine(&z);
-    let (mut nodes, mut weights) = ([0.0; LANES], [0.0; LANES]);
+    let (mut nodes, mut weights) = ([0.0; LANES], refined.weight.hi);
     let mut l = 0;
     while l < LANES {
-        let shift = refined.shift[l];
-        nodes[l] = x[l] + root_shift(x[l], shift);
-        let square = Double::product(x[l], x[l]).add(Double::new(0.5 * shift));
-        weights[l] = if odd { refined.weight[l].div(square).hi } else { refined.weight[l].hi };
+        nodes[l] = x[l] + root_shift(x[l], refined.shift[l]);
+        l += 1;
+    }
+    let mut l = 0;
+    while odd && l < LANES {
+        let square = Double::product(x[l], x[l]).add(Double::new(0.5 * refined.shift[l]));
+        weights[l] = refined.weight.get(l).div(square).hi;
         l += 1;
     }
     (nodes, weights)

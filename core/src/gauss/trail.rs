@@ -6,7 +6,7 @@
 //!
 //! Only angles below [`WIDEST`] are extrapolated, by the first terms of the series of sin, cos and arcsin.
 
-use crate::math::sqrt;
+use crate::math::const_sqrt;
 
 /// One number per end of the interval: right, left (mirrored).
 pub(super) type Ends = [f64; 2];
@@ -34,7 +34,7 @@ impl Trail {
     pub(super) const fn push(&mut self, t: Ends) {
         let mut e = 0;
         while e < 2 {
-            let sine = sqrt((1.0 - t[e]) * (1.0 + t[e]));
+            let sine = const_sqrt((1.0 - t[e]) * (1.0 + t[e]));
             self.gap_before[e] = self.gap[e];
             self.gap[e] = arcsine(sine * self.t[e] - t[e] * self.sine[e]);
             self.sine[e] = sine;
