@@ -59,7 +59,7 @@ impl Solver for Cg {
             products: 0.0,
         };
         // The residual of a conjugate gradient may rise for long before it falls.
-        let patience = problem.dim() + 100;
+        let patience = 5 * problem.dim() + 100;
         let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut descent, x, settings, observer)
     }

@@ -89,7 +89,7 @@ impl Direct {
         if cancelled(settings) {
             return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
         }
-        let factors = (self.factor)(matrix(a)?, dim, settings)?;
+        let factors = (self.factor)(matrix(a), dim, settings).map_err(|error| blame(a, error))?;
         let condition = settings.condition.then(|| condition(a, &*factors));
         Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
     }
@@ -101,32 +101,28 @@ fn cancelled(settings: &Settings<'_>) -> bool {
 }
 
 /// All entries of `a`, column by column.
-fn matrix(a: &dyn Operator) -> Result<Vec<f64>, SolveError> {
+fn matrix(a: &dyn Operator) -> Vec<f64> {
     let partition = a.partition();
     let dim = partition.dim();
     let mut values = vec![0.0; dim * dim];
     for block in 0..partition.len() {
         let range = partition.range(block);
-        let values = &mut values[range.start * dim..range.end * dim];
-        a.entries(block, values);
-        finite(values)?;
+        a.entries(block, &mut values[range.start * dim..range.end * dim]);
     }
-    Ok(values)
+    values
+}
+
+/// `error`, unless the matrix is not even finite. Asked only after a failure: a residual that passes proves as much.
+fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
+    finite(&matrix(a)).err().unwrap_or(error)
 }
 
 /// Estimate of ‖A‖₁ ‖A⁻¹‖₁ from below.
 fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
-    let partition = a.partition();
-    let dim = partition.dim();
-    let mut largest: f64 = 0.0;
-    for block in 0..partition.len() {
-        let mut values = vec![0.0; dim * partition.size(block)];
-        a.entries(block, &mut values);
-        for column in values.chunks_exact(dim) {
-            largest = largest.max(column.iter().map(|entry| entry.abs()).sum());
-        }
-    }
-    largest * inverse_norm(factors, dim)
+    let dim = a.partition().dim();
+    let size = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
+    let one_norm = matrix(a).chunks_exact(dim.max(1)).map(size).fold(0.0, f64::max);
+    one_norm * inverse_norm(factors, dim)
 }
 
 /// A factored matrix that solves and then looks at what is left.
@@ -150,7 +146,7 @@ impl Factored<'_> {
         let mut first = problem.b.to_vec();
         self.factors.solve(&mut first);
         if !all_finite(&first) || norm(&first) > EXPLODED {
-            return Err(SolveError::Singular { what: "the matrix".into() });
+            return Err(blame(self.a, SolveError::Singular { what: "the matrix".into() }));
         }
         x.copy_from_slice(&first);
         let mut r = first;

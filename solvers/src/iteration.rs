@@ -114,6 +114,7 @@ pub(crate) fn iterate(
     };
     if problem.norm == 0.0 {
         x.fill(0.0);
+        run.history.push(0.0);
         return Ok(run.report(iteration, 0.0));
     }
     match run.reach_tolerance(iteration, x) {

@@ -1,6 +1,7 @@
 //! What must hold for every method on every system.
 
 mod agreement;
+mod choice;
 mod exact;
 mod refusals;
 mod settings;

@@ -116,13 +116,13 @@ fn run(seed: u64, count: usize, largest: usize, methods: &[Method]) {
     }
     for (method, solved) in methods.iter().zip(&solved) {
         println!("{:>12}: solved {solved} of {}", method.name, count * KINDS);
-        assert!(*solved > 0, "{} solved nothing at all", method.name);
+        assert!(*solved > 0 || count < 30, "{} solved nothing at all", method.name);
     }
 }
 
 #[test]
 fn small_systems_by_the_thousand() {
-    run(37, 300, 60, Method::ALL);
+    run(37, 600, 60, Method::ALL);
 }
 
 #[test]
