@@ -9,8 +9,9 @@ use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::{factor, solve};
 use faer::{MatMut, MatRef, Par};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::{SolveError, Stop};
+use crate::factors::Factors;
 use crate::lu::{Lu, parallelism};
 use crate::operator::Operator;
 use crate::settings::Settings;

@@ -5,7 +5,7 @@
 //! the vector x_i = (−1)ⁱ (1 + i/(n−1)) gives 2 ‖A⁻¹x‖₁ / 3n, which catches what cancellation hides. The result is a
 //! lower bound, seldom wrong by more than 3. Reference: N. J. Higham, *ACM TOMS* 14 (1988) 381-396.
 
-use crate::direct::Factors;
+use crate::factors::Factors;
 use crate::vector::dot;
 
 /// Steps of the ascent; it mostly ends after two.

@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use crate::condition::inverse_norm;
 use crate::error::{SolveError, Stop};
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::problem::{Problem, finite};
 use crate::settings::Settings;
@@ -24,15 +25,6 @@ const REFINEMENTS: usize = 10;
 
 /// ‖x‖₂ beyond which a solution means a vanished pivot.
 const EXPLODED: f64 = 1e150;
-
-/// A matrix in factors.
-pub(crate) trait Factors {
-    /// x := A⁻¹ x.
-    fn solve(&self, x: &mut [f64]);
-
-    /// x := A⁻ᵀ x.
-    fn solve_transposed(&self, x: &mut [f64]);
-}
 
 /// Factors a matrix of the given dimension held column by column.
 pub(crate) type Factorise = fn(Vec<f64>, usize, &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;

@@ -9,8 +9,9 @@ use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{MatMut, MatRef, Par};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::SolveError;
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};

@@ -5,8 +5,9 @@
 
 use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::SolveError;
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};

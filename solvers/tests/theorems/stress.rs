@@ -100,13 +100,13 @@ fn keeps_its_word(method: &Method, a: &Dense, b: &[f64], settings: &Settings<'_>
 /// Longest that one solve may take; some large ones do work of order dim³ on a machine with other things to do.
 const HANG: Duration = Duration::from_secs(300);
 
-/// `count` systems of every kind, of dimension 1 to `largest` with small ones more often.
+/// `count` systems of every kind, of dimension 1 to `largest`, the small ones more often.
 #[expect(clippy::print_stdout, reason = "how many were solved is the outcome of the measurement")]
 fn run(seed: u64, count: usize, largest: usize, methods: &[Method]) {
     let random = &mut Random(seed);
     let mut solved = vec![0; methods.len()];
     for case in 0..count * KINDS {
-        let dim = 1 + (random.unit().powi(3) * largest as f64) as usize;
+        let dim = if case == 0 { largest } else { 1 + (random.unit().powi(3) * largest as f64) as usize };
         let a = hard(random, case % KINDS, dim);
         let b = random.vector(dim);
         let settings = settings(random);
