@@ -87,7 +87,7 @@ fn tables() {
     println!("shortest time of ours and of the library called directly, one thread, taking turns");
     for dim in SIZES {
         let (a, b) = system(dim);
-        let rounds = 20_000 / dim;
+        let rounds = 40_000 / dim;
         let lu = duel(rounds, || drop(solve("lu", &a, &b, 1)), || faer_lu(&a, &b));
         let cholesky = duel(rounds, || drop(solve("cholesky", &a, &b, 1)), || faer_cholesky(&a, &b));
         for (name, (ours, theirs)) in [("lu", lu), ("cholesky", cholesky)] {

@@ -21,7 +21,7 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "cholesky";
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 6.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 6.0, lower: true, factor };
 
 /// Cholesky with refinement, LU where that fails; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

@@ -133,10 +133,8 @@ impl Operator for Dense {
         self.symmetric
     }
 
-    fn entries(&self, column: usize, out: &mut [f64]) {
-        let range = self.partition.range(column);
-        let dim = self.partition.dim();
-        out.copy_from_slice(&self.values[range.start * dim..range.end * dim]);
+    fn dense(&self) -> Option<&[f64]> {
+        Some(&self.values)
     }
 }
 

@@ -34,6 +34,8 @@ pub(crate) struct Direct {
     pub(crate) method: &'static str,
     /// Entries multiplied by the factorisation, divided by dim³.
     pub(crate) cost: f64,
+    /// Whether `factor` reads the lower triangle only.
+    pub(crate) lower: bool,
     pub(crate) factor: Factorise,
 }
 
@@ -81,7 +83,8 @@ impl Direct {
         if cancelled(settings) {
             return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
         }
-        let factors = (self.factor)(matrix(a), dim, settings).map_err(|error| blame(a, error))?;
+        let matrix = if self.lower { lower_triangle(a) } else { matrix(a) };
+        let factors = (self.factor)(matrix, dim, settings).map_err(|error| blame(a, error))?;
         let condition = settings.condition.then(|| condition(a, &*factors));
         Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
     }
@@ -94,12 +97,28 @@ fn cancelled(settings: &Settings<'_>) -> bool {
 
 /// All entries of `a`, column by column.
 fn matrix(a: &dyn Operator) -> Vec<f64> {
+    if let Some(held) = a.dense() {
+        return held.to_vec();
+    }
     let partition = a.partition();
     let dim = partition.dim();
     let mut values = vec![0.0; dim * dim];
     for block in 0..partition.len() {
         let range = partition.range(block);
         a.entries(block, &mut values[range.start * dim..range.end * dim]);
+    }
+    values
+}
+
+/// The entries of `a` on and below the diagonal, column by column; those above are anything.
+fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
+    let Some(held) = a.dense() else { return matrix(a) };
+    let dim = a.partition().dim();
+    // Pages of zeros cost nothing until they are written.
+    let mut values = vec![0.0; dim * dim];
+    for j in 0..dim {
+        let below = j * dim + j..(j + 1) * dim;
+        values[below.clone()].copy_from_slice(&held[below]);
     }
     values
 }

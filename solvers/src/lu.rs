@@ -23,7 +23,7 @@ pub(crate) const NAME: &str = "lu";
 const THREADED: usize = 2000;
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
 
 /// LU with partial pivoting and refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

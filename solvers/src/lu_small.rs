@@ -16,7 +16,7 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "lu-small";
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
 
 /// Unblocked LU with refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

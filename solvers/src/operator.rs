@@ -45,6 +45,12 @@ pub trait Operator: Sync {
         false
     }
 
+    /// All entries, column by column, (i, j) at `[j·dim + i]`, of an operator that holds them so: direct methods then
+    /// copy what they need in one go.
+    fn dense(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Y = A X for several vectors at once; both of length `k·dim`.
     fn apply_many(&self, x: &[f64], y: &mut [f64]) {
         let dim = self.partition().dim().max(1);
