@@ -47,7 +47,7 @@ impl Dense {
             return Err(SolveError::NonFinite { what: "the matrix" });
         }
         if symmetric && !is_symmetric(&values, dim) {
-            return Err(SolveError::NotSymmetric { method: "a matrix declared symmetric" });
+            return Err(SolveError::NotSymmetric { method: "the symmetric form of Dense" });
         }
         Ok(Self { partition, values, symmetric, threads: 1 })
     }

@@ -64,6 +64,7 @@ impl Direct {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Vec<Report>, SolveError> {
         check_columns(a.partition().dim(), b, x)?;
+        settings.check(a.partition().dim())?;
         let mut factored = self.factored(a, settings, observer)?;
         column_by_column(a, b, x, |b, x| {
             let problem = Problem::new(a, b, x, settings)?;
@@ -82,6 +83,10 @@ impl Direct {
         let started = Instant::now();
         if cancelled(settings) {
             return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
+        }
+        if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
+            let (expected, found) = (dim * dim, held.len());
+            return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
         }
         let matrix = if self.lower { lower_triangle(a) } else { matrix(a) };
         let factors = (self.factor)(matrix, dim, settings).map_err(|error| blame(a, error))?;
@@ -203,10 +208,11 @@ impl Factored<'_> {
             self.factors.solve(r);
             next.copy_from_slice(x);
             add_scaled(1.0, r, &mut next);
-            let refined = problem.residual(&next, r)?;
-            if refined >= residual {
-                break;
-            }
+            let refined = match problem.residual(&next, r) {
+                Ok(refined) if refined < residual => refined,
+                // A correction without meaning: x stays as it is.
+                _ => break,
+            };
             x.copy_from_slice(&next);
             history.push(refined);
             self.observe(history, x);

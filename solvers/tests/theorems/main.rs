@@ -3,6 +3,7 @@
 mod agreement;
 mod choice;
 mod exact;
+mod operators;
 mod refusals;
 mod settings;
 mod shooting;

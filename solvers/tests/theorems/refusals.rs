@@ -27,6 +27,8 @@ enum Lie {
     Nan,
     /// Leaves the last entry of what it should write as it was.
     Short,
+    /// Says it holds all entries, and holds fewer.
+    Size,
     /// Products are those of another matrix than the columns.
     Inconsistent,
 }
@@ -42,7 +44,7 @@ impl Liar {
         match self.lie {
             Lie::Nan => *last = f64::NAN,
             Lie::Short => *last = before,
-            Lie::Symmetry | Lie::Inconsistent => {}
+            Lie::Symmetry | Lie::Size | Lie::Inconsistent => {}
         }
     }
 }
@@ -78,6 +80,10 @@ impl Operator for Liar {
         let before = out[out.len() - 1];
         self.truth.diagonal(block, out);
         self.spoil(out, before);
+    }
+
+    fn dense(&self) -> Option<&[f64]> {
+        (self.lie == Lie::Size).then(|| &self.truth.values()[1..])
     }
 
     fn symmetric(&self) -> bool {
@@ -146,6 +152,10 @@ fn a_lying_operator_is_refused() {
             let solved = solve(method.name, &liar(lie), &b, &Settings::default());
             assert!(matches!(solved, Err(SolveError::NonFinite { .. })), "{}: {solved:?}", method.name);
         }
+    }
+    for method in Method::ALL.iter().filter(|method| method.storage == "n²") {
+        let solved = solve(method.name, &liar(Lie::Size), &b, &Settings::default());
+        assert!(matches!(solved, Err(SolveError::DimensionMismatch { expected: 100, found: 99, .. })));
     }
     let claims = solve("cg", &liar(Lie::Symmetry), &b, &Settings::default());
     assert_eq!(claims, Err(SolveError::NotSymmetric { method: "cg" }));
