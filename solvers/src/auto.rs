@@ -1,9 +1,10 @@
 //! The method that fits the matrix, its size, and what is asked.
 //!
-//! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a few products
-//! with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a factorisation takes
-//! the time of 30 or more; where they have not finished in about that time, a direct method takes over. A tolerance near
-//! the rounding floor asks for a direct method at any size. Symmetric matrices are tried as positive definite first.
+//! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a
+//! few products with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a
+//! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
+//! method takes over. A tolerance near the rounding floor asks for a direct method at any size. Symmetric
+//! matrices are tried as positive definite first.
 
 use std::time::Instant;
 

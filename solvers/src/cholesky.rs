@@ -1,9 +1,10 @@
 //! Cholesky factorisation, blocked and threaded.
 //!
-//! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual is recomputed
-//! with all of A and refined; where that does not reach the tolerance (a matrix that is not as symmetric as it
-//! claims, or factors gone wrong) LU takes over. Exists exactly for symmetric positive definite A. Reference: N. J. Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 10.
+//! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual
+//! is recomputed with all of A and refined; where that does not reach the tolerance (a matrix that is not as
+//! symmetric as it claims, or factors gone wrong) LU takes over. Exists exactly for symmetric positive
+//! definite A. Reference: N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
+//! ch. 10.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::{factor, solve};

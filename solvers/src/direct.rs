@@ -1,9 +1,12 @@
 //! Direct methods: factor once, then distrust.
 //!
-//! After each solve r = b − A x is recomputed through the operator, not through the factors, and
-//! x ← x + A⁻¹ r is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable factorisation
-//! it converges while ε κ(A) < 1).
+//! After each solve the residual is recomputed through the operator, not through the factors, and
+//!
+//!   r = b − A x,   x ← x + A⁻¹ r
+//!
+//! is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable
+//! factorisation it converges while ε κ(A) < 1).
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -128,7 +131,8 @@ fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
     values
 }
 
-/// `error`, unless the matrix is not even finite. Asked only after a failure: a residual that passes proves as much.
+/// `error`, unless the matrix is not even finite. Asked only after a failure: a residual that passes proves
+/// as much.
 fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
     finite(&matrix(a)).err().unwrap_or(error)
 }

@@ -1,10 +1,11 @@
 //! Interchangeable solvers for dense block systems A x = b, each with an honest residual.
 //!
-//! A matrix is an [`Operator`]: blocks of unknowns, a product, block rows (*gather*) and block columns (*shoot*).
-//! [`Dense`] holds one entry by entry; a caller's own type may compute its columns when they are first shot.
-//! A [`Method`](method::Method) is found by name and keeps one contract, [`Solver`]: Ok means that ‖b − A x‖₂ / ‖b‖₂,
-//! recomputed from A, b and x, is at most the tolerance; otherwise [`SolveError`] says why, names the cure, and
-//! the best x there was is left to the caller. Results do not depend on the number of threads, bit for bit.
+//! A matrix is an [`Operator`]: blocks of unknowns, a product, block rows (*gather*) and block columns
+//! (*shoot*). [`Dense`] holds one entry by entry; a caller's own type may compute its columns when they are
+//! first shot. A [`Method`](method::Method) is found by name and keeps one contract, [`Solver`]: Ok means
+//! that ‖b − A x‖₂ / ‖b‖₂, recomputed from A, b and x, is at most the tolerance; otherwise [`SolveError`]
+//! says why, names the cure, and the best x there was is left to the caller. Results do not depend on the
+//! number of threads, bit for bit.
 //!
 //! ```
 //! use radiosity_solvers::{Operator, Partition, Settings, method::Method};

@@ -1,8 +1,8 @@
 //! LU factorisation with partial pivoting, blocked and threaded.
 //!
-//! P A = L U in n³/3 multiplications, then two triangles per right-hand side; the residual of the solution is recomputed
-//! and refined. Backward stable in practice for every nonsingular matrix. Reference: G. Golub, C. Van
-//! Loan, *Matrix Computations*, 4th ed., Johns Hopkins 2013, §3.4.
+//! P A = L U in n³/3 multiplications, then two triangles per right-hand side; the residual of the solution is
+//! recomputed and refined. Backward stable in practice for every nonsingular matrix. Reference: G. Golub, C.
+//! Van Loan, *Matrix Computations*, 4th ed., Johns Hopkins 2013, §3.4.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};

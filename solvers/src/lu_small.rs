@@ -1,7 +1,7 @@
 //! LU factorisation with partial pivoting, plain and single-threaded.
 //!
-//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds without the
-//! `faer` feature. Unblocked, so bound by memory: for at most some 1000 unknowns.
+//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds
+//! without the `faer` feature. Unblocked, so bound by memory: for at most some 1000 unknowns.
 
 use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 

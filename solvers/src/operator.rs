@@ -6,8 +6,8 @@ use crate::partition::Partition;
 ///
 /// Every vector is a plain slice; a whole one has `partition().dim()` entries, a block one
 /// `partition().size(block)`. Several right-hand sides lie one after the other: entry `i` of column `c` is
-/// `x[c·dim + i]`. An implementation must write every entry it is asked for: what it leaves untouched
-/// is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
+/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: what it
+/// leaves untouched is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
 pub trait Operator: Sync {
     /// The blocks of rows, which are those of the columns too.
     fn partition(&self) -> &Partition;
@@ -15,9 +15,9 @@ pub trait Operator: Sync {
     /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block.
     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]);
 
-    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the
-    /// matrix, beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute
-    /// the column when it is first shot.
+    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the matrix,
+    /// beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute the
+    /// column when it is first shot.
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]);
 
     /// y = A x; provided by shooting every column.
@@ -45,8 +45,8 @@ pub trait Operator: Sync {
         false
     }
 
-    /// All entries, column by column, (i, j) at `[j·dim + i]`, of an operator that holds them so: direct methods then
-    /// copy what they need in one go.
+    /// All entries, column by column, (i, j) at `[j·dim + i]`, of an operator that holds them so: direct
+    /// methods then copy what they need in one go.
     fn dense(&self) -> Option<&[f64]> {
         None
     }
@@ -59,8 +59,8 @@ pub trait Operator: Sync {
         }
     }
 
-    /// The entries of block column `column`, for direct methods: (i, l) at `out[l·dim + i]`; provided by shooting
-    /// unit vectors.
+    /// The entries of block column `column`, for direct methods: (i, l) at `out[l·dim + i]`; provided by
+    /// shooting unit vectors.
     fn entries(&self, column: usize, out: &mut [f64]) {
         let mut unit = vec![0.0; self.partition().size(column)];
         out.fill(0.0);

@@ -28,7 +28,8 @@ fn large_systems_are_iterated_unless_rounding_decides() {
 
 #[test]
 fn what_defeats_iterations_is_eliminated() {
-    // Eigenvalues of both signs, spread evenly: conjugate gradients are not for it, nor few steps of anything.
+    // Eigenvalues of both signs, spread evenly: conjugate gradients are not for it, nor few steps of
+    // anything.
     let spread = |i: usize| i as f64 - 0.4 * LARGE as f64;
     let symmetric = matrix(Partition::new(&[LARGE]), true, |i, j| if i == j { spread(i) } else { 1.0 });
     assert!(auto(&symmetric, &Settings::default()).method.starts_with("lu"));

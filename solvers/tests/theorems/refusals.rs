@@ -166,7 +166,8 @@ fn a_lying_operator_is_refused() {
 #[cfg(feature = "faer")]
 #[test]
 fn cholesky_falls_back_to_lu_when_symmetry_was_a_lie() {
-    // The lower triangle is that of a positive definite matrix so unlike the true one that refinement diverges.
+    // The lower triangle is that of a positive definite matrix so unlike the true one that refinement
+    // diverges.
     let a = Liar { truth: dense(2, &[1.0, 0.9, -0.9, 1.0], false), lie: Lie::Symmetry };
     let report = solve("cholesky", &a, &[1.0, 2.0], &Settings::default()).unwrap();
     assert_eq!(report.method, "lu");

@@ -1,7 +1,8 @@
 //! Hard systems: a method returns a residual that is true, or an error; never NaN, never without end.
 //!
-//! The large ones run with
-//! `cargo test --release -p radiosity-solvers --test theorems -- --ignored --nocapture`.
+//! The large ones, up to 4000 unknowns, run with
+//!
+//!   cargo test --release -p radiosity-solvers --test theorems -- --ignored --nocapture
 
 use std::time::{Duration, Instant};
 
@@ -97,7 +98,8 @@ fn keeps_its_word(method: &Method, a: &Dense, b: &[f64], settings: &Settings<'_>
     solved.is_ok()
 }
 
-/// Longest that one solve may take; some large ones do work of order dim³ on a machine with other things to do.
+/// Longest that one solve may take; some large ones do work of order dim³ on a machine with other things to
+/// do.
 const HANG: Duration = Duration::from_secs(300);
 
 /// `count` systems of every kind, of dimension 1 to `largest`, the small ones more often.
