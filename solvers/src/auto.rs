@@ -1,8 +1,10 @@
 //! The method that fits the matrix, its size, and what is asked.
 //!
-//! A direct method while its n³/6 (Cholesky) or n³/3 (LU) multiplications, fast ones in cache, cost less than the
-//! products of an iteration, slow ones from memory, for all right-hand sides together; beyond that cg or gmres, and a
-//! direct method again where they fail. Symmetric matrices are tried as positive definite first.
+//! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a
+//! few products with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a
+//! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
+//! method takes over. A tolerance near the rounding floor asks for a direct method at any size. Symmetric
+//! matrices are tried as positive definite first.
 
 use std::time::Instant;
 
@@ -23,7 +25,7 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "auto";
 
 /// Unknowns per right-hand side up to which a direct method comes first.
-const DIRECT: usize = if cfg!(feature = "faer") { 2000 } else { 500 };
+const DIRECT: usize = if cfg!(feature = "faer") { 500 } else { 200 };
 
 /// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB.
 const HUGE: usize = 30_000;
@@ -65,6 +67,8 @@ impl Solver for Auto {
 struct Plan {
     first: Vec<&'static dyn Solver>,
     last: &'static dyn Solver,
+    /// Iterations of the first ones after which the last is the better choice.
+    patience: usize,
 }
 
 impl Plan {
@@ -77,7 +81,7 @@ impl Plan {
             if a.symmetric() {
                 first.push(&Cg);
             }
-            return Self { first, last: &Gmres };
+            return Self { first, last: &Gmres, patience: usize::MAX };
         }
         if !direct_only {
             first.push(if a.symmetric() { &Cg } else { &Gmres });
@@ -86,7 +90,7 @@ impl Plan {
         if a.symmetric() {
             first.push(&Cholesky);
         }
-        Self { first, last: &Lu }
+        Self { first, last: &Lu, patience: 50 + dim / 40 }
     }
 
     /// Tries one method after the other, each in the time the earlier ones left.
@@ -96,17 +100,17 @@ impl Plan {
         mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
     ) -> Result<T, SolveError> {
         let started = Instant::now();
-        let mut tried = |solver| {
+        let mut tried = |solver, max_iterations| {
             let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
-            attempt(solver, &Settings { time_budget, ..settings.clone() })
+            attempt(solver, &Settings { time_budget, max_iterations, ..settings.clone() })
         };
         for solver in self.first {
-            match tried(solver) {
+            match tried(solver, settings.max_iterations.min(self.patience)) {
                 Err(error) if !is_final(&error) => {}
                 outcome => return outcome,
             }
         }
-        tried(self.last)
+        tried(self.last, settings.max_iterations)
     }
 }
 

@@ -4,12 +4,15 @@
 //!
 //!   α = rᵀz / pᵀAp,   x ← x + α p,   r ← r − α A p,   z = M⁻¹ r,   β = rᵀz (new) / rᵀz (old),   p ← z + β p.
 //!
-//! Each x minimises (x − x*)ᵀ A (x − x*) over a growing space; this falls at least by
-//! (√κ − 1)²/(√κ + 1)² per step, κ = κ₂(M⁻¹ A). The r of the recurrence drifts away from b − A x by rounding: when it has
-//! fallen by 10¹⁴, and before success is claimed, it is recomputed and the directions start anew.
-//! Converges for every symmetric positive definite A; pᵀAp ≤ 0 refutes that. Symmetry itself is put to one probe, vᵀ(A p₀) =
-//! p₀ᵀ(A v) for a scattered v. Reference: Y. Saad, *Iterative Methods for Sparse Linear Systems*, 2nd ed.,
-//! SIAM 2003, §6.7, §9.2.
+//! Each x minimises (x − x*)ᵀ A (x − x*) over a growing space; after k steps this is at most
+//!
+//!   4 ((√κ − 1) / (√κ + 1))²ᵏ
+//!
+//! times what it was, κ = κ₂(M⁻¹ A). The r of the recurrence drifts away from b − A x by rounding:
+//! when it has fallen by 10¹⁴, and before success is claimed, it is recomputed and the directions start anew.
+//! Converges for every symmetric positive definite A; pᵀAp ≤ 0 refutes that. Symmetry itself is put to one
+//! probe, vᵀ(A p₀) = p₀ᵀ(A v) for a scattered v. Reference: Y. Saad, *Iterative Methods for Sparse Linear
+//! Systems*, 2nd ed., SIAM 2003, §6.7, §9.2.
 
 use nalgebra::{Cholesky, DMatrix, DMatrixViewMut, Dyn};
 
@@ -59,7 +62,7 @@ impl Solver for Cg {
             products: 0.0,
         };
         // The residual of a conjugate gradient may rise for long before it falls.
-        let patience = problem.dim() + 100;
+        let patience = 5 * problem.dim() + 100;
         let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut descent, x, settings, observer)
     }

@@ -1,16 +1,18 @@
 //! Cholesky factorisation, blocked and threaded.
 //!
-//! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual is recomputed
-//! with all of A and refined; where that does not reach the tolerance (a matrix that is not as symmetric as it
-//! claims, or factors gone wrong) LU takes over. Exists exactly for symmetric positive definite A. Reference: N. J. Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 10.
+//! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual
+//! is recomputed with all of A and refined; where that does not reach the tolerance (a matrix that is not as
+//! symmetric as it claims, or factors gone wrong) LU takes over. Exists exactly for symmetric positive
+//! definite A. Reference: N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
+//! ch. 10.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::{factor, solve};
 use faer::{MatMut, MatRef, Par};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::{SolveError, Stop};
+use crate::factors::Factors;
 use crate::lu::{Lu, parallelism};
 use crate::operator::Operator;
 use crate::settings::Settings;
@@ -20,7 +22,7 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "cholesky";
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 6.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 6.0, lower: true, factor };
 
 /// Cholesky with refinement, LU where that fails; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

@@ -1,7 +1,10 @@
 //! A matrix held entry by entry.
 //!
 //! Columns follow each other, so that a block column is one slice and y = A x is a sum of columns,
-//! y_i = Σ_j a_ij x_j. Every y_i is summed over j in ascending order, four columns at a time, whatever rows a thread is
+//!
+//!   y_i = Σ_j a_ij x_j.
+//!
+//! Every y_i is summed over j in ascending order, four columns at a time, whatever rows a thread is
 //! given: the number of threads never changes a bit.
 
 use rayon::prelude::*;
@@ -32,8 +35,9 @@ impl Dense {
     ///
     /// # Errors
     /// [`DimensionMismatch`](SolveError::DimensionMismatch) unless there are dim² entries,
-    /// [`NonFinite`](SolveError::NonFinite) if one is infinite or NaN, [`NotSymmetric`](SolveError::NotSymmetric)
-    /// if `symmetric` is claimed and |a_ij − a_ji| > 10⁻¹² max(|a_ij|, √|a_ii a_jj|) somewhere.
+    /// [`NonFinite`](SolveError::NonFinite) if one is infinite or NaN,
+    /// [`NotSymmetric`](SolveError::NotSymmetric) if `symmetric` is claimed and |a_ij − a_ji| > 10⁻¹²
+    /// max(|a_ij|, √|a_ii a_jj|) somewhere.
     pub fn new(partition: Partition, values: Vec<f64>, symmetric: bool) -> Result<Self, SolveError> {
         let dim = partition.dim();
         if values.len() != dim * dim {
@@ -47,7 +51,7 @@ impl Dense {
             return Err(SolveError::NonFinite { what: "the matrix" });
         }
         if symmetric && !is_symmetric(&values, dim) {
-            return Err(SolveError::NotSymmetric { method: "a matrix declared symmetric" });
+            return Err(SolveError::NotSymmetric { method: "the symmetric form of Dense" });
         }
         Ok(Self { partition, values, symmetric, threads: 1 })
     }
@@ -133,10 +137,8 @@ impl Operator for Dense {
         self.symmetric
     }
 
-    fn entries(&self, column: usize, out: &mut [f64]) {
-        let range = self.partition.range(column);
-        let dim = self.partition.dim();
-        out.copy_from_slice(&self.values[range.start * dim..range.end * dim]);
+    fn dense(&self) -> Option<&[f64]> {
+        Some(&self.values)
     }
 }
 

@@ -1,15 +1,19 @@
 //! Direct methods: factor once, then distrust.
 //!
-//! After each solve r = b − A x is recomputed through the operator, not through the factors, and
-//! x ← x + A⁻¹ r is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
-//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable factorisation
-//! it converges while ε κ(A) < 1).
+//! After each solve the residual is recomputed through the operator, not through the factors, and
+//!
+//!   r = b − A x,   x ← x + A⁻¹ r
+//!
+//! is repeated while r is above the aim and falls at least by half (iterative refinement: N. J. Higham,
+//! *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002, ch. 12; with a backward stable
+//! factorisation it converges while ε κ(A) < 1).
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use crate::condition::inverse_norm;
 use crate::error::{SolveError, Stop};
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::problem::{Problem, finite};
 use crate::settings::Settings;
@@ -25,15 +29,6 @@ const REFINEMENTS: usize = 10;
 /// ‖x‖₂ beyond which a solution means a vanished pivot.
 const EXPLODED: f64 = 1e150;
 
-/// A matrix in factors.
-pub(crate) trait Factors {
-    /// x := A⁻¹ x.
-    fn solve(&self, x: &mut [f64]);
-
-    /// x := A⁻ᵀ x.
-    fn solve_transposed(&self, x: &mut [f64]);
-}
-
 /// Factors a matrix of the given dimension held column by column.
 pub(crate) type Factorise = fn(Vec<f64>, usize, &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;
 
@@ -42,6 +37,8 @@ pub(crate) struct Direct {
     pub(crate) method: &'static str,
     /// Entries multiplied by the factorisation, divided by dim³.
     pub(crate) cost: f64,
+    /// Whether `factor` reads the lower triangle only.
+    pub(crate) lower: bool,
     pub(crate) factor: Factorise,
 }
 
@@ -70,6 +67,7 @@ impl Direct {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Vec<Report>, SolveError> {
         check_columns(a.partition().dim(), b, x)?;
+        settings.check(a.partition().dim())?;
         let mut factored = self.factored(a, settings, observer)?;
         column_by_column(a, b, x, |b, x| {
             let problem = Problem::new(a, b, x, settings)?;
@@ -89,7 +87,12 @@ impl Direct {
         if cancelled(settings) {
             return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
         }
-        let factors = (self.factor)(matrix(a)?, dim, settings)?;
+        if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
+            let (expected, found) = (dim * dim, held.len());
+            return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
+        }
+        let matrix = if self.lower { lower_triangle(a) } else { matrix(a) };
+        let factors = (self.factor)(matrix, dim, settings).map_err(|error| blame(a, error))?;
         let condition = settings.condition.then(|| condition(a, &*factors));
         Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
     }
@@ -101,32 +104,45 @@ fn cancelled(settings: &Settings<'_>) -> bool {
 }
 
 /// All entries of `a`, column by column.
-fn matrix(a: &dyn Operator) -> Result<Vec<f64>, SolveError> {
+fn matrix(a: &dyn Operator) -> Vec<f64> {
+    if let Some(held) = a.dense() {
+        return held.to_vec();
+    }
     let partition = a.partition();
     let dim = partition.dim();
     let mut values = vec![0.0; dim * dim];
     for block in 0..partition.len() {
         let range = partition.range(block);
-        let values = &mut values[range.start * dim..range.end * dim];
-        a.entries(block, values);
-        finite(values)?;
+        a.entries(block, &mut values[range.start * dim..range.end * dim]);
     }
-    Ok(values)
+    values
+}
+
+/// The entries of `a` on and below the diagonal, column by column; those above are anything.
+fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
+    let Some(held) = a.dense() else { return matrix(a) };
+    let dim = a.partition().dim();
+    // Pages of zeros cost nothing until they are written.
+    let mut values = vec![0.0; dim * dim];
+    for j in 0..dim {
+        let below = j * dim + j..(j + 1) * dim;
+        values[below.clone()].copy_from_slice(&held[below]);
+    }
+    values
+}
+
+/// `error`, unless the matrix is not even finite. Asked only after a failure: a residual that passes proves
+/// as much.
+fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
+    finite(&matrix(a)).err().unwrap_or(error)
 }
 
 /// Estimate of ‖A‖₁ ‖A⁻¹‖₁ from below.
 fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
-    let partition = a.partition();
-    let dim = partition.dim();
-    let mut largest: f64 = 0.0;
-    for block in 0..partition.len() {
-        let mut values = vec![0.0; dim * partition.size(block)];
-        a.entries(block, &mut values);
-        for column in values.chunks_exact(dim) {
-            largest = largest.max(column.iter().map(|entry| entry.abs()).sum());
-        }
-    }
-    largest * inverse_norm(factors, dim)
+    let dim = a.partition().dim();
+    let size = |column: &[f64]| column.iter().map(|entry| entry.abs()).sum::<f64>();
+    let one_norm = matrix(a).chunks_exact(dim.max(1)).map(size).fold(0.0, f64::max);
+    one_norm * inverse_norm(factors, dim)
 }
 
 /// A factored matrix that solves and then looks at what is left.
@@ -150,7 +166,7 @@ impl Factored<'_> {
         let mut first = problem.b.to_vec();
         self.factors.solve(&mut first);
         if !all_finite(&first) || norm(&first) > EXPLODED {
-            return Err(SolveError::Singular { what: "the matrix".into() });
+            return Err(blame(self.a, SolveError::Singular { what: "the matrix".into() }));
         }
         x.copy_from_slice(&first);
         let mut r = first;
@@ -196,10 +212,11 @@ impl Factored<'_> {
             self.factors.solve(r);
             next.copy_from_slice(x);
             add_scaled(1.0, r, &mut next);
-            let refined = problem.residual(&next, r)?;
-            if refined >= residual {
-                break;
-            }
+            let refined = match problem.residual(&next, r) {
+                Ok(refined) if refined < residual => refined,
+                // A correction without meaning: x stays as it is.
+                _ => break,
+            };
             x.copy_from_slice(&next);
             history.push(refined);
             self.observe(history, x);

@@ -5,11 +5,12 @@
 //!   x_B ← x_B + ω D_B⁻¹ r_B        for every block B, in order (and backwards, for a symmetric sweep).
 //!
 //! Coefficient by coefficient, r_B is gathered once and then kept up to date inside the block:
-//! δ = ω r_k / d_kk, x_k ← x_k + δ, r_B ← r_B − δ D_B e_k.
 //!
-//! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2 (Ostrowski–Reich), or with ω = 1 if
-//! A is strictly diagonally dominant by rows. Reference: Y. Saad, *Iterative Methods for Sparse Linear
-//! Systems*, 2nd ed., SIAM 2003, §4.1-4.2.
+//!   δ = ω r_k / d_kk,   x_k ← x_k + δ,   r_B ← r_B − δ D_B e_k.
+//!
+//! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2 (Ostrowski–Reich), or
+//! with ω = 1 if A is strictly diagonally dominant by rows. Reference: Y. Saad, *Iterative Methods for Sparse
+//! Linear Systems*, 2nd ed., SIAM 2003, §4.1-4.2.
 
 use crate::diagonal::Pivot;
 use crate::error::SolveError;

@@ -1,16 +1,19 @@
 //! Restarted GMRES, preconditioned from the right by the diagonal blocks.
 //!
-//! With M = diag(A_BB), r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁, …, v_{j+1} with
+//! With M = diag(A_BB), r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁, …, v_{j+1}
+//! with
 //!
 //!   A M⁻¹ V_j = V_{j+1} H_j,   H_j of j+1 rows, upper Hessenberg,
 //!
-//! by modified Gram–Schmidt, done twice. Givens rotations keep H_j triangular, and the last entry of the rotated ‖r‖ e₁
-//! is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps x is brought up
-//! to date, the residual recomputed, and all starts anew. A block without inverse is not preconditioned.
+//! by modified Gram–Schmidt, done twice. Givens rotations keep H_j triangular, and the last entry of the
+//! rotated ‖r‖ e₁ is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps
+//! x is brought up to date, the residual recomputed, and all starts anew. A block without inverse is not
+//! preconditioned.
 //!
-//! The residual never rises. Without restart it vanishes after at most n steps for every invertible A; with restarts it is
-//! certain to only if the symmetric part of A M⁻¹ is positive definite, and may stand still otherwise. Reference:
-//! Y. Saad, *Iterative Methods for Sparse Linear Systems*, 2nd ed., SIAM 2003, §6.5, §9.3.2.
+//! The residual never rises. Without restart it vanishes after at most n steps for every invertible A; with
+//! restarts it is certain to only if the symmetric part of A M⁻¹ is positive definite, and may stand still
+//! otherwise. Reference: Y. Saad, *Iterative Methods for Sparse Linear Systems*, 2nd ed., SIAM 2003, §6.5,
+//! §9.3.2.
 
 use crate::diagonal::Pivot;
 use crate::error::SolveError;

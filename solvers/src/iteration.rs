@@ -1,9 +1,9 @@
 //! The loop around every iterative method: budgets, observer, honest end.
 //!
-//! A method only has to say how it advances and what it believes its residual to be. Nothing is believed here: before
-//! success is reported the residual is recomputed from A, b and x, and the method starts anew from there if it was too
-//! optimistic. An iteration is stuck when its residual has set no new record for a whole `patience`; at the rounding
-//! floor records become ever rarer, so that every tolerance ends, even 0.
+//! A method only has to say how it advances and what it believes its residual to be. Nothing is believed
+//! here: before success is reported the residual is recomputed from A, b and x, and the method starts anew
+//! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for a
+//! whole `patience`; at the rounding floor records become ever rarer, so that every tolerance ends, even 0.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -20,7 +20,8 @@ const DIVERGED: f64 = 1e12;
 /// ‖x‖₂ from which products may overflow: a number that is not finite then means divergence.
 const EXPLODED: f64 = 1e150;
 
-/// Optimistic claims in a row, without a new record of the recomputed residual, after which a method is stuck.
+/// Optimistic claims in a row, without a new record of the recomputed residual, after which a method is
+/// stuck.
 const CLAIMS: usize = 5;
 
 /// One iterative method at work.
@@ -114,6 +115,7 @@ pub(crate) fn iterate(
     };
     if problem.norm == 0.0 {
         x.fill(0.0);
+        run.history.push(0.0);
         return Ok(run.report(iteration, 0.0));
     }
     match run.reach_tolerance(iteration, x) {

@@ -1,12 +1,69 @@
-//! Interchangeable solvers for dense block systems, each with an honest residual.
+//! Interchangeable solvers for dense block systems A x = b, each with an honest residual.
+//!
+//! A matrix is an [`Operator`]: blocks of unknowns, a product, block rows (*gather*) and block columns
+//! (*shoot*). [`Dense`] holds one entry by entry; a caller's own type may compute its columns when they are
+//! first shot. A [`Method`](method::Method) is found by name and keeps one contract, [`Solver`]: Ok means
+//! that ‖b − A x‖₂ / ‖b‖₂, recomputed from A, b and x, is at most the tolerance; otherwise [`SolveError`]
+//! says why, names the cure, and the best x there was is left to the caller. Results do not depend on the
+//! number of threads, bit for bit.
+//!
+//! ```
+//! use radiosity_solvers::{Operator, Partition, Settings, method::Method};
+//!
+//! /// I − K with k_ij = gain / dim: all send the same to all. No matrix is stored.
+//! struct Even { blocks: Partition, gain: f64 }
+//!
+//! impl Operator for Even {
+//!     fn partition(&self) -> &Partition { &self.blocks }
+//!
+//!     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
+//!         let received = self.gain * x.iter().sum::<f64>() / self.blocks.dim() as f64;
+//!         y.iter_mut().zip(&x[self.blocks.range(row)]).for_each(|(y, x)| *y = x - received);
+//!     }
+//!
+//!     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+//!         let sent = self.gain * x.iter().sum::<f64>() / self.blocks.dim() as f64;
+//!         y.iter_mut().for_each(|y| *y -= sent);
+//!         y[self.blocks.range(column)].iter_mut().zip(x).for_each(|(y, x)| *y += x);
+//!     }
+//!
+//!     fn symmetric(&self) -> bool { true }
+//! }
+//!
+//! let a = Even { blocks: Partition::new(&[3, 1, 4]), gain: 0.5 };
+//! for method in Method::ALL {
+//!     let mut x = [0.0; 8];
+//!     let report = method.solver.solve(&a, &[1.0; 8], &mut x, &Settings::default(), &mut |_| ())?;
+//!     assert!(report.residual <= 1e-8 && x.iter().all(|x| (x - 2.0).abs() < 1e-7));
+//! }
+//! # Ok::<(), radiosity_solvers::SolveError>(())
+//! ```
+//!
+//! # Which method when
+//!
+//! | method | when | converges | reference |
+//! | --- | --- | --- | --- |
+//! | [`auto`] | not sure | where one of its choices does | – |
+//! | `cholesky` | symmetric positive definite, up to some thousand unknowns, or many right-hand sides | A = Aᵀ, xᵀAx > 0, ε κ(A) < 1 | Higham 2002, ch. 10 |
+//! | `lu` | anything else of that size | A invertible, ε κ(A) < 1 | Golub, Van Loan 2013, § 3.4 |
+//! | [`lu_small`] `lu-small` | a cross-check, or a build without the `faer` feature; up to 1000 unknowns | as `lu` | as `lu` |
+//! | [`cg`] | symmetric positive definite, large or never stored | A = Aᵀ, xᵀAx > 0; in O(√κ) steps | Saad 2003, § 6.7 |
+//! | [`gmres`] | unsymmetric, large or never stored | A invertible, if never restarted; symmetric part of A M⁻¹ positive definite, if so | Saad 2003, § 6.5 |
+//! | [`gauss_seidel`] `gauss-seidel` | rows at hand one by one; smooth progress; a bound on memory | A symmetric positive definite and 0 < ω < 2, or ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
+//! | [`jacobi`] | the plainest yardstick; Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
+//! | [`southwell`] | columns are dear and few of them matter; a picture after every shot | as `gauss-seidel`, dominant by columns | Southwell 1940; Gortler, Cohen, Slusallek 1994 |
+//!
+//! Full references stand at the head of each module. Features: `faer` (default) brings `lu` and `cholesky`.
 
 mod partition;
 
 mod error;
+
 mod settings;
-mod vector;
 
 mod operator;
+
+mod vector;
 
 mod dense;
 
@@ -14,17 +71,24 @@ mod problem;
 
 mod solver;
 
-mod condition;
-mod diagonal;
-mod direct;
 mod iteration;
+
+mod diagonal;
+
 mod ranking;
+
+mod factors;
+
+mod condition;
+
+mod direct;
 
 #[cfg(feature = "faer")]
 pub mod lu;
 
 #[cfg(feature = "faer")]
 pub mod cholesky;
+
 pub mod lu_small;
 
 pub mod jacobi;

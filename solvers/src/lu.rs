@@ -1,16 +1,17 @@
 //! LU factorisation with partial pivoting, blocked and threaded.
 //!
-//! P A = L U in n³/3 multiplications, then two triangles per right-hand side; the residual of the solution is recomputed
-//! and refined. Backward stable in practice for every nonsingular matrix. Reference: G. Golub, C. Van
-//! Loan, *Matrix Computations*, 4th ed., Johns Hopkins 2013, §3.4.
+//! P A = L U in n³/3 multiplications, then two triangles per right-hand side; the residual of the solution is
+//! recomputed and refined. Backward stable in practice for every nonsingular matrix. Reference: G. Golub, C.
+//! Van Loan, *Matrix Computations*, 4th ed., Johns Hopkins 2013, §3.4.
 
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::lu::partial_pivoting::{factor, solve};
 use faer::perm::PermRef;
 use faer::{MatMut, MatRef, Par};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::SolveError;
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
@@ -22,7 +23,7 @@ pub(crate) const NAME: &str = "lu";
 const THREADED: usize = 2000;
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
 
 /// LU with partial pivoting and refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

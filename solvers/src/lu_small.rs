@@ -1,12 +1,13 @@
 //! LU factorisation with partial pivoting, plain and single-threaded.
 //!
-//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds without the
-//! `faer` feature. Unblocked, so bound by memory: for at most some 1000 unknowns.
+//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds
+//! without the `faer` feature. Unblocked, so bound by memory: for at most some 1000 unknowns.
 
 use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 
-use crate::direct::{Direct, Factors};
+use crate::direct::Direct;
 use crate::error::SolveError;
+use crate::factors::Factors;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
@@ -15,7 +16,7 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "lu-small";
 
 /// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, factor };
+const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
 
 /// Unblocked LU with refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]

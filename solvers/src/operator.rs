@@ -6,29 +6,49 @@ use crate::partition::Partition;
 ///
 /// Every vector is a plain slice; a whole one has `partition().dim()` entries, a block one
 /// `partition().size(block)`. Several right-hand sides lie one after the other: entry `i` of column `c` is
-/// `x[c·dim + i]`. An implementation must write every entry it is asked for: what it leaves untouched
-/// is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
+/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: what it
+/// leaves untouched is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
 pub trait Operator: Sync {
     /// The blocks of rows, which are those of the columns too.
     fn partition(&self) -> &Partition;
 
-    /// y = A x.
-    fn apply(&self, x: &[f64], y: &mut [f64]);
-
     /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block.
     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]);
 
-    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the
-    /// matrix, beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute
-    /// the column when it is first shot.
+    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the matrix,
+    /// beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute the
+    /// column when it is first shot.
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]);
 
-    /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`.
-    fn diagonal(&self, block: usize, out: &mut [f64]);
+    /// y = A x; provided by shooting every column.
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        y.fill(0.0);
+        for column in 0..self.partition().len() {
+            self.shoot(column, &x[self.partition().range(column)], y);
+        }
+    }
+
+    /// The square diagonal block of `block`, column by column: entry (k, l) at `out[l·size + k]`; provided by
+    /// shooting unit vectors.
+    fn diagonal(&self, block: usize, out: &mut [f64]) {
+        let range = self.partition().range(block);
+        let (dim, size) = (self.partition().dim(), range.len());
+        let mut columns = vec![0.0; dim * size];
+        self.entries(block, &mut columns);
+        for l in 0..size {
+            out[l * size..][..size].copy_from_slice(&columns[l * dim..][range.clone()]);
+        }
+    }
 
     /// Whether A = Aᵀ up to rounding. A wrong yes costs time, never a wrong answer.
     fn symmetric(&self) -> bool {
         false
+    }
+
+    /// All entries, column by column, (i, j) at `[j·dim + i]`, of an operator that holds them so: direct
+    /// methods then copy what they need in one go.
+    fn dense(&self) -> Option<&[f64]> {
+        None
     }
 
     /// Y = A X for several vectors at once; both of length `k·dim`.
@@ -39,14 +59,14 @@ pub trait Operator: Sync {
         }
     }
 
-    /// The entries of block column `column`, for direct methods: (i, l) at `out[l·dim + i]`.
+    /// The entries of block column `column`, for direct methods: (i, l) at `out[l·dim + i]`; provided by
+    /// shooting unit vectors.
     fn entries(&self, column: usize, out: &mut [f64]) {
-        let dim = self.partition().dim();
         let mut unit = vec![0.0; self.partition().size(column)];
         out.fill(0.0);
-        for l in 0..unit.len() {
+        for (l, out) in out.chunks_exact_mut(self.partition().dim().max(1)).enumerate() {
             unit[l] = 1.0;
-            self.shoot(column, &unit, &mut out[l * dim..][..dim]);
+            self.shoot(column, &unit, out);
             unit[l] = 0.0;
         }
     }

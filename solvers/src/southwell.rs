@@ -1,24 +1,27 @@
 //! Southwell: always relax where the residual weighs most.
 //!
-//! Unshot is the residual r = b − A x. With weights w_l > 0 the measure of an unknown is M_l = w_l |r_l|, that of a
-//! block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure and sets
+//! Unshot is the residual r = b − A x. With weights w_l > 0 the measure of an unknown is M_l = w_l |r_l|,
+//! that of a block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure
+//! and sets
 //!
 //!   δ = ω D_B⁻¹ r_B,   x_B ← x_B + δ,   r ← r − A[:, B] δ,
 //!
-//! which needs one block column and no other: an operator may compute columns when they are first shot. From x = 0 only
-//! shot columns are ever touched, the final check of the residual included. ω > 1 overshoots: it shoots
-//! ahead what later shots would send back.
+//! which needs one block column and no other: an operator may compute columns when they are first shot. From
+//! x = 0 only shot columns are ever touched, the final check of the residual included. ω > 1 overshoots: it
+//! shoots ahead what later shots would send back.
 //!
-//! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the weights
-//! w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot of measure m
-//! that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all sent back to all
-//! shot, estimates how much each further shot will return, and Σ M_l / (1 − q) what is still to come (the ambient
-//! term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988): good for display, used for nothing else.
+//! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the
+//! weights w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot
+//! of measure m that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all
+//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) what is still
+//! to come (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988): good for display, used
+//! for nothing else.
 //!
 //! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
-//! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot
-//! then lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in Engineering Science*, Oxford 1940; S. Gortler,
-//! M. Cohen, P. Slusallek, *Radiosity and relaxation methods*, IEEE CG&A 14(6), 1994.
+//! (x − x*)ᵀ A (x − x*); with ω = 1, coefficient by coefficient, also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for
+//! every l, since every shot then lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in
+//! Engineering Science*, Oxford 1940; S. Gortler, M. Cohen, P. Slusallek, *Radiosity and relaxation methods*,
+//! IEEE CG&A 14(6), 1994.
 
 use std::ops::Range;
 
@@ -75,8 +78,10 @@ struct Shots<'p> {
     ranking: Ranking,
     /// Diagonal blocks of the columns shot so far.
     pivots: Vec<Option<Pivot>>,
+    /// Which block columns were shot, or used to recompute the residual.
+    used: Vec<bool>,
     /// Columns of entries multiplied.
-    columns: f64,
+    products: f64,
     /// Measure shot, and measure sent back by these shots.
     shot: f64,
     returned: f64,
@@ -97,7 +102,8 @@ impl<'p> Shots<'p> {
             r: problem.b.to_vec(),
             ranking: Ranking::new(vec![0.0; items]),
             pivots: (0..partition.len()).map(|_| None).collect(),
-            columns: 0.0,
+            used: vec![false; partition.len()],
+            products: 0.0,
             shot: 0.0,
             returned: 0.0,
         }
@@ -151,7 +157,8 @@ impl<'p> Shots<'p> {
             *x += *step;
             *step = -*step;
         }
-        self.columns += unknowns.len() as f64;
+        self.used[block] = true;
+        self.products += unknowns.len() as f64;
         self.problem.a.shoot(block, &step, &mut self.r);
         finite(&self.r)
     }
@@ -159,7 +166,10 @@ impl<'p> Shots<'p> {
 
 impl Iteration for Shots<'_> {
     fn renew(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        self.columns += x.iter().filter(|x| **x != 0.0).count() as f64;
+        for (block, used) in self.used.iter_mut().enumerate() {
+            *used |= x[self.problem.a.partition().range(block)].iter().any(|x| *x != 0.0);
+        }
+        self.products += x.iter().filter(|x| **x != 0.0).count() as f64;
         let residual = self.problem.residual_by_columns(x, &mut self.r)?;
         self.measure();
         Ok(residual)
@@ -176,11 +186,11 @@ impl Iteration for Shots<'_> {
     }
 
     fn work(&self) -> f64 {
-        self.columns / self.problem.dim().max(1) as f64
+        self.products / self.problem.dim().max(1) as f64
     }
 
     fn columns(&self) -> usize {
-        self.pivots.iter().flatten().count()
+        self.used.iter().filter(|used| **used).count()
     }
 
     fn unshot(&self) -> Option<(f64, f64)> {

@@ -42,3 +42,31 @@ pub(crate) fn all_finite(x: &[f64]) -> bool {
     // No early exit within a chunk: only then does the test vectorise.
     x.chunks(64).all(|chunk| chunk.iter().fold(true, |finite, x| finite & x.is_finite()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn norms_neither_overflow_nor_underflow() {
+        for scale in [1e-300, 1e-170, 1.0, 1e170, 1e300] {
+            assert!((norm(&[3.0 * scale, -4.0 * scale]) / (5.0 * scale) - 1.0).abs() < 1e-15, "{scale}");
+        }
+        assert_eq!(norm(&[]), 0.0);
+        assert_eq!(norm(&[0.0, -0.0]), 0.0);
+        assert_eq!(norm(&[1.0, f64::NEG_INFINITY]), f64::INFINITY);
+        assert!(norm(&[1.0, f64::NAN, 2.0]).is_nan());
+    }
+
+    #[test]
+    fn one_number_in_many_may_spoil_them() {
+        for place in [0, 63, 64, 150] {
+            for wrong in [f64::NAN, f64::INFINITY] {
+                let mut x = [1.0; 151];
+                assert!(all_finite(&x));
+                x[place] = wrong;
+                assert!(!all_finite(&x));
+            }
+        }
+    }
+}

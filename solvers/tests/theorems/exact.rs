@@ -21,8 +21,8 @@ pub(crate) fn entries(a: &dyn Operator) -> Vec<f64> {
     values
 }
 
-/// ‖b − A x‖₂ / ‖b‖₂ to some 30 digits before the final rounding, and a bound of what evaluating it in doubles,
-/// in any order, may add: (n + 8) ε ‖ |A| |x| + |b| ‖₂ / ‖b‖₂.
+/// ‖b − A x‖₂ / ‖b‖₂ to some 30 digits before the final rounding, and a bound of what evaluating it in
+/// doubles, in any order, may add: (n + 8) ε ‖ |A| |x| + |b| ‖₂ / ‖b‖₂.
 pub(crate) fn residual(a: &dyn Operator, b: &[f64], x: &[f64]) -> (f64, f64) {
     let dim = b.len();
     let values = entries(a);

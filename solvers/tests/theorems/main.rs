@@ -1,7 +1,9 @@
 //! What must hold for every method on every system.
 
 mod agreement;
+mod choice;
 mod exact;
+mod operators;
 mod refusals;
 mod settings;
 mod shooting;

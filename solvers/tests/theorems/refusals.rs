@@ -27,6 +27,8 @@ enum Lie {
     Nan,
     /// Leaves the last entry of what it should write as it was.
     Short,
+    /// Says it holds all entries, and holds fewer.
+    Size,
     /// Products are those of another matrix than the columns.
     Inconsistent,
 }
@@ -42,7 +44,7 @@ impl Liar {
         match self.lie {
             Lie::Nan => *last = f64::NAN,
             Lie::Short => *last = before,
-            Lie::Symmetry | Lie::Inconsistent => {}
+            Lie::Symmetry | Lie::Size | Lie::Inconsistent => {}
         }
     }
 }
@@ -78,6 +80,10 @@ impl Operator for Liar {
         let before = out[out.len() - 1];
         self.truth.diagonal(block, out);
         self.spoil(out, before);
+    }
+
+    fn dense(&self) -> Option<&[f64]> {
+        (self.lie == Lie::Size).then(|| &self.truth.values()[1..])
     }
 
     fn symmetric(&self) -> bool {
@@ -147,6 +153,10 @@ fn a_lying_operator_is_refused() {
             assert!(matches!(solved, Err(SolveError::NonFinite { .. })), "{}: {solved:?}", method.name);
         }
     }
+    for method in Method::ALL.iter().filter(|method| method.storage == "n²") {
+        let solved = solve(method.name, &liar(Lie::Size), &b, &Settings::default());
+        assert!(matches!(solved, Err(SolveError::DimensionMismatch { expected: 100, found: 99, .. })));
+    }
     let claims = solve("cg", &liar(Lie::Symmetry), &b, &Settings::default());
     assert_eq!(claims, Err(SolveError::NotSymmetric { method: "cg" }));
     let inconsistent = solve("lu-small", &liar(Lie::Inconsistent), &b, &Settings::default());
@@ -156,7 +166,8 @@ fn a_lying_operator_is_refused() {
 #[cfg(feature = "faer")]
 #[test]
 fn cholesky_falls_back_to_lu_when_symmetry_was_a_lie() {
-    // The lower triangle is that of a positive definite matrix so unlike the true one that refinement diverges.
+    // The lower triangle is that of a positive definite matrix so unlike the true one that refinement
+    // diverges.
     let a = Liar { truth: dense(2, &[1.0, 0.9, -0.9, 1.0], false), lie: Lie::Symmetry };
     let report = solve("cholesky", &a, &[1.0, 2.0], &Settings::default()).unwrap();
     assert_eq!(report.method, "lu");

@@ -144,8 +144,9 @@ fn each_shot_is_the_largest_by_definition() {
 /// The share of its power that each patch of the sphere sends on.
 const SENT_ON: f64 = 0.3;
 
-/// The inside of a sphere, cut into patches whose areas fall geometrically: the share of j's power that reaches i is
-/// exactly A_i / Σ A. The unknowns are powers; each patch holds `size` of them, of equal area; one patch emits 1.
+/// The inside of a sphere, cut into patches whose areas fall geometrically: the share of j's power that
+/// reaches i is exactly A_i / Σ A. The unknowns are powers; each patch holds `size` of them, of equal area;
+/// one patch emits 1.
 fn sphere(patches: usize, size: usize) -> (Dense, Vec<f64>) {
     let areas: Vec<f64> = (0..patches).map(|patch| 0.7f64.powi(patch as i32)).collect();
     let total: f64 = areas.iter().sum();

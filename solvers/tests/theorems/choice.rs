@@ -1,0 +1,52 @@
+//! What `auto` chooses, and that it falls on its feet.
+
+use radiosity_solvers::method::Method;
+use radiosity_solvers::{Dense, Partition, Report, Settings};
+
+use crate::systems::{Random, enclosure, matrix};
+
+fn auto(a: &Dense, settings: &Settings<'_>) -> Report {
+    let dim = a.values().len().isqrt();
+    let b = Random(59).vector(dim);
+    let mut x = vec![0.0; dim];
+    Method::named("auto").unwrap().solver.solve(a, &b, &mut x, settings, &mut |_| ()).unwrap()
+}
+
+/// More unknowns than a direct method is first choice for.
+const LARGE: usize = 600;
+
+#[test]
+fn large_systems_are_iterated_unless_rounding_decides() {
+    for (symmetric, iterative, direct) in [(true, "cg", "cholesky"), (false, "gmres", "lu")] {
+        let a = enclosure(&mut Random(61), Partition::new(&[6; LARGE / 6]), (0.3, 0.8), symmetric);
+        assert_eq!(auto(&a, &Settings::default()).method, iterative);
+        if cfg!(feature = "faer") {
+            assert_eq!(auto(&a, &Settings { tolerance: 5e-14, ..Settings::default() }).method, direct);
+        }
+    }
+}
+
+#[test]
+fn what_defeats_iterations_is_eliminated() {
+    // Eigenvalues of both signs, spread evenly: conjugate gradients are not for it, nor few steps of
+    // anything.
+    let spread = |i: usize| i as f64 - 0.4 * LARGE as f64;
+    let symmetric = matrix(Partition::new(&[LARGE]), true, |i, j| if i == j { spread(i) } else { 1.0 });
+    assert!(auto(&symmetric, &Settings::default()).method.starts_with("lu"));
+    // A cyclic shift: minimal residuals stand still until the last step.
+    let shift = matrix(Partition::points(LARGE), false, |i, j| f64::from(u8::from(i == (j + 1) % LARGE)));
+    assert!(auto(&shift, &Settings::default()).method.starts_with("lu"));
+}
+
+#[test]
+fn almost_nothing_lost_is_no_hindrance() {
+    for loss in [1e-2, 1e-5, 1e-8] {
+        for dim in [60, LARGE] {
+            let a =
+                enclosure(&mut Random(67), Partition::new(&vec![6; dim / 6]), (1.0 - loss, 1.0 - loss), true);
+            // Rounding of x, which is 1/loss times as large as b, leaves about ε / loss.
+            let settings = Settings { tolerance: 1e-8f64.max(1e-14 / loss), ..Settings::default() };
+            auto(&a, &settings);
+        }
+    }
+}
