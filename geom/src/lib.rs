@@ -23,16 +23,22 @@ mod region;
 
 mod surface;
 
+mod patch;
+
+mod adjacency;
+
 mod flipped;
 mod placed;
 pub mod shapes;
 
 pub use aabb::Aabb;
+pub use adjacency::{Adjacency, Seam, Tee};
 pub use bvh::Bvh;
 pub use clip::clip_polygon;
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
 pub use motion::Motion;
+pub use patch::{Border, Patch};
 pub use placed::Placed;
 pub use ray::{Hit, Ray};
 pub use rect::Rect;
