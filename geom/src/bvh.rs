@@ -5,8 +5,8 @@
 //! known to the caller alone, who tests it in full precision; the hierarchy only leaves out what a ray cannot reach. Boxes
 //! are inflated by 1e-8 of their size, more than the overhang at which a hit is still accepted.
 
+use crate::slabs::Slabs;
 use crate::{Aabb, Hit, Ray};
-use glam::DVec3;
 
 const BINS: usize = 16;
 /// Below this depth splits halve the number of boxes instead, which bounds the depth of the stack.
@@ -129,30 +129,6 @@ impl Bvh {
     }
 }
 
-/// A ray prepared for box tests.
-struct Slabs {
-    origin: DVec3,
-    inverse: DVec3,
-}
-
-impl Slabs {
-    fn new(ray: &Ray) -> Slabs {
-        // A huge inverse instead of an infinite one: 0 · ∞ must not arise for rays within a slab's plane.
-        let invert = |x: f64| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x };
-        let d = ray.direction;
-        Slabs { origin: ray.origin, inverse: DVec3::new(invert(d.x), invert(d.y), invert(d.z)) }
-    }
-
-    /// Where the ray enters the box, if it does so between `start` and `end`.
-    fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
-        let a = (bounds.min - self.origin) * self.inverse;
-        let b = (bounds.max - self.origin) * self.inverse;
-        let entry = a.min(b).max_element().max(start);
-        let exit = a.max(b).min_element().min(end);
-        (entry <= exit).then_some(entry)
-    }
-}
-
 /// Room for rounding in the slab test and for hits accepted just outside the parameter domain.
 fn margin(bounds: &Aabb) -> f64 {
     let far = bounds.min.abs().max(bounds.max.abs()).max_element();
@@ -237,6 +213,7 @@ mod tests {
     use super::*;
     use crate::Surface;
     use crate::shapes::Triangle;
+    use glam::DVec3;
     use proptest::prelude::*;
 
     fn triangles(points: &[[f64; 9]]) -> Vec<Triangle> {

@@ -14,11 +14,12 @@ mod rect;
 mod separated;
 mod shape_error;
 
-mod bvh;
 mod motion;
 mod roots;
+mod slabs;
 mod zeros;
 
+mod bvh;
 mod region;
 
 mod surface;

@@ -14,8 +14,6 @@
 use crate::bernstein::{evaluate, split};
 use glam::{DMat2, DVec2};
 
-/// By how much a zero may lie outside [0, 1]²: half the seam tolerance of parameters in [−1, 1].
-const OUTSIDE: f64 = 0.5e-9;
 /// Below this deviation of the derivative from its mean, Newton's method takes over.
 const NEARLY_LINEAR: f64 = 0.3;
 /// Images smaller than this multiple of the whole count as points: rounding decides where they are.
@@ -23,14 +21,15 @@ const POINT: f64 = 1e-13;
 /// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes near.
 const BUDGET: usize = 4000;
 
-/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit` returns true. Zeros up to
-/// 5e-10 outside are visited too; one zero may be visited more than once.
+/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit` returns true. Zeros
+/// up to `outside` beyond [0, 1]² are visited too; one zero may be visited more than once.
 pub(crate) fn zeros<const M: usize, const N: usize>(
     net: &[[DVec2; N]; M],
+    outside: f64,
     visit: impl FnMut(f64, f64) -> bool,
 ) {
     let extent = net.as_flattened().iter().map(|f| f.distance(net[0][0])).fold(0.0, f64::max);
-    let mut search = Search { net, extent, budget: BUDGET, visit };
+    let mut search = Search { net, extent, outside, budget: BUDGET, visit };
     search.look(net, Cell { s: 0.0, t: 0.0, width: 1.0, height: 1.0 });
 }
 
@@ -46,6 +45,7 @@ struct Cell {
 struct Search<'a, F, const M: usize, const N: usize> {
     net: &'a [[DVec2; N]; M],
     extent: f64,
+    outside: f64,
     budget: usize,
     visit: F,
 }
@@ -58,7 +58,7 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         }
         self.budget -= 1;
         let mean = mean_derivative(part);
-        let slack = DVec2::new(4.0 * OUTSIDE / cell.width, 4.0 * OUTSIDE / cell.height);
+        let slack = DVec2::new(4.0 * self.outside / cell.width, 4.0 * self.outside / cell.height);
         let lengths = mean.x_axis.length() * mean.y_axis.length();
         let spans = mean.determinant().abs() / lengths.max(f64::MIN_POSITIVE);
         if spans > 1e-12 {
@@ -84,7 +84,7 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         if beyond.cmpgt(slack).any() {
             return false;
         }
-        let margin = DVec2::splat(OUTSIDE);
+        let margin = DVec2::splat(self.outside);
         let low = DVec2::new(cell.s, cell.t) - margin;
         let high = DVec2::new(cell.s + cell.width, cell.t + cell.height) + margin;
         let start = DVec2::new(cell.s + estimate.x * cell.width, cell.t + estimate.y * cell.height);
@@ -94,17 +94,17 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
 
     /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's border.
     fn newton(&self, mut at: DVec2, low: DVec2, high: DVec2) -> Option<DVec2> {
-        let mut wanted = f64::INFINITY;
         for _ in 0..12 {
             let (f, derivative) = value(self.net, at.x, at.y);
             let step = derivative.inverse() * f;
-            wanted = step.abs().max_element();
-            at = (at - step).clamp(low, high);
-            if wanted <= 1e-15 {
-                break;
+            let next = at - step;
+            at = next.clamp(low, high);
+            // The next step would be of the order of the square of this one.
+            if step.abs().max_element() <= 1e-8 {
+                return (next.distance(at) <= self.outside).then_some(next);
             }
         }
-        (wanted <= OUTSIDE).then_some(at)
+        None
     }
 
     fn halve(&mut self, part: &[[DVec2; N]; M], cell: Cell) -> bool {
@@ -200,7 +200,7 @@ mod tests {
 
     fn all<const M: usize, const N: usize>(net: &[[DVec2; N]; M]) -> Vec<DVec2> {
         let mut found: Vec<DVec2> = Vec::new();
-        zeros(net, |s, t| {
+        zeros(net, 5e-10, |s, t| {
             found.push(DVec2::new(s, t));
             false
         });
