@@ -11,7 +11,7 @@
 //! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*, 1990), which shrinks the
 //! rectangle by the hull instead of proving uniqueness.
 
-use crate::bernstein::{evaluate, split};
+use crate::bernstein::{combine, split, weights};
 use glam::{DMat2, DVec2};
 
 /// Below this deviation of the derivative from its mean, Newton's method takes over.
@@ -172,9 +172,10 @@ fn deviation<const M: usize, const N: usize>(part: &[[DVec2; N]; M]) -> f64 {
 
 /// Value and derivative (columns by s and by t) of the map.
 fn value<const M: usize, const N: usize>(net: &[[DVec2; N]; M], s: f64, t: f64) -> (DVec2, DMat2) {
-    let rows = net.each_ref().map(|row| evaluate(row, t));
-    let (f, by_s) = evaluate(&rows.map(|row| row.0), s);
-    let (by_t, _) = evaluate(&rows.map(|row| row.1), s);
+    let (ws, wt) = (weights(s), weights(t));
+    let rows = net.each_ref().map(|row| combine(row, &wt, t));
+    let (f, by_s) = combine(&rows.map(|row| row.0), &ws, s);
+    let (by_t, _) = combine(&rows.map(|row| row.1), &ws, s);
     (f, DMat2::from_cols(by_s, by_t))
 }
 

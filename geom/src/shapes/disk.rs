@@ -63,7 +63,7 @@ impl Surface for Disk {
             return None;
         }
         let local = self.turn.local_point(ray.at(t));
-        let v = 2.0 * (self.radius - local.x.hypot(local.y)) / (self.radius - self.inner) - 1.0;
+        let v = 2.0 * (self.radius - local.truncate().length()) / (self.radius - self.inner) - 1.0;
         Hit::accept(ray, t, self.turn.parameter(local, self.radius), v)
     }
 

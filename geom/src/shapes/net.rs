@@ -1,6 +1,6 @@
 //! What bicubic patches share: values of 4 × 4 control nets, normals at collapsed edges, and rays cast at them tile by tile.
 
-use crate::bernstein::{Coefficient, evaluate, restrict};
+use crate::bernstein::{Coefficient, combine, restrict, weights};
 use crate::slabs::Slabs;
 use crate::zeros::zeros;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError};
@@ -17,9 +17,10 @@ pub(super) struct Sample<T> {
 
 /// The tensor-product cubic with coefficients `net[i][j]`, i along s.
 pub(super) fn sample<T: Coefficient>(net: &[[T; 4]; 4], s: f64, t: f64) -> Sample<T> {
-    let rows = net.each_ref().map(|row| evaluate(row, t));
-    let (value, by_s) = evaluate(&rows.map(|row| row.0), s);
-    let (by_t, by_st) = evaluate(&rows.map(|row| row.1), s);
+    let (ws, wt) = (weights(s), weights(t));
+    let rows = net.each_ref().map(|row| combine(row, &wt, t));
+    let (value, by_s) = combine(&rows.map(|row| row.0), &ws, s);
+    let (by_t, by_st) = combine(&rows.map(|row| row.1), &ws, s);
     Sample { value, by_s, by_t, by_st }
 }
 

@@ -70,10 +70,13 @@ impl Revolution {
         let mut off = f64::INFINITY;
         for _ in 0..4 {
             let local = o + t * w;
-            let rho = local.x.hypot(local.y);
+            let rho = local.truncate().length();
             let (at, slope) = evaluate(&self.profile, s);
             let gap = at - DVec2::new(rho, local.z);
             off = gap.length();
+            if off <= 1e-16 * self.extent {
+                break;
+            }
             let growth = if rho > 0.0 { (local.x * w.x + local.y * w.y) / rho } else { 0.0 };
             let step = DMat2::from_cols(DVec2::new(-growth, -w.z), slope).inverse() * gap;
             let moved = (step.x * w.length()).hypot(step.y * slope.length());

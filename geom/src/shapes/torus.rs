@@ -13,7 +13,7 @@ use super::{check_finite, check_positive};
 use crate::bernstein::from_powers;
 use crate::roots;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// A ring torus, or a part of it.
@@ -76,11 +76,15 @@ impl Torus {
         let mut off = f64::INFINITY;
         for _ in 0..4 {
             let p = o + t * w;
-            let rho = p.x.hypot(p.y);
-            let tube = (rho - self.major).hypot(p.z);
+            let flat = p.truncate();
+            let from_circle = DVec2::new(flat.length() - self.major, p.z);
+            let tube = from_circle.length();
             off = tube - self.minor;
-            let slope = ((rho - self.major) * (p.x * w.x + p.y * w.y) / rho + p.z * w.z) / tube;
-            let step = off / slope;
+            if off.abs() <= 1e-16 * self.major {
+                break;
+            }
+            let outward = flat.dot(w.truncate()) / flat.length();
+            let step = off * tube / from_circle.dot(DVec2::new(outward, w.z));
             if step.is_finite() && step.abs() * w.length() < self.minor {
                 t -= step;
             }
@@ -90,7 +94,7 @@ impl Torus {
 
     fn accept(&self, ray: &Ray, o: DVec3, w: DVec3, t: f64) -> Option<Hit> {
         let p = o + t * w;
-        let angle = p.z.atan2(p.x.hypot(p.y) - self.major) - self.tube[0];
+        let angle = p.z.atan2(p.truncate().length() - self.major) - self.tube[0];
         let v = (angle - TAU * (angle / TAU).round()) / self.tube[1];
         Hit::accept(ray, t, self.turn.parameter(p, self.major), v)
     }

@@ -60,7 +60,7 @@ impl Turn {
         let (sin, cos) = (self.middle + u * self.half).sin_cos();
         let [x, y, z] = self.axes;
         let (radial, around) = (cos * x + sin * y, cos * y - sin * x);
-        let speed = at.dx.hypot(at.dz);
+        let speed = (at.dx * at.dx + at.dz * at.dz).sqrt();
         Jet {
             position: self.origin + at.x * radial + at.z * z,
             du: at.x * self.half * around,
@@ -75,7 +75,7 @@ impl Turn {
     pub(super) fn parameter(&self, local: DVec3, size: f64) -> f64 {
         let angle = local.y.atan2(local.x) - self.middle;
         let u = (angle - TAU * (angle / TAU).round()) / self.half;
-        let beyond = (u.abs() - 1.0) * self.half * local.x.hypot(local.y);
+        let beyond = (u.abs() - 1.0) * self.half * local.truncate().length();
         if beyond <= Hit::SEAM * size { u.clamp(-1.0, 1.0) } else { u }
     }
 
