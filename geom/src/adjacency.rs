@@ -1,8 +1,8 @@
-//! What two patches have to do with each other: the same, touching along an edge, in a vertex, in a T, near, or apart; and what
-//! should not be: overlapping or passing through each other.
+//! What two patches have to do with each other: the same, touching along an edge, in a vertex, in a T, near,
+//! or apart; and what should not be: overlapping or passing through each other.
 //!
-//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points along them, so that two
-//! patches need not have the same parametrisation, or even shape, to share one.
+//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
+//! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
 
 use crate::{Aabb, Border, Patch, Ray};
 use glam::DVec3;
@@ -51,9 +51,11 @@ pub struct Seam {
     pub borders: [usize; 2],
     /// Whether the two run in opposite directions, as they do where the patches face the same way.
     pub reversed: bool,
-    /// Whether equal w (opposite w, where reversed) give equal points. Otherwise [`Border::nearest`] gives the correspondence.
+    /// Whether equal w (opposite w, where reversed) give equal points. Otherwise [`Border::nearest`] gives
+    /// the correspondence.
     pub matched: bool,
-    /// The largest angle between the normals along the edge, in radians: 0 where the patches join smoothly and face the same way.
+    /// The largest angle between the normals along the edge, in radians: 0 where the patches join smoothly
+    /// and face the same way.
     pub bend: f64,
 }
 
@@ -71,7 +73,8 @@ pub struct Tee {
 }
 
 impl Adjacency {
-    /// How `first` and `second` lie to each other. Where several relations hold the one listed first in [`Adjacency`] is returned.
+    /// How `first` and `second` lie to each other. Where several relations hold the one listed first in
+    /// [`Adjacency`] is returned.
     pub fn of(first: &Patch, second: &Patch) -> Adjacency {
         let extents = [first, second].map(|patch| patch.bounds().diagonal());
         let tolerance = TOUCH * extents[0].min(extents[1]);
@@ -119,7 +122,8 @@ fn whole_borders<'a>(patch: &Patch<'a>, tolerance: f64) -> Vec<(usize, Border<'a
     patch.borders().into_iter().enumerate().filter(|(_, border)| border.extent() > tolerance).collect()
 }
 
-/// [`Adjacency::Same`] or [`Adjacency::Overlap`], if inner points of one lie on the other and face along its normal.
+/// [`Adjacency::Same`] or [`Adjacency::Overlap`], if inner points of one lie on the other and face along its
+/// normal.
 fn shared_area(first: &Patch, second: &Patch, tolerance: f64) -> Option<Adjacency> {
     let shared = |a: &Patch, b: &Patch| {
         let samples = a.inner_samples();
@@ -235,7 +239,8 @@ fn vertices(first: &Patch, second: &Patch, tolerance: f64) -> Vec<DVec3> {
     found
 }
 
-/// Least distance: from the nearest pair of sampled points, by dropping feet from one patch to the other and back.
+/// Least distance: from the nearest pair of sampled points, by dropping feet from one patch to the other and
+/// back.
 fn gap(first: &Patch, second: &Patch) -> f64 {
     let samples = |patch: &Patch| -> Vec<DVec3> {
         let borders = patch.borders().into_iter().flat_map(|border| PLACES.map(|w| border.point(w)));

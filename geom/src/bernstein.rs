@@ -1,7 +1,7 @@
 //! Polynomials in Bernstein form: p(x) = Σ bᵢ C(n, i) xⁱ (1 − x)ⁿ⁻ⁱ on [0, 1], bᵢ numbers or vectors.
 //!
-//! De Casteljau's scheme bᵢ ← (1 − x) bᵢ + x bᵢ₊₁ evaluates, differentiates and splits; it is stable because for x ∈ [0, 1] it only
-//! forms weighted means. The polynomial lies in the convex hull of its coefficients.
+//! De Casteljau's scheme bᵢ ← (1 − x) bᵢ + x bᵢ₊₁ evaluates, differentiates and splits; it is stable because
+//! for x ∈ [0, 1] it only forms weighted means. The polynomial lies in the convex hull of its coefficients.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -26,8 +26,9 @@ pub(crate) fn weights<const N: usize>(x: f64) -> [f64; N] {
     w
 }
 
-/// Value and derivative at `x` of the polynomial of degree N − 1 ≥ 1, with `w` = [`weights`] of x: the last step of de Casteljau's
-/// scheme, whose two entries are the sums of b₀ … and b₁ … under the weights. Equal coefficients have derivative 0 exactly.
+/// Value and derivative at `x` of the polynomial of degree N − 1 ≥ 1, with `w` = [`weights`] of x: the last
+/// step of de Casteljau's scheme, whose two entries are the sums of b₀ … and b₁ … under the weights. Equal
+/// coefficients have derivative 0 exactly.
 pub(crate) fn combine<T: Coefficient, const N: usize>(b: &[T; N], w: &[f64; N], x: f64) -> (T, T) {
     let (mut low, mut high) = (b[0] * w[0], b[1] * w[0]);
     for k in 1..N - 1 {

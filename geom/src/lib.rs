@@ -1,8 +1,8 @@
 //! Curved parametric surfaces used as they are: jets, ray hits, contacts.
 //!
-//! A [`Surface`] maps parameters u, v ∈ [−1, 1]² to points of space. It is never tessellated: its jet (position, tangents,
-//! normal, area element) is exact at every parameter, and a ray meets the surface itself. The front is the side that
-//! x_u × x_v points to.
+//! A [`Surface`] maps parameters u, v ∈ [−1, 1]² to points of space. It is never tessellated: its jet
+//! (position, tangents, normal, area element) is exact at every parameter, and a ray meets the surface
+//! itself. The front is the side that x_u × x_v points to.
 //!
 //! The modules stand in groups; each imports only from groups above its own.
 

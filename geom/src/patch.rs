@@ -12,7 +12,8 @@ pub enum Patch<'a> {
     Curved(&'a dyn Surface, Rect),
 }
 
-/// A curve along the border of a patch, with w from −1 at its start to 1 at its end; the patch lies to its left.
+/// A curve along the border of a patch, with w from −1 at its start to 1 at its end; the patch lies to its
+/// left.
 #[derive(Clone, Copy, Debug)]
 pub enum Border<'a> {
     /// A straight edge.
@@ -35,8 +36,16 @@ impl<'a> Patch<'a> {
         }
     }
 
-    /// The curves around the patch, collapsed ones included. Flat: the edges of the outline, then those of each hole. Curved: v lowest,
-    /// u highest, v highest, u lowest.
+    /// Points whose convex hull holds the patch, for [`crate::separated`].
+    pub fn hull(&self) -> Vec<DVec3> {
+        match self {
+            Patch::Flat(region) => region.outer().to_vec(),
+            Patch::Curved(surface, rect) => surface.hull(rect),
+        }
+    }
+
+    /// The curves around the patch, collapsed ones included. Flat: the edges of the outline, then those of
+    /// each hole. Curved: v lowest, u highest, v highest, u lowest.
     pub fn borders(&self) -> Vec<Border<'a>> {
         match *self {
             Patch::Flat(region) => {
@@ -85,7 +94,8 @@ impl<'a> Patch<'a> {
         }
     }
 
-    /// Curves that show whether the patch passes through another: its borders and, where it is curved, lines across it.
+    /// Curves that show whether the patch passes through another: its borders and, where it is curved, lines
+    /// across it.
     pub(crate) fn lines(&self) -> Vec<Border<'a>> {
         let mut lines = self.borders();
         if let Patch::Curved(surface, rect) = *self {
@@ -107,9 +117,16 @@ impl<'a> Patch<'a> {
                 (ray.reaches(t) && region.contains(x)).then_some((x, region.normal()))
             }
             Patch::Curved(surface, rect) => {
-                let Hit { u, v, .. } = surface.intersect(ray)?;
-                let jet = surface.jet(u, v);
-                rect.contains(u, v).then_some((jet.position, jet.normal))
+                let mut rest = *ray;
+                loop {
+                    let Hit { t, u, v } = surface.intersect(&rest)?;
+                    if rect.contains(u, v) {
+                        let jet = surface.jet(u, v);
+                        return Some((jet.position, jet.normal));
+                    }
+                    // Beyond a hit outside the rectangle; a hair past it, so that the search ends.
+                    rest.range[0] = t + 1e-9 * (1.0 + t.abs());
+                }
             }
         }
     }

@@ -1,4 +1,5 @@
-//! Rays against boxes: the three slabs of a box meet the ray in intervals of t, and so does the box in what these share.
+//! Rays against boxes: the three slabs of a box meet the ray in intervals of t, and so does the box in what
+//! these share.
 
 use crate::{Aabb, Ray};
 use glam::DVec3;
@@ -17,8 +18,8 @@ impl Slabs {
         Slabs { origin: ray.origin, inverse: DVec3::new(invert(d.x), invert(d.y), invert(d.z)) }
     }
 
-    /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays within the plane of a
-    /// face: boxes need some room around what they hold.
+    /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays
+    /// within the plane of a face: boxes need some room around what they hold.
     pub(crate) fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
         let a = (bounds.min - self.origin) * self.inverse;
         let b = (bounds.max - self.origin) * self.inverse;

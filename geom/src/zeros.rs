@@ -1,15 +1,16 @@
 //! Zeros of planar maps f: [0, 1]² → ℝ² in Bernstein form, f(s, t) = Σ fᵢⱼ Bᵢ(s) Bⱼ(t).
 //!
-//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the mean derivative of
-//! f into the identity. Then (1) where the coefficients lie on one side of an axis there is no zero (they bound f); (2) where the
-//! coefficients of the derivative differ from the identity by at most κ < 1 in the maximum norm, f is one-to-one and its only
-//! zero lies within κ/(1 − κ) |g| of the centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it;
-//! (3) else the rectangle is halved across its longer side. Where the mean derivative is nearly singular (silhouettes, collapsed
-//! edges) test (1) is repeated with the axes turned along the image's long side, where the bounds are tight. So every zero is bracketed
-//! until it is proved single or its rectangle has shrunk to a point of the image.
+//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the
+//! mean derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
+//! is no zero (they bound f); (2) where the coefficients of the derivative differ from the identity by at
+//! most κ < 1 in the maximum norm, f is one-to-one and its only zero lies within κ/(1 − κ) |g| of the
+//! centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it; (3) else the rectangle is
+//! halved across its longer side. Where the mean derivative is nearly singular (silhouettes, collapsed edges)
+//! test (1) is repeated with the axes turned along the image's long side, where the bounds are tight. So
+//! every zero is bracketed until it is proved single or its rectangle has shrunk to a point of the image.
 //!
-//! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*, 1990), which shrinks the
-//! rectangle by the hull instead of proving uniqueness.
+//! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*,
+//! 1990), which shrinks the rectangle by the hull instead of proving uniqueness.
 
 use crate::bernstein::{combine, split, weights};
 use glam::{DMat2, DVec2};
@@ -18,11 +19,13 @@ use glam::{DMat2, DVec2};
 const NEARLY_LINEAR: f64 = 0.3;
 /// Images smaller than this multiple of the whole count as points: rounding decides where they are.
 const POINT: f64 = 1e-13;
-/// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes near.
+/// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes
+/// near.
 const BUDGET: usize = 4000;
 
-/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit` returns true. Zeros
-/// up to `outside` beyond [0, 1]² are visited too; one zero may be visited more than once.
+/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit`
+/// returns true. Zeros up to `outside` beyond [0, 1]² are visited too; one zero may be visited more than
+/// once.
 pub(crate) fn zeros<const M: usize, const N: usize>(
     net: &[[DVec2; N]; M],
     outside: f64,
@@ -92,7 +95,8 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         zero.is_some_and(|at| (self.visit)(at.x, at.y))
     }
 
-    /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's border.
+    /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's
+    /// border.
     fn newton(&self, mut at: DVec2, low: DVec2, high: DVec2) -> Option<DVec2> {
         for _ in 0..12 {
             let (f, derivative) = value(self.net, at.x, at.y);

@@ -1,7 +1,9 @@
-//! Bicubic Bézier patch: X(u, v) = Σᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ, s = ½(1 + u), t = ½(1 + v), B the cubic Bernstein polynomials.
+//! Bicubic Bézier patch: X(u, v) = Σᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ, s = ½(1 + u), t = ½(1 + v), B the cubic Bernstein
+//! polynomials.
 //!
-//! Front x_u × x_v. Area by quadrature. Range: any control points that span an area; an edge may be collapsed to a point,
-//! where the normal is the limit of X_u × X_v over the distance from the edge, ±X_u × X_uv or ±X_uv × X_v.
+//! Front x_u × x_v. Area by quadrature. Range: any control points that span an area; an edge may be collapsed
+//! to a point, where the normal is the limit of X_u × X_v over the distance from the edge, ±X_u × X_uv or
+//! ±X_uv × X_v.
 //!
 //! Ray: seen along it, the control points form a planar net, whose zeros are bracketed.
 

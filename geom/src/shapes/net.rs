@@ -1,4 +1,5 @@
-//! What bicubic patches share: values of 4 × 4 control nets, normals at collapsed edges, and rays cast at them tile by tile.
+//! What bicubic patches share: values of 4 × 4 control nets, normals at collapsed edges, and rays cast at
+//! them tile by tile.
 
 use crate::bernstein::{Coefficient, combine, restrict, weights};
 use crate::slabs::Slabs;
@@ -39,8 +40,8 @@ pub(super) fn jet(u: f64, v: f64, at: impl Fn(f64, f64) -> Sample<DVec3>) -> Jet
     }
 }
 
-/// The normal where the tangents span no plane. On an edge collapsed to a point one tangent vanishes like the distance from
-/// the edge times the mixed derivative; elsewhere the normal a little farther inside has to do.
+/// The normal where the tangents span no plane. On an edge collapsed to a point one tangent vanishes like the
+/// distance from the edge times the mixed derivative; elsewhere the normal a little farther inside has to do.
 fn limit_normal(u: f64, v: f64, here: &Sample<DVec3>, at: impl Fn(f64, f64) -> Sample<DVec3>) -> DVec3 {
     let collapsed_in_t = here.by_t.length_squared() < here.by_s.length_squared();
     let limit = if collapsed_in_t {
@@ -64,7 +65,8 @@ pub(super) fn part<T: Coefficient>(net: &[[T; 4]; 4], rect: &Rect) -> [[T; 4]; 4
     std::array::from_fn(|i| columns.map(|column| column[i]))
 }
 
-/// One of the 4 × 4 equal parts a patch is cut into, in its parameters, to look for rays only where they pass.
+/// One of the 4 × 4 equal parts a patch is cut into, in its parameters, to look for rays only where they
+/// pass.
 #[derive(Clone, Debug)]
 pub(super) struct Tile<T> {
     net: [[T; 4]; 4],
@@ -90,8 +92,8 @@ pub(super) fn tiles<T: Coefficient>(net: &[[T; 4]; 4], point: impl Fn(T) -> DVec
     (0..TILES * TILES).map(tile).collect()
 }
 
-/// The nearest hit, or with `any` the first one found. `point` makes a point of a coefficient; `seen` a multiple of its place across
-/// the ray's direction, given two unit vectors across it.
+/// The nearest hit, or with `any` the first one found. `point` makes a point of a coefficient; `seen` a
+/// multiple of its place across the ray's direction, given two unit vectors across it.
 pub(super) fn cast<T: Coefficient>(
     tiles: &[Tile<T>],
     ray: &Ray,

@@ -1,7 +1,8 @@
 //! Rational bicubic patch: X(u, v) = Σ wᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ / Σ wᵢⱼ Bᵢ(s) Bⱼ(t), s = ½(1 + u), t = ½(1 + v).
 //!
-//! With the numerator A and the denominator w: X_s = (A_s − w_s X)/w, X_st = (A_st − w_s X_t − w_t X_s − w_st X)/w. Front x_u × x_v.
-//! Area by quadrature. Range: weights > 0; collapsed edges as for the polynomial patch.
+//! With the numerator A and the denominator w: X_s = (A_s − w_s X)/w, X_st = (A_st − w_s X_t − w_t X_s − w_st
+//! X)/w. Front x_u × x_v. Area by quadrature. Range: weights > 0; collapsed edges as for the polynomial
+//! patch.
 //!
 //! Ray: the numerators of the coordinates across the ray form a planar polynomial net with the same zeros.
 

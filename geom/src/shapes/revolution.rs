@@ -1,12 +1,15 @@
-//! Surface of revolution of a cubic Bézier curve: X(u, v) = o + x(s)(cos φ x̂ + sin φ ŷ) + z(s) ẑ, s = ½(1 + v), φ linear in u.
+//! Surface of revolution of a cubic Bézier curve: X(u, v) = o + x(s)(cos φ x̂ + sin φ ŷ) + z(s) ẑ, s = ½(1 +
+//! v), φ linear in u.
 //!
-//! x and z are the distance from the axis and the height along it of the curve; its own azimuth does not matter. The front is
-//! the outside where the curve runs up the axis. Area 2π-fold (or less) ∫ x |C′| ds, by quadrature. Range: a curve in one half-plane
-//! bounded by the axis; it may end on the axis, where the normal is the limit along the curve.
+//! x and z are the distance from the axis and the height along it of the curve; its own azimuth does not
+//! matter. The front is the outside where the curve runs up the axis. Area 2π-fold (or less) ∫ x |C′| ds, by
+//! quadrature. Range: a curve in one half-plane bounded by the axis; it may end on the axis, where the normal
+//! is the limit along the curve.
 //!
-//! Ray: it is at the height z(s) and the distance x(s) where f(t, s) = (z(s) − z(t), x²(s) − ρ²(t)) vanishes, a polynomial map of
-//! degree 2 in t and 6 in s whose zeros are bracketed, piece by piece of the curve and only where the ray is in the ring around
-//! the piece. The square loses digits near the axis; Newton steps on x(s) − ρ(t) restore them.
+//! Ray: it is at the height z(s) and the distance x(s) where f(t, s) = (z(s) − z(t), x²(s) − ρ²(t)) vanishes,
+//! a polynomial map of degree 2 in t and 6 in s whose zeros are bracketed, piece by piece of the curve and
+//! only where the ray is in the ring around the piece. The square loses digits near the axis; Newton steps on
+//! x(s) − ρ(t) restore them.
 
 use super::check_finite;
 use super::turn::{Profile, Turn};
@@ -40,13 +43,13 @@ pub struct Revolution {
 }
 
 impl Revolution {
-    /// The cubic Bézier curve with control points `curve` turned about the line through `center` along `axis`, with `angle` from
-    /// and to in radians.
+    /// The cubic Bézier curve with control points `curve` turned about the line through `center` along
+    /// `axis`, with `angle` from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its half-plane, crosses the
-    /// axis, or spans no area.
+    /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its
+    /// half-plane, crosses the axis, or spans no area.
     pub fn new(
         curve: [DVec3; 4],
         center: DVec3,
@@ -152,8 +155,8 @@ impl Piece {
         Piece { squares, x: range(x), z: range(z) }
     }
 
-    /// The at most two stretches of t in which the line o + t w is within the ring x₀ ≤ ρ ≤ x₁, z₀ ≤ z ≤ z₁; empty ones have
-    /// their ends out of order. ρ² = ρ*² + (t − t*)² |w⊥|² with the least distance ρ* at t*.
+    /// The at most two stretches of t in which the line o + t w is within the ring x₀ ≤ ρ ≤ x₁, z₀ ≤ z ≤ z₁;
+    /// empty ones have their ends out of order. ρ² = ρ*² + (t − t*)² |w⊥|² with the least distance ρ* at t*.
     fn stretches(&self, o: DVec3, w: DVec3) -> [[f64; 2]; 2] {
         const NONE: [f64; 2] = [1.0, 0.0];
         let (flat_o, flat_w) = (o.truncate(), w.truncate());
@@ -188,7 +191,8 @@ impl Piece {
     }
 }
 
-/// Distances from the axis and heights of the control points, if they lie in a half-plane and the curve keeps to it.
+/// Distances from the axis and heights of the control points, if they lie in a half-plane and the curve keeps
+/// to it.
 fn profile_of(curve: &[DVec3; 4], turn: &Turn) -> Result<[DVec2; 4], ShapeError> {
     let field = || "curve".to_string();
     let local = curve.map(|x| turn.local_point(x));

@@ -1,11 +1,11 @@
-//! Torus: X(u, v) = c + (R + r cos ψ)(cos φ x̂ + sin φ ŷ) + r sin ψ ẑ, φ linear in u over the angle about the axis, ψ linear in v over
-//! the angle about the tube (0 at the outer equator, toward the axis' head).
+//! Torus: X(u, v) = c + (R + r cos ψ)(cos φ x̂ + sin φ ŷ) + r sin ψ ẑ, φ linear in u over the angle about the
+//! axis, ψ linear in v over the angle about the tube (0 at the outer equator, toward the axis' head).
 //!
 //! Front: outside of the tube. Area (φ₁ − φ₀) r (R (ψ₁ − ψ₀) + r (sin ψ₁ − sin ψ₀)). Range: R > r > 0.
 //!
-//! Ray: with p = o + t w, (|p|² + R² − r²)² = 4 R² (p_x² + p_y²), a quartic. Its Bernstein form over the ray's stretch inside the
-//! enclosing sphere isolates every root; each is then refined on the distance from the tube, √((ρ − R)² + z²) − r, which keeps the
-//! digits the quartic loses for thin tubes.
+//! Ray: with p = o + t w, (|p|² + R² − r²)² = 4 R² (p_x² + p_y²), a quartic. Its Bernstein form over the
+//! ray's stretch inside the enclosing sphere isolates every root; each is then refined on the distance from
+//! the tube, √((ρ − R)² + z²) − r, which keeps the digits the quartic loses for thin tubes.
 
 use super::sphere::meet;
 use super::turn::{Profile, Turn, arc_range, check_angle};
@@ -27,12 +27,13 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// The torus whose tube of radius `minor` runs about the circle of radius `major` around `center`, across `axis`. `angle`
-    /// about the axis and `tube_angle` about the tube from and to in radians.
+    /// The torus whose tube of radius `minor` runs about the circle of radius `major` around `center`, across
+    /// `axis`. `angle` about the axis and `tube_angle` about the tube from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, radii not 0 < minor < major, an axis of no length, a wrong range of angles.
+    /// Numbers that are not finite, radii not 0 < minor < major, an axis of no length, a wrong range of
+    /// angles.
     pub fn new(
         center: DVec3,
         axis: DVec3,

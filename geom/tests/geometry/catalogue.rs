@@ -35,7 +35,8 @@ fn areas_are_in_the_ratio_of_the_view_factor() {
     }
 }
 
-/// The fronts face each other: some segment between them leaves one and reaches the other on its front, unless both are one.
+/// The fronts face each other: some segment between them leaves one and reaches the other on its front,
+/// unless both are one.
 #[test]
 fn fronts_face_each_other() {
     for case in view_factors() {

@@ -9,7 +9,8 @@ fn areas_agree_with_the_table() {
     let teapot = Teapot::load();
     assert_eq!(teapot.surfaces().len(), 32);
     for (k, (surface, area)) in teapot.surfaces().iter().zip(&teapot.areas).enumerate() {
-        // The table's rule is blind to the fold of the spout's lip and to the collapsed edges of the lid: good to 3e-6 there.
+        // The table's rule is blind to the fold of the spout's lip and to the collapsed edges of the lid:
+        // good to 3e-6 there.
         let digits = if (18..24).contains(&k) { 3e-6 } else { 3e-9 };
         assert!(
             (surface.area() - area).abs() < digits * area,
@@ -71,7 +72,8 @@ fn the_graph_of_seams_is_that_of_the_control_points() {
     let teapot = Teapot::load();
     let seams = all_seams(&teapot);
     assert!(seams.iter().all(|(_, _, seam)| seam.matched && seam.reversed));
-    // Four patches to a ring: rim, body above, body below, lid above, lid below, bottom; two and two for handle and spout.
+    // Four patches to a ring: rim, body above, body below, lid above, lid below, bottom; two and two for
+    // handle and spout.
     let smooth = seams.iter().filter(|(_, _, seam)| seam.bend < 1e-3).count();
     assert!(smooth >= 24, "{smooth} of {} seams are smooth", seams.len());
 }
