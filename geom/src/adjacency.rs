@@ -37,11 +37,8 @@ pub enum Adjacency {
         /// Least distance, to a few digits.
         gap: f64,
     },
-    /// They are well apart.
-    Apart {
-        /// Least distance, to a few digits.
-        gap: f64,
-    },
+    /// They are well apart: by more than a quarter of the larger one's extent.
+    Apart,
 }
 
 /// A whole edge that two patches share.
@@ -84,12 +81,12 @@ impl Adjacency {
         {
             return contact;
         }
-        let gap = gap(first, second);
-        if gap < NEAR * extents[0].max(extents[1]) {
-            Adjacency::Near { gap }
-        } else {
-            Adjacency::Apart { gap }
+        let near = NEAR * extents[0].max(extents[1]);
+        if !boxes[0].inflate(near).overlaps(&boxes[1]) {
+            return Adjacency::Apart;
         }
+        let gap = gap(first, second);
+        if gap < near { Adjacency::Near { gap } } else { Adjacency::Apart }
     }
 }
 

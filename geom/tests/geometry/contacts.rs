@@ -39,7 +39,7 @@ fn the_walls_of_the_box_share_edges_and_the_light_lies_in_the_ceiling() {
         }
     }
     assert_eq!(adjacency(&faces["ceiling"], &faces["light"]), Adjacency::Overlap);
-    assert!(matches!(adjacency(&faces["short_block_top"], &faces["ceiling"]), Adjacency::Apart { .. }));
+    assert!(matches!(adjacency(&faces["short_block_top"], &faces["ceiling"]), Adjacency::Apart));
     assert!(matches!(
         adjacency(&faces["short_block_side1"], &faces["short_block_side2"]),
         Adjacency::Edges(_)
@@ -159,9 +159,12 @@ proptest! {
         let Adjacency::Vertices(points) = found else { panic!("{found:?}") };
         prop_assert!(points.len() == 1 && points[0].distance(motion.point(DVec3::ZERO)) < 1e-6 * motion.scale());
         let above = Parallelogram::new(distance * DVec3::Z, DVec3::X, DVec3::Y).unwrap();
-        let (Adjacency::Near { gap } | Adjacency::Apart { gap }) = adjacency(&placed(square(), motion), &placed(above, motion))
-        else { panic!() };
-        prop_assert!((gap / (distance * motion.scale()) - 1.0).abs() < 1e-3);
+        let found = adjacency(&placed(square(), motion), &placed(above, motion));
+        if let Adjacency::Near { gap } = found {
+            prop_assert!(distance < 0.6 && (gap / (distance * motion.scale()) - 1.0).abs() < 1e-3);
+        } else {
+            prop_assert!(distance > 0.3 && found == Adjacency::Apart);
+        }
     }
 
     /// Squares passing through each other, and lying in each other.
