@@ -309,6 +309,28 @@ mod tests {
     }
 
     #[test]
+    fn vertices_within_straight_edges_are_allowed() {
+        let square =
+            flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0), (0.0, 1.0)]);
+        assert_covers(&PlanarRegion::new(square, vec![]).unwrap());
+        let triangle = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 2.0)]);
+        assert_covers(&PlanarRegion::new(triangle, vec![]).unwrap());
+    }
+
+    #[test]
+    fn the_floor_of_the_cornell_box_without_its_blocks() {
+        let outer = flat(&[(552.8, 0.0), (549.6, 559.2), (0.0, 559.2), (0.0, 0.0)]);
+        let short = flat(&[(130.0, 65.0), (82.0, 225.0), (240.0, 272.0), (290.0, 114.0)]);
+        let tall = flat(&[(423.0, 247.0), (265.0, 296.0), (314.0, 456.0), (472.0, 406.0)]);
+        let area = area_vector(&outer).length() - area_vector(&short).length() - area_vector(&tall).length();
+        let region = PlanarRegion::new(outer, vec![short, tall]).unwrap();
+        assert!((region.area() - area).abs() < 1e-9 * area);
+        assert_covers(&region);
+        // Twelve vertices and two holes make 14 triangles; all in pairs they would be seven pieces.
+        assert!((7..=11).contains(&region.convex_pieces().len()), "{}", region.convex_pieces().len());
+    }
+
+    #[test]
     fn flipping_twice_gives_the_region_back() {
         let region = PlanarRegion::new(square((0.0, 0.0), 2.0), vec![square((0.5, 0.0), 1.0)]).unwrap();
         assert_eq!(region.flipped().flipped(), region);
