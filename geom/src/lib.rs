@@ -4,6 +4,16 @@
 //! (position, tangents, normal, area element) is exact at every parameter, and a ray meets the surface
 //! itself. The front is the side that x_u × x_v points to.
 //!
+//! ```
+//! use radiosity_geom::{DVec3, Ray, Surface, shapes::{FULL_TURN, Torus}};
+//!
+//! let ring = Torus::new(DVec3::ZERO, DVec3::Z, 2.0, 0.5, FULL_TURN, FULL_TURN)?;
+//! let hit = ring.intersect(&Ray::new(DVec3::new(-9.0, 0.0, 0.0), DVec3::X)).expect("the ring is in the way");
+//! assert!((hit.t - 6.5).abs() < 1e-12);
+//! assert!(ring.jet(hit.u, hit.v).normal.distance(-DVec3::X) < 1e-12);
+//! # Ok::<(), radiosity_geom::ShapeError>(())
+//! ```
+//!
 //! The modules stand in groups; each imports only from groups above its own.
 
 mod aabb;
