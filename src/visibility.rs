@@ -116,8 +116,9 @@ impl Visibility {
 
 impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
+        let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let convex = shape.region().is_some_and(|region| region.convex_pieces().len() == 1);
-        Self { shape: Arc::clone(shape), hull: shape.hull(&Rect::FULL), convex }
+        Self { shape: Arc::clone(shape), hull, convex }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Polynomials in Bernstein form: p(x) = Σ bᵢ C(n, i) xⁱ (1 − x)ⁿ⁻ⁱ on [0, 1], bᵢ numbers or vectors.
 //!
-//! De Casteljau's scheme bᵢ ← (1 − x) bᵢ + x bᵢ₊₁ evaluates, differentiates and splits; it is stable because for x ∈ [0, 1] it only
-//! forms weighted means. The polynomial lies in the convex hull of its coefficients.
+//! De Casteljau's scheme bᵢ ← (1 − x) bᵢ + x bᵢ₊₁ evaluates, differentiates and splits; it is stable because
+//! for x ∈ [0, 1] it only forms weighted means. The polynomial lies in the convex hull of its coefficients.
 
 use std::ops::{Add, Mul, Sub};
 
@@ -13,16 +13,35 @@ pub(crate) trait Coefficient:
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Coefficient for T {}
 
+/// The Bernstein polynomials of degree N − 2 at `x`, and a last entry 0: what [`combine`] needs of a place.
+pub(crate) fn weights<const N: usize>(x: f64) -> [f64; N] {
+    let mut w = [0.0; N];
+    w[0] = 1.0;
+    for n in 1..N - 1 {
+        for k in (1..=n).rev() {
+            w[k] = (1.0 - x) * w[k] + x * w[k - 1];
+        }
+        w[0] *= 1.0 - x;
+    }
+    w
+}
+
+/// Value and derivative at `x` of the polynomial of degree N − 1 ≥ 1, with `w` = [`weights`] of x: the last
+/// step of de Casteljau's scheme, whose two entries are the sums of b₀ … and b₁ … under the weights. Equal
+/// coefficients have derivative 0 exactly.
+pub(crate) fn combine<T: Coefficient, const N: usize>(b: &[T; N], w: &[f64; N], x: f64) -> (T, T) {
+    let (mut low, mut high) = (b[0] * w[0], b[1] * w[0]);
+    for k in 1..N - 1 {
+        low = low + b[k] * w[k];
+        high = high + b[k + 1] * w[k];
+    }
+    let step = high - low;
+    (low + step * x, step * (N - 1) as f64)
+}
+
 /// Value and derivative at `x` of the polynomial of degree N − 1 ≥ 1.
 pub(crate) fn evaluate<T: Coefficient, const N: usize>(b: &[T; N], x: f64) -> (T, T) {
-    let mut row = *b;
-    for n in (2..N).rev() {
-        for k in 0..n {
-            row[k] = row[k] + (row[k + 1] - row[k]) * x;
-        }
-    }
-    let slope = row[1] - row[0];
-    (row[0] + slope * x, slope * (N - 1) as f64)
+    combine(b, &weights(x), x)
 }
 
 /// The coefficients on [0, x] and on [x, 1]; x outside [0, 1] extends the polynomial.

@@ -1,12 +1,13 @@
 //! A bounding-volume hierarchy over boxes, whatever is in them.
 //!
-//! Built top-down: each node is split between the two of 16 bins of box centres that minimise the expected number of box
-//! tests, Σ area · count (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after Wald, 2007). What a box holds is
-//! known to the caller alone, who tests it in full precision; the hierarchy only leaves out what a ray cannot reach. Boxes
-//! are inflated by 1e-8 of their size, more than the overhang at which a hit is still accepted.
+//! Built top-down: each node is split between the two of 16 bins of box centres that minimise the expected
+//! number of box tests, Σ area · count (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after
+//! Wald, 2007). What a box holds is known to the caller alone, who tests it in full precision; the hierarchy
+//! only leaves out what a ray cannot reach. Boxes are inflated by 1e-8 of their size, more than the overhang
+//! at which a hit is still accepted.
 
+use crate::slabs::Slabs;
 use crate::{Aabb, Hit, Ray};
-use glam::DVec3;
 
 const BINS: usize = 16;
 /// Below this depth splits halve the number of boxes instead, which bounds the depth of the stack.
@@ -21,7 +22,8 @@ pub struct Bvh {
     order: Vec<u32>,
 }
 
-/// A leaf holds `order[first .. first + count]`; an inner node (`count` = 0) has its children at `first` and `first + 1`.
+/// A leaf holds `order[first .. first + count]`; an inner node (`count` = 0) has its children at `first` and
+/// `first + 1`.
 #[derive(Clone, Copy, Debug)]
 struct Node {
     bounds: Aabb,
@@ -42,8 +44,8 @@ impl Bvh {
         Bvh { nodes, order }
     }
 
-    /// The hit of lowest t among all boxes' contents, with the index of its box. `test` gets an index and the ray, cut off
-    /// beyond the nearest hit so far; it returns the nearest hit with that box's content.
+    /// The hit of lowest t among all boxes' contents, with the index of its box. `test` gets an index and the
+    /// ray, cut off beyond the nearest hit so far; it returns the nearest hit with that box's content.
     pub fn nearest(
         &self,
         ray: &Ray,
@@ -87,7 +89,8 @@ impl Bvh {
         }
     }
 
-    /// Walks the boxes along the ray, near ones first; `at_box` returns the range's new end, or `None` to stop.
+    /// Walks the boxes along the ray, near ones first; `at_box` returns the range's new end, or `None` to
+    /// stop.
     fn visit(&self, slabs: &Slabs, range: [f64; 2], mut at_box: impl FnMut(usize) -> Option<f64>) {
         let mut end = range[1];
         let mut stack = [(0u32, 0.0f64); STACK];
@@ -126,30 +129,6 @@ impl Bvh {
 
     fn content(&self, leaf: &Node) -> impl Iterator<Item = usize> + '_ {
         self.order[leaf.first as usize..(leaf.first + leaf.count) as usize].iter().map(|k| *k as usize)
-    }
-}
-
-/// A ray prepared for box tests.
-struct Slabs {
-    origin: DVec3,
-    inverse: DVec3,
-}
-
-impl Slabs {
-    fn new(ray: &Ray) -> Slabs {
-        // A huge inverse instead of an infinite one: 0 · ∞ must not arise for rays within a slab's plane.
-        let invert = |x: f64| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x };
-        let d = ray.direction;
-        Slabs { origin: ray.origin, inverse: DVec3::new(invert(d.x), invert(d.y), invert(d.z)) }
-    }
-
-    /// Where the ray enters the box, if it does so between `start` and `end`.
-    fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
-        let a = (bounds.min - self.origin) * self.inverse;
-        let b = (bounds.max - self.origin) * self.inverse;
-        let entry = a.min(b).max_element().max(start);
-        let exit = a.max(b).min_element().min(end);
-        (entry <= exit).then_some(entry)
     }
 }
 
@@ -237,6 +216,7 @@ mod tests {
     use super::*;
     use crate::Surface;
     use crate::shapes::Triangle;
+    use glam::DVec3;
     use proptest::prelude::*;
 
     fn triangles(points: &[[f64; 9]]) -> Vec<Triangle> {

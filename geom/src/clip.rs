@@ -1,14 +1,17 @@
-//! Clipping a convex polygon by a plane (Sutherland and Hodgman, *Reentrant polygon clipping*, CACM 17, 1974).
+//! Clipping a convex polygon by a plane (Sutherland and Hodgman, *Reentrant polygon clipping*, CACM 17,
+//! 1974).
 
 use glam::DVec3;
 
-/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on it.
+/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on
+/// it.
 const ON_PLANE: f64 = 1e-12;
 
 /// The part of a convex `polygon` with (x − `point`) · `normal` ≥ 0, vertices in the same order.
 ///
-/// Vertices within a relative 1e-12 of the plane (relative to the farthest vertex from `point`) count as on it, so that no
-/// edge is cut next to its end. Empty where nothing but a vertex or an edge remains. `normal` need not be a unit vector.
+/// Vertices within a relative 1e-12 of the plane (relative to the farthest vertex from `point`) count as on
+/// it, so that no edge is cut next to its end. Empty where nothing but a vertex or an edge remains. `normal`
+/// need not be a unit vector.
 pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3> {
     let reach = polygon.iter().map(|x| (*x - point).length_squared()).fold(0.0, f64::max).sqrt();
     let tolerance = ON_PLANE * reach * normal.length();
@@ -32,7 +35,8 @@ pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3
         }
         previous = Some((x, h));
     }
-    // Coplanar polygons lie in the closed half-space as a whole; what merely touches the plane from behind has no area.
+    // Coplanar polygons lie in the closed half-space as a whole; what merely touches the plane from behind
+    // has no area.
     let coplanar = kept.len() == polygon.len();
     if inside || coplanar { kept } else { Vec::new() }
 }

@@ -3,7 +3,8 @@
 use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, Surface};
 use glam::DVec3;
 
-/// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u × x_v.
+/// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u
+/// × x_v.
 #[derive(Debug)]
 pub struct Flipped {
     base: Box<dyn Surface>,

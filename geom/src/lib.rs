@@ -1,8 +1,18 @@
 //! Curved parametric surfaces used as they are: jets, ray hits, contacts.
 //!
-//! A [`Surface`] maps parameters u, v ∈ [−1, 1]² to points of space. It is never tessellated: its jet (position, tangents,
-//! normal, area element) is exact at every parameter, and a ray meets the surface itself. The front is the side that
-//! x_u × x_v points to.
+//! A [`Surface`] maps parameters u, v ∈ [−1, 1]² to points of space. It is never tessellated: its jet
+//! (position, tangents, normal, area element) is exact at every parameter, and a ray meets the surface
+//! itself. The front is the side that x_u × x_v points to.
+//!
+//! ```
+//! use radiosity_geom::{DVec3, Ray, Surface, shapes::{FULL_TURN, Torus}};
+//!
+//! let ring = Torus::new(DVec3::ZERO, DVec3::Z, 2.0, 0.5, FULL_TURN, FULL_TURN)?;
+//! let hit = ring.intersect(&Ray::new(DVec3::new(-9.0, 0.0, 0.0), DVec3::X)).expect("the ring is in the way");
+//! assert!((hit.t - 6.5).abs() < 1e-12);
+//! assert!(ring.jet(hit.u, hit.v).normal.distance(-DVec3::X) < 1e-12);
+//! # Ok::<(), radiosity_geom::ShapeError>(())
+//! ```
 //!
 //! The modules stand in groups; each imports only from groups above its own.
 
@@ -14,25 +24,32 @@ mod rect;
 mod separated;
 mod shape_error;
 
-mod bvh;
 mod motion;
 mod roots;
+mod slabs;
 mod zeros;
 
+mod bvh;
 mod region;
 
 mod surface;
+
+mod patch;
+
+mod adjacency;
 
 mod flipped;
 mod placed;
 pub mod shapes;
 
 pub use aabb::Aabb;
+pub use adjacency::{Adjacency, Seam, Tee};
 pub use bvh::Bvh;
 pub use clip::clip_polygon;
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
 pub use motion::Motion;
+pub use patch::{Border, Patch};
 pub use placed::Placed;
 pub use ray::{Hit, Ray};
 pub use rect::Rect;

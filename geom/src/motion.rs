@@ -15,8 +15,8 @@ impl Motion {
     /// Leaves everything where it is.
     pub const IDENTITY: Motion = Motion { translation: DVec3::ZERO, rotation: DMat3::IDENTITY, scale: 1.0 };
 
-    /// Scales by `scale`, turns by `angle` (radians, right-handed) about `axis`, then moves by `translate`. The axis may have any
-    /// length, and none where the angle is 0.
+    /// Scales by `scale`, turns by `angle` (radians, right-handed) about `axis`, then moves by `translate`.
+    /// The axis may have any length, and none where the angle is 0.
     ///
     /// # Errors
     ///

@@ -1,7 +1,7 @@
 //! Surfaces moved: x ↦ σ R x + τ.
 //!
-//! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit where the moved
-//! surface is: t stays the same, since the direction is carried back unnormalised.
+//! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit
+//! where the moved surface is: t stays the same, since the direction is carried back unnormalised.
 
 use crate::{Aabb, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, Surface};
 use glam::DVec3;
@@ -50,11 +50,16 @@ impl Surface for Placed {
         }
     }
 
-    /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of what is in it, the less so the smaller it is.
+    /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of what is in it, the less so the
+    /// smaller it is.
     fn bounds(&self, rect: &Rect) -> Aabb {
         let parts = rect.quarters().into_iter().flat_map(|quarter| quarter.quarters());
         let corners = parts.flat_map(|part| self.base.bounds(&part).corners());
         Aabb::around(corners.map(|x| self.motion.point(x)))
+    }
+
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        self.base.hull(rect).into_iter().map(|x| self.motion.point(x)).collect()
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

@@ -52,11 +52,12 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// How far outside [−1, 1] a parameter may fall and still count as a hit: rays aimed at the seam between two surfaces
-    /// must not slip through by rounding.
+    /// How far outside [−1, 1] a parameter may fall and still count as a hit: rays aimed at the seam between
+    /// two surfaces must not slip through by rounding.
     pub const SEAM: f64 = 1e-9;
 
-    /// The hit, its parameters clamped to [−1, 1]; `None` where they lie beyond 1 + [`Hit::SEAM`] or `t` outside the ray.
+    /// The hit, its parameters clamped to [−1, 1]; `None` where they lie beyond 1 + [`Hit::SEAM`] or `t`
+    /// outside the ray.
     pub(crate) fn accept(ray: &Ray, t: f64, u: f64, v: f64) -> Option<Hit> {
         let inside = u.abs() <= 1.0 + Hit::SEAM && v.abs() <= 1.0 + Hit::SEAM;
         (inside && ray.reaches(t)).then(|| Hit { t, u: u.clamp(-1.0, 1.0), v: v.clamp(-1.0, 1.0) })

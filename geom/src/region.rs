@@ -1,7 +1,8 @@
 //! Polygons with holes in a plane.
 //!
-//! The plane passes through the first vertex of the outline; its normal is Newell's, ½ Σ xᵢ × xᵢ₊₁ made a unit vector, so
-//! that the outline runs counter-clockwise about it. Holes are stored clockwise: the region lies to the left of every edge.
+//! The plane passes through the first vertex of the outline; its normal is Newell's, ½ Σ xᵢ × xᵢ₊₁ made a
+//! unit vector, so that the outline runs counter-clockwise about it. Holes are stored clockwise: the region
+//! lies to the left of every edge.
 
 mod pieces;
 mod rings;
@@ -9,8 +10,8 @@ mod rings;
 use crate::{Motion, ShapeError};
 use glam::{DVec2, DVec3};
 
-/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed decimals and single
-/// precision pass, a quad meant to be curved does not.
+/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed
+/// decimals and single precision pass, a quad meant to be curved does not.
 pub(crate) const PLANARITY: f64 = 1e-6;
 
 /// How near to the boundary a point counts as inside, in multiples of the extent: seams must not leak.
@@ -31,13 +32,14 @@ pub struct PlanarRegion {
 }
 
 impl PlanarRegion {
-    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal; holes may run
-    /// either way round and may touch each other and the outline, but not cross them.
+    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal;
+    /// holes may run either way round and may touch each other and the outline, but not cross them.
     ///
     /// # Errors
     ///
-    /// Too few, repeated or non-finite vertices; no area; vertices farther than 1e-6 of the extent off the plane; a ring that
-    /// crosses itself; a hole that leaves the outline or overlaps another. The fields are named `vertices` and `holes[k]`.
+    /// Too few, repeated or non-finite vertices; no area; vertices farther than 1e-6 of the extent off the
+    /// plane; a ring that crosses itself; a hole that leaves the outline or overlaps another. The fields are
+    /// named `vertices` and `holes[k]`.
     pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
         let names: Vec<String> = (0..=holes.len()).map(ring_name).collect();
         let mut rings = vec![outer];
@@ -100,13 +102,15 @@ impl PlanarRegion {
         self.extent
     }
 
-    /// Coordinates of the foot of `point` on the plane, along [`PlanarRegion::axes`] from [`PlanarRegion::origin`].
+    /// Coordinates of the foot of `point` on the plane, along [`PlanarRegion::axes`] from
+    /// [`PlanarRegion::origin`].
     pub fn to_plane(&self, point: DVec3) -> DVec2 {
         let d = point - self.origin();
         DVec2::new(d.dot(self.axes[0]), d.dot(self.axes[1]))
     }
 
-    /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9 of the boundary.
+    /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9
+    /// of the boundary.
     pub fn contains(&self, point: DVec3) -> bool {
         let height = (point - self.origin()).dot(self.normal);
         height.abs() <= PLANARITY * self.extent && self.covers(self.to_plane(point))
@@ -123,8 +127,9 @@ impl PlanarRegion {
         &self.flat[0]
     }
 
-    /// The region cut into few, well-shaped convex polygons of three or four of the given vertices each, counter-clockwise
-    /// about the normal. Together they cover the region exactly. A convex outline of three or four vertices is one piece.
+    /// The region cut into few, well-shaped convex polygons of three or four of the given vertices each,
+    /// counter-clockwise about the normal. Together they cover the region exactly. A convex outline of three
+    /// or four vertices is one piece.
     pub fn convex_pieces(&self) -> Vec<Vec<DVec3>> {
         self.pieces.clone()
     }
@@ -301,6 +306,28 @@ mod tests {
         ] {
             assert_covers(&PlanarRegion::new(outer(), holes).unwrap());
         }
+    }
+
+    #[test]
+    fn vertices_within_straight_edges_are_allowed() {
+        let square =
+            flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0), (0.0, 1.0)]);
+        assert_covers(&PlanarRegion::new(square, vec![]).unwrap());
+        let triangle = flat(&[(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (0.0, 2.0)]);
+        assert_covers(&PlanarRegion::new(triangle, vec![]).unwrap());
+    }
+
+    #[test]
+    fn the_floor_of_the_cornell_box_without_its_blocks() {
+        let outer = flat(&[(552.8, 0.0), (549.6, 559.2), (0.0, 559.2), (0.0, 0.0)]);
+        let short = flat(&[(130.0, 65.0), (82.0, 225.0), (240.0, 272.0), (290.0, 114.0)]);
+        let tall = flat(&[(423.0, 247.0), (265.0, 296.0), (314.0, 456.0), (472.0, 406.0)]);
+        let area = area_vector(&outer).length() - area_vector(&short).length() - area_vector(&tall).length();
+        let region = PlanarRegion::new(outer, vec![short, tall]).unwrap();
+        assert!((region.area() - area).abs() < 1e-9 * area);
+        assert_covers(&region);
+        // Twelve vertices and two holes make 14 triangles; all in pairs they would be seven pieces.
+        assert!((7..=11).contains(&region.convex_pieces().len()), "{}", region.convex_pieces().len());
     }
 
     #[test]

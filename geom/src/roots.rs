@@ -1,17 +1,19 @@
 //! Real roots of polynomials of low degree.
 //!
-//! Quadratic a x² + b x + c: with q = −½(b + sgn(b)√(b² − 4ac)) the roots are q/a and c/q; neither subtracts nearly equal
-//! numbers except in the discriminant, which is formed with a fused product (Kahan, *On the cost of floating-point
-//! computation without extra-precise arithmetic*, 2004).
+//! Quadratic a x² + b x + c: with q = −½(b + sgn(b)√(b² − 4ac)) the roots are q/a and c/q; neither subtracts
+//! nearly equal numbers except in the discriminant, which is formed with a fused product (Kahan, *On the cost
+//! of floating-point computation without extra-precise arithmetic*, 2004).
 //!
-//! Higher degrees on [0, 1]: in the Bernstein form Σ bᵢ Bᵢⁿ(x) the number of sign changes of b is at least the number of roots and
-//! differs from it by an even number (Descartes' rule). No change: no root. One: exactly one, found by bisection sped up by
-//! Newton steps. More: halve the interval by de Casteljau's scheme (Lane and Riesenfeld, *Bounds on a polynomial*, 1981).
-//! Double roots never separate; where the interval has shrunk to 2⁻²⁶ its middle is reported.
+//! Higher degrees on [0, 1]: in the Bernstein form Σ bᵢ Bᵢⁿ(x) the number of sign changes of b is at least
+//! the number of roots and differs from it by an even number (Descartes' rule). No change: no root. One:
+//! exactly one, found by bisection sped up by Newton steps. More: halve the interval by de Casteljau's scheme
+//! (Lane and Riesenfeld, *Bounds on a polynomial*, 1981). Double roots never separate; where the interval has
+//! shrunk to 2⁻²⁶ its middle is reported.
 
 use crate::bernstein::{evaluate, split};
 
-/// The real roots of a x² + b x + c, in no particular order; a double root twice; infinite or NaN where there are fewer.
+/// The real roots of a x² + b x + c, in no particular order; a double root twice; infinite or NaN where there
+/// are fewer.
 pub(crate) fn quadratic(a: f64, b: f64, c: f64) -> [f64; 2] {
     let discriminant = difference_of_products(b, b, 4.0 * a, c);
     if discriminant < 0.0 {
@@ -31,8 +33,9 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
 /// How often an interval is halved before its middle stands for the roots in it.
 const DEEPEST: usize = 26;
 
-/// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple ones to full
-/// precision, multiple ones to about 1e-8, where there may be false ones too: the caller has to check.
+/// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple
+/// ones to full precision, multiple ones to about 1e-8, where there may be false ones too: the caller has to
+/// check.
 pub(crate) fn bernstein<const N: usize>(b: [f64; N], mut visit: impl FnMut(f64)) {
     let largest = b.iter().fold(0.0, |m: f64, x| m.max(x.abs()));
     // The zero polynomial vanishes everywhere and so nowhere in particular.
@@ -131,7 +134,8 @@ mod tests {
             let mut roots = quadratic(a, -a * (x + y), a * x * y);
             prop_assume!(!roots[0].is_nan());
             roots.sort_by(f64::total_cmp);
-            // The coefficients carry rounding of their own, which a near-double root feels as its square root.
+            // The coefficients carry rounding of their own, which a near-double root feels as its square
+            // root.
             let tolerance = 1e-14 * 100.0 / (high - low).max(1e-7);
             prop_assert!((roots[0] - low).abs() < tolerance && (roots[1] - high).abs() < tolerance);
         }

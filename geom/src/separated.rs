@@ -1,16 +1,18 @@
 //! Whether anything can stand between two patches.
 //!
-//! A segment from a point of A to a point of B lies in the convex hull of A ∪ B. So if a plane has that hull on one side and
-//! C on the other, C hides nothing between A and B. A plane of normal d separates exactly if d · w ≥ 0 for all differences
-//! w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of directions, looked at through the six faces of
-//! the cube |d|_∞ = 1: on each face the cone is a convex polygon, found by clipping the face by every half-space. What is
-//! left over, however thin, holds a separating direction. Touching hulls leave a cone of no width, so each half-space is moved
-//! outwards by the tolerance: d · w ≥ −τ.
+//! A segment from a point of A to a point of B lies in the convex hull of A ∪ B. So if a plane has that hull
+//! on one side and C on the other, C hides nothing between A and B. A plane of normal d separates exactly if
+//! d · w ≥ 0 for all differences w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of
+//! directions, looked at through the six faces of the cube |d|_∞ = 1: on each face the cone is a convex
+//! polygon, found by clipping the face by every half-space. What is left over, however thin, holds a
+//! separating direction. Touching hulls leave a cone of no width, so each half-space is moved outwards by the
+//! tolerance: d · w ≥ −τ.
 
 use glam::DVec3;
 
-/// True only when the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: a plane exists
-/// that neither reaches across by more than `tolerance` (a length). Touching counts as separated.
+/// True only when the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: a
+/// plane exists that neither reaches across by more than `tolerance` (a length). Touching counts as
+/// separated.
 ///
 /// Meant for the few corners of patches and boxes; the cost grows with |c| · (|a| + |b|).
 pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool {
@@ -107,7 +109,8 @@ mod tests {
     }
 
     proptest! {
-        /// A triangle pushed to just touch the far side of a plane is separated; pushed through, a segment meets it.
+        /// A triangle pushed to just touch the far side of a plane is separated; pushed through, a segment
+        /// meets it.
         #[test]
         fn separation_is_decided_either_way(
             points in prop::collection::vec((-1.0..1.0, -1.0..1.0, 0.01..1.0), 9),

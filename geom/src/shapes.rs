@@ -1,4 +1,5 @@
-//! The shapes, one file each. Each file's head says how its parameters run, which side is the front, its area and its range.
+//! The shapes, one file each. Each file's head says how its parameters run, which side is the front, its area
+//! and its range.
 
 mod affine;
 mod bezier;

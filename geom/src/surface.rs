@@ -1,12 +1,12 @@
 //! What every surface can do.
 //!
-//! A surface is a map X: [−1, 1]² → ℝ³ with tangents X_u, X_v. Its area element is |X_u × X_v| du dv and its front the
-//! side X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit; everything else follows from
-//! these three, and a shape replaces what it knows in closed form.
+//! A surface is a map X: [−1, 1]² → ℝ³ with tangents X_u, X_v. Its area element is |X_u × X_v| du dv and its
+//! front the side X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit;
+//! everything else follows from these three, and a shape replaces what it knows in closed form.
 
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect};
 use glam::DVec3;
-use radiosity_core::gauss::{Legendre, Rule};
+use radiosity_core::gauss::Legendre;
 use std::fmt::Debug;
 
 /// Position, tangents, normal and area element of a surface at one parameter pair.
@@ -46,9 +46,9 @@ pub struct Foot {
 
 /// A parametric surface over u, v ∈ [−1, 1]².
 ///
-/// For a polygon ([`Surface::region`] is `Some`) the parameters are affine in the plane and [−1, 1]² is a rectangle or
-/// parallelogram around the outline; only the region inside the outline and outside the holes belongs to the surface. All
-/// other surfaces are the whole image of [−1, 1]².
+/// For a polygon ([`Surface::region`] is `Some`) the parameters are affine in the plane and [−1, 1]² is a
+/// rectangle or parallelogram around the outline; only the region inside the outline and outside the holes
+/// belongs to the surface. All other surfaces are the whole image of [−1, 1]².
 pub trait Surface: Debug + Send + Sync {
     /// Position, tangents, normal and area element at u, v ∈ [−1, 1].
     fn jet(&self, u: f64, v: f64) -> Jet;
@@ -56,17 +56,15 @@ pub trait Surface: Debug + Send + Sync {
     /// A box that contains the image of `rect`, close enough around it to cull with.
     fn bounds(&self, rect: &Rect) -> Aabb;
 
-    /// Points whose convex hull contains the image of `rect`; for a polygon, its whole outline.
-    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
-        match self.region() {
-            Some(region) => region.outer().to_vec(),
-            None => self.bounds(rect).corners().to_vec(),
-        }
-    }
-
-    /// The hit of lowest t within the ray's range. Both sides are hit alike. Parameters up to 1 + [`Hit::SEAM`] count and
-    /// are clamped; holes let the ray pass.
+    /// The hit of lowest t within the ray's range. Both sides are hit alike. Parameters up to 1 +
+    /// [`Hit::SEAM`] count and are clamped; holes let the ray pass.
     fn intersect(&self, ray: &Ray) -> Option<Hit>;
+
+    /// A few points whose convex hull contains the image of `rect`: the corners where that is exact, else
+    /// those of the box.
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        self.bounds(rect).corners().to_vec()
+    }
 
     /// Outline and holes, where the surface is a polygon in a plane.
     fn region(&self) -> Option<&PlanarRegion> {
@@ -94,13 +92,14 @@ pub trait Surface: Debug + Send + Sync {
         }
     }
 
-    /// The nearest point of the parameter domain's image: exact for points close to the surface, a local minimum of the
-    /// distance for those far from a strongly curved one.
+    /// The nearest point of the parameter domain's image: exact for points close to the surface, a local
+    /// minimum of the distance for those far from a strongly curved one.
     fn project(&self, point: DVec3) -> Foot {
         nearest_foot(self, point)
     }
 
-    /// Parameters of a `point` on the surface; `None` where it is farther off than 1e-9 of the surface's extent.
+    /// Parameters of a `point` on the surface; `None` where it is farther off than 1e-9 of the surface's
+    /// extent.
     fn invert(&self, point: DVec3) -> Option<[f64; 2]> {
         let foot = self.project(point);
         (foot.distance <= 1e-9 * self.bounds(&Rect::FULL).diagonal()).then_some([foot.u, foot.v])
@@ -109,7 +108,7 @@ pub trait Surface: Debug + Send + Sync {
 
 /// ∬ |X_u × X_v| over `rect` by the ten-point Gauss rule in each direction.
 fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
-    let Rule { nodes, weights } = Legendre::<10>::RULE;
+    let (nodes, weights) = Legendre::<10>::RULE;
     let row = |s: f64| -> f64 {
         let value = |t: f64| {
             let [u, v] = rect.at(s, t);
@@ -132,7 +131,8 @@ fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth:
     quarters.iter().zip(parts).map(|(quarter, part)| refine_area(surface, quarter, part, depth + 1)).sum()
 }
 
-/// Parameters to start descents from: the middles of 10 × 10 cells, which keep off poles and seams, nearest first.
+/// Parameters to start descents from: the middles of 10 × 10 cells, which keep off poles and seams, nearest
+/// first.
 fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])> {
     let middle = |k: usize| (k as f64 + 0.5) / 5.0 - 1.0;
     let grid = (0..100).map(|k| [middle(k % 10), middle(k / 10)]);
@@ -142,7 +142,8 @@ fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])>
     seeds
 }
 
-/// The best of a few descents: several, since about a pole the nearest seed may lie on the wrong side of the seam.
+/// The best of a few descents: several, since about a pole the nearest seed may lie on the wrong side of the
+/// seam.
 fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
     let near = 1e-12 * surface.bounds(&Rect::FULL).diagonal();
     let mut best = Foot { u: 0.0, v: 0.0, distance: f64::INFINITY };
@@ -182,8 +183,8 @@ fn descend<S: Surface + ?Sized>(surface: &S, point: DVec3, start: [f64; 2]) -> F
     Foot { u: at[0], v: at[1], distance }
 }
 
-/// One Gauss–Newton step: the least-squares solution of X_u δu + X_v δv = point − X, first free, then along whichever side
-/// of the domain it would leave.
+/// One Gauss–Newton step: the least-squares solution of X_u δu + X_v δv = point − X, first free, then along
+/// whichever side of the domain it would leave.
 fn step(jet: &Jet, point: DVec3, at: [f64; 2], damping: f64) -> [f64; 2] {
     let gap = point - jet.position;
     let (a, b, c) = (jet.du.length_squared(), jet.du.dot(jet.dv), jet.dv.length_squared());

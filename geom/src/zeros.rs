@@ -1,36 +1,38 @@
 //! Zeros of planar maps f: [0, 1]² → ℝ² in Bernstein form, f(s, t) = Σ fᵢⱼ Bᵢ(s) Bⱼ(t).
 //!
-//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the mean derivative of
-//! f into the identity. Then (1) where the coefficients lie on one side of an axis there is no zero (they bound f); (2) where the
-//! coefficients of the derivative differ from the identity by at most κ < 1 in the maximum norm, f is one-to-one and its only
-//! zero lies within κ/(1 − κ) |g| of the centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it;
-//! (3) else the rectangle is halved across its longer side. Where the mean derivative is nearly singular (silhouettes, collapsed
-//! edges) test (1) is repeated with the axes turned along the image's long side, where the bounds are tight. So every zero is bracketed
-//! until it is proved single or its rectangle has shrunk to a point of the image.
+//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the
+//! mean derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
+//! is no zero (they bound f); (2) where the coefficients of the derivative differ from the identity by at
+//! most κ < 1 in the maximum norm, f is one-to-one and its only zero lies within κ/(1 − κ) |g| of the
+//! centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it; (3) else the rectangle is
+//! halved across its longer side. Where the mean derivative is nearly singular (silhouettes, collapsed edges)
+//! test (1) is repeated with the axes turned along the image's long side, where the bounds are tight. So
+//! every zero is bracketed until it is proved single or its rectangle has shrunk to a point of the image.
 //!
-//! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*, 1990), which shrinks the
-//! rectangle by the hull instead of proving uniqueness.
+//! Compare Bézier clipping (Nishita, Sederberg, Kakimoto, *Ray tracing trimmed rational surface patches*,
+//! 1990), which shrinks the rectangle by the hull instead of proving uniqueness.
 
-use crate::bernstein::{evaluate, split};
+use crate::bernstein::{combine, split, weights};
 use glam::{DMat2, DVec2};
 
-/// By how much a zero may lie outside [0, 1]²: half the seam tolerance of parameters in [−1, 1].
-const OUTSIDE: f64 = 0.5e-9;
 /// Below this deviation of the derivative from its mean, Newton's method takes over.
 const NEARLY_LINEAR: f64 = 0.3;
 /// Images smaller than this multiple of the whole count as points: rounding decides where they are.
 const POINT: f64 = 1e-13;
-/// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes near.
+/// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes
+/// near.
 const BUDGET: usize = 4000;
 
-/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit` returns true. Zeros up to
-/// 5e-10 outside are visited too; one zero may be visited more than once.
+/// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit`
+/// returns true. Zeros up to `outside` beyond [0, 1]² are visited too; one zero may be visited more than
+/// once.
 pub(crate) fn zeros<const M: usize, const N: usize>(
     net: &[[DVec2; N]; M],
+    outside: f64,
     visit: impl FnMut(f64, f64) -> bool,
 ) {
     let extent = net.as_flattened().iter().map(|f| f.distance(net[0][0])).fold(0.0, f64::max);
-    let mut search = Search { net, extent, budget: BUDGET, visit };
+    let mut search = Search { net, extent, outside, budget: BUDGET, visit };
     search.look(net, Cell { s: 0.0, t: 0.0, width: 1.0, height: 1.0 });
 }
 
@@ -46,6 +48,7 @@ struct Cell {
 struct Search<'a, F, const M: usize, const N: usize> {
     net: &'a [[DVec2; N]; M],
     extent: f64,
+    outside: f64,
     budget: usize,
     visit: F,
 }
@@ -58,7 +61,7 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         }
         self.budget -= 1;
         let mean = mean_derivative(part);
-        let slack = DVec2::new(4.0 * OUTSIDE / cell.width, 4.0 * OUTSIDE / cell.height);
+        let slack = DVec2::new(4.0 * self.outside / cell.width, 4.0 * self.outside / cell.height);
         let lengths = mean.x_axis.length() * mean.y_axis.length();
         let spans = mean.determinant().abs() / lengths.max(f64::MIN_POSITIVE);
         if spans > 1e-12 {
@@ -84,7 +87,7 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         if beyond.cmpgt(slack).any() {
             return false;
         }
-        let margin = DVec2::splat(OUTSIDE);
+        let margin = DVec2::splat(self.outside);
         let low = DVec2::new(cell.s, cell.t) - margin;
         let high = DVec2::new(cell.s + cell.width, cell.t + cell.height) + margin;
         let start = DVec2::new(cell.s + estimate.x * cell.width, cell.t + estimate.y * cell.height);
@@ -92,19 +95,20 @@ impl<F: FnMut(f64, f64) -> bool, const M: usize, const N: usize> Search<'_, F, M
         zero.is_some_and(|at| (self.visit)(at.x, at.y))
     }
 
-    /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's border.
+    /// Newton's method on the whole map, kept within the cell; `None` where the zero is beyond the cell's
+    /// border.
     fn newton(&self, mut at: DVec2, low: DVec2, high: DVec2) -> Option<DVec2> {
-        let mut wanted = f64::INFINITY;
         for _ in 0..12 {
             let (f, derivative) = value(self.net, at.x, at.y);
             let step = derivative.inverse() * f;
-            wanted = step.abs().max_element();
-            at = (at - step).clamp(low, high);
-            if wanted <= 1e-15 {
-                break;
+            let next = at - step;
+            at = next.clamp(low, high);
+            // The next step would be of the order of the square of this one.
+            if step.abs().max_element() <= 1e-8 {
+                return (next.distance(at) <= self.outside).then_some(next);
             }
         }
-        (wanted <= OUTSIDE).then_some(at)
+        None
     }
 
     fn halve(&mut self, part: &[[DVec2; N]; M], cell: Cell) -> bool {
@@ -172,9 +176,10 @@ fn deviation<const M: usize, const N: usize>(part: &[[DVec2; N]; M]) -> f64 {
 
 /// Value and derivative (columns by s and by t) of the map.
 fn value<const M: usize, const N: usize>(net: &[[DVec2; N]; M], s: f64, t: f64) -> (DVec2, DMat2) {
-    let rows = net.each_ref().map(|row| evaluate(row, t));
-    let (f, by_s) = evaluate(&rows.map(|row| row.0), s);
-    let (by_t, _) = evaluate(&rows.map(|row| row.1), s);
+    let (ws, wt) = (weights(s), weights(t));
+    let rows = net.each_ref().map(|row| combine(row, &wt, t));
+    let (f, by_s) = combine(&rows.map(|row| row.0), &ws, s);
+    let (by_t, _) = combine(&rows.map(|row| row.1), &ws, s);
     (f, DMat2::from_cols(by_s, by_t))
 }
 
@@ -200,7 +205,7 @@ mod tests {
 
     fn all<const M: usize, const N: usize>(net: &[[DVec2; N]; M]) -> Vec<DVec2> {
         let mut found: Vec<DVec2> = Vec::new();
-        zeros(net, |s, t| {
+        zeros(net, 5e-10, |s, t| {
             found.push(DVec2::new(s, t));
             false
         });

@@ -1,15 +1,17 @@
 //! Cutting a polygon with holes into convex pieces of three or four vertices.
 //!
-//! Ear clipping gives some triangulation; flipping every edge opposite to two angles of sum above π makes it the constrained
-//! Delaunay triangulation, the one of best-shaped triangles (Lawson, *Software for C¹ surface interpolation*, 1977). Then
-//! pairs of neighbours that form a convex quadrilateral are merged, those with the largest least sine of a corner first.
+//! Ear clipping gives some triangulation; flipping every edge opposite to two angles of sum above π makes it
+//! the constrained Delaunay triangulation, the one of best-shaped triangles (Lawson, *Software for C¹ surface
+//! interpolation*, 1977). Then pairs of neighbours that form a convex quadrilateral are merged, those with
+//! the largest least sine of a corner first.
 
 use super::rings::signed_area;
 use crate::ShapeError;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
 
-/// Corners flatter than this sine are not made: two triangles integrate better than one needle-shaped quadrilateral.
+/// Corners flatter than this sine are not made: two triangles integrate better than one needle-shaped
+/// quadrilateral.
 const LEAST_SINE: f64 = 0.02;
 
 /// A triangulation: indices into `points`, counter-clockwise.
@@ -29,7 +31,8 @@ struct InnerEdge {
     right: usize,
 }
 
-/// The convex pieces of the region bounded by `flat` (outline, then holes), with the vertices `rings` in space.
+/// The convex pieces of the region bounded by `flat` (outline, then holes), with the vertices `rings` in
+/// space.
 pub(super) fn of(
     flat: &[Vec<DVec2>],
     rings: &[Vec<DVec3>],
@@ -93,7 +96,8 @@ impl Mesh {
         inner
     }
 
-    /// Flips edges until none is opposite to angles of sum above π. Each flip raises the least angles, so this ends.
+    /// Flips edges until none is opposite to angles of sum above π. Each flip raises the least angles, so
+    /// this ends.
     fn make_delaunay(&mut self) {
         while let Some(e) = self.inner_edges().into_iter().find(|e| self.wants_flip(e)) {
             self.triangles[e.left] = [e.c, e.d, e.b];

@@ -1,4 +1,5 @@
-//! Closed rings of vertices in a plane: area, inside, distance, and whether they are simple and nested as they should be.
+//! Closed rings of vertices in a plane: area, inside, distance, and whether they are simple and nested as
+//! they should be.
 
 use crate::ShapeError;
 use glam::{DVec2, DVec3};
@@ -118,7 +119,8 @@ fn segments_apart(e: [DVec2; 2], f: [DVec2; 2]) -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Whether the segments cross in one inner point of both, each reaching past the other by more than `tolerance`.
+/// Whether the segments cross in one inner point of both, each reaching past the other by more than
+/// `tolerance`.
 fn properly_cross(e: [DVec2; 2], f: [DVec2; 2], tolerance: f64) -> bool {
     let astride = |[p, q]: [DVec2; 2], [r, s]: [DVec2; 2]| {
         let normal = (q - p).perp() / (q - p).length();

@@ -1,7 +1,7 @@
 //! The affine map under every flat shape: X(u, v) = m + u a + v b.
 //!
-//! With n = a × b the dual vectors a* = b × n / n², b* = n × a / n² read the parameters off a point: u = (x − m) · a*,
-//! v = (x − m) · b*. The area element is |n|, a constant.
+//! With n = a × b the dual vectors a* = b × n / n², b* = n × a / n² read the parameters off a point: u = (x −
+//! m) · a*, v = (x − m) · b*. The area element is |n|, a constant.
 
 use crate::{Aabb, Foot, Jet, Ray, Rect};
 use glam::DVec3;

@@ -1,20 +1,22 @@
-//! Bicubic Bézier patch: X(u, v) = Σᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ, s = ½(1 + u), t = ½(1 + v), B the cubic Bernstein polynomials.
+//! Bicubic Bézier patch: X(u, v) = Σᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ, s = ½(1 + u), t = ½(1 + v), B the cubic Bernstein
+//! polynomials.
 //!
-//! Front x_u × x_v. Area by quadrature. Range: any control points that span an area; an edge may be collapsed to a point,
-//! where the normal is the limit of X_u × X_v over the distance from the edge, ±X_u × X_uv or ±X_uv × X_v.
+//! Front x_u × x_v. Area by quadrature. Range: any control points that span an area; an edge may be collapsed
+//! to a point, where the normal is the limit of X_u × X_v over the distance from the edge, ±X_u × X_uv or
+//! ±X_uv × X_v.
 //!
 //! Ray: seen along it, the control points form a planar net, whose zeros are bracketed.
 
 use super::check_finite;
-use super::net::{across, check_area, jet, part, sample};
-use crate::zeros::zeros;
+use super::net::{Tile, cast, check_area, jet, part, sample, tiles};
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 /// A bicubic patch, as in the Utah teapot.
 #[derive(Clone, Debug)]
 pub struct Bezier {
     points: [[DVec3; 4]; 4],
+    tiles: Vec<Tile<DVec3>>,
 }
 
 impl Bezier {
@@ -28,18 +30,12 @@ impl Bezier {
             check_finite("points", *x)?;
         }
         check_area("points", |s, t| sample(&points, s, t))?;
-        Ok(Bezier { points })
+        Ok(Bezier { points, tiles: tiles(&points, |x| x) })
     }
 
-    /// Calls `visit` with every hit; stops when it returns true.
-    fn hits(&self, ray: &Ray, mut visit: impl FnMut(Hit) -> bool) {
-        let seen = across(ray);
-        let net = self.points.map(|row| row.map(&seen));
-        zeros(&net, |s, t| {
-            let position = sample(&self.points, s, t).value;
-            let along = (position - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-            Hit::accept(ray, along, 2.0 * s - 1.0, 2.0 * t - 1.0).is_some_and(&mut visit)
-        });
+    fn cast(&self, ray: &Ray, any: bool) -> Option<Hit> {
+        let seen = |x: DVec3, across: [DVec3; 2]| DVec2::from_array(across.map(|e| (x - ray.origin).dot(e)));
+        cast(&self.tiles, ray, any, |x| x, seen)
     }
 }
 
@@ -58,21 +54,11 @@ impl Surface for Bezier {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut best = None;
-        self.hits(ray, |hit| {
-            best = Hit::nearer(best, hit);
-            false
-        });
-        best
+        self.cast(ray, false)
     }
 
     fn occludes(&self, ray: &Ray) -> bool {
-        let mut found = false;
-        self.hits(ray, |_| {
-            found = true;
-            true
-        });
-        found
+        self.cast(ray, true).is_some()
     }
 }
 

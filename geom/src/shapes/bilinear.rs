@@ -3,12 +3,14 @@
 //! a = ¼(v₀ + v₁ + v₂ + v₃), b = ¼(−v₀ + v₁ + v₂ − v₃), c = ¼(−v₀ − v₁ + v₂ + v₃), d = ¼(v₀ − v₁ + v₂ − v₃);
 //! v₀ … v₃ at (−1, −1), (1, −1), (1, 1), (−1, 1).
 //!
-//! X_u × X_v = b × c + u b × d + v d × c is affine in u and v. The three cross products are independent unless b, c, d lie in
-//! a plane: a patch that is not planar never folds; a planar one folds exactly when its outline is not convex.
-//! Front (v₁ − v₀) × (v₃ − v₀) at the first corner. Area by quadrature; planar: by the outline.
+//! X_u × X_v = b × c + u b × d + v d × c is affine in u and v. The three cross products are independent
+//! unless b, c, d lie in a plane: a patch that is not planar never folds; a planar one folds exactly when its
+//! outline is not convex. Front (v₁ − v₀) × (v₃ − v₀) at the first corner. Area by quadrature; planar: by the
+//! outline.
 //!
-//! Ray o + t w: it meets the ruling a + u b + v (c + u d) where (o − a − u b) · (w × (c + u d)) = 0, a quadratic in u
-//! (Ramsey, Potter, Hansen, *Ray bilinear patch intersections*, 2004, with the elimination written as a triple product).
+//! Ray o + t w: it meets the ruling a + u b + v (c + u d) where (o − a − u b) · (w × (c + u d)) = 0, a
+//! quadratic in u (Ramsey, Potter, Hansen, *Ray bilinear patch intersections*, 2004, with the elimination
+//! written as a triple product).
 
 use super::check_finite;
 use crate::region::PLANARITY;
@@ -37,7 +39,7 @@ impl Bilinear {
         for x in vertices {
             check_finite("vertices", x)?;
         }
-        let extent = Aabb::around(vertices).diagonal();
+        let extent = vertices.iter().map(|x| x.distance(p)).fold(0.0, f64::max);
         if let Some(index) = (0..4).find(|&k| vertices[k].distance(vertices[(k + 1) % 4]) <= 1e-12 * extent) {
             return Err(ShapeError::RepeatedVertex { field: "vertices".into(), index });
         }
@@ -47,7 +49,9 @@ impl Bilinear {
         if normal.length() <= 1e-12 * extent * extent {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }
-        let planar = d.dot(normal.normalize()).abs() <= 0.5 * PLANARITY * extent;
+        // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first; a
+        // little less than the region allows, so that rounding cannot make it refuse.
+        let planar = d.dot(normal.normalize()).abs() <= 0.499 * PLANARITY * extent;
         if planar && !is_convex(&vertices, normal) {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }

@@ -1,9 +1,11 @@
-//! Cone or frustum: X(u, v) = o + r (cos φ x̂ + sin φ ŷ) + ½(1 + v) a, with r = R₁ + ½(1 + v)(R₂ − R₁), φ linear in u.
+//! Cone or frustum: X(u, v) = o + r (cos φ x̂ + sin φ ŷ) + ½(1 + v) a, with r = R₁ + ½(1 + v)(R₂ − R₁), φ
+//! linear in u.
 //!
-//! Front: outside. Area ½ (φ₁ − φ₀)(R₁ + R₂) √(|a|² + (R₂ − R₁)²). Range: R₁, R₂ ≥ 0, not both 0. At an apex the normal is its
-//! limit along the ruling.
+//! Front: outside. Area ½ (φ₁ − φ₀)(R₁ + R₂) √(|a|² + (R₂ − R₁)²). Range: R₁, R₂ ≥ 0, not both 0. At an apex
+//! the normal is its limit along the ruling.
 //!
-//! Ray: x² + y² = (R₁ + k z)², a quadratic in t, taken from the ray's point nearest to the middle of the cone.
+//! Ray: x² + y² = (R₁ + k z)², a quadratic in t, taken from the ray's point nearest to the middle of the
+//! cone.
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_not_negative};
@@ -21,12 +23,13 @@ pub struct Cone {
 }
 
 impl Cone {
-    /// The wall about the segment from `base` (radius `radius1`) to `base + axis` (radius `radius2`), with `angle` from and to
-    /// in radians.
+    /// The wall about the segment from `base` (radius `radius1`) to `base + axis` (radius `radius2`), with
+    /// `angle` from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, an axis of no length, a negative radius or none above zero, a wrong range of angles.
+    /// Numbers that are not finite, an axis of no length, a negative radius or none above zero, a wrong range
+    /// of angles.
     pub fn new(
         base: DVec3,
         axis: DVec3,

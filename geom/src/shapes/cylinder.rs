@@ -2,8 +2,8 @@
 //!
 //! Front: outside. Area (φ₁ − φ₀) R |a|. Range: R > 0, 0 < φ₁ − φ₀ ≤ 2π.
 //!
-//! A ray is measured from where it passes the axis line nearest, t* ± √(R² − d²)/|w|, d the distance there: no cancellation for
-//! far origins.
+//! A ray is measured from where it passes the axis line nearest, t* ± √(R² − d²)/|w|, d the distance there:
+//! no cancellation for far origins.
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
@@ -19,7 +19,8 @@ pub struct Cylinder {
 }
 
 impl Cylinder {
-    /// The wall of `radius` about the segment from `base` to `base + axis`, with `angle` from and to in radians.
+    /// The wall of `radius` about the segment from `base` to `base + axis`, with `angle` from and to in
+    /// radians.
     ///
     /// # Errors
     ///
@@ -48,7 +49,8 @@ impl Surface for Cylinder {
         let speed = flat_w.length_squared();
         let nearest = -flat_o.dot(flat_w) / speed;
         let inside = self.radius * self.radius - (flat_o + nearest * flat_w).length_squared();
-        // A ray along the axis has speed 0 and meets the wall nowhere or everywhere; NaN fails every comparison.
+        // A ray along the axis has speed 0 and meets the wall nowhere or everywhere; NaN fails every
+        // comparison.
         let reach = (inside / speed).sqrt();
         let size = self.radius + self.height;
         [nearest - reach, nearest + reach].into_iter().find_map(|t| {

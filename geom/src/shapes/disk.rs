@@ -1,7 +1,8 @@
-//! Disk, ring or sector: X(u, v) = c + r (cos φ x̂ + sin φ ŷ), φ linear in u over the angle, r linear in v from the rim inward.
+//! Disk, ring or sector: X(u, v) = c + r (cos φ x̂ + sin φ ŷ), φ linear in u over the angle, r linear in v
+//! from the rim inward.
 //!
-//! r = R − ½(1 + v)(R − r₀). Front: the normal. Area ½ (φ₁ − φ₀)(R² − r₀²). At the centre the area element vanishes.
-//! Range: 0 ≤ r₀ < R, 0 < φ₁ − φ₀ ≤ 2π.
+//! r = R − ½(1 + v)(R − r₀). Front: the normal. Area ½ (φ₁ − φ₀)(R² − r₀²). At the centre the area element
+//! vanishes. Range: 0 ≤ r₀ < R, 0 < φ₁ − φ₀ ≤ 2π.
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_positive};
@@ -17,12 +18,13 @@ pub struct Disk {
 }
 
 impl Disk {
-    /// The part of the disk about `center`, facing along `normal`, between `inner_radius` and `radius`, with `angle` from and
-    /// to in radians ([`super::FULL_TURN`] for all of it).
+    /// The part of the disk about `center`, facing along `normal`, between `inner_radius` and `radius`, with
+    /// `angle` from and to in radians ([`super::FULL_TURN`] for all of it).
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, a normal of no length, radii not 0 ≤ inner < outer, a wrong range of angles.
+    /// Numbers that are not finite, a normal of no length, radii not 0 ≤ inner < outer, a wrong range of
+    /// angles.
     pub fn new(
         center: DVec3,
         normal: DVec3,
@@ -63,7 +65,7 @@ impl Surface for Disk {
             return None;
         }
         let local = self.turn.local_point(ray.at(t));
-        let v = 2.0 * (self.radius - local.x.hypot(local.y)) / (self.radius - self.inner) - 1.0;
+        let v = 2.0 * (self.radius - local.truncate().length()) / (self.radius - self.inner) - 1.0;
         Hit::accept(ray, t, self.turn.parameter(local, self.radius), v)
     }
 

@@ -1,6 +1,7 @@
 //! Cubic Bézier curve moved along a straight line: X(u, v) = C(s) + ½(1 + v) d, s = ½(1 + u).
 //!
-//! Front C′ × d. Area |d| times the length of the curve seen along d, by quadrature. Range: a curve that moves across d.
+//! Front C′ × d. Area |d| times the length of the curve seen along d, by quadrature. Range: a curve that
+//! moves across d.
 //!
 //! Ray o + t w: (C(s) − o) · (w × d) = 0, a cubic in s; then t and v where the ray passes the ruling.
 
@@ -52,7 +53,8 @@ impl Surface for Extrusion {
         let (du, dv) = (0.5 * slope, 0.5 * self.direction);
         let cross = du.cross(dv);
         let across = |slope: DVec3| slope.cross(self.direction).try_normalize();
-        // Where the curve stops for a moment (coinciding control points), its direction a little farther inside.
+        // Where the curve stops for a moment (coinciding control points), its direction a little farther
+        // inside.
         let nudged = || evaluate(&self.curve, 0.5 * (1.0 + (1.0 - 1e-6) * u)).1;
         let normal = across(slope).or_else(|| across(nudged())).unwrap_or(DVec3::Z);
         Jet { position: position + (1.0 + v) * dv, du, dv, normal, area: cross.length() }

@@ -15,7 +15,8 @@ pub struct Parallelogram {
 }
 
 impl Parallelogram {
-    /// The parallelogram with a corner at `origin` (u = v = −1) and edges `edge1` (along u) and `edge2` (along v).
+    /// The parallelogram with a corner at `origin` (u = v = −1) and edges `edge1` (along u) and `edge2`
+    /// (along v).
     ///
     /// # Errors
     ///
@@ -41,6 +42,10 @@ impl Surface for Parallelogram {
 
     fn bounds(&self, rect: &Rect) -> Aabb {
         self.map.bounds(rect)
+    }
+
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        rect.corners().map(|[u, v]| self.map.point(u, v)).to_vec()
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
@@ -90,12 +95,6 @@ mod tests {
         assert_eq!(shape.jet(1.0, -1.0).position, DVec3::Z + e);
         assert_eq!(shape.jet(0.0, 0.0).normal, DVec3::Z);
         assert_eq!(shape.area(), 6.0);
-        assert_eq!(shape.convex_pieces_len(), 1);
-    }
-
-    impl Parallelogram {
-        fn convex_pieces_len(&self) -> usize {
-            self.region.convex_pieces().len()
-        }
+        assert_eq!(shape.region().unwrap().convex_pieces().len(), 1);
     }
 }

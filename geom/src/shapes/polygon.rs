@@ -1,8 +1,9 @@
-//! Planar polygon with holes, kept whole: X(u, v) = m + u a + v b, where [−1, 1]² is the outline's smallest rectangle.
+//! Planar polygon with holes, kept whole: X(u, v) = m + u a + v b, where [−1, 1]² is the outline's smallest
+//! rectangle.
 //!
-//! A smallest enclosing rectangle has a side along an edge of the convex hull (Freeman and Shapira, *Determining the
-//! minimum-area encasing rectangle*, CACM 18, 1975); all hull edges are tried, the earliest of equals is taken.
-//! Front by the right-hand rule of the outline. Area by Newell's formula, less the holes.
+//! A smallest enclosing rectangle has a side along an edge of the convex hull (Freeman and Shapira,
+//! *Determining the minimum-area encasing rectangle*, CACM 18, 1975); all hull edges are tried, the earliest
+//! of equals is taken. Front by the right-hand rule of the outline. Area by Newell's formula, less the holes.
 
 use super::affine::Affine;
 use crate::{Aabb, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
@@ -36,6 +37,10 @@ impl Surface for Polygon {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let outline = Aabb::around(self.region.outer().iter().copied());
         self.map.bounds(rect).intersection(outline)
+    }
+
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        rect.corners().map(|[u, v]| self.map.point(u, v)).to_vec()
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

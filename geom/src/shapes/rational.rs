@@ -1,22 +1,22 @@
 //! Rational bicubic patch: X(u, v) = Σ wᵢⱼ Bᵢ(s) Bⱼ(t) Pᵢⱼ / Σ wᵢⱼ Bᵢ(s) Bⱼ(t), s = ½(1 + u), t = ½(1 + v).
 //!
-//! With the numerator A and the denominator w: X_s = (A_s − w_s X)/w, X_st = (A_st − w_s X_t − w_t X_s − w_st X)/w. Front x_u × x_v.
-//! Area by quadrature. Range: weights > 0; collapsed edges as for the polynomial patch.
+//! With the numerator A and the denominator w: X_s = (A_s − w_s X)/w, X_st = (A_st − w_s X_t − w_t X_s − w_st
+//! X)/w. Front x_u × x_v. Area by quadrature. Range: weights > 0; collapsed edges as for the polynomial
+//! patch.
 //!
 //! Ray: the numerators of the coordinates across the ray form a planar polynomial net with the same zeros.
 
-use super::net::{Sample, across, check_area, jet, part, sample};
+use super::net::{Sample, Tile, cast, check_area, jet, part, sample, tiles};
 use super::{check_finite, check_positive};
-use crate::zeros::zeros;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::{DVec3, DVec4};
+use glam::{DVec2, DVec3, DVec4};
 
 /// A rational bicubic patch: spheres, cylinders and cones among them.
 #[derive(Clone, Debug)]
 pub struct Rational {
-    points: [[DVec3; 4]; 4],
     /// w P and w.
     weighted: [[DVec4; 4]; 4],
+    tiles: Vec<Tile<DVec4>>,
 }
 
 impl Rational {
@@ -34,20 +34,15 @@ impl Rational {
             std::array::from_fn(|j| (weights[i][j] * points[i][j]).extend(weights[i][j]))
         });
         check_area("points", |s, t| divide(sample(&weighted, s, t)))?;
-        Ok(Rational { points, weighted })
+        Ok(Rational { weighted, tiles: tiles(&weighted, project) })
     }
 
-    /// Calls `visit` with every hit; stops when it returns true.
-    fn hits(&self, ray: &Ray, mut visit: impl FnMut(Hit) -> bool) {
-        let seen = across(ray);
-        let net = std::array::from_fn::<_, 4, _>(|i| {
-            std::array::from_fn::<_, 4, _>(|j| self.weighted[i][j].w * seen(self.points[i][j]))
-        });
-        zeros(&net, |s, t| {
-            let position = project(sample(&self.weighted, s, t).value);
-            let along = (position - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-            Hit::accept(ray, along, 2.0 * s - 1.0, 2.0 * t - 1.0).is_some_and(&mut visit)
-        });
+    fn cast(&self, ray: &Ray, any: bool) -> Option<Hit> {
+        let seen = |x: DVec4, across: [DVec3; 2]| {
+            let from = x.truncate() - x.w * ray.origin;
+            DVec2::from_array(across.map(|e| from.dot(e)))
+        };
+        cast(&self.tiles, ray, any, project, seen)
     }
 }
 
@@ -66,21 +61,11 @@ impl Surface for Rational {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut best = None;
-        self.hits(ray, |hit| {
-            best = Hit::nearer(best, hit);
-            false
-        });
-        best
+        self.cast(ray, false)
     }
 
     fn occludes(&self, ray: &Ray) -> bool {
-        let mut found = false;
-        self.hits(ray, |_| {
-            found = true;
-            true
-        });
-        found
+        self.cast(ray, true).is_some()
     }
 }
 

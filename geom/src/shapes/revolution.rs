@@ -1,15 +1,17 @@
-//! Surface of revolution of a cubic Bézier curve: X(u, v) = o + x(s)(cos φ x̂ + sin φ ŷ) + z(s) ẑ, s = ½(1 + v), φ linear in u.
+//! Surface of revolution of a cubic Bézier curve: X(u, v) = o + x(s)(cos φ x̂ + sin φ ŷ) + z(s) ẑ, s = ½(1 +
+//! v), φ linear in u.
 //!
-//! x and z are the distance from the axis and the height along it of the curve; its own azimuth does not matter. The front is
-//! the outside where the curve runs up the axis. Area 2π-fold (or less) ∫ x |C′| ds, by quadrature. Range: a curve in one half-plane
-//! bounded by the axis; it may end on the axis, where the normal is the limit along the curve.
+//! x and z are the distance from the axis and the height along it of the curve; its own azimuth does not
+//! matter. The front is the outside where the curve runs up the axis. Area 2π-fold (or less) ∫ x |C′| ds, by
+//! quadrature. Range: a curve in one half-plane bounded by the axis; it may end on the axis, where the normal
+//! is the limit along the curve.
 //!
-//! Ray: it is at the height z(s) and the distance x(s) where f(t, s) = (z(s) − z(t), x²(s) − ρ²(t)) vanishes, a polynomial map of
-//! degree 2 in t and 6 in s whose zeros are bracketed. The square loses digits near the axis; two Newton steps on x(s) − ρ(t) restore
-//! them.
+//! Ray: it is at the height z(s) and the distance x(s) where f(t, s) = (z(s) − z(t), x²(s) − ρ²(t)) vanishes,
+//! a polynomial map of degree 2 in t and 6 in s whose zeros are bracketed, piece by piece of the curve and
+//! only where the ray is in the ring around the piece. The square loses digits near the axis; Newton steps on
+//! x(s) − ρ(t) restore them.
 
 use super::check_finite;
-use super::sphere::meet;
 use super::turn::{Profile, Turn};
 use crate::bernstein::{evaluate, from_powers, restrict};
 use crate::roots::quadratic;
@@ -17,25 +19,37 @@ use crate::zeros::zeros;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::{DMat2, DVec2, DVec3};
 
+/// Equal pieces of s the curve is cut into, to look for rays only where they pass.
+const PIECES: usize = 8;
+
+/// A piece of the profile with the box around it.
+#[derive(Clone, Debug)]
+struct Piece {
+    /// z and x² in Bernstein form of degree 6.
+    squares: [DVec2; 7],
+    /// Least and most distance from the axis and height, with some room.
+    x: [f64; 2],
+    z: [f64; 2],
+}
+
 /// A vase: a curve turned about an axis.
 #[derive(Clone, Debug)]
 pub struct Revolution {
     turn: Turn,
     /// (x, z) of the control points.
     profile: [DVec2; 4],
-    /// x² and z in Bernstein form of degree 6.
-    squares: [DVec2; 7],
+    pieces: Vec<Piece>,
     extent: f64,
 }
 
 impl Revolution {
-    /// The cubic Bézier curve with control points `curve` turned about the line through `center` along `axis`, with `angle` from
-    /// and to in radians.
+    /// The cubic Bézier curve with control points `curve` turned about the line through `center` along
+    /// `axis`, with `angle` from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its half-plane, crosses the
-    /// axis, or spans no area.
+    /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its
+    /// half-plane, crosses the axis, or spans no area.
     pub fn new(
         curve: [DVec3; 4],
         center: DVec3,
@@ -48,28 +62,10 @@ impl Revolution {
         check_finite("center", center)?;
         let turn = Turn::new(center, "axis", axis, angle)?;
         let profile = profile_of(&curve, &turn)?;
-        let [x, z] = [profile.map(|p| p.x), profile.map(|p| p.y)];
-        let (squares, heights) = (product(&x, &x), product(&z, &[1.0; 4]));
-        let squares = std::array::from_fn(|k| DVec2::new(heights[k], squares[k]));
-        let extent = profile.iter().map(|p| p.distance(profile[0])).fold(0.0, f64::max)
-            + x.into_iter().fold(0.0, f64::max);
-        Ok(Revolution { turn, profile, squares, extent })
-    }
-
-    /// A ball around the whole surface: height of its centre, and radius.
-    fn ball(&self) -> (f64, f64) {
-        let [low, high] = [f64::min, f64::max]
-            .map(|pick| self.profile.map(|p| p.y).into_iter().reduce(pick).expect("four points"));
-        let widest = self.profile.iter().map(|p| p.x).fold(0.0, f64::max);
-        (0.5 * (low + high), 1.001 * widest.hypot(0.5 * (high - low)))
-    }
-
-    /// The map f over the stretch p + t w, t ∈ [0, 1].
-    fn net(&self, p: DVec3, w: DVec3) -> [[DVec2; 7]; 3] {
-        let (flat_p, flat_w) = (p.truncate(), w.truncate());
-        let rho = from_powers([flat_p.length_squared(), 2.0 * flat_p.dot(flat_w), flat_w.length_squared()]);
-        let z = from_powers([p.z, w.z, 0.0]);
-        std::array::from_fn(|i| self.squares.map(|at| at - DVec2::new(z[i], rho[i])))
+        let widest = profile.iter().map(|p| p.x).fold(0.0, f64::max);
+        let extent = widest + profile.iter().map(|p| p.distance(profile[0])).fold(0.0, f64::max);
+        let pieces = (0..PIECES).map(|k| Piece::new(&profile, k, 1e-7 * extent)).collect();
+        Ok(Revolution { turn, profile, pieces, extent })
     }
 
     /// Newton's method on (x(s) − ρ(t), z(s) − z(t)); `None` where it does not get there.
@@ -77,10 +73,13 @@ impl Revolution {
         let mut off = f64::INFINITY;
         for _ in 0..4 {
             let local = o + t * w;
-            let rho = local.x.hypot(local.y);
+            let rho = local.truncate().length();
             let (at, slope) = evaluate(&self.profile, s);
             let gap = at - DVec2::new(rho, local.z);
             off = gap.length();
+            if off <= 1e-16 * self.extent {
+                break;
+            }
             let growth = if rho > 0.0 { (local.x * w.x + local.y * w.y) / rho } else { 0.0 };
             let step = DMat2::from_cols(DVec2::new(-growth, -w.z), slope).inverse() * gap;
             let moved = (step.x * w.length()).hypot(step.y * slope.length());
@@ -118,28 +117,82 @@ impl Surface for Revolution {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let (height, radius) = self.ball();
-        let [enter, leave] = meet(self.turn.origin + height * self.turn.axis(), radius, ray);
-        if !(enter <= leave && ray.range[0] <= leave && enter <= ray.range[1]) {
-            return None;
-        }
         let (o, w) = (self.turn.local_point(ray.origin), self.turn.local_vector(ray.direction));
-        let length = leave - enter;
-        let mut best = None;
-        zeros(&self.net(o + enter * w, length * w), |x, s| {
-            if let Some((t, s)) = self.refine(o, w, enter + x * length, s)
-                && let Some(hit) =
-                    Hit::accept(ray, t, self.turn.parameter(o + t * w, self.extent), 2.0 * s - 1.0)
-            {
-                best = Hit::nearer(best, hit);
+        let mut best: Option<Hit> = None;
+        for (k, piece) in self.pieces.iter().enumerate() {
+            for [enter, leave] in piece.stretches(o, w) {
+                let end = best.map_or(ray.range[1], |hit| hit.t);
+                if !(enter < leave && ray.range[0] <= leave && enter <= end) {
+                    continue;
+                }
+                let length = leave - enter;
+                zeros(&piece.net(o + enter * w, length * w), Hit::SEAM * PIECES as f64, |x, s| {
+                    let hit = self.refine(o, w, enter + x * length, (k as f64 + s) / PIECES as f64).and_then(
+                        |(t, s)| {
+                            Hit::accept(ray, t, self.turn.parameter(o + t * w, self.extent), 2.0 * s - 1.0)
+                        },
+                    );
+                    best = hit.map_or(best, |hit| Hit::nearer(best, hit));
+                    false
+                });
             }
-            false
-        });
+        }
         best
     }
 }
 
-/// Distances from the axis and heights of the control points, if they lie in a half-plane and the curve keeps to it.
+impl Piece {
+    fn new(profile: &[DVec2; 4], k: usize, room: f64) -> Piece {
+        let [low, high] = [k, k + 1].map(|k| k as f64 / PIECES as f64);
+        let points = restrict(profile, low, high);
+        let [x, z] = [points.map(|p| p.x), points.map(|p| p.y)];
+        let (squares, heights) = (product(&x, &x), product(&z, &[1.0; 4]));
+        let range = |b: [f64; 4]| {
+            let (least, most) = b.iter().fold((b[0], b[0]), |(least, most), x| (least.min(*x), most.max(*x)));
+            [least - room, most + room]
+        };
+        let squares = std::array::from_fn(|k| DVec2::new(heights[k], squares[k]));
+        Piece { squares, x: range(x), z: range(z) }
+    }
+
+    /// The at most two stretches of t in which the line o + t w is within the ring x₀ ≤ ρ ≤ x₁, z₀ ≤ z ≤ z₁;
+    /// empty ones have their ends out of order. ρ² = ρ*² + (t − t*)² |w⊥|² with the least distance ρ* at t*.
+    fn stretches(&self, o: DVec3, w: DVec3) -> [[f64; 2]; 2] {
+        const NONE: [f64; 2] = [1.0, 0.0];
+        let (flat_o, flat_w) = (o.truncate(), w.truncate());
+        let speed = flat_w.length_squared().max(f64::MIN_POSITIVE);
+        let nearest = -flat_o.dot(flat_w) / speed;
+        let least = (flat_o + nearest * flat_w).length_squared();
+        let steep = if w.z.abs() > 1e-200 { w.z } else { 1e-200 };
+        let [a, b] = self.z.map(|z| (z - o.z) / steep);
+        let (low, high) = (a.min(b), a.max(b));
+        let outside = self.x[1] * self.x[1] - least;
+        if outside < 0.0 {
+            return [NONE; 2];
+        }
+        let reach = (outside / speed).sqrt();
+        let hollow = self.x[0] * self.x[0] - least;
+        if self.x[0] <= 0.0 || hollow <= 0.0 {
+            return [[low.max(nearest - reach), high.min(nearest + reach)], NONE];
+        }
+        let inner = (hollow / speed).sqrt();
+        [
+            [low.max(nearest - reach), high.min(nearest - inner)],
+            [low.max(nearest + inner), high.min(nearest + reach)],
+        ]
+    }
+
+    /// The map f over the stretch p + t w, t ∈ [0, 1].
+    fn net(&self, p: DVec3, w: DVec3) -> [[DVec2; 7]; 3] {
+        let (flat_p, flat_w) = (p.truncate(), w.truncate());
+        let rho = from_powers([flat_p.length_squared(), 2.0 * flat_p.dot(flat_w), flat_w.length_squared()]);
+        let z = from_powers([p.z, w.z, 0.0]);
+        std::array::from_fn(|i| self.squares.map(|at| at - DVec2::new(z[i], rho[i])))
+    }
+}
+
+/// Distances from the axis and heights of the control points, if they lie in a half-plane and the curve keeps
+/// to it.
 fn profile_of(curve: &[DVec3; 4], turn: &Turn) -> Result<[DVec2; 4], ShapeError> {
     let field = || "curve".to_string();
     let local = curve.map(|x| turn.local_point(x));

@@ -1,8 +1,8 @@
-//! Sphere between two heights: X(u, v) = c + R (cos ψ (cos φ x̂ + sin φ ŷ) + sin ψ ẑ), φ linear in u over the angle, the latitude ψ
-//! linear in v between asin(z₀/R) and asin(z₁/R).
+//! Sphere between two heights: X(u, v) = c + R (cos ψ (cos φ x̂ + sin φ ŷ) + sin ψ ẑ), φ linear in u over the
+//! angle, the latitude ψ linear in v between asin(z₀/R) and asin(z₁/R).
 //!
-//! Front: outside. Area (φ₁ − φ₀) R (z₁ − z₀) (Archimedes). At a pole the area element vanishes; [`super::SpherePatch`] has
-//! none. Range: R > 0, −R ≤ z₀ < z₁ ≤ R.
+//! Front: outside. Area (φ₁ − φ₀) R (z₁ − z₀) (Archimedes). At a pole the area element vanishes;
+//! [`super::SpherePatch`] has none. Range: R > 0, −R ≤ z₀ < z₁ ≤ R.
 
 use super::turn::{Profile, Turn, arc_range};
 use super::{check_finite, check_positive};
@@ -20,13 +20,13 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    /// The part of the sphere about `center` whose height along `axis` from the centre lies in `z`, with `angle` from and to in
-    /// radians.
+    /// The part of the sphere about `center` whose height along `axis` from the centre lies in `z`, with
+    /// `angle` from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, a radius not above zero, an axis of no length, heights out of order or beyond the radius, a
-    /// wrong range of angles.
+    /// Numbers that are not finite, a radius not above zero, an axis of no length, heights out of order or
+    /// beyond the radius, a wrong range of angles.
     pub fn new(
         center: DVec3,
         radius: f64,
@@ -78,7 +78,7 @@ impl Surface for Sphere {
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         meet(self.turn.origin, self.radius, ray).into_iter().find_map(|t| {
             let local = self.turn.local_point(ray.at(t));
-            let latitude = local.z.atan2(local.x.hypot(local.y));
+            let latitude = local.z.atan2(local.truncate().length());
             let v = (latitude - self.latitude[0]) / self.latitude[1];
             Hit::accept(ray, t, self.turn.parameter(local, self.radius), v)
         })
@@ -89,8 +89,8 @@ impl Surface for Sphere {
     }
 }
 
-/// Where the ray's line meets the sphere, nearest first; NaN where it passes by. Measured from the point nearest to the
-/// centre, so that far origins lose nothing.
+/// Where the ray's line meets the sphere, nearest first; NaN where it passes by. Measured from the point
+/// nearest to the centre, so that far origins lose nothing.
 pub(super) fn meet(center: DVec3, radius: f64, ray: &Ray) -> [f64; 2] {
     let speed = ray.direction.length_squared();
     let nearest = (center - ray.origin).dot(ray.direction) / speed;

@@ -1,8 +1,9 @@
-//! One sixth of a sphere, without a pole: X(u, v) = c + R p/|p|, p = n + tan(¼π u) e + tan(¼π v) f, with e × f = n.
+//! One sixth of a sphere, without a pole: X(u, v) = c + R p/|p|, p = n + tan(¼π u) e + tan(¼π v) f, with e ×
+//! f = n.
 //!
-//! The equiangular cube sphere (Ronchi, Iacono, Paolucci, *The "cubed sphere"*, 1996): the six patches meet edge to edge at
-//! equal parameters. Front: outside. Area ⅔ π R². Area element (¼π)² R² (1 + a²)(1 + b²)/(1 + a² + b²)^{3/2}, a, b the tangents:
-//! between 0.70 and 1 times its value in the middle.
+//! The equiangular cube sphere (Ronchi, Iacono, Paolucci, *The "cubed sphere"*, 1996): the six patches meet
+//! edge to edge at equal parameters. Front: outside. Area ⅔ π R². Area element (¼π)² R² (1 + a²)(1 + b²)/(1 +
+//! a² + b²)^{3/2}, a, b the tangents: between 0.70 and 1 times its value in the middle.
 
 use super::sphere::meet;
 use super::{check_finite, check_positive};
@@ -62,8 +63,9 @@ impl Surface for SpherePatch {
 
     fn bounds(&self, rect: &Rect) -> Aabb {
         let mut bounds = Aabb::around(rect.corners().map(|[u, v]| self.point(u, v)));
-        // Sides are arcs of great circles and the inside bulges: a coordinate's extreme is at a corner, on a side, or at the
-        // pole of that coordinate. Adding the extreme points of each that fall into the rectangle makes the box exact.
+        // Sides are arcs of great circles and the inside bulges: a coordinate's extreme is at a corner, on a
+        // side, or at the pole of that coordinate. Adding the extreme points of each that fall into the
+        // rectangle makes the box exact.
         for k in 0..3 {
             for sign in [-1.0, 1.0] {
                 let mut axis = DVec3::ZERO;
@@ -89,12 +91,14 @@ impl Surface for SpherePatch {
 }
 
 impl SpherePatch {
-    /// Where on `rect` the coordinate along `axis` may be largest, besides the corners: inside, and on each side.
+    /// Where on `rect` the coordinate along `axis` may be largest, besides the corners: inside, and on each
+    /// side.
     fn extremes(&self, axis: DVec3, rect: &Rect) -> [Option<[f64; 2]>; 5] {
         let [x, y, z] = self.axes.map(|e| e.dot(axis));
         let angle = |y: f64, x: f64| y.atan2(x) / FRAC_PI_4;
         let within = |at: [f64; 2]| rect.contains(at[0], at[1]).then_some(at);
-        // On the side of fixed u the point runs in the plane of f and m = (n + a e)/√(1 + a²), at angle tan β = b/√(1 + a²).
+        // On the side of fixed u the point runs in the plane of f and m = (n + a e)/√(1 + a²), at angle tan β
+        // = b/√(1 + a²).
         let side = |w: f64, along: f64, across: f64| {
             let a = (FRAC_PI_4 * w).tan();
             let tangent = along * (1.0 + a * a) / (z + a * across);

@@ -1,11 +1,11 @@
-//! Torus: X(u, v) = c + (R + r cos ψ)(cos φ x̂ + sin φ ŷ) + r sin ψ ẑ, φ linear in u over the angle about the axis, ψ linear in v over
-//! the angle about the tube (0 at the outer equator, toward the axis' head).
+//! Torus: X(u, v) = c + (R + r cos ψ)(cos φ x̂ + sin φ ŷ) + r sin ψ ẑ, φ linear in u over the angle about the
+//! axis, ψ linear in v over the angle about the tube (0 at the outer equator, toward the axis' head).
 //!
 //! Front: outside of the tube. Area (φ₁ − φ₀) r (R (ψ₁ − ψ₀) + r (sin ψ₁ − sin ψ₀)). Range: R > r > 0.
 //!
-//! Ray: with p = o + t w, (|p|² + R² − r²)² = 4 R² (p_x² + p_y²), a quartic. Its Bernstein form over the ray's stretch inside the
-//! enclosing sphere isolates every root; each is then refined on the distance from the tube, √((ρ − R)² + z²) − r, which keeps the
-//! digits the quartic loses for thin tubes.
+//! Ray: with p = o + t w, (|p|² + R² − r²)² = 4 R² (p_x² + p_y²), a quartic. Its Bernstein form over the
+//! ray's stretch inside the enclosing sphere isolates every root; each is then refined on the distance from
+//! the tube, √((ρ − R)² + z²) − r, which keeps the digits the quartic loses for thin tubes.
 
 use super::sphere::meet;
 use super::turn::{Profile, Turn, arc_range, check_angle};
@@ -13,7 +13,7 @@ use super::{check_finite, check_positive};
 use crate::bernstein::from_powers;
 use crate::roots;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 use std::f64::consts::TAU;
 
 /// A ring torus, or a part of it.
@@ -27,12 +27,13 @@ pub struct Torus {
 }
 
 impl Torus {
-    /// The torus whose tube of radius `minor` runs about the circle of radius `major` around `center`, across `axis`. `angle`
-    /// about the axis and `tube_angle` about the tube from and to in radians.
+    /// The torus whose tube of radius `minor` runs about the circle of radius `major` around `center`, across
+    /// `axis`. `angle` about the axis and `tube_angle` about the tube from and to in radians.
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, radii not 0 < minor < major, an axis of no length, a wrong range of angles.
+    /// Numbers that are not finite, radii not 0 < minor < major, an axis of no length, a wrong range of
+    /// angles.
     pub fn new(
         center: DVec3,
         axis: DVec3,
@@ -76,11 +77,15 @@ impl Torus {
         let mut off = f64::INFINITY;
         for _ in 0..4 {
             let p = o + t * w;
-            let rho = p.x.hypot(p.y);
-            let tube = (rho - self.major).hypot(p.z);
+            let flat = p.truncate();
+            let from_circle = DVec2::new(flat.length() - self.major, p.z);
+            let tube = from_circle.length();
             off = tube - self.minor;
-            let slope = ((rho - self.major) * (p.x * w.x + p.y * w.y) / rho + p.z * w.z) / tube;
-            let step = off / slope;
+            if off.abs() <= 1e-16 * self.major {
+                break;
+            }
+            let outward = flat.dot(w.truncate()) / flat.length();
+            let step = off * tube / from_circle.dot(DVec2::new(outward, w.z));
             if step.is_finite() && step.abs() * w.length() < self.minor {
                 t -= step;
             }
@@ -90,7 +95,7 @@ impl Torus {
 
     fn accept(&self, ray: &Ray, o: DVec3, w: DVec3, t: f64) -> Option<Hit> {
         let p = o + t * w;
-        let angle = p.z.atan2(p.x.hypot(p.y) - self.major) - self.tube[0];
+        let angle = p.z.atan2(p.truncate().length() - self.major) - self.tube[0];
         let v = (angle - TAU * (angle / TAU).round()) / self.tube[1];
         Hit::accept(ray, t, self.turn.parameter(p, self.major), v)
     }

@@ -1,6 +1,7 @@
 //! Triangle: X(u, v) = v₀ + ½(1 + u)(v₁ − v₀) + ½(1 + v)(v₂ − v₀), the half u + v ≤ 0 of a parallelogram.
 //!
-//! Front (v₁ − v₀) × (v₂ − v₀). Area ½ |(v₁ − v₀) × (v₂ − v₀)|. The other half of [−1, 1]² is not part of the surface.
+//! Front (v₁ − v₀) × (v₂ − v₀). Area ½ |(v₁ − v₀) × (v₂ − v₀)|. The other half of [−1, 1]² is not part of the
+//! surface.
 
 use super::affine::Affine;
 use crate::{Aabb, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
@@ -35,6 +36,10 @@ impl Surface for Triangle {
     fn bounds(&self, rect: &Rect) -> Aabb {
         let outline = Aabb::around(self.region.outer().iter().copied());
         self.map.bounds(rect).intersection(outline)
+    }
+
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        rect.corners().map(|[u, v]| self.map.point(u, v)).to_vec()
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {

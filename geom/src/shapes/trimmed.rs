@@ -35,6 +35,10 @@ impl Surface for Trimmed {
         self.base.bounds(rect)
     }
 
+    fn hull(&self, rect: &Rect) -> Vec<DVec3> {
+        self.base.hull(rect)
+    }
+
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let hit = self.base.intersect(ray)?;
         self.region.covers(self.region.to_plane(ray.at(hit.t))).then_some(hit)

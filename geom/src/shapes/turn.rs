@@ -1,8 +1,9 @@
 //! What all surfaces turned about an axis share: X(u, v) = o + x(v) r̂(φ) + z(v) ẑ with φ = φ₀ + u φ₁.
 //!
-//! Angle 0 points toward the projection of +x (of +y where the axis is along x); angles run right-handed about the axis.
-//! X_u = x φ₁ φ̂, X_v = x′ r̂ + z′ ẑ, so X_u × X_v = x φ₁ (z′ r̂ − x′ ẑ): the normal is finite even where x = 0, and the front
-//! is the outside of a profile that runs upward. The profile keeps x ≥ 0.
+//! Angle 0 points toward the projection of +x (of +y where the axis is along x); angles run right-handed
+//! about the axis. X_u = x φ₁ φ̂, X_v = x′ r̂ + z′ ẑ, so X_u × X_v = x φ₁ (z′ r̂ − x′ ẑ): the normal is
+//! finite even where x = 0, and the front is the outside of a profile that runs upward. The profile keeps x ≥
+//! 0.
 
 use super::{check_edge, check_finite};
 use crate::{Aabb, Hit, Jet, ShapeError};
@@ -60,7 +61,7 @@ impl Turn {
         let (sin, cos) = (self.middle + u * self.half).sin_cos();
         let [x, y, z] = self.axes;
         let (radial, around) = (cos * x + sin * y, cos * y - sin * x);
-        let speed = at.dx.hypot(at.dz);
+        let speed = (at.dx * at.dx + at.dz * at.dz).sqrt();
         Jet {
             position: self.origin + at.x * radial + at.z * z,
             du: at.x * self.half * around,
@@ -70,16 +71,17 @@ impl Turn {
         }
     }
 
-    /// The parameter u of a local point, of a shape of the given size. Near the axis the angle of a point is uncertain, so
-    /// the seam tolerance there is that of a length.
+    /// The parameter u of a local point, of a shape of the given size. Near the axis the angle of a point is
+    /// uncertain, so the seam tolerance there is that of a length.
     pub(super) fn parameter(&self, local: DVec3, size: f64) -> f64 {
         let angle = local.y.atan2(local.x) - self.middle;
         let u = (angle - TAU * (angle / TAU).round()) / self.half;
-        let beyond = (u.abs() - 1.0) * self.half * local.x.hypot(local.y);
+        let beyond = (u.abs() - 1.0) * self.half * local.truncate().length();
         if beyond <= Hit::SEAM * size { u.clamp(-1.0, 1.0) } else { u }
     }
 
-    /// The box around all points with u in `range` and (x, z) on the profile; `support(g, h)` is the largest x g + z h there.
+    /// The box around all points with u in `range` and (x, z) on the profile; `support(g, h)` is the largest
+    /// x g + z h there.
     pub(super) fn bounds(&self, range: [f64; 2], support: impl Fn(f64, f64) -> f64) -> Aabb {
         let [start, end] = range.map(|u| self.middle + u * self.half);
         let mut bounds = Aabb { min: self.origin, max: self.origin };
@@ -146,7 +148,7 @@ mod tests {
 
     proptest! {
         #[test]
-        fn arcs_are_bounded_tightly(a in -1.0..1.0, b in -1.0..1.0, start in -7.0..7.0, sweep in 0.01..6.28) {
+        fn arcs_are_bounded_tightly(a in -1.0..1.0, b in -1.0..1.0, start in -7.0..7.0, sweep in 0.01..TAU) {
             let [least, most] = arc_range(a, b, [start, start + sweep]);
             let samples = (0..=1000).map(|k| start + sweep * f64::from(k) / 1000.0).map(|x: f64| a * x.cos() + b * x.sin());
             let (low, high) = samples.fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(x), h.max(x)));

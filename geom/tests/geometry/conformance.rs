@@ -142,6 +142,26 @@ fn boxes_hold_their_part_closely() {
     });
 }
 
+/// No plane through a face of the hull's box, nor any random one, has a point of the part beyond all hull
+/// points.
+#[test]
+fn hulls_hold_their_part() {
+    each(|Exhibit { name, surface, .. }, random| {
+        let rect = Rect { u: [-0.7, 0.4], v: [-0.2, 0.9] };
+        let hull = surface.hull(&rect);
+        let points: Vec<DVec3> = (0..400)
+            .map(|k| rect.at(f64::from(k % 20) / 9.5 - 1.0, f64::from(k / 20) / 9.5 - 1.0))
+            .map(|[u, v]| surface.jet(u, v).position)
+            .filter(|x| surface.region().is_none_or(|region| region.contains(*x)))
+            .collect();
+        for _ in 0..200 {
+            let d = random.direction();
+            let reach = |points: &[DVec3]| points.iter().map(|x| x.dot(d)).fold(f64::MIN, f64::max);
+            assert!(reach(&points) <= reach(&hull) + 1e-12 * size(&**surface), "{name}");
+        }
+    });
+}
+
 #[test]
 fn rays_through_a_point_of_the_surface_hit_it() {
     rays_through_points(10_000);
@@ -267,7 +287,8 @@ fn many_random_rays_agree_with_a_fine_tessellation() {
     against_tessellation(100_000);
 }
 
-/// A mesh hit that is not grazing has the surface within its error, and a surface hit well inside has the mesh.
+/// A mesh hit that is not grazing has the surface within its error, and a surface hit well inside has the
+/// mesh.
 fn against_tessellation(count: usize) {
     each(|Exhibit { name, surface, .. }, random| {
         if surface.region().is_some() {

@@ -124,7 +124,8 @@ fn curved() -> Vec<Exhibit> {
         Exhibit { area: None, ..show("bézier wave", Bezier::new(wave()).unwrap(), 0.0) },
         show("bézier cone", Bezier::new(tent()).unwrap(), 0.5 * 3.0_f64.sqrt()),
         around(DVec3::ZERO, show("rational sphere octant", octant(), 0.5 * PI)),
-        // The direction is perpendicular to (1, 0, 0.2): the curve seen along it is stretched by √1.04 along x.
+        // The direction is perpendicular to (1, 0, 0.2): the curve seen along it is stretched by √1.04 along
+        // x.
         show(
             "extrusion",
             Extrusion::new(arch, slide).unwrap(),
@@ -190,8 +191,8 @@ fn vase() -> Revolution {
     Revolution::new(curve, DVec3::ZERO, DVec3::Z, [-1.0, 4.0]).unwrap()
 }
 
-/// The part x, y, z ≥ 0 of the unit sphere as a rational bicubic patch, the pole a collapsed edge: quarter circles of degree
-/// two with weights 1, √½, 1, raised to degree three, turned about each other.
+/// The part x, y, z ≥ 0 of the unit sphere as a rational bicubic patch, the pole a collapsed edge: quarter
+/// circles of degree two with weights 1, √½, 1, raised to degree three, turned about each other.
 pub(crate) fn octant() -> Rational {
     let w = 0.5_f64.sqrt();
     // Homogeneous (x, y, weight) of the quarter circle, degree raised.

@@ -1,5 +1,9 @@
 //! Theorems about surfaces: every shape against its definition, and the shapes together in known scenes.
 
+mod catalogue;
 mod conformance;
+mod contacts;
 mod gallery;
 mod random;
+mod scenes;
+mod teapot;

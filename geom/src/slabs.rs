@@ -1,0 +1,48 @@
+//! Rays against boxes: the three slabs of a box meet the ray in intervals of t, and so does the box in what
+//! these share.
+
+use crate::{Aabb, Ray};
+use glam::DVec3;
+
+/// A ray prepared for box tests.
+pub(crate) struct Slabs {
+    origin: DVec3,
+    inverse: DVec3,
+}
+
+impl Slabs {
+    pub(crate) fn new(ray: &Ray) -> Slabs {
+        // A huge inverse instead of an infinite one: 0 · ∞ must not arise for rays within a slab's plane.
+        let invert = |x: f64| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x };
+        let d = ray.direction;
+        Slabs { origin: ray.origin, inverse: DVec3::new(invert(d.x), invert(d.y), invert(d.z)) }
+    }
+
+    /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays
+    /// within the plane of a face: boxes need some room around what they hold.
+    pub(crate) fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
+        let a = (bounds.min - self.origin) * self.inverse;
+        let b = (bounds.max - self.origin) * self.inverse;
+        let entry = a.min(b).max_element().max(start);
+        let exit = a.max(b).min_element().min(end);
+        (entry <= exit).then_some(entry)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rays_within_a_face_are_not_lost() {
+        let unit = Aabb { min: DVec3::ZERO, max: DVec3::ONE }.inflate(1e-9);
+        let entry =
+            |o: [f64; 3], d: DVec3| Slabs::new(&Ray::new(o.into(), d)).entry(&unit, 0.0, f64::INFINITY);
+        for (y, z) in [(1.0, 0.5), (0.0, 0.0), (1.0, 0.0)] {
+            assert!((entry([-2.0, y, z], DVec3::X).unwrap() - 2.0).abs() < 1e-8);
+        }
+        assert_eq!(entry([-2.0, 1.1, 0.5], DVec3::X), None);
+        assert_eq!(entry([2.0, 0.5, 0.5], DVec3::X), None);
+        assert_eq!(entry([0.5, 0.5, 0.5], -DVec3::Z), Some(0.0));
+    }
+}

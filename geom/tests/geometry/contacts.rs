@@ -1,0 +1,181 @@
+//! Who touches whom: the Cornell box, and pairs in random places.
+
+use crate::scenes::{cornell_corners, cornell_faces};
+use proptest::prelude::*;
+use radiosity_geom::shapes::{Bilinear, Cylinder, Disk, FULL_TURN, Parallelogram, Polygon, Sphere, Trimmed};
+use radiosity_geom::{Adjacency, Bvh, DVec3, Motion, Patch, Placed, Rect, Seam, Surface, Tee, separated};
+
+fn adjacency(a: &dyn Surface, b: &dyn Surface) -> Adjacency {
+    Adjacency::of(&Patch::whole(a), &Patch::whole(b))
+}
+
+#[test]
+fn the_blocks_stand_on_the_floor() {
+    let faces = cornell_faces();
+    let floor = &faces["floor"];
+    let standing: Vec<&String> = faces
+        .iter()
+        .filter(|(_, face)| {
+            let Adjacency::Tee(tees) = adjacency(floor, *face) else { return false };
+            assert_eq!(tees.len(), 1);
+            assert!(tees[0].owner == 1 && tees[0].along.is_none() && tees[0].range == [-1.0, 1.0]);
+            true
+        })
+        .map(|(name, _)| name)
+        .collect();
+    assert_eq!(standing.len(), 8);
+    assert!(standing.iter().all(|name| name.contains("_block_side")));
+}
+
+#[test]
+fn the_walls_of_the_box_share_edges_and_the_light_lies_in_the_ceiling() {
+    let faces = cornell_faces();
+    let walls = ["floor", "ceiling", "left_wall", "right_wall", "back_wall"];
+    let edges = |a: &str, b: &str| matches!(adjacency(&faces[a], &faces[b]), Adjacency::Edges(seams) if seams.len() == 1);
+    for (k, a) in walls.iter().enumerate() {
+        for b in &walls[k + 1..] {
+            let opposite = [["floor", "ceiling"], ["left_wall", "right_wall"]].contains(&[*a, *b]);
+            assert_ne!(edges(a, b), opposite, "{a} {b}");
+        }
+    }
+    assert_eq!(adjacency(&faces["ceiling"], &faces["light"]), Adjacency::Overlap);
+    assert!(matches!(adjacency(&faces["short_block_top"], &faces["ceiling"]), Adjacency::Apart));
+    assert!(matches!(
+        adjacency(&faces["short_block_side1"], &faces["short_block_side2"]),
+        Adjacency::Edges(_)
+    ));
+}
+
+#[test]
+fn cutting_the_light_out_of_the_ceiling_makes_them_neighbours() {
+    let corners = cornell_corners();
+    let ceiling = Box::new(Bilinear::new(corners["ceiling"]).unwrap());
+    let cut = Trimmed::new(ceiling, vec![corners["light"].to_vec()]).unwrap();
+    let light = Bilinear::new(corners["light"]).unwrap();
+    let Adjacency::Edges(seams) = adjacency(&cut, &light) else { panic!("{:?}", adjacency(&cut, &light)) };
+    assert_eq!(seams.len(), 4);
+    assert!(seams.iter().all(|seam| seam.reversed && seam.matched && seam.bend < 1e-12));
+}
+
+#[test]
+fn nothing_stands_between_floor_and_ceiling_but_the_blocks() {
+    let (corners, faces) = (cornell_corners(), cornell_faces());
+    let boxes: Vec<_> = faces.values().map(|face| face.bounds(&Rect::FULL)).collect();
+    let bvh = Bvh::build(&boxes);
+    let names: Vec<&String> = faces.keys().collect();
+    let shaft = faces["floor"].bounds(&Rect::FULL).union(faces["ceiling"].bounds(&Rect::FULL));
+    let mut between = Vec::new();
+    bvh.overlapping(&shaft, |k| {
+        if !separated(&corners["floor"], &corners["ceiling"], &corners[names[k]], 1e-6) {
+            between.push(names[k].as_str());
+        }
+    });
+    // The walls bound the shaft; the left one, twisted, bulges into it by millimetres.
+    between.retain(|name| *name != "left_wall");
+    between.sort_unstable();
+    assert_eq!(between.len(), 10);
+    assert!(between.iter().all(|name| name.contains("_block_")));
+}
+
+#[test]
+fn curved_neighbours() {
+    let axis = 2.0 * DVec3::Z;
+    let wall = Cylinder::new(DVec3::ZERO, axis, 1.0, [0.0, 2.0]).unwrap();
+    let next = Cylinder::new(DVec3::ZERO, axis, 1.0, [2.0, 3.0]).unwrap();
+    let lid = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, [0.0, 2.0]).unwrap();
+    let seam = |a: &dyn Surface, b: &dyn Surface| -> Seam {
+        let Adjacency::Edges(seams) = adjacency(a, b) else { panic!("{:?}", adjacency(a, b)) };
+        assert_eq!(seams.len(), 1);
+        seams[0]
+    };
+    let smooth = seam(&wall, &next);
+    assert!(smooth.borders == [1, 3] && smooth.reversed && smooth.matched && smooth.bend < 1e-9);
+    let rim = seam(&wall, &lid);
+    // Outside and upper side: the base edge of the wall is the rim, run through in the same sense.
+    assert!(rim.borders == [0, 0] && !rim.reversed && rim.matched);
+    assert!((rim.bend - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    // A ball resting on a plate touches it in one point, a stick through it crosses.
+    let ball = Sphere::new(DVec3::Z, 1.0, DVec3::X, [-1.0, 1.0], FULL_TURN).unwrap();
+    let plate = Parallelogram::new(DVec3::new(-2.0, -2.0, -0.1), 4.0 * DVec3::X, 4.0 * DVec3::Y).unwrap();
+    assert!(matches!(adjacency(&ball, &plate), Adjacency::Near { gap } if (gap - 0.1).abs() < 1e-3));
+    let table = Parallelogram::new(DVec3::new(-2.0, -2.0, 0.3), 4.0 * DVec3::X, 4.0 * DVec3::Y).unwrap();
+    let Adjacency::Crossing { at } = adjacency(&ball, &table) else { panic!() };
+    assert!((at.z - 0.3).abs() < 1e-3 && (at.distance(DVec3::Z) - 1.0).abs() < 3e-2);
+}
+
+fn motion() -> impl Strategy<Value = Motion> {
+    (prop::array::uniform3(-5.0..5.0), prop::array::uniform3(0.1..1.0), -3.0..3.0, 0.01..100.0)
+        .prop_map(|(t, axis, angle, scale)| Motion::new(t.into(), axis.into(), angle, scale).unwrap())
+}
+
+fn placed(surface: impl Surface + 'static, motion: Motion) -> Placed {
+    Placed::new(Box::new(surface), motion)
+}
+
+proptest! {
+    /// A hinge of two unit squares, opened by any angle, anywhere: one edge, bent by the angle.
+    #[test]
+    fn hinges_are_found(motion in motion(), angle in 0.2..2.9_f64) {
+        let (sin, cos) = angle.sin_cos();
+        let a = Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();
+        let b = Parallelogram::new(DVec3::ZERO, DVec3::Y, DVec3::new(cos, 0.0, sin)).unwrap();
+        let found = adjacency(&placed(a, motion), &placed(b, motion));
+        let Adjacency::Edges(seams) = found else { panic!("{found:?}") };
+        prop_assert_eq!(seams.len(), 1);
+        prop_assert!(seams[0].borders == [3, 0] && seams[0].reversed && seams[0].matched);
+        // Fronts face each other across the opening: closed to 0 they would be opposite.
+        prop_assert!((seams[0].bend - (std::f64::consts::PI - angle)).abs() < 1e-6);
+    }
+
+    /// A wall standing somewhere inside a floor.
+    #[test]
+    fn standing_walls_are_found(motion in motion(), x in 0.1..0.5, y in 0.1..0.8, length in 0.1..0.4, tilt in -0.5..0.5) {
+        let floor = Polygon::new(vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y], vec![]).unwrap();
+        let wall = Parallelogram::new(DVec3::new(x, y, 0.0), length * DVec3::X, DVec3::new(0.0, tilt, 1.0)).unwrap();
+        let found = adjacency(&placed(floor, motion), &placed(wall, motion));
+        prop_assert_eq!(found, Adjacency::Tee(vec![Tee { owner: 1, border: 0, along: None, range: [-1.0, 1.0] }]));
+    }
+
+    /// A short square against a long one: the short edge lies along part of the long.
+    #[test]
+    fn partial_edges_are_found(motion in motion(), start in 0.1..0.5, length in 0.1..0.4) {
+        let long = Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();
+        let short = Parallelogram::new(start * DVec3::X, length * DVec3::X, DVec3::Z).unwrap();
+        let found = adjacency(&placed(long, motion), &placed(short, motion));
+        let Adjacency::Tee(tees) = found else { panic!("{found:?}") };
+        prop_assert_eq!(tees.len(), 2);
+        let on_long = tees.iter().find(|tee| tee.owner == 0).unwrap();
+        prop_assert!(on_long.border == 0 && on_long.along == Some(0));
+        let expected = [2.0 * start - 1.0, 2.0 * (start + length) - 1.0];
+        prop_assert!(on_long.range.iter().zip(expected).all(|(w, e)| f64::abs(w - e) < 1e-6));
+    }
+
+    /// Squares with one corner in common, and squares with none.
+    #[test]
+    fn corners_and_gaps_are_found(motion in motion(), lift in 0.3..1.0, distance in 0.05..3.0_f64) {
+        let square = || Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();
+        let corner = Parallelogram::new(DVec3::ZERO, DVec3::new(-1.0, 0.2, lift), DVec3::new(0.1, -1.0, lift)).unwrap();
+        let found = adjacency(&placed(square(), motion), &placed(corner, motion));
+        let Adjacency::Vertices(points) = found else { panic!("{found:?}") };
+        prop_assert!(points.len() == 1 && points[0].distance(motion.point(DVec3::ZERO)) < 1e-6 * motion.scale());
+        let above = Parallelogram::new(distance * DVec3::Z, DVec3::X, DVec3::Y).unwrap();
+        let found = adjacency(&placed(square(), motion), &placed(above, motion));
+        if let Adjacency::Near { gap } = found {
+            prop_assert!(distance < 0.6 && (gap / (distance * motion.scale()) - 1.0).abs() < 1e-3);
+        } else {
+            prop_assert!(distance > 0.3 && found == Adjacency::Apart);
+        }
+    }
+
+    /// Squares passing through each other, and lying in each other.
+    #[test]
+    fn faults_are_found(motion in motion(), x in 0.1..0.9, y in 0.1..0.5) {
+        let square = || Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap();
+        let through = Parallelogram::new(DVec3::new(x, y, -0.5), DVec3::Z, 0.3 * DVec3::Y).unwrap();
+        let crossed = matches!(adjacency(&placed(square(), motion), &placed(through, motion)), Adjacency::Crossing { .. });
+        prop_assert!(crossed);
+        let inside = Parallelogram::new(0.5 * DVec3::new(x, y, 0.0), 0.4 * DVec3::X, 0.5 * DVec3::Y).unwrap();
+        prop_assert_eq!(adjacency(&placed(square(), motion), &placed(inside, motion)), Adjacency::Overlap);
+        prop_assert_eq!(adjacency(&placed(square(), motion), &placed(square(), motion)), Adjacency::Same);
+    }
+}
