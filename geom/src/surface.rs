@@ -6,7 +6,7 @@
 
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect};
 use glam::DVec3;
-use radiosity_core::gauss::Legendre;
+use radiosity_core::gauss::{Legendre, Rule};
 use std::fmt::Debug;
 
 /// Position, tangents, normal and area element of a surface at one parameter pair.
@@ -108,7 +108,7 @@ pub trait Surface: Debug + Send + Sync {
 
 /// ∬ |X_u × X_v| over `rect` by the ten-point Gauss rule in each direction.
 fn gauss_area<S: Surface + ?Sized>(surface: &S, rect: &Rect) -> f64 {
-    let (nodes, weights) = Legendre::<10>::RULE;
+    let Rule { nodes, weights } = Legendre::<10>::RULE;
     let row = |s: f64| -> f64 {
         let value = |t: f64| {
             let [u, v] = rect.at(s, t);
