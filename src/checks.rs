@@ -16,7 +16,7 @@ use crate::kernel::Blocks;
 use crate::solution::{Place, Solution};
 use crate::system::Coating;
 
-/// The self-checks of a solution. Powers are summed over bands (W).
+/// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Checks {
     /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene.

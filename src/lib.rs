@@ -26,6 +26,7 @@ pub mod elements;
 pub mod kernel;
 pub mod system;
 pub mod solution;
+pub mod direct;
 pub mod checks;
 pub mod solve;
 pub mod output;

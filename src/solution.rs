@@ -1,7 +1,6 @@
 //! The solution: polynomials of irradiance and radiosity on every element, per band.
 //!
-//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻². Read off by the
-//! polynomials alone.
+//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻².
 
 use radiosity_geom::DVec3;
 
@@ -37,19 +36,29 @@ pub struct Band {
     pub coefficients: Coefficients,
     /// The irradiance in the raw polynomials of each element, for evaluation.
     raw: Vec<Vec<f64>>,
+    /// The same less the light that comes straight from emitters.
+    raw_indirect: Vec<Vec<f64>>,
+}
+
+/// Coefficients in the raw polynomials of each element.
+fn raw(elements: &Elements, coefficients: &[f64]) -> Vec<Vec<f64>> {
+    let mut rest = coefficients;
+    let mut raw = Vec::with_capacity(elements.list().len());
+    for element in elements.list() {
+        let (own, others) = rest.split_at(element.basis.len());
+        raw.push(element.basis.to_raw(own));
+        rest = others;
+    }
+    raw
 }
 
 impl Band {
     /// A band with its coefficients over `elements`.
     pub fn new(name: String, elements: &Elements, coating: Coating, coefficients: Coefficients) -> Self {
-        let mut rest = coefficients.irradiance.as_slice();
-        let mut raw = Vec::with_capacity(elements.list().len());
-        for element in elements.list() {
-            let (own, others) = rest.split_at(element.basis.len());
-            raw.push(element.basis.to_raw(own));
-            rest = others;
-        }
-        Self { name, coating, coefficients, raw }
+        let Coefficients { irradiance, direct, .. } = &coefficients;
+        let indirect: Vec<f64> = irradiance.iter().zip(direct).map(|(h, d)| h - d).collect();
+        let (raw, raw_indirect) = (raw(elements, irradiance), raw(elements, &indirect));
+        Self { name, coating, coefficients, raw, raw_indirect }
     }
 
     /// The irradiance on one element as coefficients of its raw polynomials.
@@ -77,6 +86,12 @@ impl Solution {
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn irradiance(&self, band: usize, element: usize, place: &Place) -> f64 {
         let raw = &self.bands[band].raw[element];
+        self.elements.list()[element].evaluate(raw, place.position, place.parameters)
+    }
+
+    /// Irradiance (W m⁻²) that was reflected at least once, of one band on element `element`.
+    pub fn indirect(&self, band: usize, element: usize, place: &Place) -> f64 {
+        let raw = &self.bands[band].raw_indirect[element];
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 

@@ -34,6 +34,7 @@ pub struct System<'a> {
     /// Elements with ρ > 0, ascending: the blocks of unknowns.
     reflecting: Vec<usize>,
     emitted: Vec<f64>,
+    direct: Vec<f64>,
 }
 
 /// Coefficients of one band's solution, element by element.
@@ -41,6 +42,8 @@ pub struct System<'a> {
 pub struct Coefficients {
     /// h of the irradiance (W m⁻²).
     pub irradiance: Vec<f64>,
+    /// G e, the part of h that comes straight from the emitters (W m⁻²).
+    pub direct: Vec<f64>,
     /// b of the radiosity (W m⁻²), b = e + ρ h.
     pub radiosity: Vec<f64>,
     /// ‖b − e − ρ G b‖₂ / ‖e‖₂ of the solver's own b, black elements included; 0 if nothing emits.
@@ -54,7 +57,8 @@ impl<'a> System<'a> {
         let emitted = per_element(elements, |i, out| {
             out.extend(elements[i].constant.iter().map(|c| c * coating.exitance[i]));
         });
-        Self { elements, blocks, coating, reflecting, emitted }
+        let direct = blocks.apply(&emitted);
+        Self { elements, blocks, coating, reflecting, emitted, direct }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -86,8 +90,7 @@ impl<'a> System<'a> {
 
     /// √ρ G e on the reflecting elements.
     pub fn right_hand_side(&self) -> Vec<f64> {
-        let direct = self.blocks.apply(&self.emitted);
-        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * direct[offset])
+        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.direct[offset])
     }
 
     /// Shooting measure of the unknowns: √ρ ∬ |φ_k| dA, so that |y_k| times it is the power that an
@@ -117,7 +120,7 @@ impl<'a> System<'a> {
         }
         let (difference, scale) = (distance(&solved, &radiosity), norm(&self.emitted));
         let residual = if scale > 0.0 { difference / scale } else { 0.0 };
-        Coefficients { irradiance, radiosity, residual }
+        Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
     }
 
     /// Coefficients e of the emitted exitance.

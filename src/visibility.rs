@@ -6,6 +6,8 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
+pub mod exact;
+
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Ray, Rect, Surface, separated};
@@ -38,8 +40,8 @@ pub enum Shadows {
 struct Obstacle {
     shape: Arc<dyn Surface>,
     hull: Vec<DVec3>,
-    /// Outline of a convex planar obstacle without holes: it can hide a pair by itself.
-    convex: bool,
+    /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
+    pieces: Option<Vec<Vec<DVec3>>>,
 }
 
 impl Visibility {
@@ -78,7 +80,8 @@ impl Visibility {
     pub fn hidden(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> bool {
         blockers.iter().any(|index| {
             let obstacle = &self.obstacles[*index];
-            obstacle.convex && a.iter().all(|x| b.iter().all(|y| obstacle.shape.occludes(&segment(*x, *y))))
+            obstacle.is_convex()
+                && a.iter().all(|x| b.iter().all(|y| obstacle.shape.occludes(&segment(*x, *y))))
         })
     }
 
@@ -86,6 +89,11 @@ impl Visibility {
     pub fn free(&self, blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         let ray = segment(x, y);
         !blockers.iter().any(|index| self.obstacles[*index].shape.occludes(&ray))
+    }
+
+    /// Convex polygons that make up a planar surface; None for curved ones.
+    pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
+        self.obstacles[surface].pieces.as_deref()
     }
 
     /// Whether any surface of the scene may stand between any two others.
@@ -117,8 +125,12 @@ impl Visibility {
 impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
-        let convex = shape.region().is_some_and(|region| region.convex_pieces().len() == 1);
-        Self { shape: Arc::clone(shape), hull, convex }
+        let pieces = shape.region().map(|region| region.convex_pieces());
+        Self { shape: Arc::clone(shape), hull, pieces }
+    }
+
+    fn is_convex(&self) -> bool {
+        self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
     }
 }
 

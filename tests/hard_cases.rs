@@ -1,6 +1,6 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
-use radiosity::output::render::render;
+use radiosity::output::render::{Read, render};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::visibility::{Shadows, Visibility};
@@ -81,7 +81,7 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let outcome = solved(&scene, 1e-3);
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
-        let image = render(&outcome.solution, &visibility, &camera, 1, &|_, _| {});
+        let image = render(&outcome.solution, &visibility, &camera, 1, Read::Basis, &|_, _| {});
         assert!(image.pixels().iter().all(|pixel| *pixel == [1.0; 3]), "the panel fills the picture");
     }
 }

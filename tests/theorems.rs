@@ -1,6 +1,7 @@
 //! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
 
 use radiosity::checks::Checks;
+use radiosity::direct::DirectLight;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::output::grid::grid;
@@ -153,6 +154,27 @@ fn projection_keeps_power_at_every_order() {
         assert!((checks.energy_absorbed - checks.energy_in).abs() <= 1e-7 * checks.energy_in, "{checks:?}");
         assert!(checks.closure_max < 1e-7);
     }
+}
+
+/// Irradiance below the middle of a square of exitance 1 and half side a at distance 1: four times the
+/// corner's 1/(2π) · 2 a/√(1+a²) atan(a/√(1+a²)).
+#[test]
+fn direct_light_is_exact_at_a_point() {
+    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let direct = DirectLight::new(&outcome.solution, &visibility);
+    let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
+    let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
+    let lit: f64 = direct.at(floor, jet.position, jet.normal).map(|(_, factor)| factor).sum();
+    let q = 0.5 / 0.5f64.hypot(1.0);
+    let exact = 4.0 / std::f64::consts::PI * q * q.atan();
+    assert!((lit - exact).abs() < 1e-14, "{lit} {exact}");
+    // What the polynomials make of the same light converges to it.
+    let place = Place { surface: floor, parameters: [0.0; 2], position: jet.position };
+    let basis = outcome.solution.irradiance(0, floor, &place);
+    let split = lit + outcome.solution.indirect(0, floor, &place);
+    assert!((basis - split).abs() < 1e-4 * split, "{basis} {split}");
 }
 
 #[test]

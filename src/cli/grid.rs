@@ -3,7 +3,7 @@
 use std::io::{Write, stdout};
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use radiosity::output::grid::{Cell, grid};
 use radiosity::scene::Scene;
 
@@ -26,6 +26,10 @@ pub(crate) struct GridArgs {
     #[arg(long, value_name = "NxM", default_value = "16x16")]
     pub(crate) cells: Counts,
 
+    /// What the means are read from
+    #[arg(long, value_name = "MODE", default_value = "basis")]
+    pub(crate) read: ReadMode,
+
     /// File of the table [default: standard output]
     #[arg(short, long, value_name = "FILE.csv")]
     pub(crate) output: Option<PathBuf>,
@@ -35,6 +39,13 @@ pub(crate) struct GridArgs {
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,
+}
+
+/// `--read` of a grid.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReadMode {
+    /// The polynomials of the elements alone
+    Basis,
 }
 
 /// Solves the scene and prints the means.

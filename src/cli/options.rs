@@ -51,10 +51,6 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) shadows: Shadows,
 
-    /// What a result is read from
-    #[arg(long, value_name = "MODE", default_value = "basis")]
-    pub(crate) read: ReadMode,
-
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     pub(crate) threads: Option<usize>,
@@ -102,13 +98,6 @@ pub(crate) enum Shadows {
     Off,
     /// Rays where something can stand between
     Rays,
-}
-
-/// `--read`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReadMode {
-    /// The polynomials of the elements alone
-    Basis,
 }
 
 /// Two counts written `AxB`, such as `16x16` or `800x600`.

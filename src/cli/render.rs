@@ -2,18 +2,18 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
-use radiosity::output::render::render;
+use clap::{Args, ValueEnum};
+use radiosity::output::render::{Read, render};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::in_threads;
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::Visibility;
 
 use crate::cli::{
     error::CliError,
     options::{Counts, MethodArgs, ReportArgs, SceneArg, positive},
     output_file::OutputFile,
     progress::Progress,
-    run::{Loaded, Run},
+    run::{Loaded, Run, shadows},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -35,6 +35,10 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) samples: u32,
 
+    /// What the picture is read from
+    #[arg(long, value_name = "MODE", default_value = "direct")]
+    pub(crate) read: ReadMode,
+
     /// Factor on the radiosities before they become colours [default: chosen for the picture]
     #[arg(long, value_name = "X", value_parser = positive)]
     pub(crate) exposure: Option<f64>,
@@ -46,6 +50,15 @@ pub(crate) struct RenderArgs {
     pub(crate) report: ReportArgs,
 }
 
+/// `--read` of a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum ReadMode {
+    /// The polynomials of the elements alone
+    Basis,
+    /// Direct light and its shadows exact at every point, the rest from the polynomials
+    Direct,
+}
+
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
     let scene = &loaded.scene;
@@ -54,10 +67,14 @@ pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
     let camera = camera(args, scene)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, Shadows::Off);
+    let visibility = Visibility::new(scene, shadows(&args.method));
+    let read = match args.read {
+        ReadMode::Basis => Read::Basis,
+        ReadMode::Direct => Read::Direct,
+    };
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.outcome.solution;
-    let picture = || render(solution, &visibility, &camera, args.samples, &rows);
+    let picture = || render(solution, &visibility, &camera, args.samples, read, &rows);
     let image = in_threads(run.threads, picture)?;
     let exposure = args.exposure.unwrap_or_else(|| image.automatic_exposure());
     output.write(|writer| image.write_png(exposure, writer))?;

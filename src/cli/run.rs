@@ -8,6 +8,8 @@ use radiosity::scene::Scene;
 use radiosity::solve::{self, Options, Outcome, Progress as Stage};
 
 use crate::cli::error::CliError;
+use radiosity::visibility;
+
 use crate::cli::options::{MethodArgs, ReportArgs, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
@@ -109,10 +111,9 @@ impl Run {
                 seconds.total
             ),
             format!(
-                "emitted {:.6} W = absorbed {:.6} + lost {:.6}; row sums {:.4} to {:.4}",
-                checks.energy_in,
-                checks.energy_absorbed,
-                checks.energy_lost,
+                "of the emitted power {:.2} % is absorbed, {:.2} % lost; row sums {:.4} to {:.4}",
+                100.0 * checks.energy_absorbed / checks.energy_in,
+                100.0 * checks.energy_lost / checks.energy_in,
                 checks.row_sum_min,
                 checks.row_sum_max
             ),
@@ -128,6 +129,14 @@ impl Run {
         lines.extend(written.map(|path| format!("wrote {path}")));
         // Nobody is left to tell if stderr is closed.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+    }
+}
+
+/// Whether surfaces hide each other, as the solution was asked to see it.
+pub(crate) fn shadows(method: &MethodArgs) -> visibility::Shadows {
+    match method.shadows {
+        Shadows::Off => visibility::Shadows::Off,
+        Shadows::Auto | Shadows::Rays => visibility::Shadows::Rays(Options::default().shadow_eps),
     }
 }
 

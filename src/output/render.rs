@@ -1,4 +1,4 @@
-//! Pictures of a solution: camera rays against the true surfaces, radiosity from the polynomials.
+//! Pictures of a solution: camera rays against the true surfaces, radiosity read off where they arrive.
 //!
 //! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular
 //! grid; a ray that meets the back of a surface, or nothing, is black. Bands become colours thus: three
@@ -9,9 +9,19 @@ use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
 
 use super::image::Image;
+use crate::direct::DirectLight;
 use crate::scene::Camera;
-use crate::solution::{Place, Solution};
+use crate::solution::{Band, Place, Solution};
 use crate::visibility::Visibility;
+
+/// What a picture is read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Read {
+    /// The polynomials alone.
+    Basis,
+    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
+    Direct,
+}
 
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
 ///
@@ -21,15 +31,18 @@ pub fn render(
     visibility: &Visibility,
     camera: &Camera,
     samples: u32,
+    read: Read,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Image {
     let view = View::new(camera);
     let balance = white_balance(solution);
+    let direct = (read == Read::Direct).then(|| DirectLight::new(solution, visibility));
+    let reader = Reader { solution, visibility, direct };
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<[f64; 3]>> = (0..camera.height)
         .into_par_iter()
         .map(|row| {
-            let pixel = |column| pixel(solution, visibility, &view, [column, row], samples, balance);
+            let pixel = |column| pixel(&reader, &view, [column, row], samples, balance);
             let pixels = (0..camera.width).map(pixel).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, camera.height as usize);
             pixels
@@ -70,39 +83,59 @@ impl View {
     }
 }
 
-fn pixel(
-    solution: &Solution,
-    visibility: &Visibility,
-    view: &View,
-    [column, row]: [u32; 2],
-    samples: u32,
-    balance: [f64; 3],
-) -> [f64; 3] {
+fn pixel(reader: &Reader, view: &View, [column, row]: [u32; 2], samples: u32, balance: [f64; 3]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for index in 0..samples * samples {
         let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let x = f64::from(column) + offset(index % samples);
         let y = f64::from(row) + offset(index / samples);
-        let colour = colour(solution, visibility, &view.ray(x, y));
+        let colour = reader.colour(&view.ray(x, y));
         sum.iter_mut().zip(colour).for_each(|(sum, value)| *sum += value);
     }
     let scale = 1.0 / f64::from(samples * samples);
     std::array::from_fn(|k| sum[k] * scale * balance[k])
 }
 
-fn colour(solution: &Solution, visibility: &Visibility, ray: &Ray) -> [f64; 3] {
-    let Some((surface, hit)) = visibility.nearest(ray) else { return [0.0; 3] };
-    let jet = solution.elements().shape(surface).jet(hit.u, hit.v);
-    let parameters = [hit.u, hit.v];
-    let seen = jet.normal.dot(ray.direction) < 0.0;
-    let Some(element) = solution.elements().at(surface, parameters).filter(|_| seen) else { return [0.0; 3] };
-    let place = Place { surface, parameters, position: jet.position };
-    let value = |band| solution.radiosity(band, element, &place).max(0.0);
-    let bands = solution.bands().len();
-    if bands == 3 {
-        return [value(0), value(1), value(2)];
+/// What a camera ray needs to become a colour.
+struct Reader<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+    direct: Option<DirectLight<'a>>,
+}
+
+impl Reader<'_> {
+    fn colour(&self, ray: &Ray) -> [f64; 3] {
+        let Some((surface, hit)) = self.visibility.nearest(ray) else { return [0.0; 3] };
+        let elements = self.solution.elements();
+        let jet = elements.shape(surface).jet(hit.u, hit.v);
+        let parameters = [hit.u, hit.v];
+        let seen = jet.normal.dot(ray.direction) < 0.0;
+        let Some(element) = elements.at(surface, parameters).filter(|_| seen) else { return [0.0; 3] };
+        let place = Place { surface, parameters, position: jet.position };
+        let values = self.radiosity(element, &place, jet.normal);
+        match values[..] {
+            [red, green, blue] => [red, green, blue],
+            _ => [values.iter().sum::<f64>() / values.len() as f64; 3],
+        }
     }
-    [(0..bands).map(value).sum::<f64>() / bands as f64; 3]
+
+    /// Radiosity per band; what polynomials undershoot is cut off at zero.
+    fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+        let bands = self.solution.bands();
+        let Some(direct) = &self.direct else {
+            return (0..bands.len())
+                .map(|band| self.solution.radiosity(band, element, place).max(0.0))
+                .collect();
+        };
+        let sources: Vec<(usize, f64)> = direct.at(element, place.position, normal).collect();
+        let value = |(index, band): (usize, &Band)| {
+            let lit: f64 =
+                sources.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum();
+            let irradiance = lit + self.solution.indirect(index, element, place).max(0.0);
+            band.coating.exitance[element] + band.coating.reflectance[element] * irradiance
+        };
+        bands.iter().enumerate().map(value).collect()
+    }
 }
 
 /// Factors that make the emitted light of a three-band scene white; all 1 if any band emits nothing.
