@@ -28,6 +28,7 @@ const NEAREST: f64 = 1.0 / (1u32 << 27) as f64;
 /// Exact for polynomials of degree ≤ 2n − 1; the weights are positive, of sum μ₀ = [`Weight::integral`].
 /// For α = β the rule is symmetric to the last bit. Two things are less than correctly rounded: a node within 10⁻⁸ of
 /// 0 (exponents that differ that little) is right to 10⁻²³, and weights of nodes within 10⁻⁷ of an end to 2 ulp.
+/// Weights below 10⁻²⁹⁰, which exponents above 100 may have, lose digits and may come out as 0.
 ///
 /// # Errors
 /// [`RuleError`] if the slices are empty or differ in length, and [`RuleError::NearEnd`] if an exponent is too near −1 for n

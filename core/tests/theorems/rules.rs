@@ -244,6 +244,17 @@ fn exponents_near_minus_one_give_a_rule_or_an_error_but_no_wrong_number() {
 }
 
 #[test]
+fn weights_too_small_for_floats_are_zero_and_the_others_sum_up() {
+    for (alpha, beta) in [(256.0, 0.0), (0.5, 256.0), (256.0, 256.0)] {
+        let (x, w) = jacobi_rule(alpha, beta, 1000);
+        let total = Weight::new(alpha, beta).expect("a weight").integral();
+        assert!(w.iter().all(|w| *w >= 0.0) && w.contains(&0.0));
+        assert!((w.iter().sum::<f64>() / total - 1.0).abs() < 1e-14);
+        assert!(x.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+}
+
+#[test]
 fn exponents_next_to_an_integer_have_the_integral_of_the_integer() {
     for (alpha, beta, exact) in [(0.0, 0.0, 2.0), (1.0, 0.0, 2.0), (2.0, 2.0, 16.0 / 15.0)] {
         for tiny in [f64::from_bits(1), 1e-300, 1e-20] {
