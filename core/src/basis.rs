@@ -6,12 +6,9 @@
 //! | [`tensor`] | square [−1, 1]² | p_i(s) p_j(t), i, j ≤ N | by i, then j |
 //! | [`triangle`] | (−1, −1), (1, −1), (−1, 1) | Dubiner's, i + j ≤ N | as [`total`] |
 
+mod factors;
 pub mod tensor;
 pub mod total;
 pub mod triangle;
 
-/// The largest order of the bases on the square.
-pub const LARGEST: usize = 63;
-
-/// p_0 … p_63 at one coordinate; only the first entries are filled.
-type Row = [f64; LARGEST + 1];
+pub use self::factors::LARGEST;

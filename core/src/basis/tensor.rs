@@ -4,7 +4,7 @@
 //! φ_k(s, t) = p_i(s) p_j(t),   i, j ≤ N,   k = i (N + 1) + j,   ∬ φ_k φ_l ds dt = δ_kl
 //! ```
 
-use super::{LARGEST, Row};
+use super::factors::{self, LARGEST, Row};
 use crate::legendre;
 
 /// The number of products of degree ≤ `order` in each variable: (N + 1)².
@@ -28,9 +28,7 @@ pub const fn degrees(order: usize, k: usize) -> (usize, usize) {
 /// If `out.len() != count(order)` or `order > `[`LARGEST`].
 pub fn values(order: usize, s: f64, t: f64, out: &mut [f64]) {
     check(order, out.len());
-    let (mut p, mut q): (Row, Row) = ([0.0; LARGEST + 1], [0.0; LARGEST + 1]);
-    legendre::orthonormal(s, &mut p[..=order]);
-    legendre::orthonormal(t, &mut q[..=order]);
+    let [p, q] = factors::values(order, s, t);
     products(order, &p, &q, out);
 }
 
@@ -42,10 +40,7 @@ pub fn gradients(order: usize, s: f64, t: f64, out: &mut [f64], by_s: &mut [f64]
     check(order, out.len());
     check(order, by_s.len());
     check(order, by_t.len());
-    let zero: Row = [0.0; LARGEST + 1];
-    let (mut p, mut q, mut dp, mut dq) = (zero, zero, zero, zero);
-    legendre::orthonormal_with_derivatives(s, &mut p[..=order], &mut dp[..=order]);
-    legendre::orthonormal_with_derivatives(t, &mut q[..=order], &mut dq[..=order]);
+    let [[p, dp], [q, dq]] = factors::derivatives(order, s, t);
     products(order, &p, &q, out);
     products(order, &dp, &q, by_s);
     products(order, &p, &dq, by_t);

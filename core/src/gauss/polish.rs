@@ -232,7 +232,8 @@ impl Node {
         let second = self.sigma - self.lambda + m * curvature;
         let b = shift * (m + self.lambda * newton + 0.5 * shift * second) * inverse;
         let carry = (a - b * (2.0 + b)) / ((1.0 + b) * (1.0 + b));
-        let w = self.weight.mul(one).div(derivative.mul(derivative));
+        // Two divisions, since N² may leave the range of floats where the weight is small.
+        let w = self.weight.mul(one).div(derivative).div(derivative);
         (shift, Double::renormalised(w.hi, w.lo + w.hi * carry))
     }
 }

@@ -43,6 +43,9 @@ impl<const N: usize> Rule<N> {
     }
 
     /// The Gauss rule of the weight (1 − x)^α (1 + x)^β, as [`jacobi`](super::jacobi()) writes it.
+    ///
+    /// # Panics
+    /// If an exponent is too near −1 for N points ([`RuleError::NearEnd`](super::RuleError::NearEnd)).
     pub const fn jacobi(weight: Weight) -> Rule<N> {
         let mut rule = Self::EMPTY;
         assert!(jacobi(weight, &mut rule.nodes, &mut rule.weights).is_ok());

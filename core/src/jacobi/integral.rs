@@ -6,7 +6,7 @@
 //!
 //!   μ₀(p, q) = ½ (F(p, q) + F(q, p)),   F(p, q) = 1/p · Σ_{k≥0} Π_{j=1…k} (p + q + j − 1) / (2 (p + j))
 //!
-//! For p, q ≤ 1 every factor is at most ½, so 70 terms give 2⁻⁷⁰; larger exponents come from
+//! For p, q ≤ 3/2 the product of k factors is below 2√k · 2⁻ᵏ, so 74 terms leave 2⁻⁶⁹; larger exponents come from
 //!
 //!   μ₀(p + 1, q) = μ₀(p, q) · 2p/(p + q).
 //!
@@ -17,12 +17,12 @@
 use super::Weight;
 use crate::double::Double;
 
-/// Terms summed in each half: their tail is below 2⁻⁷⁰ of the sum.
-const TERMS: usize = 70;
+/// Terms summed in each half: their tail is below 2⁻⁶⁹ of the sum.
+const TERMS: usize = 74;
 
 /// μ₀ of the weight.
 pub(crate) const fn integral(weight: Weight) -> Double {
-    let (up_p, up_q) = (ceiling(weight.alpha()), ceiling(weight.beta()));
+    let (up_p, up_q) = (steps_up(weight.alpha()), steps_up(weight.beta()));
     let p = fraction(weight.alpha(), up_p);
     let q = fraction(weight.beta(), up_q);
     let base = if is_one(p) && is_one(q) {
@@ -34,13 +34,12 @@ pub(crate) const fn integral(weight: Weight) -> Double {
     raise(raised, q, p.add(Double::new(up_p as f64)), up_q)
 }
 
-/// The least integer not below v > −1.
-const fn ceiling(v: f64) -> usize {
-    let floor = v as usize;
-    if floor as f64 >= v { floor } else { floor + 1 }
+/// An integer next to v > −1, and 0 below ½: an exponent just above 0 must not end up just above −1.
+const fn steps_up(v: f64) -> usize {
+    if v < 0.5 { 0 } else { (v + 0.5) as usize }
 }
 
-/// exponent + 1 − up, in (0, 1], exactly.
+/// exponent + 1 − up, in (0, 3/2], exactly.
 const fn fraction(exponent: f64, up: usize) -> Double {
     Double::sum(exponent, 1.0 - up as f64)
 }
@@ -49,7 +48,7 @@ const fn is_one(v: Double) -> bool {
     v.hi == 1.0 && v.lo == 0.0
 }
 
-/// F(p, q) for p, q ≤ 1.
+/// F(p, q) for p, q ≤ 3/2.
 const fn half_integral(p: Double, q: Double) -> Double {
     let (mut sum, mut term) = (Double::ONE, Double::ONE);
     let mut j = 1;

@@ -9,6 +9,9 @@ use crate::gauss::Rule;
 use crate::jacobi::Weight;
 
 /// `M[m][n]` = ∫₋₁¹ p_m p_n W dx for the first N polynomials.
+///
+/// # Panics
+/// If an exponent is too near −1 for a rule of N points ([`RuleError::NearEnd`](crate::gauss::RuleError::NearEnd)).
 pub fn mass<const N: usize>(weight: Weight) -> [[f64; N]; N] {
     let rule = Rule::<N>::jacobi(weight);
     let mut matrix = [[0.0; N]; N];

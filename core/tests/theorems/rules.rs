@@ -217,6 +217,55 @@ fn bad_arguments_are_refused_and_nothing_is_written() {
 }
 
 #[test]
+fn exponents_near_minus_one_give_a_rule_or_an_error_but_no_wrong_number() {
+    for k in 2..=16 {
+        let alpha = -1.0 + 0.1f64.powi(k);
+        for (beta, n) in
+            [(0.3, 1), (0.3, 2), (0.3, 5), (2.0, 20), (alpha, 1), (alpha, 5), (alpha, 20), (0.0, 101)]
+        {
+            let weight = Weight::new(alpha, beta).expect("a weight");
+            let (mut x, mut w) = (vec![7.0; n], vec![7.0; n]);
+            match gauss::jacobi(weight, &mut x, &mut w) {
+                Ok(()) => {
+                    let (nodes, weights) = against_oracle(alpha, beta, &integral(alpha, beta), &(x, w));
+                    assert!(
+                        nodes <= 0.55 && weights <= 2.0,
+                        "({alpha}, {beta}), n = {n}: {nodes}, {weights} ulp"
+                    );
+                }
+                Err(error) => {
+                    assert_eq!(error, RuleError::NearEnd);
+                    assert!(k > 4, "({alpha}, {beta}), n = {n} is refused");
+                    assert!(x.iter().chain(&w).all(|v| *v == 7.0));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn weights_too_small_for_floats_are_zero_and_the_others_sum_up() {
+    for (alpha, beta) in [(256.0, 0.0), (0.5, 256.0), (256.0, 256.0)] {
+        let (x, w) = jacobi_rule(alpha, beta, 1000);
+        let total = Weight::new(alpha, beta).expect("a weight").integral();
+        assert!(w.iter().all(|w| *w >= 0.0) && w.contains(&0.0));
+        assert!((w.iter().sum::<f64>() / total - 1.0).abs() < 1e-14);
+        assert!(x.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+}
+
+#[test]
+fn exponents_next_to_an_integer_have_the_integral_of_the_integer() {
+    for (alpha, beta, exact) in [(0.0, 0.0, 2.0), (1.0, 0.0, 2.0), (2.0, 2.0, 16.0 / 15.0)] {
+        for tiny in [f64::from_bits(1), 1e-300, 1e-20] {
+            for (alpha, beta) in [(alpha + tiny, beta), (alpha, beta - tiny)] {
+                assert_eq!(Weight::new(alpha, beta).expect("a weight").integral(), exact);
+            }
+        }
+    }
+}
+
+#[test]
 fn rules_integrate_monomials_up_to_twice_their_size_and_no_further() {
     for n in 1..=12usize {
         let (x, w) = jacobi_rule(0.0, 2.0, n);
