@@ -103,6 +103,28 @@ fn curved_neighbours() {
     assert!((at.z - 0.3).abs() < 1e-3 && (at.distance(DVec3::Z) - 1.0).abs() < 3e-2);
 }
 
+/// Parts of closed surfaces meet across the seam where u = −1 and u = 1 as they do elsewhere.
+#[test]
+fn parts_meet_across_the_closing_seam() {
+    let wall = Cylinder::new(DVec3::ZERO, DVec3::Z, 1.0, FULL_TURN).unwrap();
+    let ball = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).unwrap();
+    let (first, last, below, above) = ([-1.0, -0.5], [0.5, 1.0], [-1.0, 0.0], [0.0, 1.0]);
+    for surface in [&wall as &dyn Surface, &ball] {
+        let part = |u, v| Patch::Curved(surface, Rect { u, v });
+        let found = Adjacency::of(&part(first, below), &part(last, below));
+        let Adjacency::Edges(seams) = found else { panic!("{found:?}") };
+        assert!(seams.len() == 1 && seams[0].borders == [3, 1] && seams[0].bend < 1e-9, "{seams:?}");
+        let across = Adjacency::of(&part(first, below), &part(last, above));
+        assert!(matches!(&across, Adjacency::Vertices(points) if points.len() == 1), "{across:?}");
+    }
+    let fin = Parallelogram::new(DVec3::X, DVec3::X, DVec3::Z).unwrap();
+    for u in [first, last] {
+        let part = Patch::Curved(&wall, Rect { u, v: [-1.0, 1.0] });
+        let Adjacency::Edges(seams) = Adjacency::of(&part, &Patch::whole(&fin)) else { panic!("{u:?}") };
+        assert!((seams[0].bend - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    }
+}
+
 fn motion() -> impl Strategy<Value = Motion> {
     (prop::array::uniform3(-5.0..5.0), prop::array::uniform3(0.1..1.0), -3.0..3.0, 0.01..100.0)
         .prop_map(|(t, axis, angle, scale)| Motion::new(t.into(), axis.into(), angle, scale).unwrap())
