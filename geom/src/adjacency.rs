@@ -4,7 +4,7 @@
 //! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
 //! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
 
-use crate::{Aabb, Border, Patch, Ray};
+use crate::{Aabb, Border, Patch, PlanarRegion, Ray, clip_polygon};
 use glam::DVec3;
 
 /// Below this multiple of the smaller extent lengths count as zero.
@@ -28,7 +28,8 @@ pub enum Adjacency {
     },
     /// They share whole edges.
     Edges(Vec<Seam>),
-    /// An edge of one lies inside the other's face, or along part of its edge.
+    /// An edge of one, or part of it where both are straight and flat, lies inside the other's face, or along
+    /// part of its edge.
     Tee(Vec<Tee>),
     /// They share single points.
     Vertices(Vec<DVec3>),
@@ -119,9 +120,12 @@ fn whole_borders<'a>(patch: &Patch<'a>, tolerance: f64) -> Vec<(usize, Border<'a
     patch.borders().into_iter().enumerate().filter(|(_, border)| border.extent() > tolerance).collect()
 }
 
-/// [`Adjacency::Same`] or [`Adjacency::Overlap`], if inner points of one lie on the other and face along its
-/// normal.
+/// [`Adjacency::Same`] or [`Adjacency::Overlap`]: in a plane by the area itself, else if inner points of one
+/// lie on the other and face along its normal.
 fn shared_area(first: &Patch, second: &Patch, tolerance: f64) -> Option<Adjacency> {
+    if let (Patch::Flat(a), Patch::Flat(b)) = (first, second) {
+        return shared_plane_area(a, b, tolerance);
+    }
     let shared = |a: &Patch, b: &Patch| {
         let samples = a.inner_samples();
         let on = |(x, normal): &&(DVec3, DVec3)| {
@@ -136,6 +140,38 @@ fn shared_area(first: &Patch, second: &Patch, tolerance: f64) -> Option<Adjacenc
     }
     // A single point may be where one surface rests on the other.
     (a.max(b) > 1).then_some(Adjacency::Overlap)
+}
+
+/// The same for regions, by the area that their convex pieces share.
+fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Option<Adjacency> {
+    let lies_in_plane = |a: &PlanarRegion, b: &PlanarRegion| {
+        a.outer().iter().all(|x| (*x - b.origin()).dot(b.normal()).abs() <= tolerance)
+    };
+    if !lies_in_plane(a, b) && !lies_in_plane(b, a) {
+        return None;
+    }
+    let pieces = [a, b].map(PlanarRegion::convex_pieces);
+    let pairs = pieces[0].iter().flat_map(|p| pieces[1].iter().map(move |q| (p, q)));
+    let shared: f64 = pairs.map(|(p, q)| area(&common_part(p, q, b.normal()))).sum();
+    // Outlines within tolerance of each other enclose that much between them, or less.
+    let strip = 8.0 * tolerance * a.extent().min(b.extent());
+    let slack = strip.min(1e-3 * a.area().min(b.area()));
+    if a.area().max(b.area()) - shared <= slack {
+        return Some(Adjacency::Same);
+    }
+    (shared > slack).then_some(Adjacency::Overlap)
+}
+
+/// What two convex polygons of a plane share; `normal` is the second's.
+fn common_part(a: &[DVec3], b: &[DVec3], normal: DVec3) -> Vec<DVec3> {
+    let edges = b.iter().zip(b.iter().cycle().skip(1));
+    edges.fold(a.to_vec(), |part, (p, q)| clip_polygon(&part, *p, normal.cross(*q - *p)))
+}
+
+/// The area of a convex polygon.
+fn area(polygon: &[DVec3]) -> f64 {
+    let fan = polygon.windows(2).map(|w| (w[0] - polygon[0]).cross(w[1] - polygon[0]));
+    0.5 * fan.sum::<DVec3>().length()
 }
 
 /// A point where a line of `a` passes through `b` away from b's border.
@@ -201,11 +237,61 @@ fn tees(
         let along = others.iter().find_map(|(k, edge)| Some((*k, common_stretch(border, edge, tolerance)?)));
         if let Some((k, range)) = along {
             found.push(Tee { owner, border: *index, along: Some(k), range });
+        } else if let (Border::Segment(p, q), Patch::Flat(region)) = (border, other) {
+            let stretches = stretches_inside(*p, *q, region, tolerance);
+            found.extend(stretches.into_iter().map(|range| Tee {
+                owner,
+                border: *index,
+                along: None,
+                range,
+            }));
         } else if PLACES.iter().all(|w| on_face(border.point(*w))) {
             found.push(Tee { owner, border: *index, along: None, range: [-1.0, 1.0] });
         }
     }
     found
+}
+
+/// The stretches of the segment from `p` to `q` that lie in `region`, w from and to.
+fn stretches_inside(p: DVec3, q: DVec3, region: &PlanarRegion, tolerance: f64) -> Vec<[f64; 2]> {
+    let off_plane = |x: DVec3| (x - region.origin()).dot(region.normal()).abs() > tolerance;
+    if off_plane(p) || off_plane(q) {
+        return Vec::new();
+    }
+    let pieces = region.convex_pieces();
+    let mut parts: Vec<[f64; 2]> = pieces
+        .iter()
+        .map(|piece| stretch_in_piece(p, q, piece, region.normal(), 1e-3 * tolerance))
+        .filter(|[low, high]| low < high)
+        .collect();
+    parts.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let least = 4.0 * tolerance / p.distance(q);
+    let mut joined: Vec<[f64; 2]> = Vec::new();
+    for part in parts {
+        match joined.last_mut().filter(|last| part[0] <= last[1] + least) {
+            Some(last) => last[1] = last[1].max(part[1]),
+            None => joined.push(part),
+        }
+    }
+    joined.retain(|[low, high]| high - low > least);
+    joined
+}
+
+/// The stretch of the segment within `room` of a convex piece, w from and to; ends out of order where there is
+/// none.
+fn stretch_in_piece(p: DVec3, q: DVec3, piece: &[DVec3], normal: DVec3, room: f64) -> [f64; 2] {
+    let edges = piece.iter().zip(piece.iter().cycle().skip(1));
+    edges.fold([-1.0, 1.0], |[low, high]: [f64; 2], (r, s)| {
+        let inward = normal.cross(*s - *r).normalize();
+        let [start, end] = [p, q].map(|x| (x - *r).dot(inward) + room);
+        let crossing = (start + end) / (start - end);
+        match (start < 0.0, end < 0.0) {
+            (false, false) => [low, high],
+            (true, false) => [low.max(crossing), high],
+            (false, true) => [low, high.min(crossing)],
+            (true, true) => [1.0, -1.0],
+        }
+    })
 }
 
 /// The stretch of `a` that lies along `b`, if it has length.

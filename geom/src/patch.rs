@@ -74,10 +74,20 @@ impl<'a> Patch<'a> {
             }
             Patch::Curved(surface, rect) => {
                 let foot = surface.project(x);
-                let jet = surface.jet(foot.u.clamp(rect.u[0], rect.u[1]), foot.v.clamp(rect.v[0], rect.v[1]));
+                // Where a surface closes, a point of the seam has its foot on either side of it.
+                let inside = rect.contains(foot.u, foot.v);
+                let [u, v] = if inside { [foot.u, foot.v] } else { self.border_parameters(x) };
+                let jet = surface.jet(u, v);
                 (jet.position, jet.normal)
             }
         }
+    }
+
+    /// The parameters of the point of the borders nearest to `x`.
+    fn border_parameters(&self, x: DVec3) -> [f64; 2] {
+        let feet = self.borders().into_iter().map(|border| (border, border.nearest(x)));
+        let feet = feet.map(|(border, w)| (border.point(w).distance_squared(x), border.parameters(w)));
+        feet.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a patch has borders").1
     }
 
     /// Points well inside the patch, with their normals.

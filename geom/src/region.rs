@@ -375,6 +375,25 @@ mod tests {
     }
 
     proptest! {
+        /// Square and diamond holes in the cells of a grid, which touch along edges and in points.
+        #[test]
+        fn pieces_cover_regions_between_touching_holes(
+            cells in prop::collection::vec(0..6, 25), turn in 0.0..6.3_f64, scale in -6.0..6.0_f64,
+        ) {
+            let (axis, scale) = (DVec2::from_angle(turn), 10.0_f64.powf(scale));
+            let ring = |points: &[(f64, f64)]| -> Vec<DVec3> {
+                points.iter().map(|&(x, y)| scale * axis.rotate(DVec2::new(x, y)).extend(0.3)).collect()
+            };
+            let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+            let diamond = [(0.5, 0.0), (1.0, 0.5), (0.5, 1.0), (0.0, 0.5)];
+            let holes = cells.iter().enumerate().filter(|(_, kind)| **kind < 2).map(|(k, kind)| {
+                let at = |(x, y)| (x + (k % 5) as f64, y + (k / 5) as f64);
+                ring(&if *kind == 0 { square } else { diamond }.map(at))
+            });
+            let region = PlanarRegion::new(ring(&square.map(|(x, y)| (5.0 * x, 5.0 * y))), holes.collect()).unwrap();
+            assert_covers(&region);
+        }
+
         /// Star-shaped outlines with a star-shaped hole, anywhere in space.
         #[test]
         fn pieces_cover_random_regions(

@@ -5,7 +5,7 @@
 //! interpolation*, 1977). Then pairs of neighbours that form a convex quadrilateral are merged, those with
 //! the largest least sine of a corner first.
 
-use super::rings::signed_area;
+use super::rings::{encloses, signed_area};
 use crate::ShapeError;
 use glam::{DVec2, DVec3};
 use std::collections::BTreeMap;
@@ -13,6 +13,9 @@ use std::collections::BTreeMap;
 /// Corners flatter than this sine are not made: two triangles integrate better than one needle-shaped
 /// quadrilateral.
 const LEAST_SINE: f64 = 0.02;
+
+/// Of touching holes, this multiple of the extent is taken off to triangulate between them.
+const SHRINK: f64 = 1e-7;
 
 /// A triangulation: indices into `points`, counter-clockwise.
 struct Mesh {
@@ -41,42 +44,63 @@ pub(super) fn of(
     if flat.len() == 1 && flat[0].len() <= 4 && least_sine(&flat[0]) > 0.0 {
         return Ok(vec![rings[0].clone()]);
     }
-    let mut mesh = triangulate(flat);
-    let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
-    let covered: f64 = mesh.triangles.iter().map(|t| mesh.area(t).abs()).sum();
-    if expected <= 0.0 || (covered - expected).abs() > 1e-9 * expected {
+    // Ear clipping may stumble over holes that touch: then by holes shrunk a little.
+    let Some(mut mesh) = [0.0, SHRINK].into_iter().find_map(|shrink| triangulate(flat, shrink)) else {
         // Rings that pass every test one by one can still leave nothing between them.
         return Err(ShapeError::HoleOutside { field: names.last().expect("the outline has a name").clone() });
-    }
+    };
     mesh.make_delaunay();
     let vertices: Vec<DVec3> = rings.iter().flatten().copied().collect();
     let in_space = |piece: Vec<usize>| piece.into_iter().map(|k| vertices[k]).collect();
     Ok(mesh.merge().into_iter().map(in_space).collect())
 }
 
-/// Some triangulation of the region.
-fn triangulate(flat: &[Vec<DVec2>]) -> Mesh {
+/// Some triangulation of the region, found with the holes shrunk by a multiple of the extent; `None` where it
+/// does not cover the region.
+fn triangulate(flat: &[Vec<DVec2>], shrink: f64) -> Option<Mesh> {
     let points: Vec<DVec2> = flat.iter().flatten().copied().collect();
+    let extent = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
     let mut starts = Vec::new();
-    let mut count = flat[0].len();
+    let mut apart: Vec<[f64; 2]> = flat[0].iter().map(|p| p.to_array()).collect();
     for hole in &flat[1..] {
-        starts.push(count);
-        count += hole.len();
+        starts.push(apart.len());
+        apart.extend(shrunk(hole, shrink * extent).map(|p| p.to_array()));
     }
     let mut indices: Vec<usize> = Vec::new();
-    earcut::Earcut::new().earcut(points.iter().map(|p| p.to_array()), &starts, &mut indices);
+    earcut::Earcut::new().earcut(apart, &starts, &mut indices);
     let mut mesh = Mesh { points, triangles: Vec::new() };
-    for t in indices.chunks_exact(3) {
-        let triangle = [t[0], t[1], t[2]];
-        let turned = mesh.area(&triangle) < 0.0;
-        mesh.triangles.push(if turned { [t[0], t[2], t[1]] } else { triangle });
+    let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
+    for t in indices.as_chunks::<3>().0 {
+        let area = mesh.area(t);
+        // What opens between touching holes as they shrink has no area.
+        if area.abs() > 1e-12 * expected {
+            mesh.triangles.push(if area < 0.0 { [t[0], t[2], t[1]] } else { *t });
+        }
     }
-    mesh
+    let covered: f64 = mesh.triangles.iter().map(|t| mesh.area(t)).sum();
+    let whole = expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected;
+    (whole && mesh.triangles.iter().all(|t| mesh.lies_in(t, flat))).then_some(mesh)
+}
+
+/// The vertices of a hole (clockwise) moved by `depth` across both their edges, into the hole.
+fn shrunk(hole: &[DVec2], depth: f64) -> impl Iterator<Item = DVec2> + '_ {
+    let n = hole.len();
+    (0..n).map(move |k| {
+        let (before, at, after) = (hole[(k + n - 1) % n], hole[k], hole[(k + 1) % n]);
+        let across = [at - before, after - at].map(|edge| -edge.normalize().perp());
+        at + depth * (across[0] + across[1]) / (1.0 + across[0].dot(across[1])).max(0.1)
+    })
 }
 
 impl Mesh {
     fn area(&self, t: &[usize; 3]) -> f64 {
         signed_area(&t.map(|k| self.points[k]))
+    }
+
+    /// Whether the middle of the triangle is inside the outline and outside the holes.
+    fn lies_in(&self, t: &[usize; 3], flat: &[Vec<DVec2>]) -> bool {
+        let middle = t.iter().map(|k| self.points[*k]).sum::<DVec2>() / 3.0;
+        encloses(&flat[0], middle) && !flat[1..].iter().any(|hole| encloses(hole, middle))
     }
 
     /// The edges between two triangles, each once, in a fixed order.

@@ -5,7 +5,7 @@
 //! the normal is its limit along the ruling.
 //!
 //! Ray: x² + y² = (R₁ + k z)², a quadratic in t, taken from the ray's point nearest to the middle of the
-//! cone.
+//! narrow end, so that rays through an apex keep their digits.
 
 use super::turn::{Profile, Turn};
 use super::{check_finite, check_not_negative};
@@ -53,13 +53,27 @@ impl Cone {
     /// The ray's line against the whole double cone, in local coordinates: both t.
     fn meet(&self, o: DVec3, w: DVec3) -> [f64; 2] {
         let slope = (self.radius2 - self.radius1) / self.height;
-        let near = (DVec3::new(0.0, 0.0, 0.5 * self.height) - o).dot(w) / w.length_squared();
-        let p = o + near * w;
-        let (radius, growth) = (self.radius1 + slope * p.z, slope * w.z);
+        let (end, least) =
+            if self.radius1 <= self.radius2 { (0.0, self.radius1) } else { (self.height, self.radius2) };
+        let from = o - DVec3::new(0.0, 0.0, end);
+        let near = -from.dot(w) / w.length_squared();
+        let p = from + near * w;
+        let (radius, growth) = (least + slope * p.z, slope * w.z);
         let a = w.x * w.x + w.y * w.y - growth * growth;
         let b = 2.0 * (p.x * w.x + p.y * w.y - radius * growth);
         let c = p.x * p.x + p.y * p.y - radius * radius;
         quadratic(a, b, c).map(|t| near + t)
+    }
+
+    /// The parameter v of a local point of the double cone, by its place along the slant: of a flat cone the
+    /// height alone says little.
+    fn along(&self, local: DVec3) -> f64 {
+        let widening = self.radius2 - self.radius1;
+        let on_other_nappe = self.radius1 + widening * local.z / self.height < 0.0;
+        let distance = local.truncate().length();
+        let radius = if on_other_nappe { -distance } else { distance };
+        let slant = widening * widening + self.height * self.height;
+        2.0 * (widening * (radius - self.radius1) + self.height * local.z) / slant - 1.0
     }
 }
 
@@ -80,7 +94,7 @@ impl Surface for Cone {
         let size = self.radius1.max(self.radius2) + self.height;
         let hits = self.meet(o, w).into_iter().filter_map(|t| {
             let local = o + t * w;
-            Hit::accept(ray, t, self.turn.parameter(local, size), 2.0 * local.z / self.height - 1.0)
+            Hit::accept(ray, t, self.turn.parameter(local, size), self.along(local))
         });
         hits.min_by(|a, b| a.t.total_cmp(&b.t))
     }
@@ -115,5 +129,35 @@ mod tests {
         assert!(!cone.occludes(&grazing));
         let apex = cone.jet(0.0, 1.0);
         assert!((apex.normal.length() - 1.0).abs() < 1e-15 && apex.area == 0.0);
+    }
+
+    /// From within the nappe a line through the apex meets the cone there and nowhere else.
+    #[test]
+    fn rays_through_the_apex_hit_it() {
+        for (radius1, radius2, apex) in [(1.0, 0.0, 1.0), (0.0, 1.0, 0.0)] {
+            let axis = DVec3::new(1.0, 2.0, 2.0) / 3.0;
+            let cone = Cone::new(DVec3::ONE, axis, radius1, radius2, FULL_TURN).unwrap();
+            let target = DVec3::ONE + apex * axis;
+            let [e, f] = <[DVec3; 2]>::from(axis.any_orthonormal_pair());
+            for k in 0..500 {
+                let (sin, cos) = (0.1 * f64::from(k)).sin_cos();
+                let direction = axis + 0.0019 * f64::from(k) * (cos * e + sin * f);
+                let hit = cone.intersect(&Ray::new(target - 3.0 * direction, direction));
+                assert!(hit.is_some_and(|hit| (hit.t - 3.0).abs() < 1e-13), "{k}: {hit:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn hits_of_a_flat_cone_lie_on_it() {
+        let cone = Cone::new(DVec3::ZERO, 1e-4 * DVec3::Z, 0.0, 1.0, FULL_TURN).unwrap();
+        for k in 0..500 {
+            let (u, v) = ((0.7 * f64::from(k)).sin(), (1.3 * f64::from(k)).sin());
+            let target = cone.jet(u, v).position;
+            let direction = DVec3::new((0.3 * f64::from(k)).sin(), (0.9 * f64::from(k)).sin(), -0.4);
+            let ray = Ray { range: [0.9, 1.1], ..Ray::new(target - direction, direction) };
+            let hit = cone.intersect(&ray).unwrap();
+            assert!(cone.jet(hit.u, hit.v).position.distance(ray.at(hit.t)) < 1e-12, "{u} {v} {hit:?}");
+        }
     }
 }

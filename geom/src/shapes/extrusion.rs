@@ -100,6 +100,15 @@ mod tests {
     }
 
     #[test]
+    fn a_hit_in_the_middle_of_a_wave_lies_on_it() {
+        let point = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let wave = [point(0.0, -0.1), point(1.0, 3.0), point(2.0, -3.0), point(3.0, 0.1)];
+        let sheet = Extrusion::new(wave, DVec3::Z).unwrap();
+        let hit = sheet.intersect(&Ray::segment(point(1.0, 0.0), point(2.0, 0.0))).unwrap();
+        assert!((hit.t - 0.5).abs() < 1e-15 && hit.u.abs() < 1e-15, "{hit:?}");
+    }
+
+    #[test]
     fn a_curve_that_starts_at_rest_has_a_normal() {
         let [o, x, y, z] = [DVec3::ZERO, DVec3::X, DVec3::Y, DVec3::Z];
         let sheet = Extrusion::new([o, o, x, x + y], z).unwrap();

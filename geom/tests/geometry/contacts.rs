@@ -103,6 +103,28 @@ fn curved_neighbours() {
     assert!((at.z - 0.3).abs() < 1e-3 && (at.distance(DVec3::Z) - 1.0).abs() < 3e-2);
 }
 
+/// Parts of closed surfaces meet across the seam where u = −1 and u = 1 as they do elsewhere.
+#[test]
+fn parts_meet_across_the_closing_seam() {
+    let wall = Cylinder::new(DVec3::ZERO, DVec3::Z, 1.0, FULL_TURN).unwrap();
+    let ball = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).unwrap();
+    let (first, last, below, above) = ([-1.0, -0.5], [0.5, 1.0], [-1.0, 0.0], [0.0, 1.0]);
+    for surface in [&wall as &dyn Surface, &ball] {
+        let part = |u, v| Patch::Curved(surface, Rect { u, v });
+        let found = Adjacency::of(&part(first, below), &part(last, below));
+        let Adjacency::Edges(seams) = found else { panic!("{found:?}") };
+        assert!(seams.len() == 1 && seams[0].borders == [3, 1] && seams[0].bend < 1e-9, "{seams:?}");
+        let across = Adjacency::of(&part(first, below), &part(last, above));
+        assert!(matches!(&across, Adjacency::Vertices(points) if points.len() == 1), "{across:?}");
+    }
+    let fin = Parallelogram::new(DVec3::X, DVec3::X, DVec3::Z).unwrap();
+    for u in [first, last] {
+        let part = Patch::Curved(&wall, Rect { u, v: [-1.0, 1.0] });
+        let Adjacency::Edges(seams) = Adjacency::of(&part, &Patch::whole(&fin)) else { panic!("{u:?}") };
+        assert!((seams[0].bend - std::f64::consts::FRAC_PI_2).abs() < 1e-9);
+    }
+}
+
 fn motion() -> impl Strategy<Value = Motion> {
     (prop::array::uniform3(-5.0..5.0), prop::array::uniform3(0.1..1.0), -3.0..3.0, 0.01..100.0)
         .prop_map(|(t, axis, angle, scale)| Motion::new(t.into(), axis.into(), angle, scale).unwrap())
@@ -136,6 +158,29 @@ proptest! {
         prop_assert_eq!(found, Adjacency::Tee(vec![Tee { owner: 1, border: 0, along: None, range: [-1.0, 1.0] }]));
     }
 
+    /// A wall that stands on a floor and reaches beyond it, at one end or at both, or across a hole.
+    #[test]
+    fn walls_beyond_the_floor_are_found(motion in motion(), start in -0.9..0.9_f64, length in 0.2..3.0_f64, y in 0.1..0.3) {
+        let outline = vec![DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let hole = [(0.4, 0.05), (0.6, 0.05), (0.6, 0.5), (0.4, 0.5)].map(|(x, y)| DVec3::new(x, y, 0.0));
+        let floor = Polygon::new(outline, vec![hole.to_vec()]).unwrap();
+        let wall = Parallelogram::new(DVec3::new(start, y, 0.0), length * DVec3::X, DVec3::Z).unwrap();
+        let place = |x: f64| 2.0 * (x - start) / length - 1.0;
+        let expected: Vec<[f64; 2]> = [[0.0, 0.4], [0.6, 1.0]]
+            .map(|range| range.map(|x| place(x).clamp(-1.0, 1.0)))
+            .into_iter()
+            .filter(|[low, high]| low < high)
+            .collect();
+        prop_assume!(expected.iter().all(|[low, high]| high - low > 1e-3) && !expected.is_empty());
+        let found = adjacency(&placed(floor, motion), &placed(wall, motion));
+        let Adjacency::Tee(tees) = found else { panic!("{found:?}") };
+        prop_assert_eq!(tees.len(), expected.len());
+        for (tee, range) in tees.iter().zip(expected) {
+            prop_assert!(tee.owner == 1 && tee.border == 0 && tee.along.is_none());
+            prop_assert!(tee.range.iter().zip(range).all(|(w, e)| (w - e).abs() < 1e-6), "{:?} {:?}", tee, range);
+        }
+    }
+
     /// A short square against a long one: the short edge lies along part of the long.
     #[test]
     fn partial_edges_are_found(motion in motion(), start in 0.1..0.5, length in 0.1..0.4) {
@@ -165,6 +210,14 @@ proptest! {
         } else {
             prop_assert!(distance > 0.3 && found == Adjacency::Apart);
         }
+    }
+
+    /// Squares in one plane that share a strip or a corner, however narrow, and squares that only touch.
+    #[test]
+    fn overlaps_in_a_plane_are_found(motion in motion(), x in 1e-4..0.9_f64, y in -0.9..0.9_f64) {
+        let square = |x, y| placed(Parallelogram::new(DVec3::new(x, y, 0.0), DVec3::X, DVec3::Y).unwrap(), motion);
+        prop_assert_eq!(adjacency(&square(0.0, 0.0), &square(1.0 - x, y)), Adjacency::Overlap);
+        prop_assert!(matches!(adjacency(&square(0.0, 0.0), &square(1.0, y)), Adjacency::Tee(_)));
     }
 
     /// Squares passing through each other, and lying in each other.
