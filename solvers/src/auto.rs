@@ -100,10 +100,8 @@ impl Plan {
         mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
     ) -> Result<T, SolveError> {
         let started = Instant::now();
-        let mut tried = |solver, max_iterations| {
-            let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
-            attempt(solver, &Settings { time_budget, max_iterations, ..settings.clone() })
-        };
+        let mut tried =
+            |solver, max_iterations| attempt(solver, &Settings { max_iterations, ..settings.since(started) });
         for solver in self.first {
             match tried(solver, settings.max_iterations.min(self.patience)) {
                 Err(error) if !is_final(&error) => {}

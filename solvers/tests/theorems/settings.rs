@@ -1,5 +1,7 @@
 //! What the settings promise.
 
+use std::time::Duration;
+
 use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings, SolveError, Stop};
 
@@ -129,6 +131,30 @@ fn what_rises_first_and_falls_slowly_is_not_stuck() {
         let mut x = vec![0.0; dim];
         let solved = Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
         assert!(solved.is_ok(), "{name}: {solved:?}");
+    }
+}
+
+#[test]
+fn several_right_hand_sides_share_one_time_budget() {
+    let a = enclosure(&mut Random(73), Partition::points(20), (0.3, 0.8), true);
+    let pause = Duration::from_millis(40);
+    let settings = Settings { time_budget: Some(pause), ..Settings::default() };
+    for name in ["jacobi", "gauss-seidel", "gmres", "southwell", "cg"] {
+        let (b, mut x) = (vec![1.0; 40], vec![0.0; 40]);
+        let mut steps = 0;
+        let solver = Method::named(name).unwrap().solver;
+        let solved = solver.solve_many(&a, &b, &mut x, &settings, &mut |_| {
+            // The first column takes all the time before its first iteration; none is left for the second.
+            if steps == 0 {
+                std::thread::sleep(pause);
+            }
+            steps += 1;
+        });
+        assert!(
+            matches!(solved, Err(SolveError::NotConverged { stop: Stop::Time, .. })),
+            "{name}: {solved:?}"
+        );
+        assert_eq!(steps, 2, "{name}");
     }
 }
 
