@@ -15,19 +15,16 @@ use crate::condition::inverse_norm;
 use crate::error::{SolveError, Stop};
 use crate::factors::Factors;
 use crate::operator::Operator;
-use crate::problem::{Problem, finite};
+use crate::problem::{Problem, exploded, finite};
 use crate::settings::Settings;
 use crate::solver::{Report, Step, check_columns, column_by_column};
-use crate::vector::{add_scaled, all_finite, norm};
+use crate::vector::{add_scaled, all_finite};
 
 /// Refinement goes on until the residual is below this, however little is asked for.
 const AIM: f64 = 1e-10;
 
 /// Most refinement steps.
 const REFINEMENTS: usize = 10;
-
-/// ‖x‖₂ beyond which a solution means a vanished pivot.
-const EXPLODED: f64 = 1e150;
 
 /// Factors a matrix of the given dimension held column by column.
 pub(crate) type Factorise = fn(Vec<f64>, usize, &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;
@@ -165,12 +162,15 @@ impl Factored<'_> {
         }
         let mut first = problem.b.to_vec();
         self.factors.solve(&mut first);
-        if !all_finite(&first) || norm(&first) > EXPLODED {
-            return Err(blame(self.a, SolveError::Singular { what: "the matrix".into() }));
+        let singular = || SolveError::Singular { what: "the matrix".into() };
+        if !all_finite(&first) {
+            return Err(blame(self.a, singular()));
         }
+        let mut r = vec![0.0; x.len()];
+        let residual = problem.residual(&first, &mut r);
+        let residual = residual.map_err(|error| if exploded(&first) { singular() } else { error })?;
         x.copy_from_slice(&first);
-        let mut r = first;
-        let mut history = vec![problem.residual(x, &mut r)?];
+        let mut history = vec![residual];
         self.observe(&history, x);
         let ended = self.refine(problem, x, &mut r, &mut history)?;
         let residual = history[history.len() - 1];
@@ -178,7 +178,7 @@ impl Factored<'_> {
             return Ok(self.report(history));
         }
         if ended == Stop::Stagnation && condition(self.a, &*self.factors) * f64::EPSILON >= 1.0 {
-            return Err(SolveError::Singular { what: "the matrix".into() });
+            return Err(singular());
         }
         Err(SolveError::NotConverged {
             method: self.direct.method,

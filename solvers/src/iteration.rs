@@ -11,16 +11,13 @@ use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use crate::error::{SolveError, Stop};
-use crate::problem::Problem;
+use crate::problem::{Problem, exploded};
 use crate::settings::Settings;
 use crate::solver::{Report, Step};
-use crate::vector::{all_finite, norm};
+use crate::vector::all_finite;
 
 /// Growth of the residual after which an iteration is given up.
 const DIVERGED: f64 = 1e12;
-
-/// ‖x‖₂ from which products may overflow: a number that is not finite then means divergence.
-const EXPLODED: f64 = 1e150;
 
 /// Optimistic claims in a row, without a new record of the recomputed residual, after which a method is
 /// stuck.
@@ -212,8 +209,7 @@ impl Run<'_> {
 
     /// Leaves the best iterate in `x` and says honestly how good it is.
     fn give_up(self, iteration: &mut dyn Iteration, x: &mut [f64], end: End) -> Result<Report, SolveError> {
-        let size = norm(x);
-        let exploded = size.is_nan() || size > EXPLODED;
+        let exploded = exploded(x);
         let residual = self.settle(iteration, x);
         let stop = match end {
             End::Stopped(stop) => stop,

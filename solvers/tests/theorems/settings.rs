@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use radiosity_solvers::method::Method;
-use radiosity_solvers::{Operator, Partition, Settings, SolveError, Stop};
+use radiosity_solvers::{Granularity, Operator, Partition, Settings, SolveError, Stop};
 
 use crate::exact::norm;
 use crate::systems::{Random, enclosure, matrix, positive_definite};
@@ -107,6 +107,42 @@ fn nothing_and_zero_are_solved() {
         let report =
             method.solver.solve(&identity, &[0.0; 3], &mut x, &Settings::default(), &mut |_| ()).unwrap();
         assert_eq!((report.residual, x), (0.0, [0.0; 3]), "{}", method.name);
+    }
+}
+
+#[test]
+fn nothing_has_no_condition() {
+    let empty = matrix(Partition::new(&[0, 0]), true, |_, _| 0.0);
+    let settings = Settings { condition: true, ..Settings::default() };
+    for method in Method::ALL {
+        assert!(method.solver.solve(&empty, &[], &mut [], &settings, &mut |_| ()).is_ok(), "{}", method.name);
+    }
+}
+
+#[test]
+fn empty_blocks_are_passed_over() {
+    let random = &mut Random(71);
+    let a = enclosure(random, Partition::new(&[0, 2, 0, 0, 3, 1, 0]), (0.3, 0.8), true);
+    let b = random.vector(6);
+    for granularity in [Granularity::Block, Granularity::Coefficient] {
+        for method in Method::ALL {
+            let mut x = vec![0.0; 6];
+            let settings = Settings { granularity, ..Settings::default() };
+            let solved = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
+            assert!(solved.is_ok(), "{}: {solved:?}", method.name);
+        }
+    }
+}
+
+#[test]
+fn the_unit_of_the_matrix_does_not_matter() {
+    for unit in [1e-200, 1e-100, 1e100, 1e200] {
+        let a = matrix(Partition::new(&[2, 1]), true, |i, j| unit * if i == j { 1.0 } else { 0.25 });
+        for method in Method::ALL {
+            let mut x = vec![0.0; 3];
+            let solved = method.solver.solve(&a, &[1.0, 2.0, 3.0], &mut x, &Settings::default(), &mut |_| ());
+            assert!(solved.is_ok(), "{} with {unit:e}: {solved:?}", method.name);
+        }
     }
 }
 
