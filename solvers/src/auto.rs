@@ -3,8 +3,8 @@
 //! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a
 //! few products with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a
 //! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
-//! method takes over. A tolerance near the rounding floor asks for a direct method at any size. Symmetric
-//! matrices are tried as positive definite first.
+//! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is affordable:
+//! the largest systems are iterated whatever is asked. Symmetric matrices are tried as positive definite first.
 
 use std::time::Instant;
 
@@ -27,8 +27,9 @@ pub(crate) const NAME: &str = "auto";
 /// Unknowns per right-hand side up to which a direct method comes first.
 const DIRECT: usize = if cfg!(feature = "faer") { 500 } else { 200 };
 
-/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB.
-const HUGE: usize = 30_000;
+/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB, or unblocked
+/// elimination many minutes.
+const HUGE: usize = if cfg!(feature = "faer") { 30_000 } else { 8000 };
 
 /// Tolerance below which iterations may fail where a refined direct method does not.
 const STRICT: f64 = 1e-13;
@@ -100,10 +101,8 @@ impl Plan {
         mut attempt: impl FnMut(&dyn Solver, &Settings<'_>) -> Result<T, SolveError>,
     ) -> Result<T, SolveError> {
         let started = Instant::now();
-        let mut tried = |solver, max_iterations| {
-            let time_budget = settings.time_budget.map(|budget| budget.saturating_sub(started.elapsed()));
-            attempt(solver, &Settings { time_budget, max_iterations, ..settings.clone() })
-        };
+        let mut tried =
+            |solver, max_iterations| attempt(solver, &Settings { max_iterations, ..settings.since(started) });
         for solver in self.first {
             match tried(solver, settings.max_iterations.min(self.patience)) {
                 Err(error) if !is_final(&error) => {}

@@ -6,6 +6,8 @@
 //! definite A. Reference: N. J. Higham, *Accuracy and Stability of Numerical Algorithms*, 2nd ed., SIAM 2002,
 //! ch. 10.
 
+use std::time::Instant;
+
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::{factor, solve};
 use faer::{MatMut, MatRef, Par};
@@ -21,9 +23,6 @@ use crate::solver::{Report, Solver, Step};
 /// Name in the list of methods.
 pub(crate) const NAME: &str = "cholesky";
 
-/// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 6.0, lower: true, factor };
-
 /// Cholesky with refinement, LU where that fails; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cholesky;
@@ -38,8 +37,11 @@ impl Solver for Cholesky {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Report, SolveError> {
         require_symmetric(a)?;
-        let solved = DIRECT.solve(a, b, x, settings, observer);
-        if calls_for_lu(solved.as_ref().err()) { Lu.solve(a, b, x, settings, observer) } else { solved }
+        let started = Instant::now();
+        match LowerTriangle.solve(a, b, x, settings, observer) {
+            Err(error) if calls_for_lu(&error) => Lu.solve(a, b, x, &settings.since(started), observer),
+            outcome => outcome,
+        }
     }
 
     fn solve_many(
@@ -51,8 +53,11 @@ impl Solver for Cholesky {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Vec<Report>, SolveError> {
         require_symmetric(a)?;
-        let solved = DIRECT.solve_many(a, b, x, settings, observer);
-        if calls_for_lu(solved.as_ref().err()) { Lu.solve_many(a, b, x, settings, observer) } else { solved }
+        let started = Instant::now();
+        match LowerTriangle.solve_many(a, b, x, settings, observer) {
+            Err(error) if calls_for_lu(&error) => Lu.solve_many(a, b, x, &settings.since(started), observer),
+            outcome => outcome,
+        }
     }
 }
 
@@ -62,27 +67,42 @@ fn require_symmetric(a: &dyn Operator) -> Result<(), SolveError> {
 }
 
 /// Whether the factors are to be distrusted, and there is time to do something about it.
-fn calls_for_lu(error: Option<&SolveError>) -> bool {
+fn calls_for_lu(error: &SolveError) -> bool {
     match error {
-        Some(SolveError::NotConverged { stop, .. }) => *stop != Stop::Time,
-        Some(SolveError::Singular { .. }) => true,
+        SolveError::NotConverged { stop, .. } => *stop != Stop::Time,
+        SolveError::Singular { .. } => true,
         _ => false,
     }
 }
 
-/// A = L Lᵀ, in place.
-fn factor(mut matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-    let par = parallelism(dim, settings.threads);
-    let scratch = factor::cholesky_in_place_scratch::<f64>(dim, par, Default::default());
-    factor::cholesky_in_place(
-        MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
-        Default::default(),
-        par,
-        MemStack::new(&mut MemBuffer::new(scratch)),
-        Default::default(),
-    )
-    .map_err(|_| SolveError::NotPositiveDefinite { method: NAME })?;
-    Ok(Box::new(Triangle { matrix, dim }))
+/// The factorisation alone, without the fall-back.
+struct LowerTriangle;
+
+impl Direct for LowerTriangle {
+    const NAME: &'static str = NAME;
+
+    const COST: f64 = 1.0 / 6.0;
+
+    const LOWER: bool = true;
+
+    /// A = L Lᵀ, in place.
+    fn factor(
+        mut matrix: Vec<f64>,
+        dim: usize,
+        settings: &Settings<'_>,
+    ) -> Result<Box<dyn Factors>, SolveError> {
+        let par = parallelism(dim, settings.threads);
+        let scratch = factor::cholesky_in_place_scratch::<f64>(dim, par, Default::default());
+        factor::cholesky_in_place(
+            MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
+            Default::default(),
+            par,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+            Default::default(),
+        )
+        .map_err(|_| SolveError::NotPositiveDefinite { method: NAME })?;
+        Ok(Box::new(Triangle { matrix, dim }))
+    }
 }
 
 /// L on and below the diagonal.

@@ -14,6 +14,9 @@ const STEPS: usize = 5;
 
 /// Lower bound of ‖A⁻¹‖₁ for a matrix of dimension `dim`; infinite if the factors are singular.
 pub(crate) fn inverse_norm(factors: &dyn Factors, dim: usize) -> f64 {
+    if dim == 0 {
+        return 0.0;
+    }
     let bound = ascend(factors, dim).max(alternate(factors, dim));
     if bound.is_nan() { f64::INFINITY } else { bound }
 }

@@ -15,10 +15,10 @@ use crate::condition::inverse_norm;
 use crate::error::{SolveError, Stop};
 use crate::factors::Factors;
 use crate::operator::Operator;
-use crate::problem::{Problem, finite};
+use crate::problem::{Problem, exploded, finite};
 use crate::settings::Settings;
-use crate::solver::{Report, Step, check_columns, column_by_column};
-use crate::vector::{add_scaled, all_finite, norm};
+use crate::solver::{Report, Solver, Step, check_columns, column_by_column};
+use crate::vector::{add_scaled, all_finite};
 
 /// Refinement goes on until the residual is below this, however little is asked for.
 const AIM: f64 = 1e-10;
@@ -26,25 +26,23 @@ const AIM: f64 = 1e-10;
 /// Most refinement steps.
 const REFINEMENTS: usize = 10;
 
-/// ‖x‖₂ beyond which a solution means a vanished pivot.
-const EXPLODED: f64 = 1e150;
+/// A direct method says how it factors; the rest is the same for all.
+pub(crate) trait Direct: Sync {
+    /// Its name in the list of methods.
+    const NAME: &'static str;
 
-/// Factors a matrix of the given dimension held column by column.
-pub(crate) type Factorise = fn(Vec<f64>, usize, &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;
-
-/// One direct method.
-pub(crate) struct Direct {
-    pub(crate) method: &'static str,
     /// Entries multiplied by the factorisation, divided by dim³.
-    pub(crate) cost: f64,
+    const COST: f64;
+
     /// Whether `factor` reads the lower triangle only.
-    pub(crate) lower: bool,
-    pub(crate) factor: Factorise,
+    const LOWER: bool = false;
+
+    /// Factors a matrix of dimension `dim` held column by column.
+    fn factor(matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError>;
 }
 
-impl Direct {
-    /// Solves for one right-hand side.
-    pub(crate) fn solve(
+impl<D: Direct> Solver for D {
+    fn solve(
         &self,
         a: &dyn Operator,
         b: &[f64],
@@ -53,12 +51,10 @@ impl Direct {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Report, SolveError> {
         let problem = Problem::new(a, b, x, settings)?;
-        let mut factored = self.factored(a, settings, observer)?;
-        factored.solve(&problem, x)
+        Factored::new::<D>(a, settings, observer)?.solve(&problem, x)
     }
 
-    /// Solves for all right-hand sides in `b` with one factorisation.
-    pub(crate) fn solve_many(
+    fn solve_many(
         &self,
         a: &dyn Operator,
         b: &[f64],
@@ -68,33 +64,11 @@ impl Direct {
     ) -> Result<Vec<Report>, SolveError> {
         check_columns(a.partition().dim(), b, x)?;
         settings.check(a.partition().dim())?;
-        let mut factored = self.factored(a, settings, observer)?;
+        let mut factored = Factored::new::<D>(a, settings, observer)?;
         column_by_column(a, b, x, |b, x| {
             let problem = Problem::new(a, b, x, settings)?;
             factored.solve(&problem, x)
         })
-    }
-
-    /// Reads and factors the matrix.
-    fn factored<'f>(
-        &'f self,
-        a: &'f dyn Operator,
-        settings: &'f Settings<'f>,
-        observer: &'f mut dyn FnMut(&Step<'_>),
-    ) -> Result<Factored<'f>, SolveError> {
-        let dim = a.partition().dim();
-        let started = Instant::now();
-        if cancelled(settings) {
-            return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
-        }
-        if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
-            let (expected, found) = (dim * dim, held.len());
-            return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
-        }
-        let matrix = if self.lower { lower_triangle(a) } else { matrix(a) };
-        let factors = (self.factor)(matrix, dim, settings).map_err(|error| blame(a, error))?;
-        let condition = settings.condition.then(|| condition(a, &*factors));
-        Ok(Factored { direct: self, a, factors, settings, observer, started, condition })
     }
 }
 
@@ -147,7 +121,9 @@ fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
 
 /// A factored matrix that solves and then looks at what is left.
 struct Factored<'f> {
-    direct: &'f Direct,
+    method: &'static str,
+    /// Work of the factorisation.
+    cost: f64,
     a: &'f dyn Operator,
     factors: Box<dyn Factors>,
     settings: &'f Settings<'f>,
@@ -156,7 +132,29 @@ struct Factored<'f> {
     condition: Option<f64>,
 }
 
-impl Factored<'_> {
+impl<'f> Factored<'f> {
+    /// Reads and factors the matrix.
+    fn new<D: Direct>(
+        a: &'f dyn Operator,
+        settings: &'f Settings<'f>,
+        observer: &'f mut dyn FnMut(&Step<'_>),
+    ) -> Result<Self, SolveError> {
+        let dim = a.partition().dim();
+        let started = Instant::now();
+        if cancelled(settings) {
+            return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
+        }
+        if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
+            let (expected, found) = (dim * dim, held.len());
+            return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
+        }
+        let matrix = if D::LOWER { lower_triangle(a) } else { matrix(a) };
+        let factors = D::factor(matrix, dim, settings).map_err(|error| blame(a, error))?;
+        let condition = settings.condition.then(|| condition(a, &*factors));
+        let cost = D::COST * dim as f64;
+        Ok(Self { method: D::NAME, cost, a, factors, settings, observer, started, condition })
+    }
+
     /// Solves and refines; `x` then holds what came of it, unless that is not finite.
     fn solve(&mut self, problem: &Problem<'_>, x: &mut [f64]) -> Result<Report, SolveError> {
         if problem.norm == 0.0 {
@@ -165,12 +163,15 @@ impl Factored<'_> {
         }
         let mut first = problem.b.to_vec();
         self.factors.solve(&mut first);
-        if !all_finite(&first) || norm(&first) > EXPLODED {
-            return Err(blame(self.a, SolveError::Singular { what: "the matrix".into() }));
+        let singular = || SolveError::Singular { what: "the matrix".into() };
+        if !all_finite(&first) {
+            return Err(blame(self.a, singular()));
         }
+        let mut r = vec![0.0; x.len()];
+        let residual = problem.residual(&first, &mut r);
+        let residual = residual.map_err(|error| if exploded(&first) { singular() } else { error })?;
         x.copy_from_slice(&first);
-        let mut r = first;
-        let mut history = vec![problem.residual(x, &mut r)?];
+        let mut history = vec![residual];
         self.observe(&history, x);
         let ended = self.refine(problem, x, &mut r, &mut history)?;
         let residual = history[history.len() - 1];
@@ -178,10 +179,10 @@ impl Factored<'_> {
             return Ok(self.report(history));
         }
         if ended == Stop::Stagnation && condition(self.a, &*self.factors) * f64::EPSILON >= 1.0 {
-            return Err(SolveError::Singular { what: "the matrix".into() });
+            return Err(singular());
         }
         Err(SolveError::NotConverged {
-            method: self.direct.method,
+            method: self.method,
             iterations: history.len() - 1,
             residual,
             tolerance: self.settings.tolerance,
@@ -229,7 +230,7 @@ impl Factored<'_> {
 
     /// Multiplications so far: the factorisation, then per step two triangles and one product.
     fn work(&self, steps: usize) -> f64 {
-        self.direct.cost * self.a.partition().dim() as f64 + 2.0 * steps as f64
+        self.cost + 2.0 * steps as f64
     }
 
     fn observe(&mut self, history: &[f64], x: &[f64]) {
@@ -241,7 +242,7 @@ impl Factored<'_> {
     /// The account of a success.
     fn report(&self, history: Vec<f64>) -> Report {
         Report {
-            method: self.direct.method,
+            method: self.method,
             iterations: history.len() - 1,
             residual: history[history.len() - 1],
             work: self.work(history.len()),

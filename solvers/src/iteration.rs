@@ -3,22 +3,21 @@
 //! A method only has to say how it advances and what it believes its residual to be. Nothing is believed
 //! here: before success is reported the residual is recomputed from A, b and x, and the method starts anew
 //! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for a
-//! whole `patience`; at the rounding floor records become ever rarer, so that every tolerance ends, even 0.
+//! whole `patience` and does not fall on average either, as one does that had to rise first: each half of a
+//! patience must then sum to less than the half before. At the rounding floor neither lasts, so that every
+//! tolerance ends, even 0.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
 
 use crate::error::{SolveError, Stop};
-use crate::problem::Problem;
+use crate::problem::{Problem, exploded};
 use crate::settings::Settings;
 use crate::solver::{Report, Step};
-use crate::vector::{all_finite, norm};
+use crate::vector::all_finite;
 
 /// Growth of the residual after which an iteration is given up.
 const DIVERGED: f64 = 1e12;
-
-/// ‖x‖₂ from which products may overflow: a number that is not finite then means divergence.
-const EXPLODED: f64 = 1e150;
 
 /// Optimistic claims in a row, without a new record of the recomputed residual, after which a method is
 /// stuck.
@@ -49,7 +48,7 @@ pub(crate) struct Watch {
     pub(crate) method: &'static str,
     /// Most iterations.
     pub(crate) limit: usize,
-    /// Iterations without a new record after which the method is stuck.
+    /// Iterations without a new record after which the method may be stuck.
     pub(crate) patience: usize,
     /// Iterations between two looks at whether `x` is worth keeping.
     pub(crate) keep_every: usize,
@@ -188,7 +187,7 @@ impl Run<'_> {
         if residual > DIVERGED * self.history[0] || !residual.is_finite() {
             return Err(Stop::Divergence.into());
         }
-        if self.done() - self.record >= self.watch.patience {
+        if self.stuck() {
             return Err(Stop::Stagnation.into());
         }
         if self.done() >= self.watch.limit {
@@ -197,10 +196,20 @@ impl Run<'_> {
         Ok(())
     }
 
+    /// Whether neither records nor the sums over half a patience fall; asked once after each iteration.
+    fn stuck(&self) -> bool {
+        let half = self.watch.patience / 2;
+        let since = &self.history[self.record + 1..];
+        if since.len() < 2 * half || !since.len().is_multiple_of(half) {
+            return false;
+        }
+        let (before, last) = since[since.len() - 2 * half..].split_at(half);
+        last.iter().sum::<f64>() >= before.iter().sum()
+    }
+
     /// Leaves the best iterate in `x` and says honestly how good it is.
     fn give_up(self, iteration: &mut dyn Iteration, x: &mut [f64], end: End) -> Result<Report, SolveError> {
-        let size = norm(x);
-        let exploded = size.is_nan() || size > EXPLODED;
+        let exploded = exploded(x);
         let residual = self.settle(iteration, x);
         let stop = match end {
             End::Stopped(stop) => stop,

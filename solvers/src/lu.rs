@@ -12,9 +12,7 @@ use faer::{MatMut, MatRef, Par};
 use crate::direct::Direct;
 use crate::error::SolveError;
 use crate::factors::Factors;
-use crate::operator::Operator;
 use crate::settings::Settings;
-use crate::solver::{Report, Solver, Step};
 
 /// Name in the list of methods.
 pub(crate) const NAME: &str = "lu";
@@ -22,55 +20,38 @@ pub(crate) const NAME: &str = "lu";
 /// Dimension below which threads cost more than they bring.
 const THREADED: usize = 2000;
 
-/// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
-
 /// LU with partial pivoting and refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Lu;
 
-impl Solver for Lu {
-    fn solve(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Report, SolveError> {
-        DIRECT.solve(a, b, x, settings, observer)
-    }
+impl Direct for Lu {
+    const NAME: &'static str = NAME;
 
-    fn solve_many(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Vec<Report>, SolveError> {
-        DIRECT.solve_many(a, b, x, settings, observer)
-    }
-}
+    const COST: f64 = 1.0 / 3.0;
 
-/// P A = L U, in place.
-fn factor(mut matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-    let par = parallelism(dim, settings.threads);
-    let mut forward = vec![0; dim];
-    let mut inverse = vec![0; dim];
-    let scratch = factor::lu_in_place_scratch::<usize, f64>(dim, dim, par, Default::default());
-    factor::lu_in_place(
-        MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
-        &mut forward,
-        &mut inverse,
-        par,
-        MemStack::new(&mut MemBuffer::new(scratch)),
-        Default::default(),
-    );
-    if (0..dim).any(|k| matrix[k * dim + k] == 0.0) {
-        return Err(SolveError::Singular { what: "the matrix".into() });
+    /// P A = L U, in place.
+    fn factor(
+        mut matrix: Vec<f64>,
+        dim: usize,
+        settings: &Settings<'_>,
+    ) -> Result<Box<dyn Factors>, SolveError> {
+        let par = parallelism(dim, settings.threads);
+        let mut forward = vec![0; dim];
+        let mut inverse = vec![0; dim];
+        let scratch = factor::lu_in_place_scratch::<usize, f64>(dim, dim, par, Default::default());
+        factor::lu_in_place(
+            MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
+            &mut forward,
+            &mut inverse,
+            par,
+            MemStack::new(&mut MemBuffer::new(scratch)),
+            Default::default(),
+        );
+        if (0..dim).any(|k| matrix[k * dim + k] == 0.0) {
+            return Err(SolveError::Singular { what: "the matrix".into() });
+        }
+        Ok(Box::new(Triangles { matrix, forward, inverse }))
     }
-    Ok(Box::new(Triangles { matrix, forward, inverse }))
 }
 
 /// How a factorisation of dimension `dim` may use `threads` threads: always said outright, because the

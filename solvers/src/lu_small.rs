@@ -8,51 +8,28 @@ use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 use crate::direct::Direct;
 use crate::error::SolveError;
 use crate::factors::Factors;
-use crate::operator::Operator;
 use crate::settings::Settings;
-use crate::solver::{Report, Solver, Step};
 
 /// Name in the list of methods.
 pub(crate) const NAME: &str = "lu-small";
-
-/// The method, ready to be run.
-const DIRECT: Direct = Direct { method: NAME, cost: 1.0 / 3.0, lower: false, factor };
 
 /// Unblocked LU with refinement; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct LuSmall;
 
-impl Solver for LuSmall {
-    fn solve(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Report, SolveError> {
-        DIRECT.solve(a, b, x, settings, observer)
-    }
+impl Direct for LuSmall {
+    const NAME: &'static str = NAME;
 
-    fn solve_many(
-        &self,
-        a: &dyn Operator,
-        b: &[f64],
-        x: &mut [f64],
-        settings: &Settings<'_>,
-        observer: &mut dyn FnMut(&Step<'_>),
-    ) -> Result<Vec<Report>, SolveError> {
-        DIRECT.solve_many(a, b, x, settings, observer)
-    }
-}
+    const COST: f64 = 1.0 / 3.0;
 
-/// P A = L U.
-fn factor(matrix: Vec<f64>, dim: usize, _: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-    let lu = DMatrix::from_vec(dim, dim, matrix).lu();
-    if lu.is_invertible() {
-        Ok(Box::new(lu))
-    } else {
-        Err(SolveError::Singular { what: "the matrix".into() })
+    /// P A = L U.
+    fn factor(matrix: Vec<f64>, dim: usize, _: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
+        let lu = DMatrix::from_vec(dim, dim, matrix).lu();
+        if lu.is_invertible() {
+            Ok(Box::new(lu))
+        } else {
+            Err(SolveError::Singular { what: "the matrix".into() })
+        }
     }
 }
 

@@ -75,6 +75,13 @@ impl<'a> Problem<'a> {
     }
 }
 
+/// Whether `x` is so large, or no number any more, that a product with it says nothing about the matrix when
+/// it is not finite.
+pub(crate) fn exploded(x: &[f64]) -> bool {
+    let size = norm(x);
+    size.is_nan() || size > 1e150
+}
+
 /// Refuses what an operator wrote, or failed to write.
 pub(crate) fn finite(y: &[f64]) -> Result<(), SolveError> {
     if all_finite(y) { Ok(()) } else { Err(SolveError::NonFinite { what: "the product with the matrix" }) }

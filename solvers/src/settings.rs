@@ -1,7 +1,7 @@
 //! What a caller may ask of a solver.
 
 use std::sync::atomic::AtomicBool;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use crate::error::SolveError;
 
@@ -37,7 +37,8 @@ pub struct Settings<'a> {
     pub max_shots: Option<usize>,
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
-    /// Time after which an iteration gives up; asked for between iterations only.
+    /// Time after which a solve gives up, all right-hand sides and fall-backs together; looked at between
+    /// iterations only, so that a factorisation is never cut short.
     pub time_budget: Option<Duration>,
     /// Raised by the caller to stop; looked at between iterations only.
     pub cancel: Option<&'a AtomicBool>,
@@ -76,6 +77,14 @@ impl Default for Settings<'_> {
 }
 
 impl Settings<'_> {
+    /// The same, with what is left of the time budget by now.
+    pub(crate) fn since(&self, started: Instant) -> Self {
+        Self {
+            time_budget: self.time_budget.map(|budget| budget.saturating_sub(started.elapsed())),
+            ..self.clone()
+        }
+    }
+
     /// Refuses what is outside its range, for a system of `dim` unknowns.
     pub(crate) fn check(&self, dim: usize) -> Result<(), SolveError> {
         let wrong = |name, wanted| Err(SolveError::Setting { name, wanted });

@@ -1,5 +1,7 @@
 //! The contract that all backends keep.
 
+use std::time::Instant;
+
 use crate::error::SolveError;
 use crate::operator::Operator;
 use crate::settings::Settings;
@@ -72,7 +74,8 @@ pub trait Solver: Sync {
         settings: &Settings<'_>,
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Vec<Report>, SolveError> {
-        column_by_column(a, b, x, |b, x| self.solve(a, b, x, settings, observer))
+        let started = Instant::now();
+        column_by_column(a, b, x, |b, x| self.solve(a, b, x, &settings.since(started), observer))
     }
 }
 

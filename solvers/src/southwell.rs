@@ -18,8 +18,8 @@
 //! for nothing else.
 //!
 //! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
-//! (x − x*)ᵀ A (x − x*); with ω = 1, coefficient by coefficient, also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for
-//! every l, since every shot then lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in
+//! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot then
+//! lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in
 //! Engineering Science*, Oxford 1940; S. Gortler, M. Cohen, P. Slusallek, *Radiosity and relaxation methods*,
 //! IEEE CG&A 14(6), 1994.
 

@@ -1,7 +1,9 @@
 //! What the settings promise.
 
+use std::time::Duration;
+
 use radiosity_solvers::method::Method;
-use radiosity_solvers::{Operator, Partition, Settings, SolveError, Stop};
+use radiosity_solvers::{Granularity, Operator, Partition, Settings, SolveError, Stop};
 
 use crate::exact::norm;
 use crate::systems::{Random, enclosure, matrix, positive_definite};
@@ -105,6 +107,90 @@ fn nothing_and_zero_are_solved() {
         let report =
             method.solver.solve(&identity, &[0.0; 3], &mut x, &Settings::default(), &mut |_| ()).unwrap();
         assert_eq!((report.residual, x), (0.0, [0.0; 3]), "{}", method.name);
+    }
+}
+
+#[test]
+fn nothing_has_no_condition() {
+    let empty = matrix(Partition::new(&[0, 0]), true, |_, _| 0.0);
+    let settings = Settings { condition: true, ..Settings::default() };
+    for method in Method::ALL {
+        assert!(method.solver.solve(&empty, &[], &mut [], &settings, &mut |_| ()).is_ok(), "{}", method.name);
+    }
+}
+
+#[test]
+fn empty_blocks_are_passed_over() {
+    let random = &mut Random(71);
+    let a = enclosure(random, Partition::new(&[0, 2, 0, 0, 3, 1, 0]), (0.3, 0.8), true);
+    let b = random.vector(6);
+    for granularity in [Granularity::Block, Granularity::Coefficient] {
+        for method in Method::ALL {
+            let mut x = vec![0.0; 6];
+            let settings = Settings { granularity, ..Settings::default() };
+            let solved = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
+            assert!(solved.is_ok(), "{}: {solved:?}", method.name);
+        }
+    }
+}
+
+#[test]
+fn the_unit_of_the_matrix_does_not_matter() {
+    for unit in [1e-200, 1e-100, 1e100, 1e200] {
+        let a = matrix(Partition::new(&[2, 1]), true, |i, j| unit * if i == j { 1.0 } else { 0.25 });
+        for method in Method::ALL {
+            let mut x = vec![0.0; 3];
+            let solved = method.solver.solve(&a, &[1.0, 2.0, 3.0], &mut x, &Settings::default(), &mut |_| ());
+            assert!(solved.is_ok(), "{} with {unit:e}: {solved:?}", method.name);
+        }
+    }
+}
+
+#[test]
+fn what_rises_first_and_falls_slowly_is_not_stuck() {
+    // One large unknown in a closed world of 400 that sends on 99 %: it hands what it has to all others, they
+    // nine tenths to it. From b = e₀ the residual spreads, grows tenfold, and takes some 200 iterations to come
+    // back to where it began.
+    let dim = 400;
+    let share = |i: usize, j: usize| match (i, j) {
+        (0, 0) => 0.0,
+        (0, _) => 1.0 / (dim - 1) as f64,
+        (_, 0) => 0.9,
+        (_, _) if i == j => 0.0,
+        _ => 0.1 / (dim - 2) as f64,
+    };
+    let a = matrix(Partition::points(dim), false, |i, j| f64::from(u8::from(i == j)) - 0.99 * share(i, j));
+    let mut b = vec![0.0; dim];
+    b[0] = 1.0;
+    let settings = Settings { max_iterations: 10_000, ..Settings::default() };
+    for name in ["jacobi", "gauss-seidel", "southwell"] {
+        let mut x = vec![0.0; dim];
+        let solved = Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
+        assert!(solved.is_ok(), "{name}: {solved:?}");
+    }
+}
+
+#[test]
+fn several_right_hand_sides_share_one_time_budget() {
+    let a = enclosure(&mut Random(73), Partition::points(20), (0.3, 0.8), true);
+    let pause = Duration::from_millis(40);
+    let settings = Settings { time_budget: Some(pause), ..Settings::default() };
+    for name in ["jacobi", "gauss-seidel", "gmres", "southwell", "cg"] {
+        let (b, mut x) = (vec![1.0; 40], vec![0.0; 40]);
+        let mut steps = 0;
+        let solver = Method::named(name).unwrap().solver;
+        let solved = solver.solve_many(&a, &b, &mut x, &settings, &mut |_| {
+            // The first column takes all the time before its first iteration; none is left for the second.
+            if steps == 0 {
+                std::thread::sleep(pause);
+            }
+            steps += 1;
+        });
+        assert!(
+            matches!(solved, Err(SolveError::NotConverged { stop: Stop::Time, .. })),
+            "{name}: {solved:?}"
+        );
+        assert_eq!(steps, 2, "{name}");
     }
 }
 
