@@ -97,7 +97,6 @@ impl Solution {
 
     /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn radiosity(&self, band: usize, element: usize, place: &Place) -> f64 {
-        let coating = &self.bands[band].coating;
-        coating.exitance[element] + coating.reflectance[element] * self.irradiance(band, element, place)
+        self.bands[band].coating.radiosity(element, self.irradiance(band, element, place))
     }
 }

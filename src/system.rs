@@ -25,6 +25,13 @@ pub struct Coating {
     pub exitance: Vec<f64>,
 }
 
+impl Coating {
+    /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).
+    pub fn radiosity(&self, element: usize, irradiance: f64) -> f64 {
+        self.exitance[element] + self.reflectance[element] * irradiance
+    }
+}
+
 /// The system of one band.
 #[derive(Debug)]
 pub struct System<'a> {

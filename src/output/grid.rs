@@ -56,8 +56,9 @@ fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> 
                     Place { surface, parameters: node.parameters.to_array(), position: node.position };
                 covered += weight;
                 for (band, (sum, out)) in sums.iter_mut().zip(&mut radiated).enumerate() {
-                    *sum += weight * solution.irradiance(band, element, &place);
-                    *out += weight * solution.radiosity(band, element, &place);
+                    let irradiance = solution.irradiance(band, element, &place);
+                    *sum += weight * irradiance;
+                    *out += weight * bands[band].coating.radiosity(element, irradiance);
                 }
             });
         }

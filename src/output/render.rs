@@ -132,7 +132,7 @@ impl Reader<'_> {
             let lit: f64 =
                 sources.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum();
             let irradiance = lit + self.solution.indirect(index, element, place).max(0.0);
-            band.coating.exitance[element] + band.coating.reflectance[element] * irradiance
+            band.coating.radiosity(element, irradiance)
         };
         bands.iter().enumerate().map(value).collect()
     }
