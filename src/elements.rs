@@ -12,7 +12,7 @@ pub mod rule;
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon};
+use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
 
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, Frame, HIGHEST_ORDER};
@@ -306,12 +306,6 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
             half: 0.5 * DVec2::new(rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]),
         },
     }
-}
-
-/// Area of a planar polygon (scene length²).
-pub fn polygon_area(polygon: &[DVec3]) -> f64 {
-    let fan = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0]));
-    0.5 * fan.sum::<DVec3>().length()
 }
 
 /// Area, and c = ∫ φ dA = T ∫ L dA.

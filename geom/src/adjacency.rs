@@ -4,7 +4,7 @@
 //! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
 //! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
 
-use crate::{Aabb, Border, Patch, PlanarRegion, Ray, clip_polygon};
+use crate::{Aabb, Border, Patch, PlanarRegion, Ray, clip_polygon, polygon_area};
 use glam::DVec3;
 
 /// Below this multiple of the smaller extent lengths count as zero.
@@ -152,7 +152,7 @@ fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Opti
     }
     let pieces = [a, b].map(PlanarRegion::convex_pieces);
     let pairs = pieces[0].iter().flat_map(|p| pieces[1].iter().map(move |q| (p, q)));
-    let shared: f64 = pairs.map(|(p, q)| area(&common_part(p, q, b.normal()))).sum();
+    let shared: f64 = pairs.map(|(p, q)| polygon_area(&common_part(p, q, b.normal()))).sum();
     // Outlines within tolerance of each other enclose that much between them, or less.
     let strip = 8.0 * tolerance * a.extent().min(b.extent());
     let slack = strip.min(1e-3 * a.area().min(b.area()));
@@ -166,12 +166,6 @@ fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Opti
 fn common_part(a: &[DVec3], b: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     let edges = b.iter().zip(b.iter().cycle().skip(1));
     edges.fold(a.to_vec(), |part, (p, q)| clip_polygon(&part, *p, normal.cross(*q - *p)))
-}
-
-/// The area of a convex polygon.
-fn area(polygon: &[DVec3]) -> f64 {
-    let fan = polygon.windows(2).map(|w| (w[0] - polygon[0]).cross(w[1] - polygon[0]));
-    0.5 * fan.sum::<DVec3>().length()
 }
 
 /// A point where a line of `a` passes through `b` away from b's border.

@@ -41,6 +41,12 @@ pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3
     if inside || coplanar { kept } else { Vec::new() }
 }
 
+/// Area of a planar polygon, convex or not (length²).
+pub fn polygon_area(polygon: &[DVec3]) -> f64 {
+    let fan = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0]));
+    0.5 * fan.sum::<DVec3>().length()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -48,11 +54,6 @@ mod tests {
 
     fn square() -> [DVec3; 4] {
         [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y]
-    }
-
-    fn area(polygon: &[DVec3]) -> f64 {
-        let fan = polygon.windows(2).map(|w| (w[0] - polygon[0]).cross(w[1] - polygon[0]));
-        0.5 * fan.sum::<DVec3>().length()
     }
 
     #[test]
@@ -69,7 +70,7 @@ mod tests {
         fn the_two_sides_add_up(px in -0.5..1.5, py in -0.5..1.5, angle in 0.0..6.3) {
             let (point, normal) = (DVec3::new(px, py, 0.0), DVec3::new(f64::cos(angle), f64::sin(angle), 0.3));
             let sides = [normal, -normal].map(|n| clip_polygon(&square(), point, n));
-            prop_assert!((area(&sides[0]) + area(&sides[1]) - 1.0).abs() < 1e-14);
+            prop_assert!((polygon_area(&sides[0]) + polygon_area(&sides[1]) - 1.0).abs() < 1e-14);
             for (side, n) in sides.iter().zip([normal, -normal]) {
                 prop_assert!(side.iter().all(|x| (*x - point).dot(n) >= -1e-12));
             }

@@ -15,9 +15,11 @@
 //! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
 //! is multiplied by its own visibility.
 
+use radiosity_geom::polygon_area;
+
+use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
-use crate::elements::{Element, polygon_area};
 use crate::visibility::Visibility;
 
 use super::clip::{Facet, match_contact};

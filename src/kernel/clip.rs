@@ -99,7 +99,7 @@ fn inner(positions: &[f64], own: &[f64], tolerance: f64) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::elements::polygon_area;
+    use radiosity_geom::polygon_area;
 
     fn facet(corners: &[[f64; 3]], normal: DVec3) -> Facet {
         Facet { corners: corners.iter().map(|c| DVec3::from_array(*c)).collect(), normal }

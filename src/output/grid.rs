@@ -10,11 +10,11 @@
 //! else stands in a hole of the surface nothing arrives, and the mean says so. The integrals are exact
 //! for the polynomials on flat surfaces.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect};
+use radiosity_geom::{DVec3, PlanarRegion, Rect, polygon_area};
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::elements::{cells_of, clip_to_cell, polygon_area};
+use crate::elements::{cells_of, clip_to_cell};
 use crate::solution::{Place, Solution};
 
 /// Means over one cell of one surface.

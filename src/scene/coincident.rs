@@ -3,7 +3,7 @@
 //! Planar regions coincide if they share a plane and some area. Other surfaces coincide if they agree at sample points
 //! that every symmetry of the parameter square maps onto one another, which finds copies, turned over or not.
 
-use radiosity_geom::{DVec3, PlanarRegion, Surface, clip_polygon};
+use radiosity_geom::{DVec3, PlanarRegion, Surface, clip_polygon, polygon_area};
 
 /// Distance, relative to the larger extent, below which points and planes are the same.
 const SAME: f64 = 1e-9;
@@ -38,11 +38,6 @@ fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
 fn clip_to(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     let edges = clip.iter().zip(clip.iter().cycle().skip(1));
     edges.fold(polygon.to_vec(), |rest, (from, to)| clip_polygon(&rest, *from, normal.cross(*to - *from)))
-}
-
-fn polygon_area(polygon: &[DVec3]) -> f64 {
-    let fan = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0]));
-    0.5 * fan.sum::<DVec3>().length()
 }
 
 fn same_samples(a: &dyn Surface, b: &dyn Surface) -> bool {
