@@ -8,13 +8,15 @@
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 
 mod block;
+mod change;
+mod chart;
 mod clip;
 mod edge;
 mod edge_table;
 mod integrand;
 mod moments;
-mod own;
 mod pair;
+mod product;
 mod same;
 mod separated;
 mod vertex;
