@@ -11,8 +11,13 @@ use radiosity::solve::in_threads;
 use radiosity::visibility::{Shadows, Visibility};
 
 fn main() {
-    println!("{:<28} {:>5} {:>6} {:>9} {:>11} {:>11} {:>9} {:>10}", "empty box", "order", "eps", "pairs", "samples", "distinct", "ms", "ns/sample");
-    for (cuts, order, eps) in [(1, 4, 1e-4), (1, 8, 1e-4), (2, 4, 1e-4), (5, 4, 1e-3), (5, 6, 1e-3), (5, 8, 1e-4), (16, 0, 1e-3)] {
+    println!(
+        "{:<28} {:>5} {:>6} {:>9} {:>11} {:>11} {:>9} {:>10}",
+        "empty box", "order", "eps", "pairs", "samples", "distinct", "ms", "ns/sample"
+    );
+    for (cuts, order, eps) in
+        [(1, 4, 1e-4), (1, 8, 1e-4), (2, 4, 1e-4), (5, 4, 1e-3), (5, 6, 1e-3), (5, 8, 1e-4), (16, 0, 1e-3)]
+    {
         measure(cuts, order, eps);
     }
 }
