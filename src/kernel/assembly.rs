@@ -5,10 +5,11 @@
 //! equal up to similarity ([`super::congruent`]) share the block of the first of them, so the result does not depend on
 //! the order of the work. A block that is small beside the largest of its row is integrated with less accuracy ([`super::reach`]).
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{Aabb, DVec3};
 use rayon::prelude::*;
 
 use crate::elements::{Element, Elements};
@@ -25,6 +26,7 @@ struct Scene<'a> {
     list: &'a [Element],
     panels: Vec<Option<Panel>>,
     reaches: Vec<Reach>,
+    boxes: Vec<Aabb>,
     visibility: &'a Visibility,
     accuracy: Accuracy,
     sends: &'a (dyn Fn(usize) -> bool + Sync),
@@ -53,8 +55,8 @@ enum Sorted {
 enum Source {
     /// Integrated for it, the n-th of all.
     Own(usize),
-    /// Equal to that of the task named.
-    Copy(usize),
+    /// Equal to that of an earlier task, the n-th integrated.
+    Copy(usize, usize),
 }
 
 /// All blocks; see [`Blocks::assemble_senders`].
@@ -70,6 +72,7 @@ pub(super) fn assemble(
         list,
         panels: list.iter().map(Panel::of).collect(),
         reaches: list.iter().map(Reach::of).collect(),
+        boxes: list.iter().map(Element::bounds).collect(),
         visibility,
         accuracy,
         sends,
@@ -79,27 +82,8 @@ pub(super) fn assemble(
     let accuracies = scene.accuracies(&tasks);
     let sources = scene.share(&tasks, &accuracies);
     let integrated = scene.integrate(&tasks, &accuracies, &sources, progress);
-    for (index, (task, source)) in tasks.iter().zip(&sources).enumerate() {
-        let (block, values) = match source {
-            Source::Own(place) => (&integrated[*place], None),
-            Source::Copy(first) => {
-                let Source::Own(place) = sources[*first] else {
-                    unreachable!("a copy is of a task integrated")
-                };
-                let block = &integrated[place];
-                let [pose, other] = [index, *first].map(|k| scene.pose(&tasks[k]).expect("it was hashed"));
-                (block, Some(pose.block_from(&other, &block.values)))
-            }
-        };
-        blocks.pairs.take(block);
-        blocks.samples += block.samples;
-        match values {
-            Some(_) => blocks.pairs.repeated += 1,
-            None => {
-                (blocks.distinct, blocks.rays) = (blocks.distinct + block.distinct, blocks.rays + block.rays)
-            }
-        }
-        blocks.push(task.row as usize, task.column as usize, values.as_ref().unwrap_or(&block.values));
+    for (task, source) in tasks.iter().zip(&sources) {
+        scene.store(&mut blocks, task, source, &tasks, &integrated);
     }
     blocks
 }
@@ -143,7 +127,7 @@ impl Scene<'_> {
 
     fn sorted(&self, row: usize, column: usize) -> Sorted {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        if let Some(skipped) = planes_exchange_nothing(receiver, emitter) {
+        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
             return skipped;
         }
         if !(self.sends)(row) && !(self.sends)(column) {
@@ -166,12 +150,60 @@ impl Scene<'_> {
         task([least, most], self.pose_of(row, column).map(|pose| pose.hash()))
     }
 
+    /// Whether the plane of either element leaves nothing of the other in front of it.
+    fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
+        let range = |plane: &(DVec3, DVec3), other: &Element| {
+            let heights = other.hull.iter().map(|point| (point - plane.0).dot(plane.1));
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
+        };
+        let tolerance = 1e-9 * self.boxes[row].union(self.boxes[column]).diagonal();
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
+            let Some(plane) = plane else { continue };
+            let (low, high) = range(plane, other);
+            if high <= tolerance {
+                return Some(if low >= -tolerance { Sorted::Coplanar } else { Sorted::Facing });
+            }
+        }
+        None
+    }
+
     fn pose_of(&self, row: usize, column: usize) -> Option<Pose> {
         Pose::of(self.panels[row].as_ref()?, self.panels[column].as_ref()?)
     }
 
     fn pose(&self, task: &Task) -> Option<Pose> {
         self.pose_of(task.row as usize, task.column as usize)
+    }
+
+    /// Stores the block of `task` and counts what it cost.
+    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Block]) {
+        let (Source::Own(place) | Source::Copy(_, place)) = source;
+        let block = &integrated[*place];
+        blocks.pairs.take(block);
+        blocks.samples += block.samples;
+        let (row, column) = (task.row as usize, task.column as usize);
+        match source {
+            Source::Own(_) => {
+                blocks.distinct += block.distinct;
+                blocks.rays += block.rays;
+                blocks.push(row, column, &block.values);
+            }
+            Source::Copy(first, _) => {
+                blocks.pairs.repeated += 1;
+                blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
+            }
+        }
+    }
+
+    /// The block of `task` from the `values` of the equal task `first`.
+    fn copied<'b>(&self, task: &Task, first: &Task, values: &'b [f64]) -> Cow<'b, [f64]> {
+        // A single constant has neither sign nor order.
+        if values.len() == 1 {
+            return Cow::Borrowed(values);
+        }
+        let [pose, other] = [task, first].map(|task| self.pose(task).expect("it was hashed"));
+        Cow::Owned(pose.block_from(&other, values))
     }
 
     /// The accuracy of each task relative to its own largest entry.
@@ -208,17 +240,17 @@ impl Scene<'_> {
                 self.pose(&tasks[index])?.equals(&self.pose(&tasks[first])?).then_some(first)
             })
             .collect();
+        let mut places = vec![0; tasks.len()];
         let mut own = 0;
-        let mut source = |copy: Option<usize>| {
-            copy.map_or_else(
-                || {
-                    own += 1;
-                    Source::Own(own - 1)
-                },
-                Source::Copy,
-            )
+        let mut source = |(index, copied): (usize, Option<usize>)| {
+            if let Some(first) = copied {
+                return Source::Copy(first, places[first]);
+            }
+            places[index] = own;
+            own += 1;
+            Source::Own(places[index])
         };
-        confirmed.into_iter().map(&mut source).collect()
+        confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
     /// Integrates the tasks that are no copies, in their order.
@@ -262,21 +294,4 @@ fn starts(list: &[Element]) -> Vec<usize> {
         starts.push(starts[starts.len() - 1] + element.basis.len());
     }
     starts
-}
-
-/// Whether the plane of either element leaves nothing of the other in front of it.
-fn planes_exchange_nothing(receiver: &Element, emitter: &Element) -> Option<Sorted> {
-    let range = |plane: &(DVec3, DVec3), other: &Element| {
-        let heights = other.hull.iter().map(|point| (point - plane.0).dot(plane.1));
-        heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
-    };
-    for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
-        let Some(plane) = plane else { continue };
-        let (low, high) = range(plane, other);
-        let tolerance = || 1e-9 * receiver.bounds().union(emitter.bounds()).diagonal();
-        if high <= 0.0 || high <= tolerance() {
-            return Some(if low >= -tolerance() { Sorted::Coplanar } else { Sorted::Facing });
-        }
-    }
-    None
 }

@@ -21,7 +21,7 @@ use crate::elements::basis::Frame;
 const EQUAL: f64 = 1e-13;
 /// Entries are rounded to multiples of this for the hash.
 const GRID: f64 = 1e-8;
-/// Keeps entries such as 0 and ½ away from where rounding turns.
+/// Keeps entries such as 0 and ½, and their negatives, away from where truncation turns.
 const OFFSET: f64 = 0.318;
 
 /// A parallelogram element: its centre and the half sides along which its polynomials run.
@@ -185,5 +185,5 @@ fn stand([a, b]: [DVec3; 2], others: &[DVec3; 3], scale: f64) -> ([DVec3; 2], Tu
 }
 
 fn rounded(x: f64) -> i64 {
-    (x / GRID + OFFSET).round() as i64
+    (x * (1.0 / GRID) + OFFSET) as i64
 }
