@@ -15,6 +15,7 @@ mod integrand;
 mod moments;
 mod own;
 mod pair;
+pub mod paper;
 mod same;
 mod separated;
 mod vertex;
