@@ -1,4 +1,5 @@
-//! The geometry of transport: blocks G between elements, each unordered pair once.
+//! The geometry of transport: blocks G between elements, each unordered pair once; by the rules of [`paper`], for
+//! comparison, each ordered pair.
 //!
 //! ```text
 //! G_ij^kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y ,     G_ji = G_ijᵀ .
@@ -66,11 +67,12 @@ pub struct PairCounts {
     pub unresolved: usize,
 }
 
-/// All blocks of G, one triangle, zero blocks left out.
+/// All blocks of G, one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
 pub struct Blocks {
     starts: Vec<usize>,
     stored: Vec<Stored>,
+    symmetric: bool,
     /// How many pairs went which way.
     pub pairs: PairCounts,
     /// Terms of the rules.
@@ -81,7 +83,7 @@ pub struct Blocks {
     pub rays: u64,
 }
 
-/// The block of receiver `row` and emitter `column`, `row ≤ column`.
+/// The block of receiver `row` and emitter `column`; `row ≤ column` where G is symmetric.
 #[derive(Debug)]
 struct Stored {
     row: usize,
@@ -117,18 +119,65 @@ impl Blocks {
                 outcome
             })
             .collect();
-        let mut blocks = Self {
-            starts: starts(list),
-            stored: Vec::new(),
-            pairs: PairCounts::default(),
-            samples: 0,
-            distinct: 0,
-            rays: 0,
-        };
+        let mut blocks = Self::empty(list, true);
         for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
             blocks.take(row, column, outcome);
         }
         blocks
+    }
+
+    /// Integrates each ordered pair by the rules of 1993 with `extra` points per direction above the order, and turns
+    /// the paper's K into G, which is not symmetric then. `progress` hears (ordered pairs done, in all), from any
+    /// thread; [`PairCounts`] are of unordered pairs.
+    ///
+    /// # Errors
+    /// [`NoChart`](paper::NoChart): a surface that is neither a parallelogram nor curved.
+    pub fn assemble_as_1993(
+        elements: &Elements,
+        visibility: &Visibility,
+        rules: paper::Rules,
+        extra: usize,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self, paper::NoChart> {
+        let list = elements.list();
+        let charts = list.iter().map(paper::Chart::of).collect::<Result<Vec<_>, _>>()?;
+        let pairs: Vec<(usize, usize)> =
+            (0..list.len()).flat_map(|i| (0..list.len()).map(move |j| (i, j))).collect();
+        let (done, total) = (AtomicUsize::new(0), pairs.len());
+        let outcomes: Vec<Outcome> = pairs
+            .par_iter()
+            .map(|(i, j)| {
+                let outcome = integrate_as_1993(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
+                progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+                outcome
+            })
+            .collect();
+        let mut blocks = Self::empty(list, false);
+        for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
+            let counted = blocks.pairs;
+            blocks.take(row, column, outcome);
+            if row > column {
+                blocks.pairs = counted;
+            }
+        }
+        Ok(blocks)
+    }
+
+    fn empty(list: &[Element], symmetric: bool) -> Self {
+        Self {
+            starts: starts(list),
+            stored: Vec::new(),
+            symmetric,
+            pairs: PairCounts::default(),
+            samples: 0,
+            distinct: 0,
+            rays: 0,
+        }
+    }
+
+    /// Whether G is symmetric; if not, [`Blocks::iter`] gives both blocks of a pair.
+    pub fn symmetric(&self) -> bool {
+        self.symmetric
     }
 
     /// Number of coefficients.
@@ -144,23 +193,43 @@ impl Blocks {
     /// y = G x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.dim()];
-        for Stored { row, column, values } in &self.stored {
-            let (rows, columns) = (self.range(*row), self.range(*column));
-            for (k, line) in values.chunks_exact(columns.len()).enumerate() {
-                y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
-            }
-            if row != column {
-                for (k, line) in values.chunks_exact(columns.len()).enumerate() {
-                    let emitted = x[rows.start + k];
-                    y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
-                }
+        for stored in &self.stored {
+            self.gather(stored, x, &mut y);
+            if self.symmetric && stored.row != stored.column {
+                self.scatter(stored, x, &mut y);
             }
         }
         y
     }
 
-    /// The nonzero blocks as (receiver, emitter, values row-major), receiver ≤ emitter; the transpose
-    /// of each stands for the opposite direction.
+    /// y = Gᵀ x.
+    pub fn apply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        if self.symmetric {
+            return self.apply(x);
+        }
+        let mut y = vec![0.0; self.dim()];
+        self.stored.iter().for_each(|stored| self.scatter(stored, x, &mut y));
+        y
+    }
+
+    /// Adds G_ij x_j to y_i.
+    fn gather(&self, Stored { row, column, values }: &Stored, x: &[f64], y: &mut [f64]) {
+        let (rows, columns) = (self.range(*row), self.range(*column));
+        for (y, line) in y[rows].iter_mut().zip(values.chunks_exact(columns.len())) {
+            *y += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+        }
+    }
+
+    /// Adds G_ijᵀ x_i to y_j.
+    fn scatter(&self, Stored { row, column, values }: &Stored, x: &[f64], y: &mut [f64]) {
+        let (rows, columns) = (self.range(*row), self.range(*column));
+        for (emitted, line) in x[rows].iter().zip(values.chunks_exact(columns.len())) {
+            y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
+        }
+    }
+
+    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and the
+    /// transpose of each stands for the opposite direction.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
         self.stored.iter().map(|stored| (stored.row, stored.column, stored.values.as_slice()))
     }
@@ -228,6 +297,44 @@ fn integrate(
         return Outcome::Hidden;
     }
     Outcome::Integrated(block::block(receiver, emitter, &blockers, visibility, accuracy))
+}
+
+fn integrate_as_1993(
+    receiver: &paper::Chart,
+    emitter: &paper::Chart,
+    same: bool,
+    visibility: &Visibility,
+    rules: paper::Rules,
+    extra: usize,
+) -> Outcome {
+    let (x, y) = (receiver.element, emitter.element);
+    if let Some(outcome) = planes_exchange_nothing(x, y) {
+        return outcome;
+    }
+    let blockers =
+        if same { Vec::new() } else { visibility.candidates(&x.hull, &y.hull, [x.surface, y.surface]) };
+    if visibility.hidden(&blockers, &x.hull, &y.hull) {
+        return Outcome::Hidden;
+    }
+    let free = |x, y| visibility.free(&blockers, x, y);
+    let sees: Option<paper::Sees> = if blockers.is_empty() { None } else { Some(&free) };
+    // With one point more on one side, an element's points never meet themselves, where κ is 0/0.
+    let emitting = emitter.party(extra + usize::from(same));
+    let transfer = paper::transfer(receiver.party(extra), emitting, rules, sees);
+    let kind = match (same, transfer.edge) {
+        (true, _) => Kind::Same,
+        (false, true) => Kind::Edge,
+        (false, false) => Kind::Separated,
+    };
+    Outcome::Integrated(Block {
+        values: receiver.block(emitter, &transfer.values),
+        kind,
+        partly_hidden: !blockers.is_empty(),
+        unresolved: false,
+        samples: transfer.samples,
+        distinct: transfer.samples,
+        rays: transfer.rays,
+    })
 }
 
 /// Whether the plane of either element leaves nothing of the other in front of it.

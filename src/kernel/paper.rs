@@ -45,10 +45,13 @@ use radiosity_core::{basis::total, convert};
 
 use axis::Axis;
 use border::Border;
-pub use chart::Chart;
+pub use chart::{Chart, NoChart};
 pub use party::Party;
 pub use sum::Sees;
 use sum::Sum;
+
+/// Points per direction above the order that reproduce the paper's numbers.
+pub const EXTRA_POINTS: usize = 2;
 
 /// Which of the paper's rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

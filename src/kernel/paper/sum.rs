@@ -12,7 +12,7 @@ use radiosity_geom::DVec3;
 use super::axis::Axis;
 use super::party::Party;
 use crate::elements::patch::Patch;
-use crate::kernel::kernel;
+use crate::kernel::integrand::kernel;
 
 /// Whether nothing stands between two points.
 pub type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
