@@ -11,7 +11,7 @@
 use std::io::{self, Write};
 
 use radiosity::elements::patch::Patch;
-use radiosity::elements::{Discretization, Element, Elements, Subdivide};
+use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::paper::{Party, Reading, Rules, transfer};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
@@ -96,7 +96,7 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
     let blocks = Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});
-    let [receiver, source]: &[Element; 2] = elements.list().as_array().expect("one element a square");
+    let [receiver, source] = elements.list() else { panic!("one element a square") };
     let emitted = [vec![0.0; receiver.basis.len()], source.constant.clone()].concat();
     let raw = receiver.basis.to_raw(&blocks.apply(&emitted)[..receiver.basis.len()]);
     metric(exact, |place| receiver.evaluate(&raw, position(place), place))
