@@ -199,9 +199,10 @@ fn blocks(
 ) -> Result<Blocks, Failure> {
     let Some(rules) = options.kernel else {
         let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
-        return Ok(Blocks::assemble(elements, visibility, accuracy, progress));
+        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+        return Ok(Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress));
     };
-    Blocks::assemble_as_1993(elements, visibility, rules, paper::EXTRA_POINTS, progress)
+    paper::assemble(elements, visibility, rules, paper::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::kernel::paper::{EXTRA_POINTS, Party, Reading, Rules, transfer};
+use radiosity::kernel::paper::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, solve};
@@ -208,7 +208,7 @@ fn ours(elements: &Elements, visibility: &Visibility, eps: f64) -> Blocks {
 }
 
 fn as_1993(elements: &Elements, visibility: &Visibility, rules: Rules, extra: usize) -> Blocks {
-    let blocks = Blocks::assemble_as_1993(elements, visibility, rules, extra, &|_, _| {});
+    let blocks = assemble(elements, visibility, rules, extra, &|_, _| {});
     blocks.expect("all surfaces have charts")
 }
 
