@@ -13,6 +13,7 @@ mod edge;
 mod edge_table;
 mod integrand;
 mod moments;
+mod near;
 mod own;
 mod pair;
 mod same;

@@ -18,6 +18,15 @@ use crate::elements::rule::UnitRule;
 /// Whether the segment between two points is free.
 pub(super) type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
 
+/// One of the two elements of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The first.
+    Receiver,
+    /// The second.
+    Emitter,
+}
+
 /// Moments of one pair of elements under way.
 #[derive(Debug)]
 pub(super) struct Moments<'a> {
@@ -83,6 +92,30 @@ impl<'a> Moments<'a> {
         self.emitter.raw(self.emitter.frame().coordinates(y), &mut self.column);
         self.row.iter_mut().for_each(|left| *left *= value);
         rank_one(&mut self.values, &self.row, &self.column);
+    }
+
+    /// Bases of receiver and emitter.
+    pub(super) fn bases(&self) -> [&'a AreaBasis; 2] {
+        [self.receiver, self.emitter]
+    }
+
+    /// Adds one point x of the element `side`, given `inner` = ∫ κ(x, y) L(y) dA_y over the other element's part, which
+    /// took so many `samples`.
+    pub(super) fn outer(&mut self, side: Side, x: &Node, weight: f64, inner: &[f64], samples: u64) {
+        self.samples += samples;
+        self.distinct += samples;
+        match side {
+            Side::Receiver => {
+                self.receiver.raw(self.receiver.frame().coordinates(x), &mut self.row);
+                self.row.iter_mut().for_each(|left| *left *= weight);
+                rank_one(&mut self.values, &self.row, inner);
+            }
+            Side::Emitter => {
+                self.emitter.raw(self.emitter.frame().coordinates(x), &mut self.column);
+                self.column.iter_mut().for_each(|right| *right *= weight);
+                rank_one(&mut self.values, inner, &self.column);
+            }
+        }
     }
 
     /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.
