@@ -20,6 +20,9 @@ use super::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule};
 use polar::Polar;
 
+/// By how much more is asked of the estimates than of the block.
+const SAFETY: f64 = 0.3;
+
 /// The rule of one pair.
 pub(super) struct Plan {
     outer: Side,
@@ -32,6 +35,7 @@ pub(super) struct Plan {
 impl Plan {
     /// For two flat convex patches in front of each other that do not touch and see each other freely.
     pub(super) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Self {
+        let eps = SAFETY * eps;
         let [receiver, emitter] = moments.bases();
         let plan = |outer: Side| {
             let (mut planner, a, b) = match outer {
@@ -55,7 +59,7 @@ impl Plan {
         for leaf in &self.leaves {
             match leaf.rule {
                 Rule::Polar(points) => {
-                    let mut polar = Polar::new(&leaf.emitter, inner);
+                    let mut polar = Polar::new(&leaf.emitter, inner, self.eps);
                     for (s, ws) in points[0].0.nodes(points[0].1) {
                         for (t, wt) in points[1].0.nodes(points[1].1) {
                             let x = leaf.cell.node(s, t);

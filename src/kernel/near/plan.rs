@@ -23,8 +23,14 @@ use crate::elements::patch::{Direction, Patch};
 use crate::kernel::pair::gap;
 use crate::kernel::separated::{self, SMALLEST_RATIO};
 
-/// ϱ below which a cell is cut.
-const SLOWEST: f64 = 1.8;
+/// Points up to which no better rule is looked for.
+const FEW: usize = 2;
+/// Smallest scale of a map, in parts of the cell.
+const SHARPEST: f64 = 1e-13;
+/// Singular places farther than this many lengths of the cell do not count.
+const FAR: f64 = 5.0;
+/// Singular places closer than this part of their distance from the cell count once.
+const ALIKE: f64 = 0.02;
 /// Edges nearer than this part of the receiver's size get a cut along their projection.
 const HOT: f64 = 0.1;
 /// Cost of a sample of the polar rule in samples of a tensor rule.
@@ -68,49 +74,56 @@ impl<'a> Planner<'a> {
 
     /// Plans the flat pair of an outer and an inner patch.
     pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
-        let emitter = Emitter::new(inner, self.inner);
+        let emitter = Emitter::new(inner, self.inner, self.eps);
         for part in cut_along(outer, &emitter.edges) {
             self.cell(&part, &emitter, 0);
         }
     }
 
     fn cell(&mut self, cell: &Patch, emitter: &Emitter, depth: usize) {
-        let rates = [Direction::Along, Direction::Across].map(|d| Rate::of(cell, d, &emitter.edges));
         let tensor = self.tensor(cell, emitter);
-        if tensor.is_none() && !emitter.reached(cell, self.inner, self.eps) {
+        let reached = emitter.reached(cell, self.inner, self.eps);
+        if tensor.is_none() && !reached {
             let ((direction, extent), (inner, reach)) = (longest(cell), longest(&emitter.patch));
             if extent >= reach {
                 cell.halves(direction).iter().for_each(|half| self.cell(half, emitter, depth + 1));
             } else {
                 for half in emitter.patch.halves(inner) {
-                    self.cell(cell, &Emitter::new(&half, self.inner), depth + 1);
+                    self.cell(cell, &Emitter::new(&half, self.inner, self.eps), depth + 1);
                 }
             }
             return;
         }
-        let slow = usize::from(rates[1].rho < rates[0].rho);
-        if tensor.is_none() && rates[slow].rho < SLOWEST && depth < DEEPEST {
-            for part in cut(cell, slow, rates[slow].place) {
-                self.cell(&part, emitter, depth + 1);
-            }
+        if let (Some(tensor), false) = (tensor, reached) {
+            return self.leaf(cell, emitter, tensor);
+        }
+        let request = Request {
+            fraction: fraction(cell, self.outer),
+            degree: self.outer.order() + usize::from(!cell.is_parallelogram()),
+            eps: self.eps,
+        };
+        let directions = [Direction::Along, Direction::Across];
+        let rules = directions.map(|d| LineRule::of(&roots(cell, d, &emitter.edges), &request));
+        let worst = usize::from(rules[1].gain() > rules[0].gain());
+        if let Some((place, _)) = rules[worst].cut
+            && depth < DEEPEST
+        {
+            cut(cell, worst, place).iter().for_each(|part| self.cell(part, emitter, depth + 1));
             return;
         }
-        let polar = self.polar(cell, emitter, &rates);
-        let (cost, rule) = match tensor {
-            Some(tensor) if tensor.0 < polar.0 || !emitter.reached(cell, self.inner, self.eps) => tensor,
-            _ => polar,
-        };
+        let polar = self.polar(cell, emitter, rules.map(|rule| (rule.stretch, rule.points)));
+        match tensor {
+            Some(tensor) if tensor.0 < polar.0 => self.leaf(cell, emitter, tensor),
+            _ => self.leaf(cell, emitter, polar),
+        }
+    }
+
+    fn leaf(&mut self, cell: &Patch, emitter: &Emitter, (cost, rule): (f64, Rule)) {
         self.cost += cost;
         self.leaves.push(Leaf { cell: cell.clone(), emitter: emitter.patch.clone(), rule });
     }
 
-    fn polar(&self, cell: &Patch, emitter: &Emitter, rates: &[Rate; 2]) -> (f64, Rule) {
-        let degree = self.outer.order() + usize::from(!cell.is_parallelogram());
-        let fraction = fraction(cell, self.outer);
-        let points = [0, 1].map(|k| {
-            let Rate { stretch, rho, .. } = rates[k];
-            (stretch, stretch.points(rho, fraction, degree, self.eps))
-        });
+    fn polar(&self, cell: &Patch, emitter: &Emitter, points: [(Stretch, usize); 2]) -> (f64, Rule) {
         let places = [(0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.5, 0.5)];
         let inner: usize = places.iter().map(|(s, t)| emitter.polar.count(&cell.node(*s, *t), self.eps)).sum();
         let count = (points[0].1 * points[1].1 * inner) as f64 / places.len() as f64;
@@ -141,8 +154,8 @@ struct Emitter<'a> {
 }
 
 impl<'a> Emitter<'a> {
-    fn new(patch: &Patch, basis: &'a AreaBasis) -> Self {
-        Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis) }
+    fn new(patch: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
+        Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis, eps) }
     }
 
     /// Whether the emitter's polynomials stay tame at the feet of a cell's points.
@@ -158,43 +171,90 @@ impl<'a> Emitter<'a> {
     }
 }
 
-/// How fast a direction of a cell converges.
-struct Rate {
-    stretch: Stretch,
-    rho: f64,
-    /// Where a cut would help.
-    place: f64,
+/// What a rule along one direction of a cell has to integrate.
+struct Request {
+    fraction: f64,
+    degree: usize,
+    eps: f64,
 }
 
-impl Rate {
-    fn of(cell: &Patch, direction: Direction, edges: &[Edge]) -> Self {
-        let mut roots = Vec::new();
-        for line in LINES {
-            let ends = match direction {
-                Direction::Along => [cell.node(0.0, line), cell.node(1.0, line)],
-                Direction::Across => [cell.node(line, 0.0), cell.node(line, 1.0)],
+/// The rule of one direction of a cell.
+struct LineRule {
+    stretch: Stretch,
+    points: usize,
+    /// Where a cut saves points, and how many the two parts take.
+    cut: Option<(f64, usize)>,
+}
+
+impl LineRule {
+    fn of(roots: &[Complex], request: &Request) -> Self {
+        let (stretch, points, slowest) = Self::whole(roots, request);
+        let parts = |place: f64| {
+            let part = |low: f64, width: f64| {
+                let moved: Vec<Complex> =
+                    roots.iter().map(|r| (*r - Complex::new(low, 0.0)).scale(1.0 / width)).collect();
+                Self::whole(&moved, &Request { fraction: request.fraction * width, ..*request }).1
             };
-            let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
-            if step != DVec3::ZERO {
-                edges.iter().for_each(|edge| singularities(start, step, edge, &mut roots));
-            }
-        }
-        let slowest = |stretch: Stretch| {
-            roots.iter().map(|root| (stretch.ellipse(*root), *root)).fold(
+            (place, part(0.0, place) + part(place, 1.0 - place))
+        };
+        let cut = (points > FEW)
+            .then(|| {
+                [stretch.middle(), slowest.re, 0.5]
+                    .into_iter()
+                    .filter(|place| *place > 0.0 && *place < 1.0)
+                    .map(parts)
+                    .min_by_key(|(_, count)| *count)
+            })
+            .flatten()
+            .filter(|(_, count)| *count < points);
+        Self { stretch, points, cut }
+    }
+
+    /// The better of the plain and the stretched rule, without a cut, and the root that limits it.
+    fn whole(roots: &[Complex], request: &Request) -> (Stretch, usize, Complex) {
+        let Request { fraction, degree, eps } = *request;
+        let rule = |stretch: Stretch| {
+            let (rho, root) = roots.iter().map(|root| (stretch.ellipse(*root), *root)).fold(
                 (f64::INFINITY, Complex::ONE),
                 |best, next| if next.0 < best.0 { next } else { best },
-            )
+            );
+            (stretch, stretch.points(rho, fraction, degree, eps), root)
         };
-        let (rho, worst) = slowest(Stretch::PLAIN);
-        let mapped = Stretch::around(worst.re, worst.im.max(1e-13));
-        let (better, next) = slowest(mapped);
-        let place = |root: Complex| if (0.1..=0.9).contains(&root.re) { root.re } else { 0.5 };
-        if better > rho {
-            Self { stretch: mapped, rho: better, place: place(next) }
-        } else {
-            Self { stretch: Stretch::PLAIN, rho, place: place(worst) }
+        let plain = rule(Stretch::PLAIN);
+        if plain.1 <= FEW {
+            return plain;
+        }
+        let stretched = rule(Stretch::around(plain.2.re, plain.2.im.max(SHARPEST)));
+        if stretched.1 < plain.1 { stretched } else { plain }
+    }
+
+    /// By which factor a cut helps.
+    fn gain(&self) -> f64 {
+        self.cut.map_or(1.0, |(_, count)| self.points as f64 / count as f64)
+    }
+}
+
+/// Where the inner integral is singular on the lines of one direction of a cell's chart; alike ones once.
+fn roots(cell: &Patch, direction: Direction, edges: &[Edge]) -> Vec<Complex> {
+    let mut found = Vec::new();
+    for line in LINES {
+        let ends = match direction {
+            Direction::Along => [cell.node(0.0, line), cell.node(1.0, line)],
+            Direction::Across => [cell.node(line, 0.0), cell.node(line, 1.0)],
+        };
+        let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
+        if step != DVec3::ZERO {
+            edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
         }
     }
+    let mut kept: Vec<Complex> = Vec::new();
+    for root in found {
+        let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
+        if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
+            kept.push(root);
+        }
+    }
+    kept
 }
 
 /// Adds the singular places of the inner integral on the line `start` + s `step` that belong to `edge`.

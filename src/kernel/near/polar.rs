@@ -64,7 +64,7 @@ pub(super) struct Polar<'a> {
 
 impl<'a> Polar<'a> {
     /// For the flat patch `emitter` of an element with `basis`.
-    pub(super) fn new(emitter: &Patch, basis: &'a AreaBasis) -> Self {
+    pub(super) fn new(emitter: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
         let normal = emitter.node(0.5, 0.5).normal;
         let polygon = emitter.polygon();
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
@@ -78,7 +78,7 @@ impl<'a> Polar<'a> {
             edges,
             normal,
             basis,
-            radial: Radial::new(basis.order()),
+            radial: Radial::new(basis.order(), eps),
             row: vec![0.0; basis.len()],
             column: vec![0.0; basis.len()],
         }

@@ -28,13 +28,15 @@ use crate::elements::rule::UnitRule;
 
 /// Digits that the forward recurrence may lose, as a natural logarithm.
 const FORWARD_LOSS: f64 = 3.0;
-/// −ln of the accuracy of the backward recurrence.
-const BACKWARD_DIGITS: f64 = 40.0;
+/// Accuracy of the backward recurrence against that of the rule.
+const BACKWARD_ACCURACY: f64 = 1e-4;
 
 /// The rule of n points along rays.
 #[derive(Debug)]
 pub(super) struct Radial {
     rule: &'static UnitRule,
+    /// −ln of the accuracy of the backward recurrence.
+    digits: f64,
     /// (2i + 1) w_j P_i(2t_j − 1), a row per j.
     projection: Vec<f64>,
     functions: Vec<Complex>,
@@ -45,8 +47,8 @@ pub(super) struct Radial {
 }
 
 impl Radial {
-    /// Exact for polynomials of degree `degree`.
-    pub(super) fn new(degree: usize) -> Self {
+    /// Exact to about `eps` for polynomials of degree `degree`.
+    pub(super) fn new(degree: usize, eps: f64) -> Self {
         let n = degree + 1;
         let rule = UnitRule::of(n);
         let mut projection = Vec::with_capacity(n * n);
@@ -60,7 +62,8 @@ impl Radial {
             }
         }
         let functions = vec![Complex::new(0.0, 0.0); n + 1];
-        Self { rule, projection, functions, moments: vec![[0.0; 2]; n + 1], weights: vec![[0.0; 2]; n] }
+        let digits = -(BACKWARD_ACCURACY * eps).ln();
+        Self { rule, digits, projection, functions, moments: vec![[0.0; 2]; n + 1], weights: vec![[0.0; 2]; n] }
     }
 
     /// Points on a ray.
@@ -100,7 +103,7 @@ impl Radial {
             }
             return;
         }
-        let start = n + 1 + (BACKWARD_DIGITS / (2.0 * growth)) as usize;
+        let start = n + 1 + (self.digits / (2.0 * growth)) as usize;
         let (mut high, mut low) = (Complex::new(0.0, 0.0), Complex::new(1e-100, 0.0));
         for i in (1..=start).rev() {
             if i <= n {
@@ -158,7 +161,7 @@ mod tests {
     #[test]
     fn monomials_are_integrated_at_every_sharpness() {
         for degree in [0, 1, 4, 8, 20] {
-            let mut radial = Radial::new(degree);
+            let mut radial = Radial::new(degree, 1e-14);
             for eta in [1e-9, 1e-6, 1e-3, 0.03, 0.1, 0.3, 0.49, 0.51, 1.0, 3.0, 40.0, 1e4] {
                 let weights: Vec<_> = radial.at(eta).collect();
                 for k in 0..=degree as i32 {

@@ -83,6 +83,12 @@ impl Stretch {
         self.offsets(n).map(move |(s, w)| (center + s, w))
     }
 
+    /// s in the middle of the μ-interval.
+    pub(super) fn middle(&self) -> f64 {
+        let mu = 0.5 * (self.low + self.high);
+        if self.scale.is_finite() { self.center + self.scale * mu.sinh() } else { mu }
+    }
+
     /// How far outside [0, 1] the ellipse ϱ comes.
     fn reach(&self, rho: f64) -> f64 {
         let beyond = 0.25 * (rho + 1.0 / rho - 2.0) * (self.high - self.low);

@@ -34,7 +34,7 @@ fn split(m: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, c
         }
         return;
     }
-    if *cost > 3e8 { return; }
+    if *cost > 3e7 { return; }
     if ep >= eq {
         p.halves(dp).iter().for_each(|h| split(m, h, q, degrees, eps, cost, dry));
     } else {
@@ -103,7 +103,7 @@ fn table() {
                 split(&mut m, &p, &q, [order; 2], eps, &mut old, true);
                 let t = Instant::now();
                 let mut told = f64::NAN; let mut eold = f64::NAN;
-                if old < 6e6 { old = 0.0; split(&mut m, &p, &q, [order; 2], eps, &mut old, false); told = t.elapsed().as_secs_f64();
+                if old < 2e6 { old = 0.0; split(&mut m, &p, &q, [order; 2], eps, &mut old, false); told = t.elapsed().as_secs_f64();
                     eold = m.into_block().iter().zip(&reference).fold(0.0f64, |m, (x, y)| m.max((x - y).abs())) / big; }
                 println!("  eps {eps:.0e}: err {err:.1e} samples {samples:.2e} cost {cost:.1e} leaves {leaves} outer {outer} {side:?} plan {:.2}ms total {:.2}ms | split {old:.1e} err {eold:.1e} {:.2}ms", tp*1e3, tt*1e3, told*1e3);
             }
