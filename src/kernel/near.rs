@@ -12,6 +12,7 @@ mod complex;
 mod plan;
 mod polar;
 mod radial;
+mod samples;
 mod stretch;
 
 use crate::elements::patch::Patch;

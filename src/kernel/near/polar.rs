@@ -21,6 +21,7 @@ use radiosity_geom::{DVec2, DVec3};
 
 use super::complex::Complex;
 use super::radial::Radial;
+use super::samples::Samples;
 use super::stretch::Stretch;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
@@ -58,7 +59,7 @@ pub(super) struct Polar<'a> {
     /// Largest side of the emitter against the element's frame.
     fraction: f64,
     radial: Radial,
-    row: Vec<f64>,
+    samples: Samples,
     column: Vec<f64>,
 }
 
@@ -79,28 +80,27 @@ impl<'a> Polar<'a> {
             normal,
             basis,
             radial: Radial::new(basis.order(), eps),
-            row: vec![0.0; basis.len()],
+            samples: Samples::default(),
             column: vec![0.0; basis.len()],
         }
     }
 
     /// I_l(x) for all l, to about `eps` of the largest irradiance, and the number of samples.
     pub(super) fn column(&mut self, x: &Node, eps: f64) -> (&[f64], u64) {
-        self.column.fill(0.0);
-        let mut samples = 0;
+        self.samples.clear();
         let height = (x.position - self.edges[0].0.start).dot(self.normal);
-        if height <= 0.0 {
-            return (&self.column, 0);
-        }
-        for k in 0..self.edges.len() {
-            let (edge, outward) = self.edges[k];
-            let ray = Rays::new(x, height, self.normal, &edge, outward);
-            for (piece, n) in ray.pieces(self.fraction, self.basis.order() + 1, eps) {
-                samples += (n * self.radial.len()) as u64;
-                self.edge(&ray, &piece, n);
+        if height > 0.0 {
+            for k in 0..self.edges.len() {
+                let (edge, outward) = self.edges[k];
+                let ray = Rays::new(x, height, self.normal, &edge, outward);
+                for (piece, n) in ray.pieces(self.fraction, self.basis.order() + 1, eps) {
+                    self.edge(&ray, &piece, n);
+                }
             }
         }
-        (&self.column, samples)
+        let count = self.samples.len() as u64;
+        self.samples.sum(self.basis.order(), &mut self.column);
+        (&self.column, count)
     }
 
     /// The number of samples that [`Polar::column`] takes.
@@ -124,9 +124,7 @@ impl<'a> Polar<'a> {
             let turned = ray.normal.dot(vector);
             let factor = core::f64::consts::FRAC_1_PI * ray.height * ray.distance * w / (radius2 * radius2);
             for (t, [alpha, beta]) in self.radial.at(ray.height / radius2.sqrt()) {
-                let value = factor * (ray.facing * alpha + turned * beta);
-                self.basis.raw((origin + step * t).to_array(), &mut self.row);
-                self.column.iter_mut().zip(&self.row).for_each(|(sum, l)| *sum += value * l);
+                self.samples.push(origin + step * t, factor * (ray.facing * alpha + turned * beta));
             }
         }
     }
@@ -196,7 +194,7 @@ impl Rays {
         };
         let [low, high] = self.ends;
         let whole = piece(self.ends);
-        let pieces = if low < 0.0 && high > 0.0 && whole.1 > 4 {
+        let pieces = if low < 0.0 && high > 0.0 && whole.1 > 6 {
             let halves = [piece([low, 0.0]), piece([0.0, high])];
             if halves[0].1 + halves[1].1 < whole.1 { halves.map(Some) } else { [Some(whole), None] }
         } else {

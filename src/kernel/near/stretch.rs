@@ -18,8 +18,8 @@ use crate::elements::rule::UnitRule;
 
 /// ϱ beyond which nothing is gained.
 const LARGEST_RHO: f64 = 12.0;
-/// Ellipses tried.
-const ELLIPSES: usize = 6;
+/// ln ϱ′ / ln ϱ of the ellipses tried.
+const ELLIPSES: [f64; 3] = [1.0, 0.65, 0.4];
 
 /// A map of [0, 1] onto itself; μ runs from `low` to `high`.
 #[derive(Clone, Copy, Debug)]
@@ -55,13 +55,14 @@ impl Stretch {
     /// Points for polynomials of degree `degree` on an element of which [0, 1] is the part `fraction`.
     pub(super) fn points(&self, rho: f64, fraction: f64, degree: usize, eps: f64) -> usize {
         let most = rho.clamp(1.0 + 1e-6, LARGEST_RHO).ln();
-        let count = |part: usize| {
-            let log = most * part as f64 / ELLIPSES as f64;
+        let accuracy = -eps.ln();
+        let count = |part: f64| {
+            let log = most * part;
             let place = 1.0 + 2.0 * fraction * self.reach(log.exp());
             let growth = place + (place * place - 1.0).sqrt();
-            (degree as f64 * growth.ln() - eps.ln()) / (2.0 * log)
+            (degree as f64 * growth.ln() + accuracy) / (2.0 * log)
         };
-        let least = (1..=ELLIPSES).map(count).fold(f64::INFINITY, f64::min);
+        let least = ELLIPSES.into_iter().map(count).fold(f64::INFINITY, f64::min);
         least.ceil().max(1.0) as usize
     }
 
