@@ -18,11 +18,16 @@ mod stretch;
 use crate::elements::patch::Patch;
 
 use super::moments::{Moments, Side};
-use plan::{Leaf, Planner, Rule};
+use plan::{Leaf, Planner, Rule, split_cost};
 use polar::Polar;
 
 /// By how much more is asked of the estimates than of the block.
-const SAFETY: f64 = 0.3;
+const SAFETY: f64 = 0.2;
+
+/// Samples of a split up to which a plan is not worth its own time.
+const CHEAP_SPLIT: f64 = 3e4;
+/// Samples of a split up to which they are counted exactly.
+const MOST_COUNTED: f64 = 1e6;
 
 /// The rule of one pair.
 pub(super) struct Plan {
@@ -34,19 +39,38 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// As [`Plan::new`], or None where halving both patches until they are apart takes less.
+    pub(super) fn cheaper_than_split(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
+        let degrees = moments.bases().map(|basis| basis.order());
+        if split_cost(p, q, degrees, eps, CHEAP_SPLIT).is_finite() {
+            return None;
+        }
+        let plan = Self::new(moments, p, q, eps);
+        let split = split_cost(p, q, degrees, eps, plan.cost.min(MOST_COUNTED));
+        (plan.cost < split).then_some(plan)
+    }
+
     /// For two flat convex patches in front of each other that do not touch and see each other freely.
     pub(super) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Self {
         let eps = SAFETY * eps;
         let [receiver, emitter] = moments.bases();
-        let plan = |outer: Side| {
+        let plan = |outer: Side, limit: f64| {
             let (mut planner, a, b) = match outer {
-                Side::Receiver => (Planner::new(receiver, emitter, eps), p, q),
-                Side::Emitter => (Planner::new(emitter, receiver, eps), q, p),
+                Side::Receiver => (Planner::new(receiver, emitter, eps, limit), p, q),
+                Side::Emitter => (Planner::new(emitter, receiver, eps, limit), q, p),
             };
             planner.pair(a, b);
-            Self { outer, leaves: planner.leaves, cost: planner.cost, eps }
+            Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
         };
-        let (first, second) = (plan(Side::Receiver), plan(Side::Emitter));
+        // The smaller patch is usually the better one outside.
+        let size = |patch: &Patch| patch.extents().iter().sum::<f64>();
+        let sides = if size(p) <= size(q) {
+            [Side::Receiver, Side::Emitter]
+        } else {
+            [Side::Emitter, Side::Receiver]
+        };
+        let first = plan(sides[0], f64::INFINITY);
+        let second = plan(sides[1], first.cost);
         if second.cost < first.cost { second } else { first }
     }
 

@@ -20,13 +20,17 @@ use super::polar::{Edge, Polar, edges, fraction};
 use super::stretch::Stretch;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Patch};
+use crate::elements::rule::{MOST_POINTS, UnitRule};
 use crate::kernel::pair::gap;
 use crate::kernel::separated::{self, SMALLEST_RATIO};
 
 /// Points up to which no better rule is looked for.
 const FEW: usize = 2;
-/// Smallest scale of a map, in parts of the cell.
+/// Distance, in parts of the pair's size, below which nothing is resolved; patches that touch then differ from
+/// near ones by as little.
 const SHARPEST: f64 = 1e-13;
+/// Least transfer that the accuracy is relative to.
+const LEAST_TRANSFER: f64 = 1e-3;
 /// Singular places farther than this many lengths of the cell do not count.
 const FAR: f64 = 5.0;
 /// Singular places closer than this part of their distance from the cell count once.
@@ -34,7 +38,9 @@ const ALIKE: f64 = 0.02;
 /// Edges nearer than this part of the receiver's size get a cut along their projection.
 const HOT: f64 = 0.1;
 /// Cost of a sample of the polar rule in samples of a tensor rule.
-const POLAR_COST: f64 = 3.0;
+const POLAR_COST: f64 = 5.0;
+/// Cells after which a plan is given up.
+const MOST_CELLS: usize = 2000;
 /// Most cuts of one cell.
 const DEEPEST: usize = 40;
 /// Where along the other direction the lines of a chart are examined.
@@ -61,26 +67,43 @@ pub(super) enum Rule {
 pub(super) struct Planner<'a> {
     outer: &'a AreaBasis,
     inner: &'a AreaBasis,
-    eps: f64,
+    /// Accuracy of the inner integral, in the end against an irradiance of one.
+    pub eps: f64,
+    /// Length below which a singular place counts as no nearer.
+    floor: f64,
+    /// Cost beyond which the plan is given up.
+    limit: f64,
+    /// Cells still allowed.
+    cells: usize,
     pub leaves: Vec<Leaf>,
     /// In samples of a tensor rule.
     pub cost: f64,
 }
 
 impl<'a> Planner<'a> {
-    pub(super) fn new(outer: &'a AreaBasis, inner: &'a AreaBasis, eps: f64) -> Self {
-        Self { outer, inner, eps, leaves: Vec::new(), cost: 0.0 }
+    pub(super) fn new(outer: &'a AreaBasis, inner: &'a AreaBasis, eps: f64, limit: f64) -> Self {
+        Self { outer, inner, eps, floor: 0.0, limit, cells: MOST_CELLS, leaves: Vec::new(), cost: 0.0 }
     }
 
     /// Plans the flat pair of an outer and an inner patch.
     pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
+        self.floor = SHARPEST * longest(outer).1.max(longest(inner).1);
+        let edges = edges(inner);
+        let parts = cut_along(outer, &edges);
+        // Errors of the inner integral count against its mean, the transfer; where that is small they are so
+        // as well on part of the receiver. The root was enough in all cases measured.
+        let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
+        self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
         let emitter = Emitter::new(inner, self.inner, self.eps);
-        for part in cut_along(outer, &emitter.edges) {
-            self.cell(&part, &emitter, 0);
-        }
+        parts.iter().for_each(|part| self.cell(part, &emitter, 0));
     }
 
     fn cell(&mut self, cell: &Patch, emitter: &Emitter, depth: usize) {
+        if self.cells == 0 || self.cost >= self.limit {
+            self.cost = f64::INFINITY;
+            return;
+        }
+        self.cells -= 1;
         let tensor = self.tensor(cell, emitter);
         let reached = emitter.reached(cell, self.inner, self.eps);
         if tensor.is_none() && !reached {
@@ -103,7 +126,7 @@ impl<'a> Planner<'a> {
             eps: self.eps,
         };
         let directions = [Direction::Along, Direction::Across];
-        let rules = directions.map(|d| LineRule::of(&roots(cell, d, &emitter.edges), &request));
+        let rules = directions.map(|d| LineRule::of(&roots(cell, d, &emitter.edges, self.floor), &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
         if let Some((place, _)) = rules[worst].cut
             && depth < DEEPEST
@@ -125,7 +148,8 @@ impl<'a> Planner<'a> {
 
     fn polar(&self, cell: &Patch, emitter: &Emitter, points: [(Stretch, usize); 2]) -> (f64, Rule) {
         let places = [(0.1, 0.1), (0.9, 0.1), (0.9, 0.9), (0.1, 0.9), (0.5, 0.5)];
-        let inner: usize = places.iter().map(|(s, t)| emitter.polar.count(&cell.node(*s, *t), self.eps)).sum();
+        let inner: usize =
+            places.iter().map(|(s, t)| emitter.polar.count(&cell.node(*s, *t), self.eps)).sum();
         let count = (points[0].1 * points[1].1 * inner) as f64 / places.len() as f64;
         (POLAR_COST * count, Rule::Polar(points))
     }
@@ -140,6 +164,20 @@ impl<'a> Planner<'a> {
         let counts = separated::counts(cell, &emitter.patch, degrees, gap, self.eps);
         Some((counts.iter().map(|n| *n as f64).product(), Rule::Tensor(counts)))
     }
+}
+
+/// Mean irradiance of an emitter of radiosity 1 over coplanar parts, to some ten percent.
+fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
+    let rule = UnitRule::of(3);
+    let (mut sum, mut area) = (0.0, 0.0);
+    for part in parts {
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let node = part.node(s, t);
+            sum += ws * wt * node.area * emitter.irradiance(&node);
+            area += ws * wt * node.area;
+        }
+    }
+    sum / area
 }
 
 fn longest(patch: &Patch) -> (Direction, f64) {
@@ -206,7 +244,7 @@ impl LineRule {
                     .min_by_key(|(_, count)| *count)
             })
             .flatten()
-            .filter(|(_, count)| *count < points);
+            .filter(|(_, count)| *count < points || points > MOST_POINTS);
         Self { stretch, points, cut }
     }
 
@@ -214,28 +252,28 @@ impl LineRule {
     fn whole(roots: &[Complex], request: &Request) -> (Stretch, usize, Complex) {
         let Request { fraction, degree, eps } = *request;
         let rule = |stretch: Stretch| {
-            let (rho, root) = roots.iter().map(|root| (stretch.ellipse(*root), *root)).fold(
-                (f64::INFINITY, Complex::ONE),
-                |best, next| if next.0 < best.0 { next } else { best },
-            );
+            let (rho, root) = roots
+                .iter()
+                .map(|root| (stretch.ellipse(*root), *root))
+                .fold((f64::INFINITY, Complex::ONE), |best, next| if next.0 < best.0 { next } else { best });
             (stretch, stretch.points(rho, fraction, degree, eps), root)
         };
         let plain = rule(Stretch::PLAIN);
         if plain.1 <= FEW {
             return plain;
         }
-        let stretched = rule(Stretch::around(plain.2.re, plain.2.im.max(SHARPEST)));
+        let stretched = rule(Stretch::around(plain.2.re, plain.2.im));
         if stretched.1 < plain.1 { stretched } else { plain }
     }
 
     /// By which factor a cut helps.
     fn gain(&self) -> f64 {
-        self.cut.map_or(1.0, |(_, count)| self.points as f64 / count as f64)
+        self.cut.map_or(0.0, |(_, count)| self.points as f64 / count as f64)
     }
 }
 
 /// Where the inner integral is singular on the lines of one direction of a cell's chart; alike ones once.
-fn roots(cell: &Patch, direction: Direction, edges: &[Edge]) -> Vec<Complex> {
+fn roots(cell: &Patch, direction: Direction, edges: &[Edge], floor: f64) -> Vec<Complex> {
     let mut found = Vec::new();
     for line in LINES {
         let ends = match direction {
@@ -244,7 +282,10 @@ fn roots(cell: &Patch, direction: Direction, edges: &[Edge]) -> Vec<Complex> {
         };
         let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
         if step != DVec3::ZERO {
+            let first = found.len();
             edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
+            let least = floor / step.length();
+            found[first..].iter_mut().for_each(|root| root.im = root.im.max(least));
         }
     }
     let mut kept: Vec<Complex> = Vec::new();
@@ -309,13 +350,7 @@ fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
     parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
 }
 
-fn halves(
-    part: Vec<DVec3>,
-    edge: &Edge,
-    side: DVec3,
-    normal: DVec3,
-    size: f64,
-) -> Vec<Vec<DVec3>> {
+fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) -> Vec<Vec<DVec3>> {
     let end = edge.start + edge.along * edge.length;
     let [h0, h1] = [edge.start, end].map(|x| (x - part[0]).dot(normal).abs());
     let near = h0.min(h1);
@@ -328,4 +363,29 @@ fn halves(
         .into_iter()
         .filter(|half| half.len() > 2)
         .collect()
+}
+
+/// Tensor samples that halving the longest extent takes until every part is far enough; above `limit` no exact count.
+pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
+    let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+    let gap = gap(p, q);
+    if gap == 0.0 {
+        return f64::INFINITY;
+    }
+    if gap >= SMALLEST_RATIO * extent_p.max(extent_q) {
+        return separated::counts(p, q, degrees, gap, eps).iter().map(|n| *n as f64).product();
+    }
+    let pairs: Vec<(Patch, Patch)> = if extent_p >= extent_q {
+        p.halves(direction_p).into_iter().map(|half| (half, q.clone())).collect()
+    } else {
+        q.halves(direction_q).into_iter().map(|half| (p.clone(), half)).collect()
+    };
+    let mut cost = 0.0;
+    for (a, b) in &pairs {
+        cost += split_cost(a, b, degrees, eps, limit - cost);
+        if cost > limit {
+            return f64::INFINITY;
+        }
+    }
+    cost
 }

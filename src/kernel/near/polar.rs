@@ -25,6 +25,12 @@ use super::samples::Samples;
 use super::stretch::Stretch;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::MOST_POINTS;
+
+/// Points of an edge up to which no cut at the foot is tried.
+const FEW: usize = 6;
+/// Part of the irradiance below which an edge carries none.
+const NO_WEIGHT: f64 = 1e-16;
 
 /// An edge of a polygon.
 #[derive(Clone, Copy, Debug)]
@@ -113,6 +119,18 @@ impl<'a> Polar<'a> {
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
     }
 
+    /// Irradiance at x of the emitter with radiosity 1 (Lambert 1760):
+    /// E = Σ_edges θ n_x·(a × b)/|a × b| / 2π, with a, b the vectors from x to an edge's ends and θ the angle between them.
+    pub(super) fn irradiance(&self, x: &Node) -> f64 {
+        let edge = |(edge, outward): &(Edge, DVec3)| {
+            let (a, moment) = (edge.start - x.position, edge.along * edge.length);
+            let (cross, turn) = (a.cross(moment), edge.along.cross(self.normal).dot(*outward));
+            let angle = cross.length().atan2(a.dot(a + moment));
+            -turn * angle * x.normal.dot(cross.normalize_or_zero())
+        };
+        (0.5 * core::f64::consts::FRAC_1_PI * self.edges.iter().map(edge).sum::<f64>()).abs()
+    }
+
     fn edge(&mut self, ray: &Rays, piece: &Piece, n: usize) {
         let place = |point: DVec3| DVec2::from_array(self.basis.frame().locate(point, DVec2::ZERO));
         let origin = place(ray.foot);
@@ -159,6 +177,7 @@ struct Rays {
 }
 
 /// A part of an edge.
+#[derive(Clone, Copy)]
 struct Piece {
     stretch: Stretch,
     length: f64,
@@ -180,27 +199,43 @@ impl Rays {
         }
     }
 
-    /// The edge in one or, cut at the foot of x, in two: whichever takes fewer points.
+    /// The edge in parts: cut at the foot of x where that takes fewer points, and where a rule would be too large.
     fn pieces(&self, fraction: f64, degree: usize, eps: f64) -> impl Iterator<Item = (Piece, usize)> {
         let radius = (self.distance * self.distance + self.height * self.height).sqrt();
         let weight = (self.distance / radius).abs();
-        let eps = eps / weight.max(1e-300);
-        let piece = |[low, high]: [f64; 2]| {
+        let eps = (eps / weight.max(NO_WEIGHT)).min(0.5);
+        let piece = |low: f64, high: f64| {
             let length = high - low;
             let (center, scale) = (-low / length, radius / length);
             let stretch = Stretch::around(center, scale);
-            let n = stretch.points(stretch.ellipse(Complex::new(center, scale)), fraction, degree, eps.min(0.5));
+            let n = stretch.points(stretch.ellipse(Complex::new(center, scale)), fraction, degree, eps);
             (Piece { stretch, length }, n)
         };
         let [low, high] = self.ends;
-        let whole = piece(self.ends);
-        let pieces = if low < 0.0 && high > 0.0 && whole.1 > 6 {
-            let halves = [piece([low, 0.0]), piece([0.0, high])];
-            if halves[0].1 + halves[1].1 < whole.1 { halves.map(Some) } else { [Some(whole), None] }
-        } else {
-            [Some(whole), None]
-        };
-        let needed = weight > 1e-16;
-        pieces.into_iter().flatten().filter(move |_| needed)
+        let whole = piece(low, high);
+        let mut pieces = [None; 4];
+        if weight <= NO_WEIGHT {
+            return pieces.into_iter().flatten();
+        }
+        let mut places = [low, high, high, high, high];
+        if low < 0.0 && high > 0.0 && whole.1 > FEW {
+            let halves = [piece(low, 0.0), piece(0.0, high)];
+            if halves[0].1 + halves[1].1 < whole.1 {
+                places = [low, 0.0, high, high, high];
+            }
+        }
+        if whole.1 > MOST_POINTS {
+            let middle =
+                |a: f64, b: f64| radius * (0.5 * ((a / radius).asinh() + (b / radius).asinh())).sinh();
+            let inner = places[1].min(high);
+            let foot = if inner < high { inner } else { middle(low, high) };
+            places = [low, middle(low, foot), foot, middle(foot, high), high];
+        }
+        for (k, slot) in pieces.iter_mut().enumerate() {
+            if places[k] < places[k + 1] {
+                *slot = Some(piece(places[k], places[k + 1]));
+            }
+        }
+        pieces.into_iter().flatten()
     }
 }

@@ -71,7 +71,15 @@ impl Radial {
         // ϱ = e^{loss/n} on the line Re z = −1: the half-axes are cosh and sinh of ln ϱ.
         let (wide, high) = ((loss / n as f64).cosh(), (loss / n as f64).sinh());
         let forward = (0.5 * high * (1.0 - 1.0 / (wide * wide)).sqrt()).min(FARTHEST_FORWARD);
-        Self { rule, digits, forward, projection, functions, moments: vec![[0.0; 2]; n + 1], weights: vec![[0.0; 2]; n] }
+        Self {
+            rule,
+            digits,
+            forward,
+            projection,
+            functions,
+            moments: vec![[0.0; 2]; n + 1],
+            weights: vec![[0.0; 2]; n],
+        }
     }
 
     /// Points on a ray.
@@ -168,7 +176,9 @@ mod tests {
 
     #[test]
     fn monomials_are_integrated_at_every_sharpness() {
-        for (degree, eps) in [0, 1, 4, 8, 20].into_iter().flat_map(|d| [1e-2, 1e-5, 1e-9, 1e-14].map(|e| (d, e))) {
+        for (degree, eps) in
+            [0, 1, 4, 8, 20].into_iter().flat_map(|d| [1e-2, 1e-5, 1e-9, 1e-14].map(|e| (d, e)))
+        {
             let tolerance = 2e-13f64.max(0.01 * eps);
             let mut radial = Radial::new(degree, eps);
             for eta in [1e-9, 1e-6, 1e-3, 0.03, 0.1, 0.3, 0.49, 0.51, 1.0, 3.0, 40.0, 1e4] {
