@@ -22,6 +22,7 @@ mod edge_table;
 mod hinge;
 mod integrand;
 mod moments;
+mod near;
 mod pair;
 pub mod paper;
 mod planes;

@@ -9,7 +9,8 @@
 //!
 //! * a common edge → [`edge`], split while aspect > 2.5;
 //! * a common corner → [`vertex`], split while aspect > 2.5;
-//! * apart → [`separated`] where gap/extent ≥ ¼, else the longest extent is halved.
+//! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`super::near`];
+//!   else the longest extent is halved.
 //!
 //! A pair that a blocker may cut, or whose horizon crosses it, is halved a few times first: parts that
 //! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
@@ -25,6 +26,7 @@ use crate::visibility::Visibility;
 use super::clip::{Facet, match_contact};
 use super::edge::{self, LARGEST_ASPECT, Wedge};
 use super::moments::Moments;
+use super::near::Plan;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
 use super::{same, vertex};
@@ -285,6 +287,12 @@ impl<'a> Job<'a> {
             }
             Contact::Apart(gap) => {
                 let near = *gap < SMALLEST_RATIO * longest;
+                if near && sees.is_none() && p.is_flat() && q.is_flat() {
+                    self.kind = self.kind.max(Kind::Split);
+                    if let Some(plan) = Plan::cheaper_than_split(&self.moments, p, q, eps) {
+                        return plan.integrate(&mut self.moments);
+                    }
+                }
                 if near && divisible {
                     self.kind = self.kind.max(Kind::Split);
                     return self.halve(p, q, &contact, state);
