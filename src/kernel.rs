@@ -9,6 +9,7 @@
 
 mod block;
 mod clip;
+mod contour;
 mod edge;
 mod edge_table;
 mod integrand;
@@ -26,6 +27,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 pub use block::{Accuracy, Kind};
+pub use contour::polygon_exchange;
 pub use integrand::kernel;
 
 use crate::elements::{Element, Elements};
