@@ -37,9 +37,7 @@ const DIGITS: f64 = 32.0;
 /// Most points per edge.
 const MOST: usize = 14;
 /// Points per step of the inner loop.
-const LANES: usize = 4;
-/// Most steps of the inner loop between two changes of the outer point.
-const STEPS: usize = 16;
+const LANES: usize = 2;
 /// Cosines below this are rounding errors of a right angle.
 const RIGHT_ANGLE: f64 = 1e-15;
 
@@ -94,37 +92,27 @@ impl Plan {
         let scale = between.length().recip();
         let side_p = Side { center: ball_p.center, scale, towards: between * scale };
         let side_q = Side { center: ball_q.center, scale, towards: -between * scale };
-        let (rule_p, rule_q) = (UnitRule::of(self.points[0]), UnitRule::of(self.points[1]));
-        let (mut sum, mut terms) = (0.0, 0);
+        let [rule_p, rule_q] = self.points.map(UnitRule::of);
+        let chunk = rule_q.nodes.len().div_ceil(LANES);
+        let inner: Vec<Lanes> = edges(q).flat_map(|edge| side_q.lanes(edge, rule_q)).collect();
+        let (mut sum, mut pairs) = (0.0, 0);
         for (start, end) in edges(p) {
             let step = end - start;
-            let mut row = Row::new();
-            let flush = |row: &mut Row| {
-                let outer = rule_p.iter().map(|(s, w)| w * row.sum::<TERMS>(&side_p.node(start + step * s)));
-                let (value, count) = (outer.sum::<f64>(), row.count * rule_p.nodes.len());
-                *row = Row::new();
-                (value, count as u64)
-            };
-            for (other, other_end) in edges(q) {
+            let mut outer: Option<[Node; MOST]> = None;
+            for ((other, other_end), lanes) in edges(q).zip(inner.chunks_exact(chunk)) {
                 let other_step = other_end - other;
                 let cosine = step.dot(other_step);
-                if cosine * cosine
-                    <= RIGHT_ANGLE * RIGHT_ANGLE * step.length_squared() * other_step.length_squared()
-                {
+                let lengths2 = step.length_squared() * other_step.length_squared();
+                if cosine * cosine <= RIGHT_ANGLE * RIGHT_ANGLE * lengths2 {
                     continue;
                 }
-                for (t, w) in rule_q.iter() {
-                    row.push(&side_q.node(other + other_step * t), cosine * w);
-                    if row.is_full() {
-                        let (value, count) = flush(&mut row);
-                        (sum, terms) = (sum + value, terms + count);
-                    }
-                }
+                let nodes = outer.get_or_insert_with(|| side_p.nodes((start, end), rule_p));
+                let rows = nodes.iter().zip(&rule_p.weights).map(|(node, w)| w * row::<TERMS>(node, lanes));
+                sum += cosine * rows.sum::<f64>();
+                pairs += 1;
             }
-            let (value, count) = flush(&mut row);
-            (sum, terms) = (sum + value, terms + count);
         }
-        (sum, terms)
+        (sum, pairs * (self.points[0] * self.points[1]) as u64)
     }
 }
 
@@ -149,9 +137,20 @@ struct Side {
 }
 
 /// x̂ and η_x.
+#[derive(Clone, Copy, Default)]
 struct Node {
     image: DVec3,
     excess: f64,
+}
+
+/// 2 x̂, η and the weights of a few points; a place without a point has the weight zero.
+#[derive(Clone, Copy, Default)]
+struct Lanes {
+    x: [f64; LANES],
+    y: [f64; LANES],
+    z: [f64; LANES],
+    excess: [f64; LANES],
+    weight: [f64; LANES],
 }
 
 impl Side {
@@ -161,58 +160,43 @@ impl Side {
         let shrink = (1.0 + excess).recip();
         Node { image: x * shrink, excess: excess * shrink }
     }
-}
 
-/// Points of the inner contour, ready for the wide loop; the places of those that lack have the weight zero.
-struct Row {
-    lanes: [Lanes; STEPS],
-    count: usize,
-}
-
-/// Twice x̂, η and the weight of a few points.
-#[derive(Clone, Copy)]
-struct Lanes {
-    x: [f64; LANES],
-    y: [f64; LANES],
-    z: [f64; LANES],
-    excess: [f64; LANES],
-    weight: [f64; LANES],
-}
-
-impl Row {
-    fn new() -> Self {
-        let zero = [0.0; LANES];
-        let empty = Lanes { x: zero, y: zero, z: zero, excess: zero, weight: zero };
-        Self { lanes: [empty; STEPS], count: 0 }
-    }
-
-    fn is_full(&self) -> bool {
-        self.count == LANES * STEPS
-    }
-
-    fn push(&mut self, node: &Node, weight: f64) {
-        let (lanes, k) = (&mut self.lanes[self.count / LANES], self.count % LANES);
-        let image = 2.0 * node.image;
-        (lanes.x[k], lanes.y[k], lanes.z[k]) = (image.x, image.y, image.z);
-        (lanes.excess[k], lanes.weight[k]) = (node.excess, weight);
-        self.count += 1;
-    }
-
-    /// Σ weight · ½ ln(1 + z).
-    fn sum<const TERMS: usize>(&self, node: &Node) -> f64 {
-        let mut sums = [0.0; LANES];
-        let (image, excess) = (node.image, node.excess);
-        for lanes in &self.lanes[..self.count.div_ceil(LANES)] {
-            for k in 0..LANES {
-                let z = -(image.x * lanes.x[k]
-                    + image.y * lanes.y[k]
-                    + image.z * lanes.z[k]
-                    + excess * lanes.excess[k]);
-                sums[k] += lanes.weight[k] * half_log::<TERMS>(z);
-            }
+    /// The points of a rule on an edge.
+    fn nodes(&self, (start, end): (DVec3, DVec3), rule: &UnitRule) -> [Node; MOST] {
+        let mut nodes = [Node::default(); MOST];
+        for (node, s) in nodes.iter_mut().zip(&rule.nodes) {
+            *node = self.node(start + (end - start) * *s);
         }
-        sums.iter().sum()
+        nodes
     }
+
+    /// The points of a rule on an edge, made ready for the wide loop.
+    fn lanes(&self, (start, end): (DVec3, DVec3), rule: &UnitRule) -> impl Iterator<Item = Lanes> {
+        rule.nodes.chunks(LANES).zip(rule.weights.chunks(LANES)).map(move |(nodes, weights)| {
+            let mut lanes = Lanes::default();
+            for (k, (s, w)) in nodes.iter().zip(weights).enumerate() {
+                let node = self.node(start + (end - start) * *s);
+                let image = 2.0 * node.image;
+                (lanes.x[k], lanes.y[k], lanes.z[k]) = (image.x, image.y, image.z);
+                (lanes.excess[k], lanes.weight[k]) = (node.excess, *w);
+            }
+            lanes
+        })
+    }
+}
+
+/// Σ weight · ½ ln(1 + z).
+#[inline]
+fn row<const TERMS: usize>(node: &Node, row: &[Lanes]) -> f64 {
+    let mut sums = [0.0; LANES];
+    let (image, excess) = (node.image, node.excess);
+    for lanes in row {
+        for k in 0..LANES {
+            let z = image.x * lanes.x[k] + image.y * lanes.y[k] + image.z * lanes.z[k] + excess * lanes.excess[k];
+            sums[k] += lanes.weight[k] * half_log::<TERMS>(-z);
+        }
+    }
+    sums.iter().sum()
 }
 
 /// ½ ln(1 + z) by TERMS terms of its series in z/(2 + z).
