@@ -48,7 +48,8 @@ fn box_cells(cuts: &[f64]) -> Vec<(usize, Quad)> {
         for a in cuts.windows(2) {
             for b in cuts.windows(2) {
                 let corner = |s: f64, t: f64| origin + u * s + v * t;
-                let corners = [corner(a[0], b[0]), corner(a[1], b[0]), corner(a[1], b[1]), corner(a[0], b[1])];
+                let corners =
+                    [corner(a[0], b[0]), corner(a[1], b[0]), corner(a[1], b[1]), corner(a[0], b[1])];
                 cells.push((wall, corners));
             }
         }

@@ -11,9 +11,9 @@
 //! form the integral takes depends on the place:
 //!
 //! * far apart in relation to both sizes → [`distant`], in which nothing cancels;
-//! * near, one much larger than the other → the larger is halved;
-//! * near → edge by edge: at right angles nothing, [`parallel`] and [`crossing`] lines in closed form, [`skew`]
-//!   ones by a single quadrature.
+//! * near, one much larger than the other → [`unequal`], which cuts the long edges;
+//! * near → edge by edge ([`pair`]): at right angles nothing, [`parallel`] and [`crossing`] lines in closed form,
+//!   [`skew`] ones by a single quadrature.
 //!
 //! Σ d_a = 0 around a polygon, so that the edge integrals may all be those of ln r + 3/2, which are the simplest.
 //! Their rounding errors are some 1e-16 of the square of the polygons' extent. Of polygons as wide as they are long
@@ -21,24 +21,22 @@
 
 mod crossing;
 mod distant;
+mod pair;
 mod parallel;
 mod segment;
 mod skew;
+mod unequal;
 
 use core::f64::consts::FRAC_1_PI;
 
-use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_geom::DVec3;
 
 use super::clip::Facet;
 use distant::{Ball, Plan};
 use segment::{Segment, segments};
 
-/// Radii of near polygons may differ by this factor.
+/// Largest ratio of the radii of polygons that go edge by edge.
 const LARGEST_RATIO: f64 = 4.0;
-/// Most halvings: more leave nothing of the larger polygon.
-const MOST_HALVINGS: u32 = 64;
-/// Cosines, and sines, below this are rounding errors.
-const ROUNDING: f64 = 1e-15;
 /// Heights below this part of the size count as lying in a plane.
 const COPLANAR: f64 = 1e-12;
 
@@ -78,69 +76,35 @@ pub(super) fn exchange(p: &[DVec3], q: &[DVec3]) -> f64 {
 
 /// The exchange, and the number of logarithms it took.
 pub(super) fn counted(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
-    let (sum, terms) = contours(p, q, MOST_HALVINGS);
+    let (sum, terms) = contours(p, q);
     (0.5 * FRAC_1_PI * sum.abs(), terms)
 }
 
 /// ∮∮ ln r dx·dy.
-fn contours(p: &[DVec3], q: &[DVec3], halvings: u32) -> (f64, u64) {
+fn contours(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (ball_p, ball_q) = (Ball::about(p), Ball::about(q));
     if let Some(plan) = Plan::of(&ball_p, &ball_q) {
         return plan.integral((p, ball_p), (q, ball_q));
     }
-    let unequal = ball_p.radius.max(ball_q.radius) > LARGEST_RATIO * ball_p.radius.min(ball_q.radius);
-    if !unequal || halvings == 0 {
-        return near(p, q, &ball_p, &ball_q);
-    }
-    let (smaller, larger, ball) = if ball_p.radius < ball_q.radius { (p, q, ball_q) } else { (q, p, ball_p) };
-    let halves = halves(larger, &ball);
-    halves.iter().filter(|half| half.len() > 2).fold((0.0, 0), |(sum, terms), half| {
-        let (more, count) = contours(smaller, half, halvings - 1);
-        (sum + more, terms + count)
-    })
-}
-
-/// The parts of a polygon on either side of its middle, along its longest direction.
-fn halves(polygon: &[DVec3], ball: &Ball) -> [Vec<DVec3>; 2] {
-    let nearer = |a: &&DVec3, b: &&DVec3| a.distance(ball.center).total_cmp(&b.distance(ball.center));
-    let along = polygon.iter().max_by(nearer).map_or(DVec3::X, |far| far - ball.center);
-    [along, -along].map(|side| clip_polygon(polygon, ball.center, side))
-}
-
-/// ∮∮ ln r dx·dy edge by edge.
-fn near(p: &[DVec3], q: &[DVec3], ball_p: &Ball, ball_q: &Ball) -> (f64, u64) {
-    let unit = power_of_two(ball_p.radius.max(ball_q.radius));
-    let origin = ball_p.center;
-    let scaled = |polygon: &[DVec3]| {
-        let corners: Vec<DVec3> = polygon.iter().map(|x| (x - origin) / unit).collect();
-        segments(&corners)
-    };
-    let (edges_p, edges_q) = (scaled(p), scaled(q));
-    let (mut sum, mut terms) = (0.0, 0);
-    for a in &edges_p {
-        for b in &edges_q {
-            let (value, count) = pair(a, b);
-            (sum, terms) = (sum + value, terms + count);
+    let (small, large, ball) = if ball_p.radius <= ball_q.radius { (p, q, ball_p) } else { (q, p, ball_q) };
+    let unit = power_of_two(ball.radius);
+    let (small, large) = (scaled(small, ball.center, unit), scaled(large, ball.center, unit));
+    let unequal = ball_p.radius.max(ball_q.radius) > LARGEST_RATIO * ball.radius;
+    let terms = large.iter().map(|edge| {
+        if unequal {
+            unequal::integral(&small, ball.radius / unit, edge)
+        } else {
+            pair::integrals(&small, edge)
         }
-    }
-    (unit * unit * sum, terms)
+    });
+    let (sum, count) = terms.fold((0.0, 0), |(sum, n), (term, m)| (sum + term, n + m));
+    (unit * unit * sum, count)
 }
 
-/// (d_a·d_b) ∫∫ (ln r + 3/2) ds dt.
-fn pair(a: &Segment, b: &Segment) -> (f64, u64) {
-    let cosine = a.direction.dot(b.direction);
-    if cosine.abs() <= ROUNDING {
-        return (0.0, 0);
-    }
-    let b = &if cosine < 0.0 { b.reversed() } else { *b };
-    let (integral, terms) = if a.direction.cross(b.direction).length_squared() <= ROUNDING * ROUNDING {
-        (parallel::integral(a, b), 4)
-    } else if let Some(integral) = crossing::integral(a, b) {
-        (integral, 4)
-    } else {
-        skew::integral(a, b)
-    };
-    (cosine * integral, terms)
+/// The edges of a polygon in units of `unit`, seen from `origin`.
+fn scaled(polygon: &[DVec3], origin: DVec3, unit: f64) -> Vec<Segment> {
+    let corners: Vec<DVec3> = polygon.iter().map(|x| (x - origin) / unit).collect();
+    segments(&corners)
 }
 
 /// The power of two below a length: dividing by it rounds nothing.
@@ -176,7 +140,8 @@ mod tests {
     }
 
     fn reference() -> Reference {
-        serde_json::from_str(include_str!("../../tests/data/polygon_exchange.json")).expect("the file is valid")
+        serde_json::from_str(include_str!("../../tests/data/polygon_exchange.json"))
+            .expect("the file is valid")
     }
 
     #[test]
@@ -187,10 +152,20 @@ mod tests {
             let exact: f64 = case.factor.parse().unwrap();
             let start = std::time::Instant::now();
             let mut v = 0.0;
-            for _ in 0..100 { v = std::hint::black_box(exchange(std::hint::black_box(&p), &q)); }
+            for _ in 0..100 {
+                v = std::hint::black_box(exchange(std::hint::black_box(&p), &q));
+            }
             let t = start.elapsed().as_secs_f64() / 100.0;
             let area = polygon_area(&p).min(polygon_area(&q));
-            println!("{:45} {exact:.5e} rel {:8.1e} of area {:8.1e} sym {:8.1e} terms {:5} {:.2} us", case.name, (v - exact)/exact, (v-exact)/area, (exchange(&q,&p)-v)/v, counted(&p,&q).1, t*1e6);
+            println!(
+                "{:45} {exact:.5e} rel {:8.1e} of area {:8.1e} sym {:8.1e} terms {:5} {:.2} us",
+                case.name,
+                (v - exact) / exact,
+                (v - exact) / area,
+                (exchange(&q, &p) - v) / v,
+                counted(&p, &q).1,
+                t * 1e6
+            );
         }
         for case in &reference.factors {
             let [p, q] = case.corners();
@@ -198,9 +173,17 @@ mod tests {
             let area = polygon_area(&p);
             let start = std::time::Instant::now();
             let mut v = 0.0;
-            for _ in 0..100 { v = std::hint::black_box(polygon_exchange(std::hint::black_box(&p), &q)) / area; }
+            for _ in 0..100 {
+                v = std::hint::black_box(polygon_exchange(std::hint::black_box(&p), &q)) / area;
+            }
             let t = start.elapsed().as_secs_f64() / 100.0;
-            println!("{:45} {exact:.5e} rel {:8.1e} abs {:8.1e} {:.2} us", case.name, (v - exact)/exact, v-exact, t*1e6);
+            println!(
+                "{:45} {exact:.5e} rel {:8.1e} abs {:8.1e} {:.2} us",
+                case.name,
+                (v - exact) / exact,
+                v - exact,
+                t * 1e6
+            );
         }
     }
 }

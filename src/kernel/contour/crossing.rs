@@ -37,7 +37,8 @@ pub(super) fn integral(a: &Segment, b: &Segment) -> Option<f64> {
     }
     let miss = offset + b.direction * foot_b - a.direction * foot_a;
     let slip = miss.dot(a.direction).abs().max(miss.dot(b.direction).abs());
-    let crosses = slip <= ROUNDING * size && miss.length_squared() <= APART * APART * size * size * sine2.sqrt();
+    let crosses =
+        slip <= ROUNDING * size && miss.length_squared() <= APART * APART * size * size * sine2.sqrt();
     crosses.then(|| rectangle(s, t, sine2.sqrt(), sine2 / (1.0 + a.direction.dot(b.direction))))
 }
 
