@@ -51,6 +51,8 @@ pub struct PairCounts {
     pub repeated: usize,
     /// Curved elements with themselves.
     pub same: usize,
+    /// Constants on flat elements: by their contours, exact.
+    pub contour: usize,
     /// Hardest contact: a common edge.
     pub edge: usize,
     /// Hardest contact: a common corner.
@@ -74,9 +76,9 @@ pub struct Blocks {
     stored: Vec<Stored>,
     /// How many pairs went which way.
     pub pairs: PairCounts,
-    /// Terms of the rules.
+    /// Terms of the rules; logarithms where contours were integrated.
     pub samples: u64,
-    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    /// Kernel evaluations, less than the terms where the kernel is known to repeat, and logarithms.
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
@@ -183,6 +185,7 @@ impl Blocks {
 
     fn store(&mut self, row: usize, column: usize, block: Block) {
         let counter = match block.kind {
+            Kind::Contour => &mut self.pairs.contour,
             Kind::Separated => &mut self.pairs.separated,
             Kind::Split => &mut self.pairs.split,
             Kind::Vertex => &mut self.pairs.vertex,

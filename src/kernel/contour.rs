@@ -28,16 +28,17 @@ mod skew;
 mod unequal;
 
 use core::f64::consts::FRAC_1_PI;
+use std::borrow::Cow;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, clip_polygon};
 
-use super::clip::Facet;
+use crate::elements::patch::Patch;
 use distant::{Ball, Plan};
 use segment::{Segment, segments};
 
 /// Largest ratio of the radii of polygons that go edge by edge.
 const LARGEST_RATIO: f64 = 4.0;
-/// Heights below this part of the size count as lying in a plane.
+/// Heights below this part of the distance count as lying in a plane.
 const COPLANAR: f64 = 1e-12;
 
 /// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij, length².
@@ -54,28 +55,66 @@ const COPLANAR: f64 = 1e-12;
 /// assert!((polygon_exchange(&floor, &wall) - 0.200_043_776_075_403_15).abs() < 1e-15);
 /// ```
 pub fn polygon_exchange(receiver: &[DVec3], emitter: &[DVec3]) -> f64 {
-    let (Some(p), Some(q)) = (facet(receiver), facet(emitter)) else { return 0.0 };
-    let size = p.corners.iter().chain(&q.corners).map(|x| x.distance(p.corners[0])).fold(0.0, f64::max);
-    let (seen, seeing) = (p.in_front_of(&q, COPLANAR * size), q.in_front_of(&p, COPLANAR * size));
-    match (seen, seeing) {
-        (Some(seen), Some(seeing)) => exchange(&seen.corners, &seeing.corners),
+    match (normal(receiver), normal(emitter)) {
+        (Some(n), Some(m)) => clipped((receiver, n), (emitter, m)).0,
         _ => 0.0,
     }
 }
 
-fn facet(polygon: &[DVec3]) -> Option<Facet> {
-    let origin = *polygon.first()?;
-    let doubled: DVec3 = polygon.windows(2).map(|edge| (edge[0] - origin).cross(edge[1] - origin)).sum();
-    Some(Facet { corners: polygon.to_vec(), normal: doubled.try_normalize()? })
+fn normal(polygon: &[DVec3]) -> Option<DVec3> {
+    let origin = polygon.first()?;
+    let fan = polygon.windows(2).map(|edge| (edge[0] - origin).cross(edge[1] - origin));
+    fan.sum::<DVec3>().try_normalize()
+}
+
+/// The exchange of two convex polygons with the unit normals of their fronts (length²), and the number of
+/// logarithms it took.
+fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
+    match (in_front(p, q[0], m), in_front(q, p[0], n)) {
+        (Some(p), Some(q)) => counted(&p, &q),
+        _ => (0.0, 0),
+    }
+}
+
+/// The exchange of two flat patches, likewise.
+pub(super) fn patches(p: &Patch, q: &Patch) -> (f64, u64) {
+    let (Patch::Flat { corners: c, normal: n }, Patch::Flat { corners: d, normal: m }) = (p, q) else {
+        return (0.0, 0);
+    };
+    clipped((&c[..corner_count(p)], *n), (&d[..corner_count(q)], *m))
+}
+
+fn corner_count(patch: &Patch) -> usize {
+    if patch.is_triangle() { 3 } else { 4 }
+}
+
+/// The part of a convex polygon in front of a plane; None if nothing of it is.
+fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [DVec3]>> {
+    let (mut low, mut high, mut reach2) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
+    for x in polygon {
+        let offset = *x - point;
+        let height = offset.dot(normal);
+        (low, high, reach2) = (height.min(low), height.max(high), offset.length_squared().max(reach2));
+    }
+    let tolerance = COPLANAR * f64::sqrt(reach2);
+    if high <= tolerance {
+        return None;
+    }
+    if low >= -tolerance {
+        return Some(Cow::Borrowed(polygon));
+    }
+    let corners = clip_polygon(polygon, point, normal);
+    (corners.len() > 2).then_some(Cow::Owned(corners))
 }
 
 /// A_i F_ij of two polygons wholly in front of each other, each with three corners at least (length²).
+#[cfg(test)]
 pub(super) fn exchange(p: &[DVec3], q: &[DVec3]) -> f64 {
     counted(p, q).0
 }
 
 /// The exchange, and the number of logarithms it took.
-pub(super) fn counted(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
+fn counted(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (sum, terms) = contours(p, q);
     (0.5 * FRAC_1_PI * sum.abs(), terms)
 }
@@ -85,6 +124,9 @@ fn contours(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (ball_p, ball_q) = (Ball::about(p), Ball::about(q));
     if let Some(plan) = Plan::of(&ball_p, &ball_q) {
         return plan.integral((p, ball_p), (q, ball_q));
+    }
+    if !(ball_p.radius.is_normal() && ball_q.radius.is_normal()) {
+        return (0.0, 0);
     }
     let (small, large, ball) = if ball_p.radius <= ball_q.radius { (p, q, ball_p) } else { (q, p, ball_q) };
     let unit = power_of_two(ball.radius);
