@@ -3,7 +3,10 @@
 use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use radiosity::kernel::polygon_exchange;
+use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
+use radiosity::scene::Scene;
+use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
 type Quad = [DVec3; 4];
@@ -91,5 +94,27 @@ fn whole_boxes(_: &mut Criterion) {
     whole_box("box, 16 × 16 uneven cells per wall", &uneven);
 }
 
-criterion_group!(benches, single_pairs, whole_boxes);
+/// The same even box as a scene: what the blocks cost beyond the exchange.
+fn assembled_box(_: &mut Criterion) {
+    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let how = Discretization { order: 0, subdivide: Subdivide::Uniform(CELLS) };
+    let accuracy = Accuracy { eps: 1e-12, shadow_eps: 3e-3 };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");
+    for shadows in [Shadows::Off, Shadows::Rays(1e-3)] {
+        let visibility = Visibility::new(&scene, shadows);
+        let start = Instant::now();
+        let elements = Elements::new(&scene, &how).expect("a box has area");
+        let cut = start.elapsed();
+        let blocks = pool.install(|| Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+        println!(
+            "blocks of the empty box, order 0, 16 × 16 cells per wall, {shadows:?}: elements {:.3} s, in all {:.3} s, \
+             {} logarithms",
+            cut.as_secs_f64(),
+            start.elapsed().as_secs_f64(),
+            blocks.distinct
+        );
+    }
+}
+
+criterion_group!(benches, single_pairs, whole_boxes, assembled_box);
 criterion_main!(benches);
