@@ -16,6 +16,7 @@ mod change;
 mod chart;
 mod clip;
 mod congruent;
+mod contour;
 mod counts;
 mod edge;
 mod edge_table;
@@ -34,5 +35,6 @@ mod vertex;
 
 pub use block::{Accuracy, Kind};
 pub use blocks::Blocks;
+pub use contour::polygon_exchange;
 pub use counts::PairCounts;
 pub use integrand::kernel;
