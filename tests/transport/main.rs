@@ -1,0 +1,10 @@
+//! Evidence for the transport between elements: exact transfers, theorems on random shapes, whole rooms.
+
+mod contour;
+mod flat;
+mod furnace;
+mod polyhedra;
+mod room;
+mod shapes;
+mod stress;
+mod transfers;
