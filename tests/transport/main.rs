@@ -1,6 +1,7 @@
 //! Evidence for the transport between elements: exact transfers, theorems on random shapes, whole rooms.
 
 mod contour;
+mod empty_box;
 mod flat;
 mod furnace;
 mod polyhedra;
