@@ -19,7 +19,8 @@ use crate::system::Coating;
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Checks {
-    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene.
+    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums,
+    /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]).
     pub closure_max: f64,
     /// Largest |A_i F_ij − A_j F_ji| / A_i; 0 because each pair is integrated once.
     pub reciprocity_max: f64,
@@ -46,11 +47,12 @@ impl Checks {
         let ones: Vec<f64> = list.iter().flat_map(|element| element.constant.clone()).collect();
         let transported = blocks.apply(&ones);
         let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
-        let sums = row_sums(list, blocks.starts(), &transported);
+        let complete: Vec<usize> = (0..list.len()).filter(|i| blocks.is_complete(*i)).collect();
+        let sums = row_sums(list, &complete, blocks.starts(), &transported);
         let [energy_in, energy_absorbed, energy_lost] = energy(solution, &ones, &open, blocks.starts());
         let bounds = solution.bands().iter().map(|band| spectral_bound(blocks, &band.coating, &ones));
         Self {
-            closure_max: closure(blocks.starts(), &ones, &open),
+            closure_max: closure(&complete, blocks.starts(), &ones, &open),
             reciprocity_max: 0.0,
             row_sum_min: sums.iter().copied().fold(f64::INFINITY, f64::min),
             row_sum_max: sums.iter().copied().fold(0.0, f64::max),
@@ -63,18 +65,21 @@ impl Checks {
     }
 }
 
-fn closure(starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
+fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
     let norm = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>().sqrt();
-    let ratio = |range: &[usize]| norm(&open[range[0]..range[1]]) / norm(&ones[range[0]..range[1]]);
-    starts.windows(2).map(ratio).fold(0.0, f64::max)
+    let ratio = |i: &usize| {
+        let range = starts[*i]..starts[i + 1];
+        norm(&open[range.clone()]) / norm(&ones[range])
+    };
+    which.iter().map(ratio).fold(0.0, f64::max)
 }
 
-fn row_sums(list: &[Element], starts: &[usize], transported: &[f64]) -> Vec<f64> {
-    let sum = |(element, start): (&Element, &usize)| {
-        let own = &transported[*start..];
-        element.constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / element.area
+fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[f64]) -> Vec<f64> {
+    let sum = |i: &usize| {
+        let own = &transported[starts[*i]..];
+        list[*i].constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / list[*i].area
     };
-    list.iter().zip(starts).map(sum).collect()
+    which.iter().map(sum).collect()
 }
 
 /// Emitted, absorbed and lost power, summed over bands with compensation: their balance is a check.

@@ -165,8 +165,10 @@ fn solve_in_pool(
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
     let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
-    let blocks =
-        timed(&mut seconds.blocks, || Blocks::assemble(&elements, &visibility, accuracy, &report_pairs));
+    let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+    let blocks = timed(&mut seconds.blocks, || {
+        Blocks::assemble_senders(&elements, &sends, &visibility, accuracy, &report_pairs)
+    });
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
     let slowest =
         solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);

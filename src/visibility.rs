@@ -21,7 +21,12 @@ const END: f64 = 1e-9;
 #[derive(Debug)]
 pub struct Visibility {
     obstacles: Vec<Obstacle>,
+    /// Of all surfaces.
     tree: Bvh,
+    /// The surfaces that can stand between two others, ascending.
+    standing: Vec<usize>,
+    /// Of those.
+    standing_tree: Bvh,
     shadows: Shadows,
 }
 
@@ -49,17 +54,21 @@ impl Visibility {
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| Obstacle::new(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
-        Self { obstacles, tree: Bvh::build(&boxes), shadows }
+        let standing = standing(&obstacles, &boxes);
+        let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
+        let standing_tree = Bvh::build(&standing_boxes);
+        Self { obstacles, tree: Bvh::build(&boxes), standing, standing_tree, shadows }
     }
 
     /// Surfaces other than the two named that may stand between the hulls of points `a` and `b`, ascending.
     pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
-        let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
         let mut found = Vec::new();
-        if self.shadows == Shadows::Off {
+        if self.shadows == Shadows::Off || self.standing.is_empty() {
             return found;
         }
-        self.tree.overlapping(&bounds, |index| {
+        let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
+        self.standing_tree.overlapping(&bounds, |place| {
+            let index = self.standing[place];
             if !surfaces.contains(&index) {
                 found.push(index);
             }
@@ -132,6 +141,23 @@ impl Obstacle {
     fn is_convex(&self) -> bool {
         self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
     }
+}
+
+/// The surfaces that can stand between two others, ascending.
+///
+/// A planar surface that has the whole scene on one side of its plane stands between no two points of it: the walls of a
+/// convex room drop out here once and for all.
+fn standing(obstacles: &[Obstacle], boxes: &[Aabb]) -> Vec<usize> {
+    let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
+    let tolerance = END * scene.diagonal();
+    let walls_in = |obstacle: &Obstacle| {
+        let (Some(_), [point, ..]) = (&obstacle.pieces, &obstacle.hull[..]) else { return false };
+        let normal = obstacle.shape.jet(0.0, 0.0).normal;
+        let height = |x: &DVec3| (x - point).dot(normal);
+        let points = || obstacles.iter().flat_map(|other| &other.hull).map(height);
+        points().all(|h| h >= -tolerance) || points().all(|h| h <= tolerance)
+    };
+    (0..obstacles.len()).filter(|index| !walls_in(&obstacles[*index])).collect()
 }
 
 /// Largest distance of points from the line through the first and the point farthest from it.

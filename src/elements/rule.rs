@@ -38,6 +38,11 @@ impl UnitRule {
         Self { nodes, weights }
     }
 
+    /// Nodes and weights, side by side.
+    pub fn line(&self) -> (&[f64], &[f64]) {
+        (&self.nodes, &self.weights)
+    }
+
     /// Nodes with their weights.
     pub fn iter(&self) -> impl Iterator<Item = (f64, f64)> + Clone {
         self.nodes.iter().copied().zip(self.weights.iter().copied())

@@ -255,7 +255,7 @@ impl<'a> Job<'a> {
         self.partly_hidden |= !state.blockers.is_empty();
         let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
         let free = |x, y| visibility.free(&blockers, x, y);
-        let sees: Option<super::moments::Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        let sees: Option<super::integrand::Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let longest = longest(p).1.max(longest(q).1);
         let divisible = longest > SMALLEST_PART * self.size;
         match &contact {

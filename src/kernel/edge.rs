@@ -28,7 +28,8 @@ use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
 use super::edge_table::EdgeTable;
-use super::moments::{Moments, Sees};
+use super::integrand::{Sees, visible_kernel};
+use super::moments::{Moments, PatchMoments};
 use super::separated;
 
 /// Largest ratio of edge and depths for which the rule is used; beyond it the pair is split.
@@ -113,32 +114,133 @@ pub(super) fn integrate(
         moments.distinct += table.samples();
         return;
     }
-    scattered(moments, p, q, points, sees);
+    plain(moments, p, q, points, sees);
 }
 
-fn scattered(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3], sees: Option<Sees>) {
-    let rules = points.map(UnitRule::of);
-    for (x, wx) in rules[0].iter() {
-        for (a, wa) in rules[2].iter() {
-            for (b, wb) in rules[2].iter() {
-                for (t, v, z) in [(x, x * a, x * b), (x * a, x, x * b), (x * a, x * b, x)] {
-                    let weight = wx * wa * wb * x * x * (1.0 - z);
-                    for (y, wy) in rules[1].iter() {
-                        let base = (1.0 - z) * y;
-                        for (s, u) in [(base, base + z), (base + z, base)] {
-                            moments.scattered(&p.node(s, t), &q.node(u, v), weight * wy, sees);
-                        }
-                    }
-                }
+/// The rule summed point by point, in an order that leaves t alone in the innermost loops: with t and v fixed, the
+/// sums over y, over the two signs and (in the first two regions) over b meet only the polynomials along the edge.
+///
+/// ```text
+/// S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)
+/// ```
+fn plain(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3], sees: Option<Sees>) {
+    let [radial, along, angular] = points.map(UnitRule::of);
+    let mut sum = EdgeSum::new(moments.patches(p, q), along, sees);
+    for (x, wx) in radial.iter() {
+        // t = x, v = xa, z = xb.
+        for (a, wa) in angular.iter() {
+            for (b, wb) in angular.iter() {
+                sum.slide(x, x * a, x * b, x * x * wx * wa * wb);
+            }
+            sum.close_across_emitter(x * a);
+        }
+        sum.close_across_receiver(x);
+        for (a, wa) in angular.iter() {
+            // t = xa, v = x, z = xb.
+            for (b, wb) in angular.iter() {
+                sum.slide(x * a, x, x * b, x * x * wx * wa * wb);
+            }
+            sum.close_across_emitter(x);
+            // t = xa, v = xb, z = x.
+            for (b, wb) in angular.iter() {
+                sum.slide(x * a, x * b, x, x * x * wx * wa * wb);
+                sum.close_across_emitter(x * b);
+            }
+            sum.close_across_receiver(x * a);
+        }
+    }
+    moments.add(sum.pair);
+}
+
+/// The sums S, Q and M of [`plain`].
+struct EdgeSum<'p, 's> {
+    pair: PatchMoments<'p>,
+    along: &'static UnitRule,
+    sees: Option<Sees<'s>>,
+    /// Emitter's polynomials.
+    width: usize,
+    /// S, p_i of the receiver by p_j of the emitter.
+    both_along: Vec<f64>,
+    /// Q, p_i of the receiver by the emitter's products.
+    along_receiver: Vec<f64>,
+    receiver_row: Vec<f64>,
+    emitter_row: Vec<f64>,
+}
+
+impl<'p, 's> EdgeSum<'p, 's> {
+    fn new(pair: PatchMoments<'p>, along: &'static UnitRule, sees: Option<Sees<'s>>) -> Self {
+        let [rows, width] = [0, 1].map(|side| pair.charts[side].width());
+        Self {
+            along,
+            sees,
+            width,
+            both_along: vec![0.0; rows * width],
+            along_receiver: vec![0.0; rows * pair.charts[1].len()],
+            receiver_row: vec![0.0; rows],
+            emitter_row: vec![0.0; width],
+            pair,
+        }
+    }
+
+    /// S over all y and both signs of u − s.
+    fn slide(&mut self, t: f64, v: f64, z: f64, weight: f64) {
+        for (y, wy) in self.along.iter() {
+            let base = (1.0 - z) * y;
+            for (s, u) in [(base, base + z), (base + z, base)] {
+                self.sample([s, t, u, v], weight * wy * (1.0 - z));
             }
         }
     }
+
+    fn sample(&mut self, [s, t, u, v]: [f64; 4], weight: f64) {
+        let [p, q] = self.pair.patches;
+        let (x, y) = (p.node(s, t), q.node(u, v));
+        self.pair.samples += 1;
+        let value = visible_kernel(&x, &y, self.sees, &mut self.pair.rays) * weight * x.area * y.area;
+        if value == 0.0 {
+            return;
+        }
+        self.pair.charts[0].polynomials(0, s, &mut self.receiver_row);
+        self.pair.charts[1].polynomials(0, u, &mut self.emitter_row);
+        for (row, left) in self.both_along.chunks_exact_mut(self.width).zip(&self.receiver_row) {
+            add_scaled(row, value * left, &self.emitter_row);
+        }
+    }
+
+    /// Q += p_β(v) S, and S = 0.
+    fn close_across_emitter(&mut self, v: f64) {
+        let chart = &self.pair.charts[1];
+        chart.polynomials(1, v, &mut self.emitter_row);
+        let lines = self.along_receiver.chunks_exact_mut(chart.len());
+        for (line, row) in lines.zip(self.both_along.chunks_exact(self.width)) {
+            for (q, (j, beta)) in line.iter_mut().zip(chart.degrees()) {
+                *q += self.emitter_row[*beta] * row[*j];
+            }
+        }
+        self.both_along.fill(0.0);
+    }
+
+    /// M += p_α(t) Q, and Q = 0.
+    fn close_across_receiver(&mut self, t: f64) {
+        let [receiver, emitter] = &self.pair.charts;
+        receiver.polynomials(1, t, &mut self.receiver_row);
+        let count = emitter.len();
+        for (out, (i, alpha)) in self.pair.values.chunks_exact_mut(count).zip(receiver.degrees()) {
+            add_scaled(out, self.receiver_row[*alpha], &self.along_receiver[i * count..(i + 1) * count]);
+        }
+        self.along_receiver.fill(0.0);
+    }
+}
+
+fn add_scaled(out: &mut [f64], factor: f64, row: &[f64]) {
+    out.iter_mut().zip(row).for_each(|(o, r)| *o += factor * r);
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::elements::basis::{AreaBasis, Frame};
+
     /// A skew wedge: the table, which knows that the kernel is homogeneous, against the plain sum.
     #[test]
     fn table_and_plain_sum_are_the_same_rule() {
@@ -162,14 +264,14 @@ mod tests {
         let points = counts(&p, &q, &wedge, [3, 5], 1e-3);
         let mut fast = Moments::new(&receiver, &emitter);
         integrate(&mut fast, &p, &q, [3, 5], points, None);
-        let mut plain = Moments::new(&receiver, &emitter);
-        scattered(&mut plain, &p, &q, points, None);
-        assert_eq!(fast.samples, plain.samples);
-        assert!(fast.distinct < plain.distinct / 10);
-        let (fast, plain) = (fast.into_block(), plain.into_block());
-        assert!(plain[0] > 0.01, "they exchange light");
-        for (a, b) in fast.iter().zip(&plain) {
-            assert!((a - b).abs() < 1e-12 * plain[0], "{a} {b}");
+        let mut summed = Moments::new(&receiver, &emitter);
+        plain(&mut summed, &p, &q, points, None);
+        assert_eq!(fast.samples, summed.samples);
+        assert!(fast.distinct < summed.distinct / 10);
+        let (fast, summed) = (fast.into_block(), summed.into_block());
+        assert!(summed[0] > 0.01, "they exchange light");
+        for (a, b) in fast.iter().zip(&summed) {
+            assert!((a - b).abs() < 1e-12 * summed[0], "{a} {b}");
         }
     }
 }

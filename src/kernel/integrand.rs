@@ -8,7 +8,12 @@
 
 use core::f64::consts::FRAC_1_PI;
 
+use radiosity_geom::DVec3;
+
 use crate::elements::patch::Node;
+
+/// Whether the segment between two points is free.
+pub(super) type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
 
 /// κ between two points; zero where either faces away or where they coincide.
 #[inline]
@@ -21,6 +26,19 @@ pub fn kernel(x: &Node, y: &Node) -> f64 {
     }
     let r2 = d.length_squared();
     arriving * leaving * FRAC_1_PI / (r2 * r2)
+}
+
+/// κ V, with the ray cast only where κ does not vanish already.
+#[inline]
+pub(super) fn visible_kernel(x: &Node, y: &Node, sees: Option<Sees>, rays: &mut u64) -> f64 {
+    let value = kernel(x, y);
+    match sees {
+        Some(sees) if value > 0.0 => {
+            *rays += 1;
+            if sees(x.position, y.position) { value } else { 0.0 }
+        }
+        _ => value,
+    }
 }
 
 #[cfg(test)]

@@ -1,22 +1,22 @@
-//! Moments of the kernel between two patches, in the raw polynomials of their elements:
+//! Moments of the kernel between two elements, in their raw polynomials:
 //!
 //! ```text
 //! M_kl += Σ_ab  w_a A_a w_b A_b κ(x_a, y_b) V(x_a, y_b) L_k(x_a) L_l(y_b) ,      G = T_i M T_jᵀ .
 //! ```
 //!
-//! Tensor rules contract one side at a time: W_al = Σ_b κ_ab L_l(y_b), then Σ_a L_k(x_a) W_al, so a
-//! kernel sample costs one row of the emitter's table, not a product of two.
+//! Each pair of patches is summed in products along its charts ([`super::chart`]), which lets the sums factorise, and
+//! brought to the elements' functions once.
 
-use radiosity_geom::DVec3;
+use std::borrow::Cow;
 
-use super::integrand::kernel;
-use super::own::Change;
 use crate::elements::basis::AreaBasis;
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
-/// Whether the segment between two points is free.
-pub(super) type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
+use super::change::Change;
+use super::chart::Chart;
+use super::integrand::Sees;
+use super::product::{self, Line, Side};
 
 /// Moments of one pair of elements under way.
 #[derive(Debug)]
@@ -25,8 +25,6 @@ pub(super) struct Moments<'a> {
     emitter: &'a AreaBasis,
     /// M, row-major, receiver functions by emitter functions.
     values: Vec<f64>,
-    row: Vec<f64>,
-    column: Vec<f64>,
     /// Terms of the rules so far.
     pub samples: u64,
     /// Kernel evaluations so far: less than the terms where the kernel is known to repeat.
@@ -35,68 +33,85 @@ pub(super) struct Moments<'a> {
     pub rays: u64,
 }
 
+/// Moments of one pair of patches under way, in the products of their charts.
+#[derive(Debug)]
+pub(super) struct PatchMoments<'p> {
+    /// Receiver and emitter.
+    pub patches: [&'p Patch; 2],
+    /// Their products.
+    pub charts: [Chart; 2],
+    /// Row-major, receiver's products by emitter's.
+    pub values: Vec<f64>,
+    /// Kernel evaluations.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+impl PatchMoments<'_> {
+    /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
+    /// emitter, all in [0, 1].
+    pub(super) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
+        let receiver = Side::new(self.patches[0], &self.charts[0], s, t);
+        let emitter = Side::new(self.patches[1], &self.charts[1], u, v);
+        product::add(&mut self.values, weight, [&receiver, &emitter], sees, &mut self.rays);
+        self.samples += (receiver.len() * emitter.len()) as u64;
+    }
+}
+
 impl<'a> Moments<'a> {
     /// No moments yet.
     pub(super) fn new(receiver: &'a AreaBasis, emitter: &'a AreaBasis) -> Self {
         let (rows, columns) = (receiver.len(), emitter.len());
-        Self {
-            receiver,
-            emitter,
-            values: vec![0.0; rows * columns],
-            row: vec![0.0; rows],
-            column: vec![0.0; columns],
-            samples: 0,
-            distinct: 0,
-            rays: 0,
-        }
+        Self { receiver, emitter, values: vec![0.0; rows * columns], samples: 0, distinct: 0, rays: 0 }
+    }
+
+    /// No moments yet of two patches of the elements.
+    pub(super) fn patches<'p>(&self, p: &'p Patch, q: &'p Patch) -> PatchMoments<'p> {
+        let charts = [Chart::of(p, self.receiver), Chart::of(q, self.emitter)];
+        let values = vec![0.0; charts[0].len() * charts[1].len()];
+        PatchMoments { patches: [p, q], charts, values, samples: 0, rays: 0 }
+    }
+
+    /// Adds the moments of two patches.
+    pub(super) fn add(&mut self, pair: PatchMoments) {
+        self.samples += pair.samples;
+        self.distinct += pair.samples;
+        self.rays += pair.rays;
+        let [receiver, emitter] = pair.charts.map(|chart| chart.change);
+        self.changed(&pair.values, receiver.as_ref(), emitter.as_ref());
     }
 
     /// Adds the tensor Gauss rule with `points` = [along, across] of the receiver, then the emitter.
     pub(super) fn tensor(&mut self, p: &Patch, q: &Patch, points: [usize; 4], sees: Option<Sees>) {
-        let receiver = Table::new(p, self.receiver, [points[0], points[1]]);
-        let emitter = Table::new(q, self.emitter, [points[2], points[3]]);
-        let (rows, columns) = (self.row.len(), self.column.len());
-        for (x, left) in receiver.nodes.iter().zip(receiver.rows.chunks_exact(rows)) {
-            self.column.fill(0.0);
-            for (y, right) in emitter.nodes.iter().zip(emitter.rows.chunks_exact(columns)) {
-                let value = visible_kernel(x, y, sees, &mut self.rays);
-                if value != 0.0 {
-                    self.column.iter_mut().zip(right).for_each(|(w, l)| *w += value * l);
-                }
-            }
-            rank_one(&mut self.values, left, &self.column);
-        }
-        let terms = (receiver.nodes.len() * emitter.nodes.len()) as u64;
-        self.samples += terms;
-        self.distinct += terms;
-    }
-
-    /// Adds one pair of points with a weight for the two charts.
-    pub(super) fn scattered(&mut self, x: &Node, y: &Node, weight: f64, sees: Option<Sees>) {
-        self.samples += 1;
-        self.distinct += 1;
-        let value = visible_kernel(x, y, sees, &mut self.rays) * weight * x.area * y.area;
-        if value == 0.0 {
-            return;
-        }
-        self.receiver.raw(self.receiver.frame().coordinates(x), &mut self.row);
-        self.emitter.raw(self.emitter.frame().coordinates(y), &mut self.column);
-        self.row.iter_mut().for_each(|left| *left *= value);
-        rank_one(&mut self.values, &self.row, &self.column);
+        let mut pair = self.patches(p, q);
+        pair.product(points.map(|n| UnitRule::of(n).line()), 1.0, sees);
+        self.add(pair);
     }
 
     /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.
     pub(super) fn own(&mut self, p: &Patch, q: &Patch, own: &[f64]) {
-        let (rows, columns) = (self.row.len(), self.column.len());
-        let half = Change::new(p, self.receiver).rows(own, columns);
-        let whole = Change::new(q, self.emitter).rows(&transposed(&half, columns), rows);
-        let back = transposed(&whole, rows);
-        self.values.iter_mut().zip(&back).for_each(|(value, own)| *value += own);
+        self.changed(own, Some(&Change::new(p, self.receiver)), Some(&Change::new(q, self.emitter)));
+    }
+
+    /// Adds C_i X C_jᵀ; no change counts as the unit matrix.
+    fn changed(&mut self, values: &[f64], receiver: Option<&Change>, emitter: Option<&Change>) {
+        let (rows, columns) = (self.receiver.len(), self.emitter.len());
+        let inner = values.len() / receiver.map_or(rows, Change::own);
+        let mut half = Cow::Borrowed(values);
+        if let Some(change) = receiver {
+            half = Cow::Owned(change.rows(&half, inner));
+        }
+        if let Some(change) = emitter {
+            half = Cow::Owned(transposed(&change.rows(&transposed(&half, inner), rows), rows));
+        }
+        debug_assert_eq!(half.len(), rows * columns);
+        self.values.iter_mut().zip(half.iter()).for_each(|(value, own)| *value += own);
     }
 
     /// G = T_i M T_jᵀ, row-major.
     pub(super) fn into_block(self) -> Vec<f64> {
-        let (rows, columns) = (self.row.len(), self.column.len());
+        let (rows, columns) = (self.receiver.len(), self.emitter.len());
         let mut half = vec![0.0; rows * columns];
         for (k, out) in half.chunks_exact_mut(columns).enumerate() {
             let transform = &self.receiver.transform()[k * rows..=k * rows + k];
@@ -115,50 +130,7 @@ impl<'a> Moments<'a> {
     }
 }
 
-/// Points of a tensor rule on a patch, and a row of w A L_k for each.
-struct Table {
-    nodes: Vec<Node>,
-    rows: Vec<f64>,
-}
-
-impl Table {
-    fn new(patch: &Patch, basis: &AreaBasis, points: [usize; 2]) -> Self {
-        let count = basis.len();
-        let (along, across) = (UnitRule::of(points[0]), UnitRule::of(points[1]));
-        let total = along.nodes.len() * across.nodes.len();
-        let mut nodes = Vec::with_capacity(total);
-        let mut rows = vec![0.0; total * count];
-        let product = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
-        for (((s, ws), (t, wt)), row) in product.zip(rows.chunks_exact_mut(count)) {
-            let node = patch.node(s, t);
-            basis.raw(basis.frame().coordinates(&node), row);
-            row.iter_mut().for_each(|value| *value *= ws * wt * node.area);
-            nodes.push(node);
-        }
-        Self { nodes, rows }
-    }
-}
-
-/// κ V, with the ray cast only where κ does not vanish already.
-#[inline]
-fn visible_kernel(x: &Node, y: &Node, sees: Option<Sees>, rays: &mut u64) -> f64 {
-    let value = kernel(x, y);
-    match sees {
-        Some(sees) if value > 0.0 => {
-            *rays += 1;
-            if sees(x.position, y.position) { value } else { 0.0 }
-        }
-        _ => value,
-    }
-}
-
 /// A row-major matrix of `columns` columns, turned over.
 fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
     (0..columns).flat_map(|l| matrix.iter().skip(l).step_by(columns).copied()).collect()
-}
-
-fn rank_one(values: &mut [f64], left: &[f64], right: &[f64]) {
-    for (row, l) in values.chunks_exact_mut(right.len()).zip(left) {
-        row.iter_mut().zip(right).for_each(|(value, r)| *value += l * r);
-    }
 }

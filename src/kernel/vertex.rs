@@ -12,7 +12,9 @@
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
-use super::moments::{Moments, Sees};
+use super::integrand::Sees;
+use super::moments::Moments;
+use super::product::Line;
 use super::separated;
 
 /// Numbers of points [x, angular] for degrees `[receiver, emitter]`.
@@ -33,19 +35,18 @@ pub(super) fn aspect(p: &Patch, q: &Patch) -> f64 {
 }
 
 /// Adds the pair of patches oriented with their common corner at (0, 0).
+///
+/// For each x the four subdomains are tensor grids: one coordinate stands at x, the others run to it.
 pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 2], sees: Option<Sees>) {
     let (radial, angular) = (UnitRule::of(points[0]), UnitRule::of(points[1]));
+    let mut pair = moments.patches(p, q);
     for (x, wx) in radial.iter() {
-        for (a, wa) in angular.iter() {
-            for (b, wb) in angular.iter() {
-                for (c, wc) in angular.iter() {
-                    let weight = wx * wa * wb * wc * x * x * x;
-                    let (xa, xb, xc) = (x * a, x * b, x * c);
-                    for [s, t, u, v] in [[x, xa, xb, xc], [xa, x, xb, xc], [xa, xb, x, xc], [xa, xb, xc, x]] {
-                        moments.scattered(&p.node(s, t), &q.node(u, v), weight, sees);
-                    }
-                }
-            }
+        let scaled: Vec<f64> = angular.nodes.iter().map(|a| x * a).collect();
+        let (fixed, running): (Line, Line) = ((&[x], &[1.0]), (&scaled, &angular.weights));
+        for place in 0..4 {
+            let lines = std::array::from_fn(|k| if k == place { fixed } else { running });
+            pair.product(lines, wx * x * x * x, sees);
         }
     }
+    moments.add(pair);
 }

@@ -38,6 +38,11 @@ impl Material {
     pub fn emits(&self) -> bool {
         self.emission.iter().any(|&exitance| exitance > 0.0)
     }
+
+    /// Whether any light can leave it: it emits or reflects in some band.
+    pub fn sends(&self) -> bool {
+        self.emits() || self.reflectance.iter().any(|&rho| rho > 0.0)
+    }
 }
 
 /// 0 ≤ ρ < 1.

@@ -1,0 +1,297 @@
+//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each different one is integrated
+//! once.
+//!
+//! Sorting is cheap and tells most pairs apart: those behind each other, in one plane, hidden, or without a sender are dropped. Pairs that are
+//! equal up to similarity ([`super::congruent`]) share the block of the first of them, so the result does not depend on
+//! the order of the work. A block that is small beside the largest of its row is integrated with less accuracy ([`super::reach`]).
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use radiosity_geom::{Aabb, DVec3};
+use rayon::prelude::*;
+
+use crate::elements::{Element, Elements};
+use crate::visibility::Visibility;
+
+use super::block::{self, Accuracy, Block};
+use super::blocks::Blocks;
+use super::congruent::{Panel, Pose};
+use super::counts::PairCounts;
+use super::reach::{Reach, relaxed};
+
+/// Elements with what sorting needs of them.
+struct Scene<'a> {
+    list: &'a [Element],
+    panels: Vec<Option<Panel>>,
+    reaches: Vec<Reach>,
+    boxes: Vec<Aabb>,
+    visibility: &'a Visibility,
+    accuracy: Accuracy,
+    sends: &'a (dyn Fn(usize) -> bool + Sync),
+}
+
+/// A pair to integrate.
+struct Task {
+    row: u32,
+    column: u32,
+    /// Bounds of its entries: the largest from below, all from above.
+    entries: [f64; 2],
+    /// Hash of its pose where it may be equal to others.
+    hash: Option<u64>,
+}
+
+/// What sorting makes of a pair.
+enum Sorted {
+    Facing,
+    Coplanar,
+    Hidden,
+    Black,
+    Task(Task),
+}
+
+/// Where the block of a task comes from.
+enum Source {
+    /// Integrated for it, the n-th of all.
+    Own(usize),
+    /// Equal to that of an earlier task, the n-th integrated.
+    Copy(usize, usize),
+}
+
+/// All blocks; see [`Blocks::assemble_senders`].
+pub(super) fn assemble(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let list = elements.list();
+    let scene = Scene {
+        list,
+        panels: list.iter().map(Panel::of).collect(),
+        reaches: list.iter().map(Reach::of).collect(),
+        boxes: list.iter().map(Element::bounds).collect(),
+        visibility,
+        accuracy,
+        sends,
+    };
+    let mut blocks = Blocks::empty(starts(list));
+    let tasks = sort(&scene, &mut blocks);
+    let accuracies = scene.accuracies(&tasks);
+    let sources = scene.share(&tasks, &accuracies);
+    let integrated = scene.integrate(&tasks, &accuracies, &sources, progress);
+    for (task, source) in tasks.iter().zip(&sources) {
+        scene.store(&mut blocks, task, source, &tasks, &integrated);
+    }
+    blocks
+}
+
+/// Sorts all pairs; counts those that need no block.
+fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
+    let rows: Vec<(Vec<Task>, PairCounts)> =
+        (0..scene.list.len()).into_par_iter().map(|i| scene.sort_row(i)).collect();
+    let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
+    for (row, counts) in rows {
+        tasks.extend(row);
+        let pairs = &mut blocks.pairs;
+        pairs.total += counts.total;
+        pairs.skipped_facing += counts.skipped_facing;
+        pairs.skipped_coplanar += counts.skipped_coplanar;
+        pairs.skipped_hidden += counts.skipped_hidden;
+        pairs.skipped_black += counts.skipped_black;
+    }
+    if blocks.pairs.skipped_black > 0 {
+        (0..scene.list.len()).filter(|i| !(scene.sends)(*i)).for_each(|i| blocks.leave_open(i));
+    }
+    tasks
+}
+
+impl Scene<'_> {
+    fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
+        let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
+        for column in row..self.list.len() {
+            let sorted = self.sorted(row, column);
+            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_)));
+            match sorted {
+                Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
+                Sorted::Facing => counts.skipped_facing += 1,
+                Sorted::Hidden => counts.skipped_hidden += 1,
+                Sorted::Black => counts.skipped_black += 1,
+                Sorted::Task(task) => tasks.push(task),
+            }
+        }
+        (tasks, counts)
+    }
+
+    fn sorted(&self, row: usize, column: usize) -> Sorted {
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
+            return skipped;
+        }
+        if !(self.sends)(row) && !(self.sends)(column) {
+            return Sorted::Black;
+        }
+        let task =
+            |entries, hash| Sorted::Task(Task { row: row as u32, column: column as u32, entries, hash });
+        if row == column {
+            return task([0.0, f64::INFINITY], None);
+        }
+        let surfaces = [receiver.surface, emitter.surface];
+        let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        if self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
+            return Sorted::Hidden;
+        }
+        let [least, most] = self.reaches[row].entries(&self.reaches[column]);
+        if !blockers.is_empty() {
+            return task([0.0, most], None);
+        }
+        task([least, most], self.pose_of(row, column).map(|pose| pose.hash()))
+    }
+
+    /// Whether the plane of either element leaves nothing of the other in front of it.
+    fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
+        let range = |plane: &(DVec3, DVec3), other: &Element| {
+            let heights = other.hull.iter().map(|point| (point - plane.0).dot(plane.1));
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
+        };
+        let tolerance = 1e-9 * self.boxes[row].union(self.boxes[column]).diagonal();
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
+            let Some(plane) = plane else { continue };
+            let (low, high) = range(plane, other);
+            if high <= tolerance {
+                return Some(if low >= -tolerance { Sorted::Coplanar } else { Sorted::Facing });
+            }
+        }
+        None
+    }
+
+    fn pose_of(&self, row: usize, column: usize) -> Option<Pose> {
+        Pose::of(self.panels[row].as_ref()?, self.panels[column].as_ref()?)
+    }
+
+    fn pose(&self, task: &Task) -> Option<Pose> {
+        self.pose_of(task.row as usize, task.column as usize)
+    }
+
+    /// Stores the block of `task` and counts what it cost.
+    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Block]) {
+        let (Source::Own(place) | Source::Copy(_, place)) = source;
+        let block = &integrated[*place];
+        blocks.pairs.take(block);
+        blocks.samples += block.samples;
+        let (row, column) = (task.row as usize, task.column as usize);
+        match source {
+            Source::Own(_) => {
+                blocks.distinct += block.distinct;
+                blocks.rays += block.rays;
+                blocks.push(row, column, &block.values);
+            }
+            Source::Copy(first, _) => {
+                blocks.pairs.repeated += 1;
+                blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
+            }
+        }
+    }
+
+    /// The block of `task` from the `values` of the equal task `first`.
+    fn copied<'b>(&self, task: &Task, first: &Task, values: &'b [f64]) -> Cow<'b, [f64]> {
+        // A single constant has neither sign nor order.
+        if values.len() == 1 {
+            return Cow::Borrowed(values);
+        }
+        let [pose, other] = [task, first].map(|task| self.pose(task).expect("it was hashed"));
+        Cow::Owned(pose.block_from(&other, values))
+    }
+
+    /// The accuracy of each task relative to its own largest entry.
+    fn accuracies(&self, tasks: &[Task]) -> Vec<f64> {
+        let mut rows = vec![0.0f64; self.list.len()];
+        for Task { row, column, entries, .. } in tasks {
+            for element in [*row, *column] {
+                rows[element as usize] = rows[element as usize].max(entries[0]);
+            }
+        }
+        let accuracy = |task: &Task| {
+            let row = rows[task.row as usize].min(rows[task.column as usize]);
+            relaxed(self.accuracy.eps, row, task.entries[1])
+        };
+        tasks.iter().map(accuracy).collect()
+    }
+
+    /// Finds the tasks that are equal to an earlier one and need the same accuracy.
+    fn share(&self, tasks: &[Task], accuracies: &[f64]) -> Vec<Source> {
+        let mut first: HashMap<(u64, u64), usize> = HashMap::new();
+        let candidates: Vec<Option<usize>> = tasks
+            .iter()
+            .zip(accuracies)
+            .enumerate()
+            .map(|(index, (task, eps))| {
+                let found = *first.entry((task.hash?, eps.to_bits())).or_insert(index);
+                (found != index).then_some(found)
+            })
+            .collect();
+        let confirmed: Vec<Option<usize>> = (0..tasks.len())
+            .into_par_iter()
+            .map(|index| {
+                let first = candidates[index]?;
+                self.pose(&tasks[index])?.equals(&self.pose(&tasks[first])?).then_some(first)
+            })
+            .collect();
+        let mut places = vec![0; tasks.len()];
+        let mut own = 0;
+        let mut source = |(index, copied): (usize, Option<usize>)| {
+            if let Some(first) = copied {
+                return Source::Copy(first, places[first]);
+            }
+            places[index] = own;
+            own += 1;
+            Source::Own(places[index])
+        };
+        confirmed.into_iter().enumerate().map(&mut source).collect()
+    }
+
+    /// Integrates the tasks that are no copies, in their order.
+    fn integrate(
+        &self,
+        tasks: &[Task],
+        accuracies: &[f64],
+        sources: &[Source],
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Vec<Block> {
+        let own: Vec<usize> =
+            (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
+        let (done, total) = (AtomicUsize::new(0), own.len());
+        own.par_iter()
+            .map(|index| {
+                let accuracy = Accuracy { eps: accuracies[*index], ..self.accuracy };
+                let block = self.block(&tasks[*index], accuracy);
+                progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+                block
+            })
+            .collect()
+    }
+
+    fn block(&self, task: &Task, accuracy: Accuracy) -> Block {
+        let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
+        if task.row == task.column {
+            return block::self_block(receiver, self.visibility, accuracy);
+        }
+        let surfaces = [receiver.surface, emitter.surface];
+        let blockers = match task.hash {
+            Some(_) => Vec::new(),
+            None => self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces),
+        };
+        block::block(receiver, emitter, &blockers, self.visibility, accuracy)
+    }
+}
+
+fn starts(list: &[Element]) -> Vec<usize> {
+    let mut starts = vec![0];
+    for element in list {
+        starts.push(starts[starts.len() - 1] + element.basis.len());
+    }
+    starts
+}

@@ -1,0 +1,133 @@
+//! All blocks of G, one triangle, zero blocks left out.
+
+use crate::elements::Elements;
+use crate::visibility::Visibility;
+
+use super::assembly;
+use super::block::Accuracy;
+use super::counts::PairCounts;
+
+/// All blocks of G, one triangle, zero blocks left out.
+#[derive(Debug)]
+pub struct Blocks {
+    starts: Vec<usize>,
+    stored: Vec<Stored>,
+    /// The values of all blocks, one after the other.
+    values: Vec<f64>,
+    /// Whether all blocks of an element's row were computed.
+    complete: Vec<bool>,
+    /// How many pairs went which way.
+    pub pairs: PairCounts,
+    /// Terms of the rules, those of pairs that are copies of others included.
+    pub samples: u64,
+    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    pub distinct: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+/// The block of receiver `row` and emitter `column`, `row ≤ column`, row-major from `start` on.
+#[derive(Debug)]
+struct Stored {
+    row: u32,
+    column: u32,
+    start: usize,
+}
+
+impl Blocks {
+    /// Integrates all pairs. `progress` hears (pairs done, pairs to do), from any thread.
+    pub fn assemble(
+        elements: &Elements,
+        visibility: &Visibility,
+        accuracy: Accuracy,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Self {
+        Self::assemble_senders(elements, &|_| true, visibility, accuracy, progress)
+    }
+
+    /// Integrates the pairs of which at least one element `sends` light: for two others the block is left out.
+    pub fn assemble_senders(
+        elements: &Elements,
+        sends: &(dyn Fn(usize) -> bool + Sync),
+        visibility: &Visibility,
+        accuracy: Accuracy,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Self {
+        assembly::assemble(elements, sends, visibility, accuracy, progress)
+    }
+
+    /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end.
+    pub(super) fn empty(starts: Vec<usize>) -> Self {
+        Self {
+            complete: vec![true; starts.len() - 1],
+            starts,
+            stored: Vec::new(),
+            values: Vec::new(),
+            pairs: PairCounts::default(),
+            samples: 0,
+            distinct: 0,
+            rays: 0,
+        }
+    }
+
+    /// Stores a block behind those stored before, unless it is zero.
+    pub(super) fn push(&mut self, row: usize, column: usize, values: &[f64]) {
+        if values.iter().any(|value| *value != 0.0) {
+            let start = self.values.len();
+            self.stored.push(Stored { row: row as u32, column: column as u32, start });
+            self.values.extend_from_slice(values);
+        }
+    }
+
+    /// Notes that not all blocks of an element's row were computed.
+    pub(super) fn leave_open(&mut self, element: usize) {
+        self.complete[element] = false;
+    }
+
+    /// Whether all blocks of an element's row were computed.
+    pub fn is_complete(&self, element: usize) -> bool {
+        self.complete[element]
+    }
+
+    /// Number of coefficients.
+    pub fn dim(&self) -> usize {
+        self.starts[self.starts.len() - 1]
+    }
+
+    /// Where the coefficients of each element start; one more entry, the dimension, at the end.
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+
+    /// y = G x.
+    pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.dim()];
+        for (row, column, values) in self.iter() {
+            let (rows, columns) = (self.range(row), self.range(column));
+            for (k, line) in values.chunks_exact(columns.len()).enumerate() {
+                y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+            }
+            if row != column {
+                for (k, line) in values.chunks_exact(columns.len()).enumerate() {
+                    let emitted = x[rows.start + k];
+                    y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
+                }
+            }
+        }
+        y
+    }
+
+    /// The nonzero blocks as (receiver, emitter, values row-major), receiver ≤ emitter; the transpose
+    /// of each stands for the opposite direction.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
+        self.stored.iter().map(|stored| {
+            let (row, column) = (stored.row as usize, stored.column as usize);
+            let length = self.range(row).len() * self.range(column).len();
+            (row, column, &self.values[stored.start..stored.start + length])
+        })
+    }
+
+    fn range(&self, element: usize) -> std::ops::Range<usize> {
+        self.starts[element]..self.starts[element + 1]
+    }
+}

@@ -1,0 +1,101 @@
+//! How large the entries of a block can be, and must be, without integrating it.
+//!
+//! With balls of radii R around two elements whose centres lie d apart, the kernel is bounded on both sides by its
+//! values at the ends of what the distance and the two cosines can be. With h_i = n_i·d the height of j's centre over i,
+//!
+//! ```text
+//! |G_kl| ≤ sup κ √(A_i A_j) ,   sup κ ≤ (h_i + R_j)(h_j + R_i) / π(d − R_i − R_j)⁴ ,
+//!  G_00  ≥ inf κ √(A_i A_j) ,   inf κ ≥ (h_i − R_j)(h_j − R_i) / π(d + R_i + R_j)⁴ ,
+//! ```
+//!
+//! because ∫|φ_k| dA ≤ √A. So it is known beforehand which blocks are small beside the largest of their row, and may be
+//! integrated with less accuracy relative to themselves.
+
+use core::f64::consts::FRAC_1_PI;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Element;
+
+/// A block may be wrong by ε times this part of the largest entry of its row.
+const ROW_SHARE: f64 = 1e-2;
+/// Largest relative error a block is ever allowed.
+const LOOSEST: f64 = 0.5;
+
+/// The ball around an element, and its plane where it has one.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach {
+    center: DVec3,
+    radius: f64,
+    area: f64,
+    normal: Option<DVec3>,
+}
+
+impl Reach {
+    /// Of one element.
+    pub(super) fn of(element: &Element) -> Self {
+        let bounds = element.bounds();
+        let center = 0.5 * (bounds.min + bounds.max);
+        let radius = element.hull.iter().map(|point| point.distance(center)).fold(0.0, f64::max);
+        Self { center, radius, area: element.area, normal: element.plane.map(|(_, normal)| normal) }
+    }
+
+    /// Lower bound of the largest entry and upper bound of all entries of the block of two elements.
+    pub(super) fn entries(&self, other: &Self) -> [f64; 2] {
+        let d = other.center - self.center;
+        let (distance, sum) = (d.length(), self.radius + other.radius);
+        if distance <= 1.01 * sum {
+            return [0.0, f64::INFINITY];
+        }
+        let heights = |reach: &Self, d: DVec3, radius: f64| {
+            // A curved element may turn any way.
+            reach.normal.map_or([0.0, distance + sum], |n| [n.dot(d) - radius, n.dot(d) + radius])
+        };
+        let (ours, theirs) = (heights(self, d, other.radius), heights(other, -d, self.radius));
+        let bound = |side: usize, distance: f64| {
+            let cosines = ours[side].max(0.0) * theirs[side].max(0.0);
+            (self.area * other.area).sqrt() * FRAC_1_PI * cosines / distance.powi(4)
+        };
+        [bound(0, distance + sum), bound(1, distance - sum)]
+    }
+}
+
+/// The accuracy a block needs relative to its own largest entry, in steps of powers of two.
+///
+/// `row` is a lower bound of the largest entry of both rows of the block, `entry` an upper bound of its own.
+pub(super) fn relaxed(eps: f64, row: f64, entry: f64) -> f64 {
+    let factor = ROW_SHARE * row / entry;
+    if factor >= 2.0 { (eps * factor.log2().floor().min(60.0).exp2()).min(LOOSEST).max(eps) } else { eps }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(z: f64, up: f64) -> Reach {
+        let normal = DVec3::Z * up;
+        Reach { center: DVec3::Z * z, radius: 0.5f64.sqrt(), area: 1.0, normal: Some(normal) }
+    }
+
+    /// Parallel unit squares three apart: F = 0.0316 by the closed form.
+    #[test]
+    fn bounds_hold_the_factor_of_parallel_squares() {
+        let z = 3.0f64;
+        let (x, root) = (1.0 / z, (1.0 + 1.0 / (z * z)).sqrt());
+        let exact = 2.0 / (std::f64::consts::PI * x * x)
+            * (((1.0 + x * x).powi(2) / (1.0 + 2.0 * x * x)).sqrt().ln()
+                + 2.0 * x * root * (x / root).atan()
+                - 2.0 * x * x.atan());
+        let [low, high] = square(0.0, 1.0).entries(&square(z, -1.0));
+        assert!(0.0 < low && low < exact && exact < high, "{low} {exact} {high}");
+        assert_eq!(square(0.0, 1.0).entries(&square(1.0, -1.0)), [0.0, f64::INFINITY]);
+    }
+
+    #[test]
+    fn only_small_blocks_are_relaxed() {
+        assert_eq!(relaxed(1e-4, 0.2, 0.1), 1e-4);
+        assert_eq!(relaxed(1e-4, 0.2, f64::INFINITY), 1e-4);
+        assert_eq!(relaxed(1e-4, 0.2, 2e-4), 8e-4);
+        assert_eq!(relaxed(1e-4, 0.2, 0.0), LOOSEST);
+    }
+}
