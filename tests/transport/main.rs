@@ -1,5 +1,6 @@
 //! Evidence for the transport between elements: exact transfers, theorems on random shapes, whole rooms.
 
+mod company;
 mod contour;
 mod empty_box;
 mod flat;

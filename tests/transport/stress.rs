@@ -129,10 +129,16 @@ fn additive(pair: &Pair) -> Verdict {
     let Ok(scene) = scene(&[p.clone(), cut]) else { return Ok(None) };
     let Ok(elements) = elements(&scene, 0) else { return Ok(None) };
     let blocks = blocks(&scene, &elements, pair.eps);
-    let parts = elements.list().iter().enumerate().skip(1);
-    let sum: f64 = parts.map(|(j, part)| block(&blocks, 0, j).map_or(0.0, |g| g[0]) * part.area.sqrt()).sum();
+    // √A G₀₀ of each part, and how far a block may be off beside the largest of its row.
+    let parts = || elements.list().iter().enumerate().skip(1);
+    let entry = |j: usize| block(&blocks, 0, j).map_or(0.0, |g| g[0]);
+    let row = parts().map(|(j, _)| entry(j)).fold(0.0, f64::max);
+    let sum: f64 = parts().map(|(j, part)| entry(j) * part.area.sqrt()).sum();
+    let off =
+        |j: usize| if entry(j) > 0.0 { pair.eps * entry(j).max(1e-2 * row) + ROUNDING } else { ROUNDING };
+    let slack: f64 = parts().map(|(j, part)| off(j) * part.area.sqrt()).sum();
     let one = whole.values[0] * whole.areas[1].sqrt();
-    let allowed = 2.0 * pair.eps * one.max(sum) + 3.0 * ROUNDING * whole.areas[1].sqrt();
+    let allowed = slack + pair.eps * one + ROUNDING * whole.areas[1].sqrt();
     let error = (sum - one).abs();
     require(error <= allowed, || {
         format!("√A G of the whole {one:e}, of its parts {sum:e}, allowed {allowed:e}")
