@@ -14,6 +14,8 @@ pub(crate) struct Pair {
     pub(crate) sides: [Flat; 2],
     pub(crate) order: usize,
     pub(crate) eps: f64,
+    /// How they stand to each other before they are turned and scaled; for messages.
+    pub(crate) pose: Pose,
 }
 
 /// Random pairs at orders below `orders`.
@@ -24,7 +26,7 @@ pub(crate) fn pairs(orders: Range<usize>) -> impl Strategy<Value = Pair> {
         let receiver = Flat::facing(first, DVec3::Z);
         let emitter = pose.place(second, first_extent(&receiver));
         let put = |p: DVec3| turn * p * scale;
-        Pair { sides: [receiver, emitter].map(|flat| flat.map(put)), order, eps }
+        Pair { sides: [receiver, emitter].map(|flat| flat.map(put)), order, eps, pose }
     })
 }
 
@@ -77,7 +79,7 @@ fn is_convex(corners: &[DVec3; 4]) -> bool {
 
 /// How the second shape, given in z = 0, stands to the first.
 #[derive(Clone, Copy, Debug)]
-enum Pose {
+pub(crate) enum Pose {
     /// Turned about the first one's edge, slid along it, and drawn off by a gap in a direction across it.
     Hinged { degrees: f64, slide: f64, gap: f64, direction: f64 },
     /// Above the first, facing it.

@@ -6,6 +6,8 @@ use serde_json::Value;
 
 use crate::flat::{Flat, Outline, block, blocks, elements, largest, scene};
 
+const PARALLELOGRAMS: &str = include_str!("../data/transfers_planar.json");
+const POLYGONS: &str = include_str!("../data/transfers_polygons.json");
 /// Accuracies at which every exact transfer is compared.
 const EPS: [f64; 4] = [1e-2, 1e-4, 1e-8, 1e-12];
 /// A count may exceed the one known to suffice by this factor.
@@ -30,13 +32,6 @@ fn form_factor(case: &Value) -> f64 {
     case["F"].as_str().and_then(|text| text.parse().ok()).expect("F is a decimal string")
 }
 
-/// A parallelogram of the data file, and its area.
-fn parallelogram(side: &Value) -> (Flat, f64) {
-    let edges = [point(&side["edge_s"]), point(&side["edge_t"])];
-    let outline = Outline::Parallelogram { origin: point(&side["origin"]), edges };
-    (Flat::facing(outline, point(&side["normal"])), edges[0].cross(edges[1]).length())
-}
-
 fn transfer(pair: &[Flat; 2], order: usize, eps: f64) -> (Vec<f64>, Blocks) {
     let scene = scene(pair).expect("the shapes are valid");
     let elements = elements(&scene, order).expect("the shapes have area");
@@ -45,24 +40,66 @@ fn transfer(pair: &[Flat; 2], order: usize, eps: f64) -> (Vec<f64>, Blocks) {
     (block(&blocks, 0, 1).unwrap_or_else(|| vec![0.0; count * count]), blocks)
 }
 
+/// A pair of the data files: its name, the surfaces, the first one's area and F.
+pub(crate) type Exact = (String, [Flat; 2], f64, f64);
+
+/// Pairs of parallelograms.
+pub(crate) fn exact_parallelograms() -> Vec<Exact> {
+    let pair = |case: &Value| {
+        let [receiver, emitter] = ["receiver", "emitter"].map(|key| {
+            let side = &case[key];
+            let edges = [point(&side["edge_s"]), point(&side["edge_t"])];
+            Flat::facing(
+                Outline::Parallelogram { origin: point(&side["origin"]), edges },
+                point(&side["normal"]),
+            )
+        });
+        let area = receiver.outline.normal().length() / 2.0;
+        (case["name"].to_string(), [receiver, emitter], area, form_factor(case))
+    };
+    data(PARALLELOGRAMS).iter().map(pair).collect()
+}
+
+/// Pairs of polygons, partly behind each other some.
+pub(crate) fn exact_polygons() -> Vec<Exact> {
+    let pair = |case: &Value| {
+        let sides = ["receiver", "emitter"].map(|key| {
+            let outer = points(&case[key]);
+            let outline = match outer[..] {
+                [a, b, c] => Outline::Triangle([a, b, c]),
+                _ => Outline::Polygon { outer, holes: Vec::new() },
+            };
+            Flat::facing(outline, point(&case[format!("{key}_normal")]))
+        });
+        let area = case["area"].as_f64().expect("a number");
+        (case["name"].to_string(), sides, area, form_factor(case))
+    };
+    data(POLYGONS).iter().map(pair).collect()
+}
+
+/// G of the parallelograms at order 4, row-major, in their order.
+fn exact_blocks() -> Vec<Vec<f64>> {
+    let block = |(case, (_, [receiver, emitter], ..)): (&Value, &Exact)| {
+        let rows = case["K"].as_array().expect("K has rows");
+        let entries = rows.iter().flat_map(|row| row.as_array().expect("a row has entries"));
+        let areas = [receiver, emitter].map(|side| side.outline.normal().length());
+        let scale = (areas[0] / areas[1]).sqrt();
+        entries.map(|k| scale * k.as_f64().expect("a number")).collect::<Vec<f64>>()
+    };
+    data(PARALLELOGRAMS).iter().zip(&exact_parallelograms()).map(block).collect()
+}
+
 #[test]
 fn every_entry_of_exact_parallelogram_transfers_is_met() {
     let mut failures = Vec::new();
-    for case in data(include_str!("../data/transfers_planar.json")) {
-        let ((receiver, area_i), (emitter, area_j)) =
-            (parallelogram(&case["receiver"]), parallelogram(&case["emitter"]));
-        let rows = case["K"].as_array().expect("K has rows");
-        let entries = rows.iter().flat_map(|row| row.as_array().expect("a row has entries"));
-        let scale = (area_i / area_j).sqrt();
-        let exact: Vec<f64> = entries.map(|k| scale * k.as_f64().expect("a number")).collect();
-        assert!((exact[0] - scale * form_factor(&case)).abs() < 1e-13, "K and F of the file agree");
+    for ((name, pair, ..), exact) in exact_parallelograms().into_iter().zip(exact_blocks()) {
         for eps in EPS {
-            let (values, cost) = transfer(&[receiver.clone(), emitter.clone()], 4, eps);
+            let (values, cost) = transfer(&pair, 4, eps);
             let error = values.iter().zip(&exact).map(|(g, k)| (g - k).abs()).fold(0.0, f64::max);
             let allowed = eps * largest(&exact) + 1e-13;
             let line = format!(
-                "{}, eps {eps:e}: error {error:.1e} of {allowed:.1e}, {} samples, {} distinct, {} unresolved",
-                case["name"], cost.samples, cost.distinct, cost.pairs.unresolved
+                "{name}, eps {eps:e}: error {error:.1e} of {allowed:.1e}, {} samples, {} distinct, {} unresolved",
+                cost.samples, cost.distinct, cost.pairs.unresolved
             );
             println!("{line}");
             if error.is_nan() || error > allowed {
@@ -76,26 +113,15 @@ fn every_entry_of_exact_parallelogram_transfers_is_met() {
 #[test]
 fn form_factors_of_exact_polygon_transfers_are_met() {
     let mut failures = Vec::new();
-    for case in data(include_str!("../data/transfers_polygons.json")) {
-        let surface = |key: &str| {
-            let outer = points(&case[key]);
-            let outline = match outer[..] {
-                [a, b, c] => Outline::Triangle([a, b, c]),
-                _ => Outline::Polygon { outer, holes: Vec::new() },
-            };
-            Flat::facing(outline, point(&case[format!("{key}_normal")]))
-        };
-        let pair = [surface("receiver"), surface("emitter")];
-        let areas = [&pair[0], &pair[1]].map(|side| 0.5 * side.outline.normal().length());
-        assert!((areas[0] - case["area"].as_f64().expect("a number")).abs() < 1e-15);
+    for (name, pair, area, exact) in exact_polygons() {
+        let scale = (0.5 * pair[1].outline.normal().length() / area).sqrt();
         for (order, eps) in [0, 4].into_iter().flat_map(|order| EPS.map(|eps| (order, eps))) {
             let (values, cost) = transfer(&pair, order, eps);
-            let factor = values[0] * (areas[1] / areas[0]).sqrt();
-            let error = (factor - form_factor(&case)).abs();
-            let allowed = eps * largest(&values) * (areas[1] / areas[0]).sqrt() + 1e-13;
+            let error = (scale * values[0] - exact).abs();
+            let allowed = eps * largest(&values) * scale + 1e-13;
             let line = format!(
-                "{}, order {order}, eps {eps:e}: error {error:.1e} of {allowed:.1e}, {} samples, {} distinct",
-                case["name"], cost.samples, cost.distinct
+                "{name}, order {order}, eps {eps:e}: error {error:.1e} of {allowed:.1e}, {} samples, {} distinct",
+                cost.samples, cost.distinct
             );
             println!("{line}");
             if error.is_nan() || error > allowed {
