@@ -7,6 +7,7 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 
+mod analytic;
 mod assembly;
 mod block;
 mod blocks;
@@ -17,6 +18,7 @@ mod congruent;
 mod counts;
 mod edge;
 mod edge_table;
+mod hinge;
 mod integrand;
 mod moments;
 mod pair;

@@ -261,6 +261,9 @@ impl<'a> Job<'a> {
         match &contact {
             Contact::Edge(a, b) => {
                 self.kind = self.kind.max(Kind::Edge);
+                if sees.is_none() && a.is_parallelogram() && b.is_parallelogram() {
+                    return edge::integrate_hinge(&mut self.moments, a, b, self.degrees, eps);
+                }
                 let wedge = Wedge::of(a, b);
                 if wedge.aspect() > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
@@ -268,7 +271,7 @@ impl<'a> Job<'a> {
                 let points = edge::counts(a, b, &wedge, self.degrees, eps);
                 let most = if wedge.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
                 self.unresolved |= points[2] > most;
-                edge::integrate(&mut self.moments, a, b, self.degrees, points.map(|n| n.min(most)), sees);
+                edge::integrate(&mut self.moments, a, b, points.map(|n| n.min(most)), sees);
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);

@@ -99,13 +99,14 @@ impl Chart {
     }
 }
 
-/// p_n(x), n = 0..out.len() ≤ [`HIGHEST_ORDER`] + 1.
+/// p_n(x), n = 0..out.len() ≤ 2 [`HIGHEST_ORDER`] + 2.
 pub(super) fn polynomials(x: f64, out: &mut [f64]) {
     match out.len() {
         0..=3 => recurrence::<3>(x, out),
         4..=5 => recurrence::<5>(x, out),
         6..=9 => recurrence::<9>(x, out),
-        _ => recurrence::<{ HIGHEST_ORDER + 1 }>(x, out),
+        10..=21 => recurrence::<{ HIGHEST_ORDER + 1 }>(x, out),
+        _ => recurrence::<{ 2 * HIGHEST_ORDER + 2 }>(x, out),
     }
 }
 
