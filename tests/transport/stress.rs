@@ -275,30 +275,3 @@ fn closed_rooms_keep_their_power_at_every_order_always() {
 fn closed_rooms_are_furnaces_always() {
     hunt("furnace", &asked_rooms(0..=8, &[1e-4, 1e-8]), MANY / 10, white);
 }
-
-#[test]
-#[ignore = "TEMP"]
-fn survey() {
-    let mut runner = TestRunner::new(Config {
-        rng_seed: RngSeed::Fixed(11),
-        failure_persistence: None,
-        ..Config::default()
-    });
-    let strategy = pairs(0..5);
-    for case in 0..400 {
-        let pair = strategy.new_tree(&mut runner).unwrap().current();
-        let start = Instant::now();
-        let v = as_the_contours_say(&pair);
-        let kinds: Vec<String> =
-            pair.sides.iter().map(|s| format!("{:?}", s.outline).chars().take(4).collect()).collect();
-        let t = start.elapsed().as_secs_f64();
-        match v {
-            Err(w) => println!("SV {case} FAIL {kinds:?} N{} {:e} {:?} {w}", pair.order, pair.eps, pair.pose),
-            Ok(s) if t > 0.5 => println!(
-                "SV {case} SLOW {kinds:?} N{} {:e} {:?} {s:?} {t:.2}",
-                pair.order, pair.eps, pair.pose
-            ),
-            _ => {}
-        }
-    }
-}
