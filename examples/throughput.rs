@@ -2,6 +2,8 @@
 //!
 //! `cargo run --release --example throughput`
 
+#![allow(clippy::print_stdout, reason = "the table is what it is for")]
+
 use std::time::Instant;
 
 use radiosity::elements::{Discretization, Elements, Subdivide};

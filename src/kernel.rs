@@ -1,4 +1,5 @@
-//! The geometry of transport: blocks G between elements, each unordered pair once.
+//! The geometry of transport: blocks G between elements, each unordered pair once; by the rules of [`paper`], for
+//! comparison, each ordered pair.
 //!
 //! ```text
 //! G_ij^kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y ,     G_ji = G_ijᵀ .
@@ -22,6 +23,8 @@ mod hinge;
 mod integrand;
 mod moments;
 mod pair;
+pub mod paper;
+mod planes;
 mod product;
 mod reach;
 mod same;

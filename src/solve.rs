@@ -8,7 +8,7 @@ use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
-use crate::kernel::{Accuracy, Blocks, PairCounts};
+use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coating, System};
@@ -23,6 +23,8 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Accuracy of the kernel blocks.
     pub eps: f64,
+    /// The rules of 1993 instead of those that keep `eps`.
+    pub kernel: Option<paper::Rules>,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// Whether surfaces hide each other.
@@ -44,6 +46,7 @@ impl Default for Options {
             order: 3,
             subdivide: None,
             eps: 1e-3,
+            kernel: None,
             shadow_eps: 3e-3,
             shadows: true,
             method: Method::named("auto").expect("auto is always listed"),
@@ -107,6 +110,15 @@ pub enum Failure {
     /// The scene could not be cut into elements.
     #[error(transparent)]
     Elements(#[from] ElementError),
+    /// The rules of 1993 were asked for, and a surface is none of theirs.
+    #[error(
+        "surface '{surface}': the rules of 1993 know parallelograms and curved surfaces only, without holes: \
+         choose the default kernel, or cut the surface into parallelograms"
+    )]
+    NoChart {
+        /// Name of the surface.
+        surface: String,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {
@@ -163,12 +175,9 @@ fn solve_in_pool(
     });
     let how = Discretization { order: options.order, subdivide };
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
-    let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
-    let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-    let blocks = timed(&mut seconds.blocks, || {
-        Blocks::assemble_senders(&elements, &sends, &visibility, accuracy, &report_pairs)
-    });
+    let blocks =
+        timed(&mut seconds.blocks, || blocks(scene, &elements, &visibility, options, &report_pairs))?;
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
     let slowest =
         solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);
@@ -179,6 +188,22 @@ fn solve_in_pool(
     let checks = Checks::of(&solution, &blocks);
     let Blocks { pairs, samples, distinct, rays, .. } = blocks;
     Ok(Outcome { solution, checks, pairs, samples, distinct, rays, solver, iterations, residual, seconds })
+}
+
+fn blocks(
+    scene: &Scene,
+    elements: &Elements,
+    visibility: &Visibility,
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Blocks, Failure> {
+    let Some(rules) = options.kernel else {
+        let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
+        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+        return Ok(Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress));
+    };
+    paper::assemble(elements, visibility, rules, paper::EXTRA_POINTS, progress)
+        .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }
 
 fn solve_bands(

@@ -8,8 +8,9 @@
 //! ```
 //!
 //! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos
-//! 1996 in another notation). Nothing is divided by ρ. Elements with ρ = 0 have no unknowns: they only
-//! enter the right-hand side. Irradiance is h = G b, on black elements too.
+//! 1996 in another notation). By the rules of 1993, for comparison, G is not symmetric and neither is the system. Nothing is
+//! divided by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. Irradiance is h = G b, on black
+//! elements too.
 
 use radiosity_solvers::{Dense, Partition, SolveError};
 
@@ -87,12 +88,12 @@ impl<'a> System<'a> {
             for (index, g) in block.iter().enumerate() {
                 let (k, l) = (i + index / columns, j + index % columns);
                 values[k + l * dim] -= root * g;
-                if row != column {
+                if self.blocks.symmetric() && row != column {
                     values[l + k * dim] -= root * g;
                 }
             }
         }
-        Dense::new(partition, values, true)
+        Dense::new(partition, values, self.blocks.symmetric())
     }
 
     /// √ρ G e on the reflecting elements.

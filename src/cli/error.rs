@@ -47,7 +47,7 @@ impl CliError {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
-            CliError::Solve(Failure::Elements(_)) => ExitCode::from(2),
+            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
         }

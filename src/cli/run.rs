@@ -149,6 +149,7 @@ fn options(method: &MethodArgs) -> Options {
             Subdivide::Parts(parts) => Some(parts),
         },
         eps: method.eps,
+        kernel: method.kernel.rules(),
         shadows: method.shadows != Shadows::Off,
         method: method.solver,
         tolerance: method.tolerance,

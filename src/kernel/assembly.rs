@@ -9,7 +9,7 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::Aabb;
 use rayon::prelude::*;
 
 use crate::elements::{Element, Elements};
@@ -19,6 +19,7 @@ use super::block::{self, Accuracy, Block};
 use super::blocks::Blocks;
 use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
+use super::planes::{self, Planes};
 use super::reach::{Reach, relaxed};
 
 /// Elements with what sorting needs of them.
@@ -77,7 +78,7 @@ pub(super) fn assemble(
         accuracy,
         sends,
     };
-    let mut blocks = Blocks::empty(starts(list));
+    let mut blocks = Blocks::empty(starts(list), true);
     let tasks = sort(&scene, &mut blocks);
     let accuracies = scene.accuracies(&tasks);
     let sources = scene.share(&tasks, &accuracies);
@@ -152,20 +153,12 @@ impl Scene<'_> {
 
     /// Whether the plane of either element leaves nothing of the other in front of it.
     fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
-        let range = |plane: &(DVec3, DVec3), other: &Element| {
-            let heights = other.hull.iter().map(|point| (point - plane.0).dot(plane.1));
-            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)))
-        };
-        let tolerance = 1e-9 * self.boxes[row].union(self.boxes[column]).diagonal();
-        let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        for (plane, other) in [(&receiver.plane, emitter), (&emitter.plane, receiver)] {
-            let Some(plane) = plane else { continue };
-            let (low, high) = range(plane, other);
-            if high <= tolerance {
-                return Some(if low >= -tolerance { Sorted::Coplanar } else { Sorted::Facing });
-            }
+        let size = self.boxes[row].union(self.boxes[column]).diagonal();
+        match planes::of(&self.list[row], &self.list[column], size) {
+            Planes::Exchanging => None,
+            Planes::Facing => Some(Sorted::Facing),
+            Planes::Coplanar => Some(Sorted::Coplanar),
         }
-        None
     }
 
     fn pose_of(&self, row: usize, column: usize) -> Option<Pose> {
@@ -288,7 +281,8 @@ impl Scene<'_> {
     }
 }
 
-fn starts(list: &[Element]) -> Vec<usize> {
+/// Where the coefficients of each element start, and their number.
+pub(super) fn starts(list: &[Element]) -> Vec<usize> {
     let mut starts = vec![0];
     for element in list {
         starts.push(starts[starts.len() - 1] + element.basis.len());

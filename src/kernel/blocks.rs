@@ -1,4 +1,4 @@
-//! All blocks of G, one triangle, zero blocks left out.
+//! All blocks of G, one triangle where G is symmetric, zero blocks left out.
 
 use crate::elements::Elements;
 use crate::visibility::Visibility;
@@ -7,11 +7,12 @@ use super::assembly;
 use super::block::Accuracy;
 use super::counts::PairCounts;
 
-/// All blocks of G, one triangle, zero blocks left out.
+/// All blocks of G, one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
 pub struct Blocks {
     starts: Vec<usize>,
     stored: Vec<Stored>,
+    symmetric: bool,
     /// The values of all blocks, one after the other.
     values: Vec<f64>,
     /// Whether all blocks of an element's row were computed.
@@ -26,7 +27,7 @@ pub struct Blocks {
     pub rays: u64,
 }
 
-/// The block of receiver `row` and emitter `column`, `row ≤ column`, row-major from `start` on.
+/// The block of receiver `row` and emitter `column`, `row ≤ column` where G is symmetric, row-major from `start` on.
 #[derive(Debug)]
 struct Stored {
     row: u32,
@@ -56,12 +57,14 @@ impl Blocks {
         assembly::assemble(elements, sends, visibility, accuracy, progress)
     }
 
-    /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end.
-    pub(super) fn empty(starts: Vec<usize>) -> Self {
+    /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end. If G is to be
+    /// `symmetric`, each block will stand for its transpose as well.
+    pub(super) fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
             starts,
             stored: Vec::new(),
+            symmetric,
             values: Vec::new(),
             pairs: PairCounts::default(),
             samples: 0,
@@ -89,6 +92,11 @@ impl Blocks {
         self.complete[element]
     }
 
+    /// Whether G is symmetric: it is unless it was assembled by the rules of 1993 ([`paper`](super::paper)).
+    pub fn symmetric(&self) -> bool {
+        self.symmetric
+    }
+
     /// Number of coefficients.
     pub fn dim(&self) -> usize {
         self.starts[self.starts.len() - 1]
@@ -107,18 +115,33 @@ impl Blocks {
             for (k, line) in values.chunks_exact(columns.len()).enumerate() {
                 y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
             }
-            if row != column {
-                for (k, line) in values.chunks_exact(columns.len()).enumerate() {
-                    let emitted = x[rows.start + k];
-                    y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
-                }
+            if self.symmetric && row != column {
+                self.scatter(row, column, values, x, &mut y);
             }
         }
         y
     }
 
-    /// The nonzero blocks as (receiver, emitter, values row-major), receiver ≤ emitter; the transpose
-    /// of each stands for the opposite direction.
+    /// y = Gᵀ x.
+    pub fn apply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        if self.symmetric {
+            return self.apply(x);
+        }
+        let mut y = vec![0.0; self.dim()];
+        self.iter().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
+        y
+    }
+
+    /// Adds G_ijᵀ x_i to y_j.
+    fn scatter(&self, row: usize, column: usize, values: &[f64], x: &[f64], y: &mut [f64]) {
+        let columns = self.range(column);
+        for (emitted, line) in x[self.range(row)].iter().zip(values.chunks_exact(columns.len())) {
+            y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
+        }
+    }
+
+    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and the
+    /// transpose of each stands for the opposite direction.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
         self.stored.iter().map(|stored| {
             let (row, column) = (stored.row as usize, stored.column as usize);

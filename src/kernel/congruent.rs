@@ -22,7 +22,7 @@ const EQUAL: f64 = 1e-13;
 /// Entries are rounded to multiples of this for the hash.
 const GRID: f64 = 1e-8;
 /// Keeps entries such as 0 and ½, and their negatives, away from where truncation turns.
-const OFFSET: f64 = 0.318;
+const OFFSET: f64 = 0.37;
 
 /// A parallelogram element: its centre and the half sides along which its polynomials run.
 #[derive(Clone, Copy, Debug)]

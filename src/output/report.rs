@@ -137,19 +137,22 @@ fn warnings(options: &Options, outcome: &Outcome) -> Vec<Warning> {
             ),
         );
     }
+    // The rules of 1993 take no accuracy.
+    let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };
     let excess = outcome.checks.row_sum_max - 1.0;
     if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
         let message = format!(
-            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; lower --eps, or \
-             subdivide surfaces that meet at small angles",
-            100.0 * excess
+            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; {}",
+            100.0 * excess,
+            cure("lower --eps, or subdivide surfaces that meet at small angles")
         );
         warn("row-sum", message);
     }
     if outcome.checks.spectral_bound >= 1.0 {
         let message = format!(
-            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; lower --eps",
-            outcome.checks.spectral_bound
+            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; {}",
+            outcome.checks.spectral_bound,
+            cure("lower --eps")
         );
         warn("spectral-bound", message);
     }

@@ -1,0 +1,144 @@
+//! Section 6.1 of H. R. Zatz, "Galerkin radiosity" (1993), computed again: two unit squares, one of exitance 1, the
+//! other receiving with reflectance 1.
+//!
+//! Prints metric (30), the mean of |B_Galerkin − B_exact| / B_exact over the centres of 500 × 500 cells of the receiver,
+//! in percent, by the paper's rules and by this library's:
+//!
+//! ```text
+//! cargo run --release --example section_6_1
+//! ```
+
+use std::io::{self, Write};
+
+use radiosity::elements::patch::Patch;
+use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::paper::{Party, Reading, Rules, transfer};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::scene::Scene;
+use radiosity::visibility::exact::irradiance;
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_core::basis::total;
+use radiosity_geom::DVec3;
+
+const CELLS: usize = 500;
+const ORDERS: usize = 10;
+
+/// The emitter's corners over the receiver [0, 1]² in z = 0, in order about its front.
+#[derive(Clone, Copy)]
+struct Emitter([[f64; 3]; 4]);
+
+impl Emitter {
+    fn parallel(d: f64) -> Self {
+        Self([[0.0, 0.0, d], [0.0, 1.0, d], [1.0, 1.0, d], [1.0, 0.0, d]])
+    }
+
+    /// Over the edge y = 0 of the receiver.
+    fn perpendicular() -> Self {
+        Self([[0.0, 0.0, 0.0], [0.0, 0.0, 1.0], [1.0, 0.0, 1.0], [1.0, 0.0, 0.0]])
+    }
+
+    fn patch(self) -> Patch {
+        let corners = self.0.map(DVec3::from_array);
+        let normal = (corners[1] - corners[0]).cross(corners[3] - corners[0]).normalize();
+        Patch::Flat { corners, normal }
+    }
+}
+
+/// Centres of the cells of the receiver, in its parameters.
+fn centres() -> impl Iterator<Item = [f64; 2]> {
+    let centre = |k: usize| (2 * k + 1) as f64 / CELLS as f64 - 1.0;
+    (0..CELLS).flat_map(move |i| (0..CELLS).map(move |j| [centre(i), centre(j)]))
+}
+
+fn position([s, t]: [f64; 2]) -> DVec3 {
+    DVec3::new(0.5 * (1.0 + s), 0.5 * (1.0 + t), 0.0)
+}
+
+/// Lambert's closed form at every centre.
+fn exact(emitter: Emitter) -> Vec<f64> {
+    let polygon = emitter.0.map(DVec3::from_array);
+    centres().map(|place| irradiance(position(place), DVec3::Z, &polygon)).collect()
+}
+
+/// Metric (30) in percent.
+fn metric(exact: &[f64], galerkin: impl Fn([f64; 2]) -> f64) -> f64 {
+    let sum: f64 = centres().zip(exact).map(|(place, e)| (galerkin(place) - e).abs() / e).sum();
+    100.0 * sum / exact.len() as f64
+}
+
+/// By the paper's rules with `points` points per direction.
+fn paper(emitter: Emitter, exact: &[f64], order: usize, points: usize, rules: Rules) -> f64 {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| DVec3::new(x, y, 0.0));
+    let receiver = Patch::Flat { corners, normal: DVec3::Z };
+    let party = |patch| Party { patch, order, points };
+    let transfer = transfer(party(&receiver), party(&emitter.patch()), rules, None);
+    let count = total::count(order);
+    // The constant 1 has the coefficients (2, 0, 0, …).
+    let received: Vec<f64> = transfer.values.iter().step_by(count).map(|k| 2.0 * k).collect();
+    metric(exact, |[s, t]| {
+        let mut values = [0.0; total::count(ORDERS)];
+        total::values(order, s, t, &mut values[..count]);
+        values.iter().zip(&received).map(|(t, h)| t * h).sum()
+    })
+}
+
+/// By this library's rules.
+fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
+    let scene = format!(
+        "[materials.white]\nreflectance = 0.5\n\
+         [[surfaces]]\nname = \"receiver\"\nmaterial = \"white\"\nquad = {{ vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }}\n\
+         [[surfaces]]\nname = \"emitter\"\nmaterial = \"white\"\nquad = {{ vertices = {:?} }}\n",
+        emitter.0
+    );
+    let scene = Scene::from_toml(&scene, "section 6.1").expect("two squares are a scene");
+    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let elements = Elements::new(&scene, &how).expect("squares have area");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };
+    let blocks = Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let [receiver, source] = elements.list() else { panic!("one element a square") };
+    let emitted = [vec![0.0; receiver.basis.len()], source.constant.clone()].concat();
+    let raw = receiver.basis.to_raw(&blocks.apply(&emitted)[..receiver.basis.len()]);
+    metric(exact, |place| receiver.evaluate(&raw, position(place), place))
+}
+
+/// One row of the table, for the orders 0 to 9.
+fn row(out: &mut impl Write, name: &str, quoted: &str, value: impl Fn(usize) -> f64) -> io::Result<()> {
+    write!(out, "{name:24}")?;
+    for order in 0..ORDERS {
+        let value = value(order);
+        let digits = if value >= 100.0 { 1 } else { 4 };
+        write!(out, "{value:>9.digits$}")?;
+    }
+    writeln!(out, "   {quoted}")
+}
+
+fn main() -> io::Result<()> {
+    let mut out = io::stdout().lock();
+    writeln!(out, "Metric (30), percent{:13}N = 0 … {}, then what the paper quotes", "", ORDERS - 1)?;
+    for (d, quoted) in [(1.0, [".04 (N = 4)"; 2]), (0.3, [""; 2]), (0.1, ["", "16.9 (N = 7)"])] {
+        let emitter = Emitter::parallel(d);
+        let exact = exact(emitter);
+        for (extra, quoted) in [1, 2].into_iter().zip(quoted) {
+            let name = format!("parallel, {d}: N + {extra}");
+            row(&mut out, &name, quoted, |order| {
+                paper(emitter, &exact, order, order + extra, Rules::Legendre)
+            })?;
+        }
+        row(&mut out, &format!("parallel, {d}: ours"), "", |order| ours(emitter, &exact, order))?;
+    }
+    let emitter = Emitter::perpendicular();
+    let exact = exact(emitter);
+    for (name, rules, extra, quoted) in [
+        ("Legendre, N + 1", Rules::Legendre, 1, ""),
+        ("Legendre, N + 2", Rules::Legendre, 2, "33.2 (N = 7)"),
+        ("hybrid H1, N + 2", Rules::Hybrid(Reading::H1), 2, "1.4 (N = 4, 5)"),
+        ("hybrid H2, N + 2", Rules::Hybrid(Reading::H2), 2, "1.4 (N = 4, 5)"),
+        ("hybrid H2, N + 3", Rules::Hybrid(Reading::H2), 3, "1.4 (N = 4, 5)"),
+        ("hybrid H3, N + 2", Rules::Hybrid(Reading::H3), 2, ""),
+        ("eq. 27 as printed, N + 2", Rules::Hybrid(Reading::Literal), 2, ""),
+    ] {
+        row(&mut out, name, quoted, |order| paper(emitter, &exact, order, order + extra, rules))?;
+    }
+    row(&mut out, "perpendicular: ours", "", |order| ours(emitter, &exact, order))
+}
