@@ -1,0 +1,12 @@
+//! Evidence for the transport between elements: exact transfers, theorems on random shapes, whole rooms.
+
+mod company;
+mod contour;
+mod empty_box;
+mod flat;
+mod furnace;
+mod polyhedra;
+mod room;
+mod shapes;
+mod stress;
+mod transfers;
