@@ -19,6 +19,7 @@ mod congruent;
 mod contour;
 mod counts;
 mod edge;
+mod edge_sum;
 mod edge_table;
 mod hinge;
 mod integrand;
@@ -31,7 +32,9 @@ mod product;
 mod reach;
 mod same;
 mod separated;
+mod square;
 mod vertex;
+mod wedge;
 
 pub use block::{Accuracy, Kind};
 pub use blocks::Blocks;

@@ -294,8 +294,10 @@ impl<'a> Job<'a> {
         match &contact {
             Contact::Edge(a, b) => {
                 self.kind = self.kind.max(Kind::Edge);
-                if sees.is_none() && a.is_parallelogram() && b.is_parallelogram() {
-                    return edge::integrate_hinge(&mut self.moments, a, b, self.degrees, eps);
+                if sees.is_none() && a.is_flat() && b.is_flat() {
+                    let (rest, resolved) = edge::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
+                    self.unresolved |= !resolved;
+                    return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone()));
                 }
                 let wedge = Wedge::of(a, b);
                 if wedge.aspect() > LARGEST_ASPECT && divisible {
@@ -308,6 +310,10 @@ impl<'a> Job<'a> {
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
+                if sees.is_none() && a.is_flat() && b.is_flat() {
+                    self.unresolved |= !vertex::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
+                    return;
+                }
                 if vertex::aspect(a, b) > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
                 }

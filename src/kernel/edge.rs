@@ -27,11 +27,12 @@ use radiosity_geom::DVec3;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
+use super::edge_sum::EdgeSum;
 use super::edge_table::EdgeTable;
 use super::hinge::Hinge;
 use super::integrand::{Sees, visible_kernel};
-use super::moments::{Moments, PatchMoments};
-use super::separated;
+use super::moments::Moments;
+use super::{separated, wedge};
 
 /// Largest ratio of edge and depths for which the rule is used; beyond it the pair is split.
 pub(super) const LARGEST_ASPECT: f64 = 2.5;
@@ -94,14 +95,56 @@ pub(super) fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], e
     [exact + extra, exact + extra, angular]
 }
 
-/// Adds two parallelograms oriented with their common edge at t = 0 that see each other freely, of any angle and
+/// Adds two flat patches oriented with their common edge at t = 0 that see each other freely, of any angle and
 /// proportions.
-pub(super) fn integrate_hinge(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) {
-    let table = EdgeTable::of(degrees);
-    let (angular, samples) = Hinge::new(p, q).moments(degrees, eps);
-    moments.own(p, q, &table.moments(&angular));
-    moments.samples += samples * table.points() as u64;
-    moments.distinct += samples;
+///
+/// Parallelograms go by [`Hinge`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which meet
+/// the edge in one corner at most, are returned as pairs still to be done. False if the accuracy was not reached.
+pub(super) fn integrate_flat(
+    moments: &mut Moments,
+    p: &Patch,
+    q: &Patch,
+    degrees: [usize; 2],
+    eps: f64,
+) -> (Vec<(Patch, Patch)>, bool) {
+    if p.is_parallelogram() && q.is_parallelogram() {
+        let table = EdgeTable::of(degrees);
+        let (angular, samples) = Hinge::new(p, q).moments(degrees, eps);
+        moments.own(p, q, &table.moments(&angular));
+        moments.samples += samples * table.points() as u64;
+        moments.distinct += samples;
+        return (Vec::new(), angular.iter().all(|region| region.resolved));
+    }
+    let ([at_p, beyond_p], [at_q, beyond_q]) = (triangles(p), triangles(q));
+    let resolved = match (&at_p, &at_q) {
+        (Some(a), Some(b)) => wedge::integrate(moments, &doubled(a), &doubled(b), degrees, eps),
+        _ => true,
+    };
+    let rest = [(&beyond_p, &at_q), (&at_p, &beyond_q), (&beyond_p, &beyond_q)];
+    (rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect(), resolved)
+}
+
+/// A flat patch with its edge at t = 0 as the triangle on that edge and what lies beyond it; cut by the shorter diagonal.
+fn triangles(patch: &Patch) -> [Option<Patch>; 2] {
+    let (polygon, Patch::Flat { normal, .. }) = (patch.polygon(), patch) else { return [None, None] };
+    let triangle = |[a, b, c]: [usize; 3]| {
+        let corners = [polygon[a], polygon[b], polygon[c], polygon[c]];
+        Some(Patch::Flat { corners, normal: *normal })
+    };
+    if polygon.len() == 3 {
+        return [triangle([0, 1, 2]), None];
+    }
+    if polygon[0].distance(polygon[2]) <= polygon[1].distance(polygon[3]) {
+        [triangle([0, 1, 2]), triangle([0, 2, 3])]
+    } else {
+        [triangle([0, 1, 3]), triangle([1, 2, 3])]
+    }
+}
+
+/// The parallelogram of which a triangle is the half s + t ≤ 1.
+fn doubled(triangle: &Patch) -> Patch {
+    let (Patch::Flat { corners: [a, b, c, _], normal }, ..) = (triangle,) else { return triangle.clone() };
+    Patch::Flat { corners: [*a, *b, b + (c - a), *c], normal: *normal }
 }
 
 /// Adds the pair of patches oriented with their common edge at t = 0, point by point, in an order that leaves t alone in the innermost loops: with t and v fixed, the
@@ -112,12 +155,15 @@ pub(super) fn integrate_hinge(moments: &mut Moments, p: &Patch, q: &Patch, degre
 /// ```
 pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3], sees: Option<Sees>) {
     let [radial, along, angular] = points.map(UnitRule::of);
-    let mut sum = EdgeSum::new(moments.patches(p, q), along, sees);
+    let mut sum = EdgeSum::new(moments.patches(p, q));
+    let slide = |sum: &mut EdgeSum, t: f64, v: f64, z: f64, weight: f64| {
+        slide(sum, along, [t, v, z], weight, sees);
+    };
     for (x, wx) in radial.iter() {
         // t = x, v = xa, z = xb.
         for (a, wa) in angular.iter() {
             for (b, wb) in angular.iter() {
-                sum.slide(x, x * a, x * b, x * x * wx * wa * wb);
+                slide(&mut sum, x, x * a, x * b, x * x * wx * wa * wb);
             }
             sum.close_across_emitter(x * a);
         }
@@ -125,12 +171,12 @@ pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [us
         for (a, wa) in angular.iter() {
             // t = xa, v = x, z = xb.
             for (b, wb) in angular.iter() {
-                sum.slide(x * a, x, x * b, x * x * wx * wa * wb);
+                slide(&mut sum, x * a, x, x * b, x * x * wx * wa * wb);
             }
             sum.close_across_emitter(x);
             // t = xa, v = xb, z = x.
             for (b, wb) in angular.iter() {
-                sum.slide(x * a, x * b, x, x * x * wx * wa * wb);
+                slide(&mut sum, x * a, x * b, x, x * x * wx * wa * wb);
                 sum.close_across_emitter(x * b);
             }
             sum.close_across_receiver(x * a);
@@ -139,88 +185,20 @@ pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [us
     moments.add(sum.pair);
 }
 
-/// The sums S, Q and M of [`integrate`].
-struct EdgeSum<'p, 's> {
-    pair: PatchMoments<'p>,
-    along: &'static UnitRule,
-    sees: Option<Sees<'s>>,
-    /// Emitter's polynomials.
-    width: usize,
-    /// S, p_i of the receiver by p_j of the emitter.
-    both_along: Vec<f64>,
-    /// Q, p_i of the receiver by the emitter's products.
-    along_receiver: Vec<f64>,
-    receiver_row: Vec<f64>,
-    emitter_row: Vec<f64>,
-}
-
-impl<'p, 's> EdgeSum<'p, 's> {
-    fn new(pair: PatchMoments<'p>, along: &'static UnitRule, sees: Option<Sees<'s>>) -> Self {
-        let [rows, width] = [0, 1].map(|side| pair.charts[side].width());
-        Self {
-            along,
-            sees,
-            width,
-            both_along: vec![0.0; rows * width],
-            along_receiver: vec![0.0; rows * pair.charts[1].len()],
-            receiver_row: vec![0.0; rows],
-            emitter_row: vec![0.0; width],
-            pair,
-        }
-    }
-
-    /// S over all y and both signs of u − s.
-    fn slide(&mut self, t: f64, v: f64, z: f64, weight: f64) {
-        for (y, wy) in self.along.iter() {
-            let base = (1.0 - z) * y;
-            for (s, u) in [(base, base + z), (base + z, base)] {
-                self.sample([s, t, u, v], weight * wy * (1.0 - z));
+/// S over all y and both signs of u − s.
+fn slide(sum: &mut EdgeSum, along: &UnitRule, [t, v, z]: [f64; 3], weight: f64, sees: Option<Sees>) {
+    for (y, wy) in along.iter() {
+        let base = (1.0 - z) * y;
+        for (s, u) in [(base, base + z), (base + z, base)] {
+            let [p, q] = sum.pair.patches;
+            let (x, y) = (p.node(s, t), q.node(u, v));
+            let value = visible_kernel(&x, &y, sees, &mut sum.pair.rays) * x.area * y.area;
+            sum.pair.samples += 1;
+            if value != 0.0 {
+                sum.add(s, u, weight * wy * (1.0 - z) * value);
             }
         }
     }
-
-    fn sample(&mut self, [s, t, u, v]: [f64; 4], weight: f64) {
-        let [p, q] = self.pair.patches;
-        let (x, y) = (p.node(s, t), q.node(u, v));
-        self.pair.samples += 1;
-        let value = visible_kernel(&x, &y, self.sees, &mut self.pair.rays) * weight * x.area * y.area;
-        if value == 0.0 {
-            return;
-        }
-        self.pair.charts[0].polynomials(0, s, &mut self.receiver_row);
-        self.pair.charts[1].polynomials(0, u, &mut self.emitter_row);
-        for (row, left) in self.both_along.chunks_exact_mut(self.width).zip(&self.receiver_row) {
-            add_scaled(row, value * left, &self.emitter_row);
-        }
-    }
-
-    /// Q += p_β(v) S, and S = 0.
-    fn close_across_emitter(&mut self, v: f64) {
-        let chart = &self.pair.charts[1];
-        chart.polynomials(1, v, &mut self.emitter_row);
-        let lines = self.along_receiver.chunks_exact_mut(chart.len());
-        for (line, row) in lines.zip(self.both_along.chunks_exact(self.width)) {
-            for (q, (j, beta)) in line.iter_mut().zip(chart.degrees()) {
-                *q += self.emitter_row[*beta] * row[*j];
-            }
-        }
-        self.both_along.fill(0.0);
-    }
-
-    /// M += p_α(t) Q, and Q = 0.
-    fn close_across_receiver(&mut self, t: f64) {
-        let [receiver, emitter] = &self.pair.charts;
-        receiver.polynomials(1, t, &mut self.receiver_row);
-        let count = emitter.len();
-        for (out, (i, alpha)) in self.pair.values.chunks_exact_mut(count).zip(receiver.degrees()) {
-            add_scaled(out, self.receiver_row[*alpha], &self.along_receiver[i * count..(i + 1) * count]);
-        }
-        self.along_receiver.fill(0.0);
-    }
-}
-
-fn add_scaled(out: &mut [f64], factor: f64, row: &[f64]) {
-    out.iter_mut().zip(row).for_each(|(o, r)| *o += factor * r);
 }
 
 #[cfg(test)]
@@ -250,7 +228,8 @@ mod tests {
         let wedge = Wedge::of(&p, &q);
         let points = counts(&p, &q, &wedge, [3, 5], 1e-14);
         let mut fast = Moments::new(&receiver, &emitter);
-        integrate_hinge(&mut fast, &p, &q, [3, 5], 1e-14);
+        let (rest, resolved) = integrate_flat(&mut fast, &p, &q, [3, 5], 1e-14);
+        assert!(rest.is_empty() && resolved);
         let mut summed = Moments::new(&receiver, &emitter);
         integrate(&mut summed, &p, &q, points, None);
         assert!(fast.distinct < summed.distinct / 10);

@@ -10,22 +10,17 @@
 //!
 //! Where one side is much deeper, the edge short or the angle small, the kernel peaks in one place of the square (a, b).
 //! The square is halved towards it as long as that takes fewer points; each part has its own number of points along a and b
-//! ([`super::analytic`]).
+//! ([`super::square`]).
 
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
-use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::elements::rule::UnitRule;
 
-use super::analytic;
 use super::chart::polynomials;
-
-/// Places of the other variable at which the rate of convergence along one is looked at.
-const PLACES: [f64; 7] = [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];
-/// Most halvings of the square.
-const DEEPEST: u32 = 48;
+use super::square::{Bilinear, Part};
 
 /// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +42,8 @@ pub(super) struct Angular {
     pub odd: Vec<f64>,
     /// Number of c.
     pub width: usize,
-}
-
-/// A part of the square (a, b).
-#[derive(Clone, Copy, Debug)]
-struct Part {
-    low: [f64; 2],
-    size: [f64; 2],
+    /// Whether the accuracy was reached.
+    pub resolved: bool,
 }
 
 /// One of the three regions: r = fixed + a · along[0] + b · along[1], for the two signs of ζ.
@@ -90,7 +80,9 @@ impl Hinge {
         let angular = [0, 1, 2].map(|which| {
             let region = self.region(which, regions[which], degrees[0].max(degrees[1]), eps);
             let mut angular = Angular::new(regions[which]);
-            region.add(self.strength, Part::WHOLE, 0, &mut angular, &mut samples);
+            for sign in 0..region.signs {
+                samples += region.add(sign, self.strength, &mut angular);
+            }
             angular
         });
         (angular, samples)
@@ -112,100 +104,61 @@ impl Angular {
     fn new(degrees: [usize; 2]) -> Self {
         let width = degrees[1] + 1;
         let zeros = vec![0.0; (degrees[0] + 1) * width];
-        Self { even: zeros.clone(), odd: zeros, width }
-    }
-}
-
-impl Part {
-    const WHOLE: Self = Self { low: [0.0; 2], size: [1.0; 2] };
-
-    fn halves(&self, direction: usize) -> [Self; 2] {
-        let mut halves = [*self; 2];
-        halves[0].size[direction] *= 0.5;
-        halves[1].size[direction] *= 0.5;
-        halves[1].low[direction] += halves[1].size[direction];
-        halves
-    }
-
-    fn at(&self, direction: usize, place: f64) -> f64 {
-        self.low[direction] + self.size[direction] * place
+        Self { even: zeros.clone(), odd: zeros, width, resolved: true }
     }
 }
 
 impl Region {
-    /// Adds the moments of one part, halved where that takes fewer points.
-    fn add(&self, strength: f64, part: Part, depth: u32, out: &mut Angular, samples: &mut u64) {
-        let points = self.points(&part);
-        let cost = |points: [usize; 2]| points[0] * points[1];
-        let direction = usize::from(points[1] > points[0]);
-        let halves = part.halves(direction);
-        let halved: usize = halves.iter().map(|half| cost(self.points(half))).sum();
-        let too_many = points.iter().any(|n| *n > MOST_POINTS);
-        if depth < DEEPEST && (too_many || halved < cost(points)) {
-            halves.iter().for_each(|half| self.add(strength, *half, depth + 1, out, samples));
-        } else {
-            self.integrate(strength, &part, points, out);
-            *samples += (self.signs * cost(points)) as u64;
+    /// Adds the moments of one sign of ζ; returns the number of kernel values.
+    fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> u64 {
+        let difference = |a: f64, b: f64| self.difference(sign, a, b);
+        let square = Bilinear { difference: &difference, degree: self.degree, eps: self.eps };
+        let mut samples = 0;
+        let (parts, resolved) = square.parts();
+        out.resolved &= resolved;
+        for (part, points) in parts {
+            self.integrate(sign, strength, &part, points, out);
+            samples += (points[0] * points[1]) as u64;
         }
+        samples
     }
 
-    /// Points along a and b.
-    fn points(&self, part: &Part) -> [usize; 2] {
-        [0, 1].map(|direction| {
-            let other = 1 - direction;
-            let rate = |sign: usize, place: f64| {
-                let base = self.fixed[sign]
-                    + self.along[sign][other] * part.at(other, place)
-                    + self.along[sign][direction] * part.low[direction];
-                analytic::rate(base, self.along[sign][direction] * part.size[direction])
-            };
-            let rates = (0..self.signs).flat_map(|sign| PLACES.map(|place| rate(sign, place)));
-            analytic::points(self.degree, self.eps, rates.fold(f64::INFINITY, f64::min))
-        })
+    /// y − x at x = 1.
+    fn difference(&self, sign: usize, a: f64, b: f64) -> DVec3 {
+        self.fixed[sign] + self.along[sign][0] * a + self.along[sign][1] * b
     }
 
-    fn integrate(&self, strength: f64, part: &Part, points: [usize; 2], out: &mut Angular) {
+    fn integrate(&self, sign: usize, strength: f64, part: &Part, points: [usize; 2], out: &mut Angular) {
         let rules = points.map(UnitRule::of);
         let (mut row_a, mut row_b) = (vec![0.0; self.degrees[0] + 1], vec![0.0; out.width]);
-        let tables: Vec<Vec<f64>> = rules[1]
-            .nodes
-            .iter()
-            .map(|b| {
-                polynomials(2.0 * part.at(1, *b) - 1.0, &mut row_b);
-                row_b.clone()
-            })
-            .collect();
-        let (mut even, mut odd) = (vec![0.0; out.width], vec![0.0; out.width]);
+        let mut tables = Vec::with_capacity(points[1] * out.width);
+        for b in &rules[1].nodes {
+            polynomials(2.0 * part.at(1, *b) - 1.0, &mut row_b);
+            tables.extend_from_slice(&row_b);
+        }
         for (a, wa) in rules[0].iter() {
             let a = part.at(0, a);
-            even.fill(0.0);
-            odd.fill(0.0);
-            for ((b, wb), table) in rules[1].iter().zip(&tables) {
-                let [plus, minus] = self.values(a, part.at(1, b));
-                add_scaled(&mut even, wb * (plus + minus), table);
-                if plus != minus {
-                    add_scaled(&mut odd, wb * (plus - minus), table);
-                }
+            row_b.fill(0.0);
+            for ((b, wb), table) in rules[1].iter().zip(tables.chunks_exact(out.width)) {
+                add_scaled(&mut row_b, wb * self.value(sign, a, part.at(1, b)), table);
             }
             polynomials(2.0 * a - 1.0, &mut row_a);
             let weight = strength * wa * part.size[0] * part.size[1];
+            // One sign stands for both: twice in the sum, nothing in the difference.
+            let (even, odd) = if self.signs == 1 { (2.0, 0.0) } else { (1.0, [1.0, -1.0][sign]) };
             for (r, value) in row_a.iter().enumerate() {
                 let place = r * out.width..(r + 1) * out.width;
-                add_scaled(&mut out.even[place.clone()], weight * value, &even);
-                add_scaled(&mut out.odd[place], weight * value, &odd);
+                add_scaled(&mut out.even[place.clone()], even * weight * value, &row_b);
+                add_scaled(&mut out.odd[place], odd * weight * value, &row_b);
             }
         }
     }
 
-    /// τν/r⁴ for both signs of ζ.
-    fn values(&self, a: f64, b: f64) -> [f64; 2] {
+    /// τν/r⁴.
+    fn value(&self, sign: usize, a: f64, b: f64) -> f64 {
         let heights = [a, a, a * b][self.which];
-        let value = |sign: usize| {
-            let r2 = (self.fixed[sign] + self.along[sign][0] * a + self.along[sign][1] * b).length_squared();
-            heights / (r2 * r2)
-        };
-        let plus = value(0);
-        [plus, if self.signs == 1 { plus } else { value(1) }]
+        let r2 = self.difference(sign, a, b).length_squared();
+        heights / (r2 * r2)
     }
 }
 
