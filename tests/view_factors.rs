@@ -173,6 +173,32 @@ proptest! {
     }
 
     #[test]
+    fn trembling_hinges_tremble_little(
+        size in -16.0..-1.0f64, axis in point(), shift in point(), degrees in 20.0..160.0f64, cut in 0.1..0.9f64
+    ) {
+        // Edges that nearly touch and are nearly parallel.
+        let tremor = 10f64.powf(size);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let floor = polygon(&[[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
+        let wall = polygon(&[[0., 0., 0.], [0., 1., 0.], [cos, 1., sin], [cos, 0., sin]]);
+        let turn = frame(DVec3::X + tremor * axis, DVec3::Y + tremor * shift);
+        let moved = moved(&wall, turn, tremor * shift, 1.0);
+        let (still, trembling) = (polygon_exchange(&floor, &wall), polygon_exchange(&floor, &moved));
+        // The exchange moves by about h ln h.
+        prop_assert!((still - trembling).abs() < 2.0 * tremor * (1.0 - tremor.ln()) + 1e-15, "{still} {trembling}");
+        let parts = [DVec3::Y, -DVec3::Y].map(|side| clip_polygon(&moved, cut * DVec3::Y, side));
+        let sum: f64 = parts.iter().map(|part| polygon_exchange(&floor, part)).sum();
+        // Clipping passes over heights of 1e-12 of the distance, which is not that of the parts.
+        let heights =
+            |c: &[DVec3], n: DVec3, o: DVec3| -> Vec<f64> { c.iter().map(|x| (x - o).dot(n).abs()).collect() };
+        let normal = (moved[1] - moved[0]).cross(moved[3] - moved[0]).normalize();
+        let mut heights = [heights(&moved, DVec3::Z, floor[0]), heights(&floor, normal, moved[0])].concat();
+        heights.retain(|height| *height < 4e-12);
+        let passed_over = heights.into_iter().fold(0.0, f64::max);
+        prop_assert!((sum - trembling).abs() < 2e-15 + passed_over, "{sum} {trembling}");
+    }
+
+    #[test]
     fn reflex_hinges_exchange_nothing(degrees in 181.0..359.0f64) {
         let (sin, cos) = degrees.to_radians().sin_cos();
         let floor = polygon(&[[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]]);
