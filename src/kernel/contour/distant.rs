@@ -30,8 +30,9 @@ use super::segment::edges;
 
 /// Largest k.
 const LARGEST_CROSS: f64 = 0.1;
-/// ln(1/ε) of the rules, and the points beyond: measured, the error is then below 1e-13 of A_i A_j/R².
+/// ln(1/ε) of the rules.
 const DIGITS: f64 = 31.0;
+/// Points beyond that: with them no error above 2e-14 of A_i A_j/R² was found among 20 000 random pairs.
 const SURPLUS: f64 = 0.3;
 /// Most points per edge.
 const MOST: usize = 14;
@@ -203,10 +204,10 @@ fn row<const TERMS: usize>(node: &Node, row: &[Lanes]) -> f64 {
     let mut sums = [0.0; LANES];
     let (image, excess) = (node.image, node.excess);
     for lanes in row {
-        for k in 0..LANES {
+        for (k, sum) in sums.iter_mut().enumerate() {
             let z =
                 image.x * lanes.x[k] + image.y * lanes.y[k] + image.z * lanes.z[k] + excess * lanes.excess[k];
-            sums[k] += lanes.weight[k] * half_log::<TERMS>(-z);
+            *sum += lanes.weight[k] * half_log::<TERMS>(-z);
         }
     }
     sums.iter().sum()
