@@ -71,7 +71,7 @@ fn normal(polygon: &[DVec3]) -> Option<DVec3> {
 /// logarithms it took.
 fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
     match (in_front(p, q[0], m), in_front(q, p[0], n)) {
-        (Some(p), Some(q)) => counted(&p, &q),
+        (Some(p), Some(q)) => exchange(&p, &q),
         _ => (0.0, 0),
     }
 }
@@ -107,14 +107,9 @@ fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [D
     (corners.len() > 2).then_some(Cow::Owned(corners))
 }
 
-/// A_i F_ij of two polygons wholly in front of each other, each with three corners at least (length²).
-#[cfg(test)]
-pub(super) fn exchange(p: &[DVec3], q: &[DVec3]) -> f64 {
-    counted(p, q).0
-}
-
-/// The exchange, and the number of logarithms it took.
-fn counted(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
+/// A_i F_ij of two polygons wholly in front of each other, each with three corners at least (length²), and the
+/// number of logarithms it took.
+pub(super) fn exchange(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (sum, terms) = contours(p, q);
     (0.5 * FRAC_1_PI * sum.abs(), terms)
 }
@@ -197,7 +192,7 @@ mod tests {
             let [p, q] = case.corners();
             let exact: f64 = case.exchange.parse().expect("a number");
             let extent = Ball::about(&p).radius.min(Ball::about(&q).radius);
-            let (one, other) = (exchange(&p, &q), exchange(&q, &p));
+            let (one, other) = (exchange(&p, &q).0, exchange(&q, &p).0);
             assert!((one - exact).abs() < 1e-15 * extent * extent, "{}: {one} {exact}", case.name);
             assert!((other - exact).abs() < 1e-15 * extent * extent, "{}: {other} {exact}", case.name);
         }
@@ -208,7 +203,7 @@ mod tests {
         for case in reference().contours.iter().filter(|case| case.name.contains(", distance ")) {
             let [p, q] = case.corners();
             let exact: f64 = case.exchange.parse().expect("a number");
-            assert!((exchange(&p, &q) / exact - 1.0).abs() < 1e-14, "{}", case.name);
+            assert!((exchange(&p, &q).0 / exact - 1.0).abs() < 1e-14, "{}", case.name);
         }
     }
 
