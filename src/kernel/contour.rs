@@ -43,8 +43,9 @@ const COPLANAR: f64 = 1e-12;
 
 /// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij, length².
 ///
-/// Either is clipped by the plane of the other, and nothing else hides them from each other. The error is some
-/// 1e-15 of the area, and also of the result where the two are apart. Polygons without area exchange nothing.
+/// Either is clipped by the plane of the other, heights below 1e-12 of the distance passed over, and nothing else
+/// hides them from each other. The error is some 1e-15 of the square of the smaller extent, and also of the result
+/// where the two are apart. Polygons without area exchange nothing.
 ///
 /// ```
 /// use radiosity::kernel::polygon_exchange;
