@@ -21,7 +21,7 @@ const REACH: f64 = 3.0;
 /// Largest distance of the lines, over the length of the longer segment and √sin θ.
 const APART: f64 = 5e-10;
 /// Largest rounding error of the crossing, over the length of the longer segment.
-const ROUNDING: f64 = 2e-15;
+const ROUNDING: f64 = 4e-16;
 
 /// ∫∫ (ln r + 3/2) over two segments at an angle of at most 90°; None where the lines do not cross near them.
 pub(super) fn integral(a: &Segment, b: &Segment) -> Option<f64> {

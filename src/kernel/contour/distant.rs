@@ -30,8 +30,9 @@ use super::segment::edges;
 
 /// Largest k.
 const LARGEST_CROSS: f64 = 0.1;
-/// ln(1/ε) of the rules, and the points beyond: measured, the error is then below 1e-13 of A_i A_j/R².
+/// ln(1/ε) of the rules.
 const DIGITS: f64 = 31.0;
+/// Points beyond that: with them no error above 2e-14 of A_i A_j/R² was found among 20 000 random pairs.
 const SURPLUS: f64 = 0.3;
 /// Most points per edge.
 const MOST: usize = 14;
@@ -203,10 +204,10 @@ fn row<const TERMS: usize>(node: &Node, row: &[Lanes]) -> f64 {
     let mut sums = [0.0; LANES];
     let (image, excess) = (node.image, node.excess);
     for lanes in row {
-        for k in 0..LANES {
+        for (k, sum) in sums.iter_mut().enumerate() {
             let z =
                 image.x * lanes.x[k] + image.y * lanes.y[k] + image.z * lanes.z[k] + excess * lanes.excess[k];
-            sums[k] += lanes.weight[k] * half_log::<TERMS>(-z);
+            *sum += lanes.weight[k] * half_log::<TERMS>(-z);
         }
     }
     sums.iter().sum()
@@ -229,44 +230,28 @@ fn half_log<const TERMS: usize>(z: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
     #[test]
-    fn calibrate() {
-        let mut seed = 1u64;
-        let mut r = move || {
-            seed = seed.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-            (seed >> 11) as f64 / (1u64 << 53) as f64
-        };
-        let mut worst = [[0f64; 15]; 3];
-        let mut seen = [0usize; 15];
-        for _ in 0..20000 {
-            let square = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(DVec3::from_array);
-            let a = DVec3::new(r() - 0.5, r() - 0.5, r() - 0.5).normalize();
-            let b = DVec3::new(r() - 0.5, r() - 0.5, r() - 0.5).cross(a).normalize();
-            let (sa, sb) = (0.3 + r(), 0.3 + r());
-            let d = 1.5 * (1.0 + 300.0 * r().powi(5));
-            let dir = DVec3::new(r() - 0.5, r() - 0.5, r() - 0.5).normalize();
-            let o = dir * d;
-            let q = [o, o + a * sa, o + a * sa + b * sb, o + b * sb];
-            let (bp, bq) = (Ball::about(&square), Ball::about(&q));
-            let Some(plan) = Plan::of(&bp, &bq) else { continue };
-            if plan.points.iter().max() > Some(&12) {
-                continue;
-            }
-            let exact = Plan { points: plan.points.map(|n| (n + 3).min(14)), cross: 0.1 }
-                .integral((&square, bp), (&q, bq))
-                .0;
-            let n = plan.points[0].max(plan.points[1]);
-            // size without cosines
-            let size = sa * sb / (bp.center.distance_squared(bq.center));
-            seen[n] += 1;
-            for (k, less) in [0usize, 1, 2].into_iter().enumerate() {
-                let plan = Plan { points: plan.points.map(|n| (n - less).max(1)), ..plan };
-                let v = plan.integral((&square, bp), (&q, bq)).0;
-                worst[k][n] = worst[k][n].max((v - exact).abs() / size);
-            }
+    fn the_series_is_a_logarithm_to_rounding_within_its_bound() {
+        // (1 ± k)² bounds 1 + z.
+        let ends = |k: f64| [(1.0 - k).powi(2) - 1.0, (1.0 + k).powi(2) - 1.0, 1e-3 * k];
+        for z in ends(3e-3) {
+            assert!((half_log::<3>(z) / (0.5 * z.ln_1p()) - 1.0).abs() < 1e-15);
         }
-        for n in 0..15 {
-            println!("{n} {} {:?}", seen[n], worst.map(|w| format!("{:.1e}", w[n])));
+        for z in ends(3e-2) {
+            assert!((half_log::<5>(z) / (0.5 * z.ln_1p()) - 1.0).abs() < 1e-15);
+        }
+        for z in ends(LARGEST_CROSS) {
+            assert!((half_log::<8>(z) / (0.5 * z.ln_1p()) - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn near_polygons_have_no_plan() {
+        let ball = |x: f64, radius: f64| Ball { center: DVec3::X * x, radius };
+        assert!(Plan::of(&ball(0.0, 1.0), &ball(5.0, 1.0)).is_some());
+        for (x, radius) in [(3.0, 1.0), (1.5, 1.0), (0.0, 1.0), (1e3, 900.0)] {
+            assert!(Plan::of(&ball(0.0, 1.0), &ball(x, radius)).is_none(), "{x} {radius}");
         }
     }
 }

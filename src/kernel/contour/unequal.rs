@@ -22,7 +22,7 @@ use super::segment::Segment;
 const CLEAR: f64 = 3.0;
 /// Length of the stretches that go edge by edge, in units of ϱ.
 const SHORT: f64 = 4.0;
-/// Points per edge of the small polygon where it is nearest.
+/// ln(1/ε) of the rules.
 const DIGITS: f64 = 35.0;
 /// Most points per stretch.
 const MOST: usize = 16;
@@ -39,7 +39,8 @@ pub(super) fn integral(small: &[Segment], radius: f64, edge: &Segment) -> (f64, 
         let distance = (stretch.start + stretch.direction * foot).length();
         let sigma = (stretch.start.length() + stretch.end.length() - 2.0 * radius) / stretch.length;
         let (value, count) = if distance >= CLEAR * radius && sigma >= SMALLEST_SIGMA {
-            product(small, &stretch, [distance / radius, sigma])
+            let cone = ((distance - radius) * (distance + radius)).sqrt() / radius;
+            product(small, &stretch, [cone, sigma])
         } else if stretch.length <= SHORT * radius {
             pair::integrals(small, &stretch)
         } else {
@@ -56,9 +57,9 @@ fn halves(stretch: &Segment) -> [Segment; 2] {
     [Segment { end: middle, length, ..*stretch }, Segment { start: middle, length, ..*stretch }]
 }
 
-/// The product rule; `rates` are σ on the edges of the small polygon, at least, and on the stretch.
-fn product(small: &[Segment], stretch: &Segment, rates: [f64; 2]) -> (f64, u64) {
-    let [rule_a, rule_b] = rates.map(|sigma| UnitRule::of(points(sigma)));
+/// The product rule; `sigmas` are σ on the edges of the small polygon, at least, and on the stretch.
+fn product(small: &[Segment], stretch: &Segment, sigmas: [f64; 2]) -> (f64, u64) {
+    let [rule_a, rule_b] = sigmas.map(|sigma| UnitRule::of(points(sigma)));
     let mut sum = 0.0;
     for a in small {
         let cosine = a.direction.dot(stretch.direction);
