@@ -4,12 +4,14 @@
 //! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
 //! ```
 //!
-//! Every pair of patches is brought to a case that a rule covers: flat pairs are clipped and matched
+//! Constants on flat elements that see each other freely go by [`contour`], exactly. Otherwise every pair of
+//! patches is brought to a case that a rule covers: flat pairs are clipped and matched
 //! ([`clip`]), then
 //!
 //! * a common edge → [`edge`], split while aspect > 2.5;
 //! * a common corner → [`vertex`], split while aspect > 2.5;
-//! * apart → [`separated`] where gap/extent ≥ ¼, else the longest extent is halved.
+//! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`super::near`];
+//!   else the longest extent is halved.
 //!
 //! A pair that a blocker may cut, or whose horizon crosses it, is halved a few times first: parts that
 //! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
@@ -23,8 +25,10 @@ use crate::elements::rule::MOST_POINTS;
 use crate::visibility::Visibility;
 
 use super::clip::{Facet, match_contact};
+use super::contour;
 use super::edge::{self, LARGEST_ASPECT, Wedge};
 use super::moments::Moments;
+use super::near::Plan;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
 use super::{same, vertex};
@@ -62,6 +66,8 @@ impl Accuracy {
 /// The rule that a pair of elements needed most of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
+    /// Constants on flat elements: by their contours, exact.
+    Contour,
     /// Plain tensor rule.
     Separated,
     /// Split because it is near.
@@ -87,9 +93,9 @@ pub(super) struct Block {
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
     pub unresolved: bool,
-    /// Terms of the rules.
+    /// Terms of the rules; logarithms where the contours were integrated.
     pub samples: u64,
-    /// Kernel evaluations.
+    /// Kernel evaluations, or logarithms.
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
@@ -103,6 +109,9 @@ pub(super) fn block(
     visibility: &Visibility,
     accuracy: Accuracy,
 ) -> Block {
+    if let Some(block) = constant_block(receiver, emitter, blockers) {
+        return block;
+    }
     let mut job = Job::new(receiver, emitter, visibility, accuracy);
     let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for p in &receiver.patches {
@@ -111,6 +120,30 @@ pub(super) fn block(
         }
     }
     job.finish()
+}
+
+/// The block of constants on flat elements with nothing between them, exact; None for others.
+fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> Option<Block> {
+    let constant = receiver.basis.len() == 1 && emitter.basis.len() == 1;
+    if !constant || receiver.plane.is_none() || emitter.plane.is_none() || !blockers.is_empty() {
+        return None;
+    }
+    let (mut sum, mut terms) = (0.0, 0);
+    for p in &receiver.patches {
+        for q in &emitter.patches {
+            let (value, count) = contour::patches(p, q);
+            (sum, terms) = (sum + value, terms + count);
+        }
+    }
+    Some(Block {
+        values: vec![sum / (receiver.area * emitter.area).sqrt()],
+        kind: Kind::Contour,
+        partly_hidden: false,
+        unresolved: false,
+        samples: terms,
+        distinct: terms,
+        rays: 0,
+    })
 }
 
 /// The block of a curved element with itself. Its accuracy does not follow ε, and it hides nothing from itself.
@@ -285,6 +318,12 @@ impl<'a> Job<'a> {
             }
             Contact::Apart(gap) => {
                 let near = *gap < SMALLEST_RATIO * longest;
+                if near && sees.is_none() && p.is_flat() && q.is_flat() {
+                    self.kind = self.kind.max(Kind::Split);
+                    if let Some(plan) = Plan::cheaper_than_split(&self.moments, p, q, eps) {
+                        return plan.integrate(&mut self.moments);
+                    }
+                }
                 if near && divisible {
                     self.kind = self.kind.max(Kind::Split);
                     return self.halve(p, q, &contact, state);

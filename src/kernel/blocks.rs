@@ -19,9 +19,9 @@ pub struct Blocks {
     complete: Vec<bool>,
     /// How many pairs went which way.
     pub pairs: PairCounts,
-    /// Terms of the rules, those of pairs that are copies of others included.
+    /// Terms of the rules, logarithms where contours were integrated; those of pairs that are copies of others included.
     pub samples: u64,
-    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    /// Kernel evaluations, less than the terms where the kernel is known to repeat, and logarithms.
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,

@@ -31,6 +31,8 @@ pub struct PairCounts {
     pub split: usize,
     /// Apart.
     pub separated: usize,
+    /// Constants on flat elements: by their contours, exact.
+    pub contour: usize,
     /// Pairs in which visibility was sampled (counted above as well).
     pub partly_hidden: usize,
     /// Pairs with a near part left at the smallest size, accuracy unknown (counted above as well).
@@ -41,6 +43,7 @@ impl PairCounts {
     /// Counts one more pair whose block was integrated, or is a copy of one that was.
     pub(super) fn take(&mut self, block: &Block) {
         let counter = match block.kind {
+            Kind::Contour => &mut self.contour,
             Kind::Separated => &mut self.separated,
             Kind::Split => &mut self.split,
             Kind::Vertex => &mut self.vertex,

@@ -10,13 +10,22 @@
 use std::borrow::Cow;
 
 use crate::elements::basis::AreaBasis;
-use crate::elements::patch::Patch;
+use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 
 use super::change::Change;
 use super::chart::Chart;
 use super::integrand::Sees;
-use super::product::{self, Line, Side};
+use super::product::{self, Grid, Line};
+
+/// One of the two elements of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Side {
+    /// The first.
+    Receiver,
+    /// The second.
+    Emitter,
+}
 
 /// Moments of one pair of elements under way.
 #[derive(Debug)]
@@ -52,8 +61,8 @@ impl PatchMoments<'_> {
     /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
     /// emitter, all in [0, 1].
     pub(super) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
-        let receiver = Side::new(self.patches[0], &self.charts[0], s, t);
-        let emitter = Side::new(self.patches[1], &self.charts[1], u, v);
+        let receiver = Grid::new(self.patches[0], &self.charts[0], s, t);
+        let emitter = Grid::new(self.patches[1], &self.charts[1], u, v);
         product::add(&mut self.values, weight, [&receiver, &emitter], sees, &mut self.rays);
         self.samples += (receiver.len() * emitter.len()) as u64;
     }
@@ -87,6 +96,28 @@ impl<'a> Moments<'a> {
         let mut pair = self.patches(p, q);
         pair.product(points.map(|n| UnitRule::of(n).line()), 1.0, sees);
         self.add(pair);
+    }
+
+    /// Bases of receiver and emitter.
+    pub(super) fn bases(&self) -> [&'a AreaBasis; 2] {
+        [self.receiver, self.emitter]
+    }
+
+    /// Adds one point x of the element `side`, given `inner` = ∫ κ(x, y) L(y) dA_y over the other element's part, which
+    /// took so many `samples`.
+    pub(super) fn outer(&mut self, side: Side, x: &Node, weight: f64, inner: &[f64], samples: u64) {
+        self.samples += samples;
+        self.distinct += samples;
+        let basis = self.bases()[side as usize];
+        let mut own = vec![0.0; basis.len()];
+        basis.raw(basis.frame().coordinates(x), &mut own);
+        let (left, right) = match side {
+            Side::Receiver => (&own[..], inner),
+            Side::Emitter => (inner, &own[..]),
+        };
+        for (row, l) in self.values.chunks_exact_mut(right.len()).zip(left) {
+            row.iter_mut().zip(right).for_each(|(value, r)| *value += weight * l * r);
+        }
     }
 
     /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.

@@ -35,7 +35,7 @@ type Lanes = [f64; LANES];
 pub(super) type Line<'a> = (&'a [f64], &'a [f64]);
 
 /// One side of a rule: points of a tensor grid on a patch, and the polynomials along either direction.
-pub(super) struct Side<'a> {
+pub(super) struct Grid<'a> {
     chart: &'a Chart,
     counts: [usize; 2],
     /// Points, those across fastest.
@@ -47,7 +47,7 @@ pub(super) struct Side<'a> {
     flat: bool,
 }
 
-impl<'a> Side<'a> {
+impl<'a> Grid<'a> {
     /// The grid of the nodes `along` × `across` on `patch`, whose functions are those of `chart`.
     pub(super) fn new(patch: &Patch, chart: &'a Chart, along: Line, across: Line) -> Self {
         let counts = [along.0.len(), across.0.len()];
@@ -94,7 +94,7 @@ impl<'a> Side<'a> {
 pub(super) fn add(
     moments: &mut [f64],
     factor: f64,
-    [receiver, emitter]: [&Side; 2],
+    [receiver, emitter]: [&Grid; 2],
     sees: Option<Sees>,
     rays: &mut u64,
 ) {
@@ -139,8 +139,8 @@ impl Tile {
 
 /// W, a row of the emitter's functions per receiver point, times the points' `weights` and `factor`.
 fn gather(
-    receiver: &Side,
-    emitter: &Side,
+    receiver: &Grid,
+    emitter: &Grid,
     weights: &[f64],
     factor: f64,
     mut kernel: impl FnMut(&Tile, usize) -> Lanes,
@@ -174,7 +174,7 @@ fn gather(
 }
 
 /// M_kl += Σ_a p_α(s_a) Σ_b p_β(t_b) W_l(ab).
-fn scatter(moments: &mut [f64], receiver: &Side, count: usize, gathered: &[f64]) {
+fn scatter(moments: &mut [f64], receiver: &Grid, count: usize, gathered: &[f64]) {
     let width = receiver.chart.width();
     let mut inner = vec![0.0; width * count];
     for (a, rows) in gathered.chunks_exact(receiver.counts[1] * count).enumerate() {
