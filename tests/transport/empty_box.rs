@@ -238,7 +238,7 @@ fn two_layers_err_by_a_few_parts_in_ten_thousand() {
 }
 
 #[test]
-#[ignore = "13230 unknowns take a gigabyte and minutes"]
+#[ignore = "13230 unknowns take a gigabyte and half a minute"]
 fn two_layers_err_so_little_against_three() {
     two_layers_against(&Mesh::new(3, 8, 1e-5, false), [9.9e-5, 5.0e-5]);
 }

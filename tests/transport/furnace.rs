@@ -57,7 +57,7 @@ fn cube_is_two_everywhere_up_to_the_last_digits() {
 }
 
 #[test]
-#[ignore = "orders to 20 take a minute"]
+#[ignore = "orders to 20 take half a minute"]
 fn cube_is_two_everywhere_at_every_order() {
     let failures = cube_errors(0..=20, &[1e-4, 1e-8, 1e-12]);
     assert!(failures.is_empty(), "{}", failures.join("\n"));

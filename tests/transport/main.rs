@@ -1,5 +1,7 @@
 //! Evidence for the transport between elements: exact transfers, theorems on random shapes, whole rooms.
 
+#![expect(clippy::print_stdout, reason = "errors and costs are measured here, and shown with --nocapture")]
+
 mod company;
 mod contour;
 mod empty_box;

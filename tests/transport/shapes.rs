@@ -1,5 +1,6 @@
 //! Random pairs of flat shapes: every kind, hinged, sliding, apart, parallel or anyhow, of all sizes.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 
 use glam::DQuat;
@@ -15,6 +16,7 @@ pub(crate) struct Pair {
     pub(crate) order: usize,
     pub(crate) eps: f64,
     /// How they stand to each other before they are turned and scaled; for messages.
+    #[expect(dead_code, reason = "shown by Debug")]
     pub(crate) pose: Pose,
 }
 
@@ -44,7 +46,7 @@ fn depth() -> impl Strategy<Value = f64> {
 fn turn() -> impl Strategy<Value = DQuat> {
     let axis =
         (-1.0..1.0f64, -1.0..1.0f64, 0.1..1.0f64).prop_map(|(x, y, z)| DVec3::new(x, y, z).normalize());
-    (axis, prop_oneof![Just(0.0), 0.0..6.28f64]).prop_map(|(axis, angle)| DQuat::from_axis_angle(axis, angle))
+    (axis, prop_oneof![Just(0.0), 0.0..TAU]).prop_map(|(axis, angle)| DQuat::from_axis_angle(axis, angle))
 }
 
 /// A shape in z = 0 with y ≥ 0 that has an edge on y = 0, about one wide.
@@ -126,7 +128,7 @@ fn pose() -> impl Strategy<Value = Pose> {
     let slide = || prop_oneof![3 => Just(0.0), 1 => Just(1.0), 3 => -1.5..1.5f64];
     let gap = prop_oneof![2 => Just(0.0), 2 => powers(-6.0, 6.0), 2 => powers(-2.0, 1.0)];
     let above = prop_oneof![1 => powers(-6.0, 6.0), 2 => powers(-2.0, 1.0)];
-    let angle = || 0.0..6.28f64;
+    let angle = || 0.0..TAU;
     let offset = || -3.0..3.0f64;
     prop_oneof![
         3 => (degrees, slide(), gap, 0.0..180.0f64)
