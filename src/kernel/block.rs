@@ -35,6 +35,8 @@ use super::{same, vertex};
 const COINCIDENT: f64 = 1e-9;
 /// Pairs are not halved below this part of their size.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
+/// Flat pairs in contact that are more slender go by the rule for near pairs at once: halving ends too early.
+const MOST_SLENDER: f64 = 64.0;
 /// A part that carries less than this times ε of the geometric mean of the two areas is left out.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Most angular points for parts that may not be halved further although they are slender, and of the corner
@@ -260,31 +262,44 @@ impl<'a> Job<'a> {
         let sees: Option<super::moments::Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let longest = longest(p).1.max(longest(q).1);
         let divisible = longest > SMALLEST_PART * self.size;
+        let plain = sees.is_none() && p.is_flat() && q.is_flat();
         match &contact {
             Contact::Edge(a, b) => {
                 self.kind = self.kind.max(Kind::Edge);
                 let wedge = Wedge::of(a, b);
+                if plain && wedge.aspect() > MOST_SLENDER {
+                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
+                }
                 if wedge.aspect() > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = edge::counts(a, b, &wedge, self.degrees, eps);
                 let most = if wedge.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
+                if plain && points[2] > most {
+                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
+                }
                 self.unresolved |= points[2] > most;
                 edge::integrate(&mut self.moments, a, b, self.degrees, points.map(|n| n.min(most)), sees);
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
+                if plain && vertex::aspect(a, b) > MOST_SLENDER {
+                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
+                }
                 if vertex::aspect(a, b) > LARGEST_ASPECT && divisible {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = vertex::counts(a, b, self.degrees, eps);
+                if plain && points[1] > MOST_SLIVER_POINTS {
+                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
+                }
                 self.unresolved |= points[1] > MOST_SLIVER_POINTS;
                 let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
                 vertex::integrate(&mut self.moments, a, b, points, sees);
             }
             Contact::Apart(gap) => {
                 let near = *gap < SMALLEST_RATIO * longest;
-                if near && sees.is_none() && p.is_flat() && q.is_flat() {
+                if near && plain {
                     self.kind = self.kind.max(Kind::Split);
                     if let Some(plan) = Plan::cheaper_than_split(&self.moments, p, q, eps) {
                         return plan.integrate(&mut self.moments);

@@ -33,6 +33,10 @@ const SHARPEST: f64 = 1e-13;
 const LEAST_TRANSFER: f64 = 1e-3;
 /// Singular places farther than this many lengths of the cell do not count.
 const FAR: f64 = 5.0;
+/// Imaginary part below which a singular place gets a line of the other direction.
+const CLOSE: f64 = 0.25;
+/// Most such lines.
+const MOST_CLOSE: usize = 4;
 /// Singular places closer than this part of their distance from the cell count once.
 const ALIKE: f64 = 0.02;
 /// Edges nearer than this part of the receiver's size get a cut along their projection.
@@ -125,8 +129,7 @@ impl<'a> Planner<'a> {
             degree: self.outer.order() + usize::from(!cell.is_parallelogram()),
             eps: self.eps,
         };
-        let directions = [Direction::Along, Direction::Across];
-        let rules = directions.map(|d| LineRule::of(&roots(cell, d, &emitter.edges, self.floor), &request));
+        let rules = places(cell, &emitter.edges, self.floor).map(|roots| LineRule::of(&roots, &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
         if let Some((place, _)) = rules[worst].cut
             && depth < DEEPEST
@@ -272,13 +275,31 @@ impl LineRule {
     }
 }
 
-/// Where the inner integral is singular on the lines of one direction of a cell's chart; alike ones once.
-fn roots(cell: &Patch, direction: Direction, edges: &[Edge], floor: f64) -> Vec<Complex> {
+/// Where the inner integral is singular on lines along and lines across a cell's chart.
+///
+/// A place close to the cell that one direction shows may lie between the lines of the other: those get a line there.
+fn places(cell: &Patch, edges: &[Edge], floor: f64) -> [Vec<Complex>; 2] {
+    let directions = [Direction::Along, Direction::Across];
+    let mut found = directions.map(|direction| roots(cell, direction, &LINES, edges, floor));
+    let lines = [&found[1], &found[0]].map(|others| {
+        let mut close: Vec<Complex> =
+            others.iter().copied().filter(|root| root.im < CLOSE && (0.0..=1.0).contains(&root.re)).collect();
+        close.sort_by(|a, b| a.im.total_cmp(&b.im));
+        close.iter().take(MOST_CLOSE).map(|root| root.re).collect::<Vec<f64>>()
+    });
+    for ((roots_found, direction), lines) in found.iter_mut().zip(directions).zip(&lines) {
+        roots_found.extend(roots(cell, direction, lines, edges, floor));
+    }
+    found.map(distinct)
+}
+
+/// Where it is singular on given lines of one direction.
+fn roots(cell: &Patch, direction: Direction, lines: &[f64], edges: &[Edge], floor: f64) -> Vec<Complex> {
     let mut found = Vec::new();
-    for line in LINES {
+    for line in lines {
         let ends = match direction {
-            Direction::Along => [cell.node(0.0, line), cell.node(1.0, line)],
-            Direction::Across => [cell.node(line, 0.0), cell.node(line, 1.0)],
+            Direction::Along => [cell.node(0.0, *line), cell.node(1.0, *line)],
+            Direction::Across => [cell.node(*line, 0.0), cell.node(*line, 1.0)],
         };
         let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
         if step != DVec3::ZERO {
@@ -288,8 +309,13 @@ fn roots(cell: &Patch, direction: Direction, edges: &[Edge], floor: f64) -> Vec<
             found[first..].iter_mut().for_each(|root| root.im = root.im.max(least));
         }
     }
+    found
+}
+
+/// Those near the cell, alike ones once.
+fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
     let mut kept: Vec<Complex> = Vec::new();
-    for root in found {
+    for root in roots {
         let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
         if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
             kept.push(root);
