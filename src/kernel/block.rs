@@ -291,10 +291,11 @@ impl<'a> Job<'a> {
         let sees: Option<super::integrand::Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let longest = longest(p).1.max(longest(q).1);
         let divisible = longest > SMALLEST_PART * self.size;
+        let plain = sees.is_none() && p.is_flat() && q.is_flat();
         match &contact {
             Contact::Edge(a, b) => {
                 self.kind = self.kind.max(Kind::Edge);
-                if sees.is_none() && a.is_flat() && b.is_flat() {
+                if plain {
                     let (rest, resolved) = edge::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
                     self.unresolved |= !resolved;
                     return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone()));
@@ -310,7 +311,7 @@ impl<'a> Job<'a> {
             }
             Contact::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
-                if sees.is_none() && a.is_flat() && b.is_flat() {
+                if plain {
                     self.unresolved |= !vertex::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
                     return;
                 }
@@ -318,13 +319,16 @@ impl<'a> Job<'a> {
                     return self.halve(p, q, &contact, state);
                 }
                 let points = vertex::counts(a, b, self.degrees, eps);
+                if plain && points[1] > MOST_SLIVER_POINTS {
+                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
+                }
                 self.unresolved |= points[1] > MOST_SLIVER_POINTS;
                 let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
                 vertex::integrate(&mut self.moments, a, b, points, sees);
             }
             Contact::Apart(gap) => {
                 let near = *gap < SMALLEST_RATIO * longest;
-                if near && sees.is_none() && p.is_flat() && q.is_flat() {
+                if near && plain {
                     self.kind = self.kind.max(Kind::Split);
                     if let Some(plan) = Plan::cheaper_than_split(&self.moments, p, q, eps) {
                         return plan.integrate(&mut self.moments);

@@ -52,26 +52,28 @@ impl Plan {
 
     /// For two flat convex patches in front of each other that do not touch and see each other freely.
     pub(super) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Self {
-        let eps = SAFETY * eps;
-        let [receiver, emitter] = moments.bases();
-        let plan = |outer: Side, limit: f64| {
-            let (mut planner, a, b) = match outer {
-                Side::Receiver => (Planner::new(receiver, emitter, eps, limit), p, q),
-                Side::Emitter => (Planner::new(emitter, receiver, eps, limit), q, p),
-            };
-            planner.pair(a, b);
-            Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
-        };
         // The smaller patch is usually the better one outside.
         let size = |patch: &Patch| patch.extents().iter().sum::<f64>();
-        let sides = if size(p) <= size(q) {
+        let [first, other] = if size(p) <= size(q) {
             [Side::Receiver, Side::Emitter]
         } else {
             [Side::Emitter, Side::Receiver]
         };
-        let first = plan(sides[0], f64::INFINITY);
-        let second = plan(sides[1], first.cost);
-        if second.cost < first.cost { second } else { first }
+        let first = Self::outside(first, moments, p, q, eps, f64::INFINITY);
+        let other = Self::outside(other, moments, p, q, eps, first.cost);
+        if other.cost < first.cost { other } else { first }
+    }
+
+    /// With the outer integral over one given side; its cost is infinite if it passes `limit`.
+    fn outside(outer: Side, moments: &Moments, p: &Patch, q: &Patch, eps: f64, limit: f64) -> Self {
+        let [receiver, emitter] = moments.bases();
+        let eps = SAFETY * eps;
+        let (mut planner, a, b) = match outer {
+            Side::Receiver => (Planner::new(receiver, emitter, eps, limit), p, q),
+            Side::Emitter => (Planner::new(emitter, receiver, eps, limit), q, p),
+        };
+        planner.pair(a, b);
+        Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
     }
 
     /// Adds the pair.

@@ -9,6 +9,9 @@
 //! distance(x(s), edge) = 0 : the same with the parts of X and w across the edge.
 //! ```
 //!
+//! On a receiver that leans on the emitter's plane, polynomials of the emitter add h² ln h where the line meets that plane
+//! inside the emitter.
+//!
 //! Per direction of a cell the roots nearest to it choose the sinh map; where a map still leaves a slow
 //! rate, the cell is cut. Beforehand the receiver is cut along the projections of edges that come near, so that the
 //! layers of width ≈ gap along them lie at sides of cells.
@@ -31,8 +34,12 @@ const FEW: usize = 2;
 const SHARPEST: f64 = 1e-13;
 /// Least transfer that the accuracy is relative to.
 const LEAST_TRANSFER: f64 = 1e-3;
-/// Singular places farther than this many lengths of the cell do not count.
-const FAR: f64 = 5.0;
+/// Singular places farther than this many lengths of the cell do not count; strong maps bring far ones near.
+const FAR: f64 = 1e3;
+/// Imaginary part below which a singular place gets a line of the other direction.
+const CLOSE: f64 = 0.25;
+/// Most such lines.
+const MOST_CLOSE: usize = 4;
 /// Singular places closer than this part of their distance from the cell count once.
 const ALIKE: f64 = 0.02;
 /// Edges nearer than this part of the receiver's size get a cut along their projection.
@@ -125,8 +132,7 @@ impl<'a> Planner<'a> {
             degree: self.outer.order() + usize::from(!cell.is_parallelogram()),
             eps: self.eps,
         };
-        let directions = [Direction::Along, Direction::Across];
-        let rules = directions.map(|d| LineRule::of(&roots(cell, d, &emitter.edges, self.floor), &request));
+        let rules = places(cell, emitter, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
         if let Some((place, _)) = rules[worst].cut
             && depth < DEEPEST
@@ -272,24 +278,55 @@ impl LineRule {
     }
 }
 
-/// Where the inner integral is singular on the lines of one direction of a cell's chart; alike ones once.
-fn roots(cell: &Patch, direction: Direction, edges: &[Edge], floor: f64) -> Vec<Complex> {
+/// Where the inner integral is singular on lines along and lines across a cell's chart.
+///
+/// A place close to the cell that one direction shows may lie between the lines of the other: those get a line there.
+fn places(cell: &Patch, emitter: &Emitter, floor: f64, eps: f64) -> [Vec<Complex>; 2] {
+    let directions = [Direction::Along, Direction::Across];
+    let mut found = directions.map(|direction| roots(cell, direction, &LINES, emitter, floor, eps));
+    let lines = [&found[1], &found[0]].map(|others| {
+        let mut close: Vec<Complex> =
+            others.iter().copied().filter(|root| root.im < CLOSE && (0.0..=1.0).contains(&root.re)).collect();
+        close.sort_by(|a, b| a.im.total_cmp(&b.im));
+        close.iter().take(MOST_CLOSE).map(|root| root.re).collect::<Vec<f64>>()
+    });
+    for ((roots_found, direction), lines) in found.iter_mut().zip(directions).zip(&lines) {
+        roots_found.extend(roots(cell, direction, lines, emitter, floor, eps));
+    }
+    found.map(distinct)
+}
+
+/// Where it is singular on given lines of one direction.
+fn roots(
+    cell: &Patch,
+    direction: Direction,
+    lines: &[f64],
+    emitter: &Emitter,
+    floor: f64,
+    eps: f64,
+) -> Vec<Complex> {
     let mut found = Vec::new();
-    for line in LINES {
+    for line in lines {
         let ends = match direction {
-            Direction::Along => [cell.node(0.0, line), cell.node(1.0, line)],
-            Direction::Across => [cell.node(line, 0.0), cell.node(line, 1.0)],
+            Direction::Along => [cell.node(0.0, *line), cell.node(1.0, *line)],
+            Direction::Across => [cell.node(*line, 0.0), cell.node(*line, 1.0)],
         };
         let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
         if step != DVec3::ZERO {
             let first = found.len();
-            edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
+            emitter.edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
+            found.extend(emitter.polar.crossing(start, step, eps));
             let least = floor / step.length();
             found[first..].iter_mut().for_each(|root| root.im = root.im.max(least));
         }
     }
+    found
+}
+
+/// Those near the cell, alike ones once.
+fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
     let mut kept: Vec<Complex> = Vec::new();
-    for root in found {
+    for root in roots {
         let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
         if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
             kept.push(root);

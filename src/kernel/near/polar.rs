@@ -119,6 +119,21 @@ impl<'a> Polar<'a> {
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
     }
 
+    /// Where the line `start` + s `step` meets the plane inside the polygon: there I_l has a part of order h² ln h,
+    /// h the height, unless that is below `eps` all along s ∈ [0, 1].
+    pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex> {
+        let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
+        let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
+        let most = height.abs().max((height + slope).abs()) / size;
+        if slope.abs() < 1e-14 * step.length() || most * most < 0.1 * eps {
+            return None;
+        }
+        let place = -height / slope;
+        let foot = start + step * place;
+        let inside = self.edges.iter().all(|(edge, outward)| (foot - edge.start).dot(*outward) <= 0.0);
+        inside.then_some(Complex::new(place, 0.0))
+    }
+
     /// Irradiance at x of the emitter with radiosity 1 (Lambert 1760):
     /// E = Σ_edges θ n_x·(a × b)/|a × b| / 2π, with a, b the vectors from x to an edge's ends and θ the angle between them.
     pub(super) fn irradiance(&self, x: &Node) -> f64 {

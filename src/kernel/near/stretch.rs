@@ -41,15 +41,16 @@ impl Stretch {
         Self { center, scale, low, high }
     }
 
-    /// ϱ of a singularity at `place` in s.
+    /// ϱ of a singularity at `place` in s, its imaginary part not negative.
     pub(super) fn ellipse(&self, place: Complex) -> f64 {
-        let mu = if self.scale.is_finite() {
-            (place - Complex::new(self.center, 0.0)).scale(1.0 / self.scale).asinh()
-        } else {
-            place
-        };
         let half = 0.5 * (self.high - self.low);
-        (mu - Complex::new(self.low + half, 0.0)).scale(1.0 / half).ellipse()
+        let rho = |mu: Complex| (mu - Complex::new(self.low + half, 0.0)).scale(1.0 / half).ellipse();
+        if !self.scale.is_finite() {
+            return rho(place);
+        }
+        let mu = (place - Complex::new(self.center, 0.0)).scale(1.0 / self.scale).asinh();
+        // sinh(𝚒π − μ) = sinh μ: what lies behind the centre is met a second time, beyond π/2.
+        rho(mu).min(rho(Complex::new(-mu.re, core::f64::consts::PI - mu.im)))
     }
 
     /// Points for polynomials of degree `degree` on an element of which [0, 1] is the part `fraction`.
