@@ -6,8 +6,14 @@
 //! an element is covered by [`patch`]es.
 
 pub mod basis;
+pub mod columns;
+pub mod frame;
+pub mod measure;
 pub mod patch;
+pub mod products;
+pub mod recurrence;
 pub mod rule;
+pub mod spectrum;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -15,7 +21,9 @@ use std::sync::Arc;
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
 
 use crate::scene::{Scene, SceneSurface};
-use basis::{AreaBasis, Frame, HIGHEST_ORDER};
+use basis::{AreaBasis, HIGHEST_ORDER};
+use frame::Frame;
+use measure::Measure;
 use patch::Patch;
 use rule::UnitRule;
 
@@ -49,10 +57,9 @@ pub enum ElementError {
         /// The degree asked for.
         order: usize,
     },
-    /// A surface that fills its bounding parallelogram too badly for its degree.
+    /// A surface without area, or so thin that its points as rounded do not tell polynomials of its degree apart.
     #[error(
-        "surface '{surface}' has a shape on which polynomials of order {order} lose their digits: lower its order, \
-         subdivide it, or cut it into parts nearer to parallelograms"
+        "surface '{surface}' has no area, or is too thin for polynomials of order {order}: lower its order or remove it"
     )]
     Thin {
         /// Name of the surface.
@@ -267,8 +274,13 @@ fn element(
         return Ok(None);
     }
     let frame = frame(shape.as_ref(), &patches, plane, &rect);
-    let basis = AreaBasis::new(order, frame, &patches).ok_or_else(thin)?;
-    let (area, constant) = area_and_constant(&basis, &patches);
+    let measure = Measure::new(&patches, order);
+    let basis = AreaBasis::over(&measure, order, frame, &patches).ok_or_else(thin)?;
+    let area = measure.area();
+    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant function
+    // exact.
+    let mut constant = vec![0.0; basis.len()];
+    constant[0] = area.sqrt();
     let hull = match plane {
         Some(_) => patches.iter().flat_map(Patch::polygon).collect(),
         None => shape.hull(&rect),
@@ -298,31 +310,16 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
     match plane {
         Some(_) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
-            let jet = shape.jet(u, v);
-            Frame::bounding(&corners, [jet.du, jet.dv])
+            // A parallelogram fills the frame along its own sides, whatever the surface's parameters are.
+            let sides = match patches {
+                [patch] if patch.is_parallelogram() => [corners[1] - corners[0], corners[3] - corners[0]],
+                _ => [shape.jet(u, v).du, shape.jet(u, v).dv],
+            };
+            Frame::bounding(&corners, sides)
         }
         None => Frame::Parameters {
             center: DVec2::new(u, v),
             half: 0.5 * DVec2::new(rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]),
         },
     }
-}
-
-/// Area, and c = ∫ φ dA = T ∫ L dA.
-///
-/// φ₀ is constant, so c = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant
-/// function exact.
-fn area_and_constant(basis: &AreaBasis, patches: &[Patch]) -> (f64, Vec<f64>) {
-    let mut area = 0.0;
-    for patch in patches {
-        let rule = UnitRule::of(basis.order() + if patch.is_flat() { 2 } else { 12 });
-        for (s, ws) in rule.iter() {
-            for (t, wt) in rule.iter() {
-                area += ws * wt * patch.node(s, t).area;
-            }
-        }
-    }
-    let mut constant = vec![0.0; basis.len()];
-    constant[0] = area.sqrt();
-    (area, constant)
 }

@@ -48,6 +48,9 @@ impl Change {
     }
 
     fn signed(patch: &Patch, basis: &AreaBasis) -> Option<Self> {
+        if !basis.is_product() {
+            return None;
+        }
         let at = |s: f64, t: f64| basis.frame().coordinates(&patch.node(s, t));
         let corners = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
         let near = |x: f64, y: f64| (x - y).abs() <= 1e-13;
@@ -84,7 +87,7 @@ impl Change {
         for (s, ws) in rule.iter() {
             for (t, wt) in rule.iter() {
                 basis.raw(basis.frame().coordinates(&patch.node(s, t)), &mut theirs);
-                basis.raw([2.0 * s - 1.0, 2.0 * t - 1.0], &mut own);
+                total::values(basis.order(), 2.0 * s - 1.0, 2.0 * t - 1.0, &mut own);
                 for (row, l) in matrix.chunks_exact_mut(count).zip(&theirs) {
                     // Four: the measure of [−1, 1]² against that of the unit square.
                     row.iter_mut().zip(&own).for_each(|(c, t)| *c += 4.0 * ws * wt * l * t);

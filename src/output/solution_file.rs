@@ -1,11 +1,13 @@
 //! The solution as a file that explains itself: polynomials of irradiance per element and band, JSON.
 
+use std::ops::Range;
+
 use serde::Serialize;
 
 use crate::elements::Element;
 use crate::elements::basis::Frame;
 use crate::scene::Scene;
-use crate::solution::Solution;
+use crate::solution::{Band, Solution};
 
 /// How to read the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
@@ -37,7 +39,7 @@ struct SavedElement<'a> {
     reflectance: Vec<f64>,
     exitance: Vec<f64>,
     /// Per band.
-    irradiance: Vec<&'a [f64]>,
+    irradiance: Vec<Vec<f64>>,
 }
 
 #[derive(Debug, Serialize)]
@@ -50,20 +52,32 @@ enum SavedFrame {
 impl<'a> SolutionFile<'a> {
     /// The file of a scene's solution.
     pub fn new(scene: &'a Scene, solution: &'a Solution) -> Self {
-        let elements = solution.elements().list().iter().enumerate();
+        let mut start = 0;
+        let saved = |(index, element): (usize, &Element)| {
+            let range = start..start + element.basis.len();
+            start = range.end;
+            saved(scene, solution, index, element, &range)
+        };
         Self {
             format: "radiosity-solution",
             format_version: 1,
             scene: &scene.name,
             bands: &scene.bands,
             evaluation: EVALUATION,
-            elements: elements.map(|(index, element)| saved(scene, solution, index, element)).collect(),
+            elements: solution.elements().list().iter().enumerate().map(saved).collect(),
         }
     }
 }
 
-fn saved<'a>(scene: &'a Scene, solution: &'a Solution, index: usize, element: &Element) -> SavedElement<'a> {
+fn saved<'a>(
+    scene: &'a Scene,
+    solution: &'a Solution,
+    index: usize,
+    element: &Element,
+    range: &Range<usize>,
+) -> SavedElement<'a> {
     let bands = solution.bands();
+    let irradiance = |band: &Band| element.basis.to_products(&band.coefficients.irradiance[range.clone()]);
     SavedElement {
         surface: &scene.surfaces[element.surface].name,
         rectangle: [element.rect.u, element.rect.v],
@@ -73,7 +87,7 @@ fn saved<'a>(scene: &'a Scene, solution: &'a Solution, index: usize, element: &E
         area: element.area,
         reflectance: bands.iter().map(|band| band.coating.reflectance[index]).collect(),
         exitance: bands.iter().map(|band| band.coating.exitance[index]).collect(),
-        irradiance: bands.iter().map(|band| band.raw_irradiance(index)).collect(),
+        irradiance: bands.iter().map(irradiance).collect(),
     }
 }
 
