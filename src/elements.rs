@@ -6,6 +6,7 @@
 //! an element is covered by [`patch`]es.
 
 pub mod basis;
+pub mod cells;
 pub mod columns;
 pub mod frame;
 pub mod measure;
@@ -22,6 +23,7 @@ use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_ar
 
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, HIGHEST_ORDER};
+use cells::{Layers, breaks, cells_between, interval};
 use frame::Frame;
 use measure::Measure;
 use patch::Patch;
@@ -34,6 +36,8 @@ pub struct Discretization {
     pub order: usize,
     /// Cuts of surfaces that do not state their own.
     pub subdivide: Subdivide,
+    /// Further cuts of the outermost cells of every surface.
+    pub layers: Layers,
 }
 
 /// Cuts along u and v of a surface that does not state its own.
@@ -56,6 +60,15 @@ pub enum ElementError {
     Order {
         /// The degree asked for.
         order: usize,
+    },
+    /// Layers that cannot be made.
+    #[error(
+        "{} layers of ratio {}: the ratio has to lie between 0 and 1, and its power to the number of layers above 1e-7",
+        layers.count, layers.ratio
+    )]
+    Layers {
+        /// The layers asked for.
+        layers: Layers,
     },
     /// A surface without area, or so thin that its points as rounded do not tell polynomials of its degree apart.
     #[error(
@@ -134,11 +147,11 @@ pub struct Elements {
     surfaces: Vec<Cut>,
 }
 
-/// How one surface was cut: cells along u and v, and the element of each cell.
+/// How one surface was cut: ends of the cells along u and v, and the element of each cell.
 #[derive(Debug)]
 struct Cut {
     shape: Arc<dyn Surface>,
-    cells: [usize; 2],
+    breaks: [Vec<f64>; 2],
     element: Vec<Option<usize>>,
 }
 
@@ -148,6 +161,9 @@ impl Elements {
     /// # Errors
     /// A degree out of range, or a surface without area at the degree asked.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        if !how.layers.is_valid() {
+            return Err(ElementError::Layers { layers: how.layers });
+        }
         let extent = scene_extent(scene);
         let mut elements = Self { list: Vec::new(), surfaces: Vec::new() };
         for (index, surface) in scene.surfaces.iter().enumerate() {
@@ -155,9 +171,10 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let cells = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
-            let mut cut = Cut { shape: Arc::clone(&surface.shape), cells, element: Vec::new() };
-            for rect in cells_of(cells) {
+            let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
+            let breaks = parts.map(|parts| breaks(parts, how.layers));
+            let mut cut = Cut { shape: Arc::clone(&surface.shape), breaks, element: Vec::new() };
+            for rect in cells_between(&cut.breaks) {
                 let element = element(index, surface, rect, order)?;
                 cut.element.push(element.is_some().then_some(elements.list.len()));
                 elements.list.extend(element);
@@ -182,8 +199,8 @@ impl Elements {
     /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
     pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
         let cut = &self.surfaces[surface];
-        let cell = |x: f64, cells: usize| (((x + 1.0) * 0.5 * cells as f64) as usize).min(cells - 1);
-        cut.element[cell(u, cut.cells[0]) * cut.cells[1] + cell(v, cut.cells[1])]
+        let columns = cut.breaks[1].len() - 1;
+        cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
     }
 
     /// The element on the other side of the seam at (u, v), a little further in direction `step`; None
@@ -204,15 +221,6 @@ impl Elements {
     pub fn coefficients(&self) -> usize {
         self.list.iter().map(|element| element.basis.len()).sum()
     }
-}
-
-/// The cells of a uniform cut of [−1, 1]², v running fastest.
-pub fn cells_of(cells: [usize; 2]) -> impl Iterator<Item = Rect> {
-    let step = move |k: usize, n: usize| -1.0 + 2.0 * k as f64 / n as f64;
-    (0..cells[0] * cells[1]).map(move |index| {
-        let (i, j) = (index / cells[1], index % cells[1]);
-        Rect { u: [step(i, cells[0]), step(i + 1, cells[0])], v: [step(j, cells[1]), step(j + 1, cells[1])] }
-    })
 }
 
 /// The part of planar convex `pieces` over the parameter rectangle of a planar surface whose
@@ -321,5 +329,37 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
             center: DVec2::new(u, v),
             half: 0.5 * DVec2::new(rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]),
         },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn graded_box() -> Elements {
+        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let layers = Layers { count: 2, ratio: 0.25 };
+        let how = Discretization { order: 1, subdivide: Subdivide::Uniform(1), layers };
+        Elements::new(&scene, &how).expect("walls have area")
+    }
+
+    #[test]
+    fn places_are_found_in_graded_elements_and_across_their_seams() {
+        let elements = graded_box();
+        assert_eq!(elements.of_surface(0), 0..25);
+        for (index, element) in elements.list().iter().enumerate() {
+            let [u, v] = element.rect.center();
+            assert_eq!(elements.at(element.surface, [u, v]), Some(index));
+            let right = elements.across_seam(element.surface, [element.rect.u[1], v], [1.0, 0.0]);
+            assert_eq!(right.is_some(), element.rect.u[1] < 1.0);
+            let neighbour = right.map_or(element.rect.u[1], |other| elements.list()[other].rect.u[0]);
+            assert_eq!(neighbour, element.rect.u[1]);
+        }
+    }
+
+    #[test]
+    fn graded_elements_cover_their_surface() {
+        let area: f64 = graded_box().list().iter().map(|element| element.area).sum();
+        assert!((area - 6.0).abs() < 1e-13, "{area}");
     }
 }

@@ -7,6 +7,7 @@ use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
+use crate::elements::cells::Layers;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::kernel::{Accuracy, Blocks, PairCounts};
 use crate::scene::Scene;
@@ -21,6 +22,8 @@ pub struct Options {
     pub order: usize,
     /// Cuts along u and v of surfaces that do not state their own; None chooses.
     pub subdivide: Option<usize>,
+    /// Further cuts of the outermost cells of every surface, towards its sides.
+    pub layers: Layers,
     /// Accuracy of the kernel blocks.
     pub eps: f64,
     /// Accuracy of visibility within a block.
@@ -43,6 +46,7 @@ impl Default for Options {
         Self {
             order: 3,
             subdivide: None,
+            layers: Layers::NONE,
             eps: 1e-3,
             shadow_eps: 3e-3,
             shadows: true,
@@ -161,7 +165,7 @@ fn solve_in_pool(
         let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
         (visibility, subdivide)
     });
-    let how = Discretization { order: options.order, subdivide };
+    let how = Discretization { order: options.order, subdivide, layers: options.layers };
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
     let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));

@@ -2,6 +2,7 @@
 
 use radiosity::checks::Checks;
 use radiosity::direct::DirectLight;
+use radiosity::elements::cells::Layers;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::output::grid::grid;
@@ -41,7 +42,7 @@ fn furnace_error(solution: &Solution) -> f64 {
 fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
     let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let how = Discretization { order, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
     let assemble = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
     let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));

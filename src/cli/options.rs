@@ -31,6 +31,14 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
     pub(crate) subdivide: Subdivide,
 
+    /// Layers of elements graded towards the sides of every surface
+    #[arg(long, value_name = "L", default_value = "0", value_parser = layers())]
+    pub(crate) layers: usize,
+
+    /// Size of each layer against the next, between 0 and 1
+    #[arg(long, value_name = "Q", default_value = "0.25", value_parser = fraction)]
+    pub(crate) ratio: f64,
+
     /// Accuracy of the transfers between elements, between 0 and 1
     #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
     pub(crate) eps: f64,
@@ -131,6 +139,10 @@ fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, St
 
 fn order() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
+}
+
+fn layers() -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(0..=8)
 }
 
 /// A count from 1 on.

@@ -3,6 +3,7 @@
 use std::io::{Write, stderr};
 use std::time::Instant;
 
+use radiosity::elements::cells::Layers;
 use radiosity::output::report::Report;
 use radiosity::scene::Scene;
 use radiosity::solve::{self, Options, Outcome, Progress as Stage};
@@ -148,6 +149,7 @@ fn options(method: &MethodArgs) -> Options {
             Subdivide::Auto => None,
             Subdivide::Parts(parts) => Some(parts),
         },
+        layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps,
         shadows: method.shadows != Shadows::Off,
         method: method.solver,

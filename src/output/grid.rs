@@ -12,9 +12,10 @@
 
 use radiosity_geom::{DVec3, PlanarRegion, Rect, polygon_area};
 
+use crate::elements::cells::cells_of;
+use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::elements::{cells_of, clip_to_cell};
 use crate::solution::{Place, Solution};
 
 /// Means over one cell of one surface.
