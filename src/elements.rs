@@ -1,6 +1,6 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, holes included, with polynomials of total degree N in affine
+//! A planar element is any polygon, holes included, with polynomials of order N in affine
 //! coordinates of its plane; a curved element is a rectangle of its surface's parameters, with
 //! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
 //! an element is covered by [`patch`]es.
@@ -14,6 +14,7 @@ pub mod patch;
 pub mod products;
 pub mod recurrence;
 pub mod rule;
+pub mod space;
 pub mod spectrum;
 
 use std::ops::Range;
@@ -28,12 +29,15 @@ use frame::Frame;
 use measure::Measure;
 use patch::Patch;
 use rule::UnitRule;
+use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
 #[derive(Clone, Copy, Debug)]
 pub struct Discretization {
-    /// Total degree on every element that does not state its own, ≤ [`HIGHEST_ORDER`].
+    /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`].
     pub order: usize,
+    /// Which polynomials of that order.
+    pub space: Space,
     /// Cuts of surfaces that do not state their own.
     pub subdivide: Subdivide,
     /// Further cuts of the outermost cells of every surface.
@@ -109,7 +113,7 @@ impl Element {
     /// `position` matters on flat elements, `parameters` on curved ones.
     pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
         let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
-        let mut values = [0.0; (HIGHEST_ORDER + 1) * (HIGHEST_ORDER + 2) / 2];
+        let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];
         let values = &mut values[..self.basis.len()];
         self.basis.raw(place, values);
         values.iter().zip(raw).map(|(x, y)| x * y).sum()
@@ -175,7 +179,7 @@ impl Elements {
             let breaks = parts.map(|parts| breaks(parts, how.layers));
             let mut cut = Cut { shape: Arc::clone(&surface.shape), breaks, element: Vec::new() };
             for rect in cells_between(&cut.breaks) {
-                let element = element(index, surface, rect, order)?;
+                let element = element(index, surface, rect, (how.space, order))?;
                 cut.element.push(element.is_some().then_some(elements.list.len()));
                 elements.list.extend(element);
             }
@@ -270,7 +274,7 @@ fn element(
     index: usize,
     surface: &SceneSurface,
     rect: Rect,
-    order: usize,
+    (space, order): (Space, usize),
 ) -> Result<Option<Element>, ElementError> {
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let shape = &surface.shape;
@@ -282,8 +286,8 @@ fn element(
         return Ok(None);
     }
     let frame = frame(shape.as_ref(), &patches, plane, &rect);
-    let measure = Measure::new(&patches, order);
-    let basis = AreaBasis::over(&measure, order, frame, &patches).ok_or_else(thin)?;
+    let measure = Measure::new(&patches, space.chart_degree(order, &patches));
+    let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
     let area = measure.area();
     // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant function
     // exact.
@@ -339,7 +343,7 @@ mod tests {
     fn graded_box() -> Elements {
         let scene = Scene::builtin("empty-box").expect("it is built in");
         let layers = Layers { count: 2, ratio: 0.25 };
-        let how = Discretization { order: 1, subdivide: Subdivide::Uniform(1), layers };
+        let how = Discretization { order: 1, space: Space::Total, subdivide: Subdivide::Uniform(1), layers };
         Elements::new(&scene, &how).expect("walls have area")
     }
 

@@ -23,9 +23,13 @@ pub(crate) struct SceneArg {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Total degree of the polynomials on each element; 0 is classical radiosity
+    /// Degree of the polynomials on each element; 0 is classical radiosity
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
     pub(crate) order: usize,
+
+    /// Polynomials of that degree in each coordinate, not in both together
+    #[arg(long)]
+    pub(crate) tensor: bool,
 
     /// Cuts each surface into K × K elements; auto looks at what the scene needs
     #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]

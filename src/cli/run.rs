@@ -4,6 +4,7 @@ use std::io::{Write, stderr};
 use std::time::Instant;
 
 use radiosity::elements::cells::Layers;
+use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
 use radiosity::scene::Scene;
 use radiosity::solve::{self, Options, Outcome, Progress as Stage};
@@ -145,6 +146,7 @@ fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
         order: method.order,
+        space: if method.tensor { Space::Tensor } else { Space::Total },
         subdivide: match method.subdivide {
             Subdivide::Auto => None,
             Subdivide::Parts(parts) => Some(parts),

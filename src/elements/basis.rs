@@ -1,4 +1,5 @@
-//! The area-orthonormal basis of an element: polynomials of total degree ≤ N in its coordinates (a, b),
+//! The area-orthonormal basis of an element: polynomials of order N in its coordinates (a, b), of one of two
+//! [spaces](super::space),
 //!
 //! ```text
 //! φ_k = Σ_{l ≤ k} T_kl R_l ,      ∫ φ_k φ_l dA = δ_kl .
@@ -8,12 +9,11 @@
 //!
 //! * products of Legendre polynomials ([`products`]), T triangular, where that keeps all digits: on
 //!   parallelograms and most curved elements. Rules may be factorised then;
-//! * else the φ themselves by their [`recurrence`], T = 1. Planar elements are turned along their diameter for it.
+//! * else the φ themselves by their [`recurrence`], T = 1. For total degree planar elements are turned along their diameter for it.
 //!
 //! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal
 //! basis of Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
 
-use radiosity_core::basis::total;
 use radiosity_geom::DVec3;
 
 use crate::scene::MAX_ORDER;
@@ -23,10 +23,11 @@ pub use super::frame::Frame;
 use super::measure::Measure;
 use super::patch::Patch;
 use super::products;
-use super::recurrence::{Levels, Recurrence};
+use super::recurrence::Recurrence;
 use super::rule::UnitRule;
+use super::space::Space;
 
-/// Highest total degree offered.
+/// Highest order offered.
 pub const HIGHEST_ORDER: usize = MAX_ORDER;
 
 /// Loss of orthonormality at which no better way of evaluation is sought.
@@ -38,9 +39,10 @@ const LARGEST_DEFECT: f64 = 1e-10;
 /// How many levels of products a recurrence uses, cheapest first.
 const DEPTHS: [usize; 2] = [1, 3];
 
-/// Orthonormal polynomials of total degree ≤ N with respect to area.
+/// Polynomials of order N, orthonormal with respect to area.
 #[derive(Clone, Debug)]
 pub struct AreaBasis {
+    space: Space,
     order: usize,
     frame: Frame,
     /// The raw functions where they are not products.
@@ -54,17 +56,28 @@ impl AreaBasis {
     ///
     /// None where the element has no area, or is so thin that its points as rounded do not tell its polynomials apart.
     pub fn new(order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
-        Self::over(&Measure::new(patches, order), order, frame, patches)
+        Self::over(&Measure::new(patches, order), Space::Total, order, frame, patches)
     }
 
-    /// As [`AreaBasis::new`], where the measure for functions of degree `order` is known.
-    pub fn over(measure: &Measure, order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
+    /// The basis of `space` on a measure that is exact for products of two functions of it, preferably in `frame`;
+    /// the frame is part of what a tensor space is. None as for [`AreaBasis::new`].
+    pub fn over(
+        measure: &Measure,
+        space: Space,
+        order: usize,
+        frame: Frame,
+        patches: &[Patch],
+    ) -> Option<Self> {
         if measure.area().is_nan() || measure.area() <= 0.0 {
             return None;
         }
-        let products = std::iter::once_with(|| Self::by_products(measure, order, frame.clone()));
+        let turned = match space {
+            Space::Total => turned(&frame, patches),
+            Space::Tensor => frame.clone(),
+        };
+        let products = std::iter::once_with(|| Self::by_products(measure, space, order, frame.clone()));
         let recurrences =
-            DEPTHS.iter().map(|depth| Self::by_recurrence(measure, order, turned(&frame, patches), *depth));
+            DEPTHS.iter().map(|depth| Self::by_recurrence(measure, space, order, turned.clone(), *depth));
         let mut best: Option<(Self, f64)> = None;
         for (basis, defect) in products.chain(recurrences).flatten() {
             if best.as_ref().is_none_or(|(_, least)| defect < *least) {
@@ -77,19 +90,25 @@ impl AreaBasis {
         best.filter(|(_, defect)| *defect <= LARGEST_DEFECT).map(|(basis, _)| basis)
     }
 
-    fn by_products(measure: &Measure, order: usize, frame: Frame) -> Option<(Self, f64)> {
-        let mut basis = Self { order, frame, recurrence: None, transform: Vec::new() };
+    fn by_products(measure: &Measure, space: Space, order: usize, frame: Frame) -> Option<(Self, f64)> {
+        let mut basis = Self { space, order, frame, recurrence: None, transform: Vec::new() };
         let table = basis.weighted_table(measure);
         basis.transform = products::orthonormalise(&table, basis.len())?;
         let defect = products::defect(&table, &basis.transform);
         Some((basis, defect))
     }
 
-    fn by_recurrence(measure: &Measure, order: usize, frame: Frame, depth: usize) -> Option<(Self, f64)> {
+    fn by_recurrence(
+        measure: &Measure,
+        space: Space,
+        order: usize,
+        frame: Frame,
+        depth: usize,
+    ) -> Option<(Self, f64)> {
         let points: Vec<([f64; 2], f64)> =
             measure.points.iter().map(|(node, weight)| (frame.coordinates(node), *weight)).collect();
-        let recurrence = Recurrence::new(&points, &levels(order), depth)?;
-        let mut basis = Self { order, frame, recurrence: Some(recurrence), transform: Vec::new() };
+        let recurrence = Recurrence::new(&points, &space.levels(order), depth)?;
+        let mut basis = Self { space, order, frame, recurrence: Some(recurrence), transform: Vec::new() };
         let count = basis.len();
         basis.transform = vec![0.0; count * count];
         basis.transform.iter_mut().step_by(count + 1).for_each(|diagonal| *diagonal = 1.0);
@@ -97,14 +116,24 @@ impl AreaBasis {
         Some((basis, defect))
     }
 
-    /// Total degree N.
+    /// Which polynomials it spans.
+    pub fn space(&self) -> Space {
+        self.space
+    }
+
+    /// N: the total degree, or the degree in each coordinate.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// Number of functions, (N + 1)(N + 2)/2.
+    /// Highest total degree of its functions: the degree that rules for corners and edges of contact see.
+    pub fn total_degree(&self) -> usize {
+        self.space.total_degree(self.order)
+    }
+
+    /// Number of functions.
     pub fn len(&self) -> usize {
-        total::count(self.order)
+        self.space.count(self.order)
     }
 
     /// False: the constant is always there.
@@ -112,9 +141,15 @@ impl AreaBasis {
         false
     }
 
-    /// Whether the raw functions are products p_i(a) p_j(b) of the frame's coordinates, i + j ≤ N by total degree.
+    /// Whether the raw functions are products p_i(a) p_j(b) of the frame's coordinates, in the order of the space.
     pub fn is_product(&self) -> bool {
         self.recurrence.is_none()
+    }
+
+    /// Degrees (i, j) of the products p_i(a) p_j(b) of the space, in their order: those of the raw functions where
+    /// these are products.
+    pub fn degrees(&self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.len()).map(|k| self.space.degrees(self.order, k))
     }
 
     /// The coordinates in which the polynomials are written.
@@ -130,7 +165,7 @@ impl AreaBasis {
     /// R_k at (a, b) into `out` (length [`AreaBasis::len`]).
     pub fn raw(&self, coordinates: [f64; 2], out: &mut [f64]) {
         match &self.recurrence {
-            None => products::values(self.order, coordinates, out),
+            None => products::values(self.space, self.order, coordinates, out),
             Some(recurrence) => recurrence.values(coordinates, out),
         }
     }
@@ -147,7 +182,7 @@ impl AreaBasis {
         raw
     }
 
-    /// Coefficients of Σ_k x_k φ_k in the products p_i(a) p_j(b), i + j ≤ N, by total degree.
+    /// Coefficients of Σ_k x_k φ_k in the products p_i(a) p_j(b), in the order of the space.
     ///
     /// Exact but for rounding, which the products amplify where the element fills its frame badly.
     pub fn to_products(&self, coefficients: &[f64]) -> Vec<f64> {
@@ -161,7 +196,7 @@ impl AreaBasis {
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let place = [2.0 * s - 1.0, 2.0 * t - 1.0];
             self.raw(place, &mut ours);
-            products::values(self.order, place, &mut theirs);
+            products::values(self.space, self.order, place, &mut theirs);
             // Four: the measure of [−1, 1]² against that of the unit square.
             add_scaled(&mut products, 4.0 * ws * wt * dot(&raw, &ours), &theirs);
         }
@@ -180,15 +215,6 @@ impl AreaBasis {
     }
 }
 
-/// The levels of total degree 0 … `order`: those of degree d begin at d (d + 1)/2.
-fn levels(order: usize) -> Levels {
-    let start = |degree: usize| degree * (degree + 1) / 2;
-    Levels {
-        functions: (0..=order).map(|degree| start(degree)..start(degree + 1)).collect(),
-        first: vec![[1, 0], [0, 1]],
-    }
-}
-
 /// The frame along the diameter, where the element is flat.
 fn turned(frame: &Frame, patches: &[Patch]) -> Frame {
     let corners: Vec<DVec3> = patches.iter().filter(|p| p.is_flat()).flat_map(Patch::polygon).collect();
@@ -203,7 +229,7 @@ mod tests {
     use std::sync::Arc;
 
     use proptest::prelude::*;
-    use radiosity_core::basis::triangle;
+    use radiosity_core::basis::{total, triangle};
     use radiosity_geom::shapes::{Bezier, Bilinear, Cone, Disk, FULL_TURN, Sphere, Torus};
     use radiosity_geom::{DVec2, PlanarRegion, Rect, Surface};
 
@@ -371,6 +397,52 @@ mod tests {
         assert!(basis.is_product());
         let defect = defect(&basis, &quartered(&patches), HIGHEST_ORDER + 3);
         assert!(defect < 1e-12, "{defect:e}");
+    }
+
+    fn tensor(order: usize, patches: &[Patch]) -> AreaBasis {
+        let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
+        let measure = Measure::new(patches, Space::Tensor.chart_degree(order, patches));
+        let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
+        AreaBasis::over(&measure, Space::Tensor, order, frame, patches).expect("it has area")
+    }
+
+    #[test]
+    fn tensor_basis_is_orthonormal_and_contains_total_degree() {
+        let l = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.3, 0.2], [0.3, 1.0], [0.0, 1.0]], &[]);
+        let shapes = [
+            (true, polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], &[])),
+            (false, polygon(&[[0.0, 0.0], [1.0, 0.0], [0.3, 0.8]], &[])),
+            (false, l),
+        ];
+        for (product, patches) in &shapes {
+            for order in [0, 1, 2, 5, 9] {
+                let basis = tensor(order, patches);
+                assert_eq!(basis.len(), (order + 1) * (order + 1));
+                assert!(basis.is_product() == *product || order < 9);
+                let defect = defect(&basis, &quartered(patches), 2 * order + 3);
+                assert!(defect < 1e-12, "order {order}: {defect:e}");
+                assert_contains(&basis, &super::tests::basis(order, patches), patches);
+            }
+        }
+    }
+
+    /// ‖φ‖² of every function of `part` is the sum of its squared coefficients in `whole`.
+    fn assert_contains(whole: &AreaBasis, part: &AreaBasis, patches: &[Patch]) {
+        let rule = UnitRule::of(2 * whole.order() + 2);
+        let mut overlaps = vec![0.0; part.len() * whole.len()];
+        for patch in patches {
+            for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                let theirs = functions(whole, whole.frame().coordinates(&node));
+                let ours = functions(part, part.frame().coordinates(&node));
+                for (row, x) in overlaps.chunks_exact_mut(whole.len()).zip(&ours) {
+                    add_scaled(row, ws * wt * node.area * x, &theirs);
+                }
+            }
+        }
+        for row in overlaps.chunks_exact(whole.len()) {
+            assert!((dot(row, row) - 1.0).abs() < 1e-12, "{}", dot(row, row));
+        }
     }
 
     #[test]

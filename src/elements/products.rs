@@ -1,7 +1,7 @@
 //! Products of Legendre polynomials, and the triangular matrix that makes them orthonormal on an element.
 //!
 //! ```text
-//! L_k(a, b) = p_i(a) p_j(b) ,  i + j ≤ N ,      φ_k = Σ_{l ≤ k} T_kl L_l ,      ∫ φ_k φ_l dA = δ_kl .
+//! L_k(a, b) = p_i(a) p_j(b) ,      φ_k = Σ_{l ≤ k} T_kl L_l ,      ∫ φ_k φ_l dA = δ_kl .
 //! ```
 //!
 //! T comes from Gram–Schmidt, twice, on the table √w_a L_k(x_a) of a rule that is exact for the products: the
@@ -13,28 +13,38 @@ use radiosity_core::legendre;
 use crate::scene::MAX_ORDER;
 
 use super::columns::{add_scaled, dot, take_out};
+use super::space::Space;
 
-/// L_k(a, b), k by total degree, into `out`.
-pub fn values(order: usize, coordinates: [f64; 2], out: &mut [f64]) {
+/// L_k(a, b) into `out`, in the order of `space`.
+pub fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {
     match order {
-        0..=2 => products::<3>(order, coordinates, out),
-        3..=4 => products::<5>(order, coordinates, out),
-        5..=8 => products::<9>(order, coordinates, out),
-        _ => products::<{ MAX_ORDER + 1 }>(order, coordinates, out),
+        0..=2 => products::<3>(space, order, coordinates, out),
+        3..=4 => products::<5>(space, order, coordinates, out),
+        5..=8 => products::<9>(space, order, coordinates, out),
+        _ => products::<{ MAX_ORDER + 1 }>(space, order, coordinates, out),
     }
 }
 
-/// p_i(a) p_j(b), i + j ≤ order < N, by total degree. Inside the element the plain recurrence keeps all the digits
+/// p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all the digits
 /// that quadrature needs, at a fraction of the time of the form that is exact to the last one near ±1.
-fn products<const N: usize>(order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
+fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
     let (mut first, mut second) = ([0.0; N], [0.0; N]);
     legendre::Table::<N>::RECURRENCE.values(a, &mut first);
     legendre::Table::<N>::RECURRENCE.values(b, &mut second);
-    let mut k = 0;
-    for degree in 0..=order {
-        for j in 0..=degree {
-            out[k] = first[degree - j] * second[j];
-            k += 1;
+    match space {
+        Space::Total => {
+            let mut k = 0;
+            for degree in 0..=order {
+                for j in 0..=degree {
+                    out[k] = first[degree - j] * second[j];
+                    k += 1;
+                }
+            }
+        }
+        Space::Tensor => {
+            for (row, p) in out.chunks_exact_mut(order + 1).zip(&first) {
+                row.iter_mut().zip(&second).for_each(|(value, q)| *value = p * q);
+            }
         }
     }
 }

@@ -106,7 +106,8 @@ pub(super) fn integrate(
     points: [usize; 3],
     sees: Option<Sees>,
 ) {
-    if sees.is_none() && points[2] <= LARGEST_TABLE && p.is_parallelogram() && q.is_parallelogram() {
+    let tabulated = sees.is_none() && points[2] <= LARGEST_TABLE && moments.by_total_degree();
+    if tabulated && p.is_parallelogram() && q.is_parallelogram() {
         let table = EdgeTable::of(degrees, points[2]);
         moments.own(p, q, &table.moments(p, q));
         moments.samples += table.samples() * (points[0] * points[1]) as u64;

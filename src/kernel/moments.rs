@@ -14,6 +14,7 @@ use super::own::Change;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::elements::space::Space;
 
 /// Whether the segment between two points is free.
 pub(super) type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
@@ -83,6 +84,11 @@ impl<'a> Moments<'a> {
         self.emitter.raw(self.emitter.frame().coordinates(y), &mut self.column);
         self.row.iter_mut().for_each(|left| *left *= value);
         rank_one(&mut self.values, &self.row, &self.column);
+    }
+
+    /// Whether both bases are of total degree: the table of the edge rule knows no others.
+    pub(super) fn by_total_degree(&self) -> bool {
+        [self.receiver, self.emitter].iter().all(|basis| basis.space() == Space::Total)
     }
 
     /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.

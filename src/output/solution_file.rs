@@ -6,13 +6,15 @@ use serde::Serialize;
 
 use crate::elements::Element;
 use crate::elements::basis::Frame;
+use crate::elements::space::Space;
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 
 /// How to read the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
      irradiance[band][k] p_i(a) p_j(b), with p_n(x) = sqrt(n + 1/2) P_n(x) (Legendre) and k running over total degree \
-     d = 0..N ascending, within d over j = 0..d with i = d - j. On a plane frame a = (x - origin).first and \
+     d = 0..N ascending, within d over j = 0..d with i = d - j (basis total-degree-legendre), or k = i (N + 1) + j with \
+     i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
      b = (x - origin).second for a point x; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
      radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2).";
 
@@ -82,7 +84,10 @@ fn saved<'a>(
         surface: &scene.surfaces[element.surface].name,
         rectangle: [element.rect.u, element.rect.v],
         order: element.basis.order(),
-        basis: "total-degree-legendre",
+        basis: match element.basis.space() {
+            Space::Total => "total-degree-legendre",
+            Space::Tensor => "tensor-legendre",
+        },
         frame: frame(element.basis.frame()),
         area: element.area,
         reflectance: bands.iter().map(|band| band.coating.reflectance[index]).collect(),
