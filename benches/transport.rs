@@ -1,6 +1,8 @@
 //! What does the transfer between elements cost, and what does a whole scene?
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use radiosity::elements::cells::Layers;
+use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
@@ -12,7 +14,12 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
     for (order, eps) in [(4, 1e-2), (4, 1e-4), (8, 1e-2), (8, 1e-4)] {
-        let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+        let how = Discretization {
+            order,
+            space: Space::Total,
+            subdivide: Subdivide::Uniform(1),
+            layers: Layers::NONE,
+        };
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         criterion.bench_function(&format!("blocks of the empty box, order {order}, eps {eps:e}"), |bench| {

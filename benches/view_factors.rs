@@ -5,7 +5,7 @@
 use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
@@ -99,7 +99,7 @@ fn whole_boxes(_: &mut Criterion) {
 /// The same even box as a scene: what the blocks cost beyond the exchange.
 fn assembled_box(_: &mut Criterion) {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
-    let how = Discretization { order: 0, subdivide: Subdivide::Uniform(CELLS) };
+    let how = Discretization::uniform(0, CELLS);
     let accuracy = Accuracy { eps: 1e-12, shadow_eps: 3e-3 };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread can be started");
     for shadows in [Shadows::Off, Shadows::Rays(1e-3)] {

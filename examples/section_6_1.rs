@@ -11,7 +11,7 @@
 use std::io::{self, Write};
 
 use radiosity::elements::patch::Patch;
-use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::paper::{Party, Reading, Rules, transfer};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
@@ -91,7 +91,7 @@ fn ours(emitter: Emitter, exact: &[f64], order: usize) -> f64 {
         emitter.0
     );
     let scene = Scene::from_toml(&scene, "section 6.1").expect("two squares are a scene");
-    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let how = Discretization::uniform(order, 1);
     let elements = Elements::new(&scene, &how).expect("squares have area");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-3 };

@@ -6,7 +6,7 @@
 
 use std::time::Instant;
 
-use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::in_threads;
@@ -27,7 +27,7 @@ fn main() {
 fn measure(cuts: usize, order: usize, eps: f64) {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let how = Discretization { order, subdivide: Subdivide::Uniform(cuts) };
+    let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
     let assemble = || Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});

@@ -1,13 +1,21 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, holes included, with polynomials of total degree N in affine
+//! A planar element is any polygon, holes included, with polynomials of order N in affine
 //! coordinates of its plane; a curved element is a rectangle of its surface's parameters, with
 //! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
 //! an element is covered by [`patch`]es.
 
 pub mod basis;
+pub mod cells;
+pub mod columns;
+pub mod frame;
+pub mod measure;
 pub mod patch;
+pub mod products;
+pub mod recurrence;
 pub mod rule;
+pub mod space;
+pub mod spectrum;
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -15,17 +23,33 @@ use std::sync::Arc;
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
 
 use crate::scene::{Scene, SceneSurface};
-use basis::{AreaBasis, Frame, HIGHEST_ORDER};
+use basis::{AreaBasis, HIGHEST_ORDER};
+use cells::{Layers, breaks, cells_between, interval};
+use frame::Frame;
+use measure::Measure;
 use patch::Patch;
 use rule::UnitRule;
+use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
 #[derive(Clone, Copy, Debug)]
 pub struct Discretization {
-    /// Total degree on every element that does not state its own, ≤ [`HIGHEST_ORDER`].
+    /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`].
     pub order: usize,
+    /// Which polynomials of that order.
+    pub space: Space,
     /// Cuts of surfaces that do not state their own.
     pub subdivide: Subdivide,
+    /// Further cuts of the outermost cells of every surface.
+    pub layers: Layers,
+}
+
+impl Discretization {
+    /// Total degree `order` on `cuts` × `cuts` cells of every surface, no layers.
+    pub fn uniform(order: usize, cuts: usize) -> Self {
+        let subdivide = Subdivide::Uniform(cuts);
+        Self { order, space: Space::Total, subdivide, layers: Layers::NONE }
+    }
 }
 
 /// Cuts along u and v of a surface that does not state its own.
@@ -49,10 +73,18 @@ pub enum ElementError {
         /// The degree asked for.
         order: usize,
     },
-    /// A surface that fills its bounding parallelogram too badly for its degree.
+    /// Layers that cannot be made.
     #[error(
-        "surface '{surface}' has a shape on which polynomials of order {order} lose their digits: lower its order, \
-         subdivide it, or cut it into parts nearer to parallelograms"
+        "{} layers of ratio {}: the ratio has to lie between 0 and 1, and its power to the number of layers above 1e-7",
+        layers.count, layers.ratio
+    )]
+    Layers {
+        /// The layers asked for.
+        layers: Layers,
+    },
+    /// A surface without area, or so thin that its points as rounded do not tell polynomials of its degree apart.
+    #[error(
+        "surface '{surface}' has no area, or is too thin for polynomials of order {order}: lower its order or remove it"
     )]
     Thin {
         /// Name of the surface.
@@ -89,7 +121,7 @@ impl Element {
     /// `position` matters on flat elements, `parameters` on curved ones.
     pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
         let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
-        let mut values = [0.0; (HIGHEST_ORDER + 1) * (HIGHEST_ORDER + 2) / 2];
+        let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];
         let values = &mut values[..self.basis.len()];
         self.basis.raw(place, values);
         values.iter().zip(raw).map(|(x, y)| x * y).sum()
@@ -127,11 +159,11 @@ pub struct Elements {
     surfaces: Vec<Cut>,
 }
 
-/// How one surface was cut: cells along u and v, and the element of each cell.
+/// How one surface was cut: ends of the cells along u and v, and the element of each cell.
 #[derive(Debug)]
 struct Cut {
     shape: Arc<dyn Surface>,
-    cells: [usize; 2],
+    breaks: [Vec<f64>; 2],
     element: Vec<Option<usize>>,
 }
 
@@ -141,6 +173,9 @@ impl Elements {
     /// # Errors
     /// A degree out of range, or a surface without area at the degree asked.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        if !how.layers.is_valid() {
+            return Err(ElementError::Layers { layers: how.layers });
+        }
         let extent = scene_extent(scene);
         let mut elements = Self { list: Vec::new(), surfaces: Vec::new() };
         for (index, surface) in scene.surfaces.iter().enumerate() {
@@ -148,10 +183,11 @@ impl Elements {
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let cells = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
-            let mut cut = Cut { shape: Arc::clone(&surface.shape), cells, element: Vec::new() };
-            for rect in cells_of(cells) {
-                let element = element(index, surface, rect, order)?;
+            let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
+            let breaks = parts.map(|parts| breaks(parts, how.layers));
+            let mut cut = Cut { shape: Arc::clone(&surface.shape), breaks, element: Vec::new() };
+            for rect in cells_between(&cut.breaks) {
+                let element = element(index, surface, rect, (how.space, order))?;
                 cut.element.push(element.is_some().then_some(elements.list.len()));
                 elements.list.extend(element);
             }
@@ -175,8 +211,8 @@ impl Elements {
     /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
     pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
         let cut = &self.surfaces[surface];
-        let cell = |x: f64, cells: usize| (((x + 1.0) * 0.5 * cells as f64) as usize).min(cells - 1);
-        cut.element[cell(u, cut.cells[0]) * cut.cells[1] + cell(v, cut.cells[1])]
+        let columns = cut.breaks[1].len() - 1;
+        cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
     }
 
     /// The element on the other side of the seam at (u, v), a little further in direction `step`; None
@@ -197,15 +233,6 @@ impl Elements {
     pub fn coefficients(&self) -> usize {
         self.list.iter().map(|element| element.basis.len()).sum()
     }
-}
-
-/// The cells of a uniform cut of [−1, 1]², v running fastest.
-pub fn cells_of(cells: [usize; 2]) -> impl Iterator<Item = Rect> {
-    let step = move |k: usize, n: usize| -1.0 + 2.0 * k as f64 / n as f64;
-    (0..cells[0] * cells[1]).map(move |index| {
-        let (i, j) = (index / cells[1], index % cells[1]);
-        Rect { u: [step(i, cells[0]), step(i + 1, cells[0])], v: [step(j, cells[1]), step(j + 1, cells[1])] }
-    })
 }
 
 /// The part of planar convex `pieces` over the parameter rectangle of a planar surface whose
@@ -255,7 +282,7 @@ fn element(
     index: usize,
     surface: &SceneSurface,
     rect: Rect,
-    order: usize,
+    (space, order): (Space, usize),
 ) -> Result<Option<Element>, ElementError> {
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let shape = &surface.shape;
@@ -267,8 +294,13 @@ fn element(
         return Ok(None);
     }
     let frame = frame(shape.as_ref(), &patches, plane, &rect);
-    let basis = AreaBasis::new(order, frame, &patches).ok_or_else(thin)?;
-    let (area, constant) = area_and_constant(&basis, &patches);
+    let measure = Measure::new(&patches, space.chart_degree(order, &patches));
+    let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
+    let area = measure.area();
+    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant function
+    // exact.
+    let mut constant = vec![0.0; basis.len()];
+    constant[0] = area.sqrt();
     let hull = match plane {
         Some(_) => patches.iter().flat_map(Patch::polygon).collect(),
         None => shape.hull(&rect),
@@ -298,8 +330,12 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
     match plane {
         Some(_) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
-            let jet = shape.jet(u, v);
-            Frame::bounding(&corners, [jet.du, jet.dv])
+            // A parallelogram fills the frame along its own sides, whatever the surface's parameters are.
+            let sides = match patches {
+                [patch] if patch.is_parallelogram() => [corners[1] - corners[0], corners[3] - corners[0]],
+                _ => [shape.jet(u, v).du, shape.jet(u, v).dv],
+            };
+            Frame::bounding(&corners, sides)
         }
         None => Frame::Parameters {
             center: DVec2::new(u, v),
@@ -308,21 +344,34 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
     }
 }
 
-/// Area, and c = ∫ φ dA = T ∫ L dA.
-///
-/// φ₀ is constant, so c = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant
-/// function exact.
-fn area_and_constant(basis: &AreaBasis, patches: &[Patch]) -> (f64, Vec<f64>) {
-    let mut area = 0.0;
-    for patch in patches {
-        let rule = UnitRule::of(basis.order() + if patch.is_flat() { 2 } else { 12 });
-        for (s, ws) in rule.iter() {
-            for (t, wt) in rule.iter() {
-                area += ws * wt * patch.node(s, t).area;
-            }
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn graded_box() -> Elements {
+        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let layers = Layers { count: 2, ratio: 0.25 };
+        let how = Discretization { order: 1, space: Space::Total, subdivide: Subdivide::Uniform(1), layers };
+        Elements::new(&scene, &how).expect("walls have area")
+    }
+
+    #[test]
+    fn places_are_found_in_graded_elements_and_across_their_seams() {
+        let elements = graded_box();
+        assert_eq!(elements.of_surface(0), 0..25);
+        for (index, element) in elements.list().iter().enumerate() {
+            let [u, v] = element.rect.center();
+            assert_eq!(elements.at(element.surface, [u, v]), Some(index));
+            let right = elements.across_seam(element.surface, [element.rect.u[1], v], [1.0, 0.0]);
+            assert_eq!(right.is_some(), element.rect.u[1] < 1.0);
+            let neighbour = right.map_or(element.rect.u[1], |other| elements.list()[other].rect.u[0]);
+            assert_eq!(neighbour, element.rect.u[1]);
         }
     }
-    let mut constant = vec![0.0; basis.len()];
-    constant[0] = area.sqrt();
-    (area, constant)
+
+    #[test]
+    fn graded_elements_cover_their_surface() {
+        let area: f64 = graded_box().list().iter().map(|element| element.area).sum();
+        assert!((area - 6.0).abs() < 1e-13, "{area}");
+    }
 }

@@ -60,11 +60,6 @@ impl Band {
         let (raw, raw_indirect) = (raw(elements, irradiance), raw(elements, &indirect));
         Self { name, coating, coefficients, raw, raw_indirect }
     }
-
-    /// The irradiance on one element as coefficients of its raw polynomials.
-    pub fn raw_irradiance(&self, element: usize) -> &[f64] {
-        &self.raw[element]
-    }
 }
 
 impl Solution {

@@ -7,6 +7,8 @@ use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
+use crate::elements::cells::Layers;
+use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
 use crate::scene::Scene;
@@ -17,10 +19,14 @@ use crate::visibility::{Shadows, Visibility};
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Total degree of the basis where a surface does not state its own.
+    /// Order of the basis where a surface does not state its own.
     pub order: usize,
+    /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
+    pub space: Space,
     /// Cuts along u and v of surfaces that do not state their own; None chooses.
     pub subdivide: Option<usize>,
+    /// Further cuts of the outermost cells of every surface, towards its sides.
+    pub layers: Layers,
     /// Accuracy of the kernel blocks.
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
@@ -44,7 +50,9 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             order: 3,
+            space: Space::Total,
             subdivide: None,
+            layers: Layers::NONE,
             eps: 1e-3,
             kernel: None,
             shadow_eps: 3e-3,
@@ -173,7 +181,8 @@ fn solve_in_pool(
         let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
         (visibility, subdivide)
     });
-    let how = Discretization { order: options.order, subdivide };
+    let how =
+        Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
     let blocks =

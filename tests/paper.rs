@@ -10,7 +10,7 @@ use std::process::Command;
 use std::sync::Arc;
 
 use radiosity::elements::patch::Patch;
-use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::paper::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
@@ -193,7 +193,7 @@ fn scene(quads: &[[[f64; 3]; 4]]) -> Scene {
 }
 
 fn elements(scene: &Scene, order: usize) -> Elements {
-    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let how = Discretization::uniform(order, 1);
     Elements::new(scene, &how).expect("all surfaces have area")
 }
 

@@ -2,6 +2,8 @@
 
 use radiosity::checks::Checks;
 use radiosity::direct::DirectLight;
+use radiosity::elements::cells::Layers;
+use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::output::grid::grid;
@@ -41,7 +43,8 @@ fn furnace_error(solution: &Solution) -> f64 {
 fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)> {
     let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let how = Discretization { order, subdivide: Subdivide::Uniform(1) };
+    let how =
+        Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
     let assemble = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
     let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));
@@ -200,4 +203,37 @@ fn mean_power(solution: &Solution, element: usize) -> f64 {
     let start: usize = list[..element].iter().map(|e| e.basis.len()).sum();
     let own = &solution.bands()[0].coefficients.irradiance[start..];
     list[element].constant.iter().zip(own).map(|(c, h)| c * h).sum()
+}
+
+/// Total degree 2N contains degree N in each coordinate: on squares, function by function.
+#[test]
+fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
+    let scene = Scene::builtin("furnace-cube").expect("the scene is built in");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let accuracy = Accuracy { eps: 1e-10, shadow_eps: 3e-3 };
+    let cut = |order, space| {
+        let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
+        Elements::new(&scene, &how).expect("a cube has area")
+    };
+    let blocks = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let (tensor, total) = (cut(3, Space::Tensor), cut(6, Space::Total));
+    let (small, large) = (blocks(&tensor), blocks(&total));
+    let places: Vec<usize> = tensor.list()[0]
+        .basis
+        .degrees()
+        .map(|degrees| {
+            total.list()[0].basis.degrees().position(|other| other == degrees).expect("i + j ≤ 2N")
+        })
+        .collect();
+    let count = total.list()[0].basis.len();
+    assert_eq!(small.iter().count(), 15);
+    for ((i, j, ours), (k, l, theirs)) in small.iter().zip(large.iter()) {
+        assert_eq!((i, j), (k, l));
+        for (row, ours) in places.iter().zip(ours.chunks_exact(places.len())) {
+            for (column, value) in places.iter().zip(ours) {
+                let error = value - theirs[row * count + column];
+                assert!(error.abs() < 1e-9, "{i} {j}: {error:e}");
+            }
+        }
+    }
 }

@@ -24,13 +24,25 @@ pub(crate) struct SceneArg {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Total degree of the polynomials on each element; 0 is classical radiosity
+    /// Degree of the polynomials on each element; 0 is classical radiosity
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
     pub(crate) order: usize,
+
+    /// Polynomials of that degree in each coordinate, not in both together
+    #[arg(long)]
+    pub(crate) tensor: bool,
 
     /// Cuts each surface into K × K elements; auto looks at what the scene needs
     #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
     pub(crate) subdivide: Subdivide,
+
+    /// Layers of elements graded towards the sides of every surface
+    #[arg(long, value_name = "L", default_value = "0", value_parser = layers())]
+    pub(crate) layers: usize,
+
+    /// Size of each layer against the next, between 0 and 1
+    #[arg(long, value_name = "Q", default_value = "0.25", value_parser = fraction)]
+    pub(crate) ratio: f64,
 
     /// Accuracy of the transfers between elements, between 0 and 1
     #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
@@ -158,6 +170,10 @@ fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, St
 
 fn order() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
+}
+
+fn layers() -> RangedU64ValueParser<usize> {
+    RangedU64ValueParser::new().range(0..=8)
 }
 
 /// A count from 1 on.

@@ -3,6 +3,8 @@
 use std::io::{Write, stderr};
 use std::time::Instant;
 
+use radiosity::elements::cells::Layers;
+use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
 use radiosity::scene::Scene;
 use radiosity::solve::{self, Options, Outcome, Progress as Stage};
@@ -144,10 +146,12 @@ fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
         order: method.order,
+        space: if method.tensor { Space::Tensor } else { Space::Total },
         subdivide: match method.subdivide {
             Subdivide::Auto => None,
             Subdivide::Parts(parts) => Some(parts),
         },
+        layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps,
         kernel: method.kernel.rules(),
         shadows: method.shadows != Shadows::Off,

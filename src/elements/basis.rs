@@ -1,123 +1,139 @@
-//! The area-orthonormal basis of an element.
-//!
-//! Raw functions L_k(a, b) = p_i(a) p_j(b), i + j ≤ N, products of orthonormal Legendre polynomials
-//! in coordinates (a, b) ∈ [−1, 1]² of the element: affine coordinates in its plane, or its surface's
-//! parameters. The basis proper is
+//! The area-orthonormal basis of an element: polynomials of order N in its coordinates (a, b), of one of two
+//! [spaces](super::space),
 //!
 //! ```text
-//! φ_k = Σ_{l ≤ k} T_kl L_l ,      ∫ φ_k φ_l dA = δ_kl .
+//! φ_k = Σ_{l ≤ k} T_kl R_l ,      ∫ φ_k φ_l dA = δ_kl .
 //! ```
 //!
-//! T comes from Gram–Schmidt, twice, on the table √w_a L_k(x_a) of a rule that is exact for the
-//! products: the condition number of the element's shape enters once, not squared as it would by a
-//! Cholesky factor of the Gram matrix. φ₀ is constant, so constants are in the span and power is
-//! conserved to rounding. (The parameter-orthonormal basis of Zatz 1993, eq. 7, differs from this
-//! one on every element whose area element varies.)
+//! The raw functions R that are evaluated at points are
+//!
+//! * products of Legendre polynomials ([`products`]), T triangular, where that keeps all digits: on
+//!   parallelograms and most curved elements. Rules may be factorised then;
+//! * else the φ themselves by their [`recurrence`], T = 1. For total degree planar elements are turned along their diameter for it.
+//!
+//! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal
+//! basis of Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
 
-use radiosity_core::{basis::total, legendre};
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::DVec3;
 
 use crate::scene::MAX_ORDER;
 
-use super::patch::{Node, Patch};
+use super::columns::{add_scaled, dot};
+pub use super::frame::Frame;
+use super::measure::Measure;
+use super::patch::Patch;
+use super::products;
+use super::recurrence::Recurrence;
 use super::rule::UnitRule;
+use super::space::Space;
 
-/// Highest total degree offered.
+/// Highest order offered.
 pub const HIGHEST_ORDER: usize = MAX_ORDER;
 
-/// Largest loss of orthonormality with which a basis is still used.
-pub const LARGEST_DEFECT: f64 = 1e-8;
+/// Loss of orthonormality at which no better way of evaluation is sought.
+const GOOD_DEFECT: f64 = 1e-13;
 
-/// Coordinates (a, b) of an element, [−1, 1]² over it.
-#[derive(Clone, Debug)]
-pub enum Frame {
-    /// Affine in the plane: a = (x − origin)·first, b = (x − origin)·second.
-    Plane {
-        /// Centre of the bounding parallelogram.
-        origin: DVec3,
-        /// Gradient of a.
-        first: DVec3,
-        /// Gradient of b.
-        second: DVec3,
-    },
-    /// A rectangle of surface parameters.
-    Parameters {
-        /// Centre of the rectangle.
-        center: DVec2,
-        /// Half its sides.
-        half: DVec2,
-    },
-}
+/// Largest loss of orthonormality with which a basis is used.
+const LARGEST_DEFECT: f64 = 1e-10;
 
-impl Frame {
-    /// The parallelogram around coplanar `points` with sides along `sides`, two directions in their plane
-    /// that are not parallel.
-    ///
-    /// A parallelogram with its own sides fills its frame: its basis is as well conditioned as the square's.
-    pub fn bounding(points: &[DVec3], sides: [DVec3; 2]) -> Self {
-        let normal = sides[0].cross(sides[1]);
-        // Gradients of the coordinates along the two sides: dual to them in the plane.
-        let duals = [sides[1].cross(normal), normal.cross(sides[0])].map(|d| d / normal.length_squared());
-        let bounds = duals.map(|dual| {
-            points
-                .iter()
-                .map(|p| (p - points[0]).dot(dual))
-                .fold((0.0f64, 0.0f64), |(low, high), x| (low.min(x), high.max(x)))
-        });
-        let [a, b] = bounds.map(|(low, high)| 0.5 * (low + high));
-        let [first, second] = [0, 1].map(|k| duals[k] * (2.0 / (bounds[k].1 - bounds[k].0)));
-        Self::Plane { origin: points[0] + sides[0] * a + sides[1] * b, first, second }
-    }
+/// How many levels of products a recurrence uses, cheapest first.
+const DEPTHS: [usize; 2] = [1, 3];
 
-    /// (a, b) of a node.
-    pub fn coordinates(&self, node: &Node) -> [f64; 2] {
-        match self {
-            Self::Plane { .. } => self.locate(node.position, DVec2::ZERO),
-            Self::Parameters { .. } => self.locate(DVec3::ZERO, node.parameters),
-        }
-    }
-
-    /// (a, b) of a point: by its position on a plane, by its parameters on a curved surface.
-    pub fn locate(&self, position: DVec3, parameters: DVec2) -> [f64; 2] {
-        match self {
-            Self::Plane { origin, first, second } => {
-                let d = position - origin;
-                [d.dot(*first), d.dot(*second)]
-            }
-            Self::Parameters { center, half } => ((parameters - center) / half).to_array(),
-        }
-    }
-}
-
-/// Orthonormal polynomials of total degree ≤ N with respect to area.
+/// Polynomials of order N, orthonormal with respect to area.
 #[derive(Clone, Debug)]
 pub struct AreaBasis {
+    space: Space,
     order: usize,
     frame: Frame,
+    /// The raw functions where they are not products.
+    recurrence: Option<Recurrence>,
     /// T, row-major, lower triangular, `len × len`.
     transform: Vec<f64>,
 }
 
 impl AreaBasis {
-    /// The basis of total degree `order` over `patches`.
+    /// The basis of total degree `order` over `patches`, preferably in `frame`.
     ///
-    /// None where the element has no area, or fills its frame so badly that functions of this degree,
-    /// evaluated through the frame's polynomials, lose their orthonormality beyond [`LARGEST_DEFECT`].
+    /// None where the element has no area, or is so thin that its points as rounded do not tell its polynomials apart.
     pub fn new(order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
-        let mut basis = Self { order, frame, transform: Vec::new() };
-        let table = basis.weighted_table(patches);
-        basis.transform = orthonormalise(&table, total::count(order))?;
-        (basis.defect(&table) <= LARGEST_DEFECT).then_some(basis)
+        Self::over(&Measure::new(patches, order), Space::Total, order, frame, patches)
     }
 
-    /// Total degree N.
+    /// The basis of `space` on a measure that is exact for products of two functions of it, preferably in `frame`;
+    /// the frame is part of what a tensor space is. None as for [`AreaBasis::new`].
+    pub fn over(
+        measure: &Measure,
+        space: Space,
+        order: usize,
+        frame: Frame,
+        patches: &[Patch],
+    ) -> Option<Self> {
+        if measure.area().is_nan() || measure.area() <= 0.0 {
+            return None;
+        }
+        let turned = match space {
+            Space::Total => turned(&frame, patches),
+            Space::Tensor => frame.clone(),
+        };
+        let products = std::iter::once_with(|| Self::by_products(measure, space, order, frame.clone()));
+        let recurrences =
+            DEPTHS.iter().map(|depth| Self::by_recurrence(measure, space, order, turned.clone(), *depth));
+        let mut best: Option<(Self, f64)> = None;
+        for (basis, defect) in products.chain(recurrences).flatten() {
+            if best.as_ref().is_none_or(|(_, least)| defect < *least) {
+                best = Some((basis, defect));
+            }
+            if defect <= GOOD_DEFECT {
+                break;
+            }
+        }
+        best.filter(|(_, defect)| *defect <= LARGEST_DEFECT).map(|(basis, _)| basis)
+    }
+
+    fn by_products(measure: &Measure, space: Space, order: usize, frame: Frame) -> Option<(Self, f64)> {
+        let mut basis = Self { space, order, frame, recurrence: None, transform: Vec::new() };
+        let table = basis.weighted_table(measure);
+        basis.transform = products::orthonormalise(&table, basis.len())?;
+        let defect = products::defect(&table, &basis.transform);
+        Some((basis, defect))
+    }
+
+    fn by_recurrence(
+        measure: &Measure,
+        space: Space,
+        order: usize,
+        frame: Frame,
+        depth: usize,
+    ) -> Option<(Self, f64)> {
+        let points: Vec<([f64; 2], f64)> =
+            measure.points.iter().map(|(node, weight)| (frame.coordinates(node), *weight)).collect();
+        let recurrence = Recurrence::new(&points, &space.levels(order), depth)?;
+        let mut basis = Self { space, order, frame, recurrence: Some(recurrence), transform: Vec::new() };
+        let count = basis.len();
+        basis.transform = vec![0.0; count * count];
+        basis.transform.iter_mut().step_by(count + 1).for_each(|diagonal| *diagonal = 1.0);
+        let defect = products::defect(&basis.weighted_table(measure), &basis.transform);
+        Some((basis, defect))
+    }
+
+    /// Which polynomials it spans.
+    pub fn space(&self) -> Space {
+        self.space
+    }
+
+    /// N: the total degree, or the degree in each coordinate.
     pub fn order(&self) -> usize {
         self.order
     }
 
-    /// Number of functions, (N + 1)(N + 2)/2.
+    /// Highest total degree of its functions: the degree that rules for corners and edges of contact see.
+    pub fn total_degree(&self) -> usize {
+        self.space.total_degree(self.order)
+    }
+
+    /// Number of functions.
     pub fn len(&self) -> usize {
-        total::count(self.order)
+        self.space.count(self.order)
     }
 
     /// False: the constant is always there.
@@ -125,27 +141,36 @@ impl AreaBasis {
         false
     }
 
+    /// Whether the raw functions are products p_i(a) p_j(b) of the frame's coordinates, in the order of the space.
+    pub fn is_product(&self) -> bool {
+        self.recurrence.is_none()
+    }
+
+    /// Degrees (i, j) of the products p_i(a) p_j(b) of the space, in their order: those of the raw functions where
+    /// these are products.
+    pub fn degrees(&self) -> impl Iterator<Item = (usize, usize)> {
+        (0..self.len()).map(|k| self.space.degrees(self.order, k))
+    }
+
     /// The coordinates in which the polynomials are written.
     pub fn frame(&self) -> &Frame {
         &self.frame
     }
 
-    /// T, row-major, lower triangular: φ_k = Σ_l T_kl L_l.
+    /// T, row-major, lower triangular: φ_k = Σ_l T_kl R_l.
     pub fn transform(&self) -> &[f64] {
         &self.transform
     }
 
-    /// L_k at (a, b) into `out` (length [`AreaBasis::len`]).
-    pub fn raw(&self, [a, b]: [f64; 2], out: &mut [f64]) {
-        match self.order {
-            0..=2 => products::<3>(self.order, [a, b], out),
-            3..=4 => products::<5>(self.order, [a, b], out),
-            5..=8 => products::<9>(self.order, [a, b], out),
-            _ => products::<{ HIGHEST_ORDER + 1 }>(self.order, [a, b], out),
+    /// R_k at (a, b) into `out` (length [`AreaBasis::len`]).
+    pub fn raw(&self, coordinates: [f64; 2], out: &mut [f64]) {
+        match &self.recurrence {
+            None => products::values(self.space, self.order, coordinates, out),
+            Some(recurrence) => recurrence.values(coordinates, out),
         }
     }
 
-    /// Coefficients c of Σ_k x_k φ_k = Σ_l c_l L_l, that is c = Tᵀ x.
+    /// Coefficients c of Σ_k x_k φ_k = Σ_l c_l R_l, that is c = Tᵀ x.
     pub fn to_raw(&self, coefficients: &[f64]) -> Vec<f64> {
         let n = self.len();
         let mut raw = vec![0.0; n];
@@ -157,149 +182,208 @@ impl AreaBasis {
         raw
     }
 
-    /// max |∫ φ_k φ_l dA − δ_kl| as evaluated through the raw polynomials of a weighted table.
-    fn defect(&self, table: &[Vec<f64>]) -> f64 {
-        let count = self.len();
-        let mut gram = vec![0.0; count * count];
-        let mut values = vec![0.0; count];
-        for row in table {
-            for (k, value) in values.iter_mut().enumerate() {
-                *value = dot(&self.transform[k * count..=k * count + k], &row[..=k]);
-            }
-            for (line, x) in gram.chunks_exact_mut(count).zip(&values) {
-                line.iter_mut().zip(&values).for_each(|(g, y)| *g += x * y);
-            }
+    /// Coefficients of Σ_k x_k φ_k in the products p_i(a) p_j(b), in the order of the space.
+    ///
+    /// Exact but for rounding, which the products amplify where the element fills its frame badly.
+    pub fn to_products(&self, coefficients: &[f64]) -> Vec<f64> {
+        let raw = self.to_raw(coefficients);
+        if self.is_product() {
+            return raw;
         }
-        gram.iter_mut().step_by(count + 1).for_each(|diagonal| *diagonal -= 1.0);
-        // Not a number counts as the largest of defects.
-        gram.iter().map(|g| if g.is_nan() { f64::INFINITY } else { g.abs() }).fold(0.0, f64::max)
+        let mut products = vec![0.0; self.len()];
+        let (mut ours, mut theirs) = (products.clone(), products.clone());
+        let rule = UnitRule::of(self.order + 1);
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let place = [2.0 * s - 1.0, 2.0 * t - 1.0];
+            self.raw(place, &mut ours);
+            products::values(self.space, self.order, place, &mut theirs);
+            // Four: the measure of [−1, 1]² against that of the unit square.
+            add_scaled(&mut products, 4.0 * ws * wt * dot(&raw, &ours), &theirs);
+        }
+        products
     }
 
-    /// One row per point of a rule exact for products of two functions: √w L_k.
-    fn weighted_table(&self, patches: &[Patch]) -> Vec<Vec<f64>> {
-        let mut rows = Vec::new();
-        for patch in patches {
-            let extra = if patch.is_flat() { 2 } else { 12 };
-            let rule = UnitRule::of(self.order + extra);
-            for (s, ws) in rule.iter() {
-                for (t, wt) in rule.iter() {
-                    let node = patch.node(s, t);
-                    let mut row = vec![0.0; self.len()];
-                    self.raw(self.frame.coordinates(&node), &mut row);
-                    let root = (ws * wt * node.area).sqrt();
-                    row.iter_mut().for_each(|value| *value *= root);
-                    rows.push(row);
-                }
-            }
-        }
-        rows
+    /// One row per point: √w R_k.
+    fn weighted_table(&self, measure: &Measure) -> Vec<Vec<f64>> {
+        let row = |(node, weight): &(_, f64)| {
+            let mut row = vec![0.0; self.len()];
+            self.raw(self.frame.coordinates(node), &mut row);
+            row.iter_mut().for_each(|value| *value *= weight.sqrt());
+            row
+        };
+        measure.points.iter().map(row).collect()
     }
 }
 
-/// p_i(a) p_j(b), i + j ≤ order < N, by total degree. Inside the element the plain recurrence keeps all the digits
-/// that quadrature needs, at a fraction of the time of the form that is exact to the last one near ±1.
-fn products<const N: usize>(order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
-    let (mut first, mut second) = ([0.0; N], [0.0; N]);
-    legendre::Table::<N>::RECURRENCE.values(a, &mut first);
-    legendre::Table::<N>::RECURRENCE.values(b, &mut second);
-    let mut k = 0;
-    for degree in 0..=order {
-        for j in 0..=degree {
-            out[k] = first[degree - j] * second[j];
-            k += 1;
-        }
+/// The frame along the diameter, where the element is flat.
+fn turned(frame: &Frame, patches: &[Patch]) -> Frame {
+    let corners: Vec<DVec3> = patches.iter().filter(|p| p.is_flat()).flat_map(Patch::polygon).collect();
+    match patches.first() {
+        Some(Patch::Flat { normal, .. }) => Frame::along_diameter(&corners, *normal),
+        _ => frame.clone(),
     }
-}
-
-/// Gram–Schmidt, two passes per column; the rows of T are carried along.
-fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
-    let mut columns: Vec<Vec<f64>> = (0..count).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
-    let mut transform = vec![0.0; count * count];
-    for k in 0..count {
-        let (done, rest) = columns.split_at_mut(k);
-        let column = &mut rest[0];
-        let before = dot(column, column).sqrt();
-        let mut row = vec![0.0; count];
-        row[k] = 1.0;
-        for _pass in 0..2 {
-            for (j, other) in done.iter().enumerate() {
-                let overlap = dot(column, other);
-                column.iter_mut().zip(other).for_each(|(x, y)| *x -= overlap * y);
-                let theirs = &transform[j * count..(j + 1) * count];
-                row.iter_mut().zip(theirs).for_each(|(x, y)| *x -= overlap * y);
-            }
-        }
-        let norm = dot(column, column).sqrt();
-        if norm.is_nan() || norm <= f64::EPSILON * before {
-            return None;
-        }
-        column.iter_mut().for_each(|x| *x /= norm);
-        for (out, x) in transform[k * count..].iter_mut().zip(&row) {
-            *out = x / norm;
-        }
-    }
-    Some(transform)
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(x, y)| x * y).sum()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use proptest::prelude::*;
+    use radiosity_core::basis::{total, triangle};
+    use radiosity_geom::shapes::{Bezier, Bilinear, Cone, Disk, FULL_TURN, Sphere, Torus};
+    use radiosity_geom::{DVec2, PlanarRegion, Rect, Surface};
+
+    use super::super::patch::Direction;
     use super::*;
 
-    /// Max |M − I| of the basis, by a rule of its own (6 more points a side).
-    fn orthonormality_defect(basis: &AreaBasis, patches: &[Patch]) -> f64 {
+    /// Every patch in four.
+    fn quartered(patches: &[Patch]) -> Vec<Patch> {
+        let halves = patches.iter().flat_map(|patch| patch.halves(Direction::Along));
+        halves.flat_map(|patch| patch.halves(Direction::Across)).collect()
+    }
+
+    /// The parameters of a curved surface in cells that shrink towards all sides.
+    fn graded(surface: &Arc<dyn Surface>) -> Vec<Patch> {
+        let breaks = [-1.0, -31.0 / 32.0, -7.0 / 8.0, -0.5, 0.0, 0.5, 7.0 / 8.0, 31.0 / 32.0, 1.0];
+        let cell = |u: &[f64], v: &[f64]| {
+            Patch::curved(Arc::clone(surface), &Rect { u: [u[0], u[1]], v: [v[0], v[1]] })
+        };
+        breaks.windows(2).flat_map(|u| breaks.windows(2).map(move |v| cell(u, v))).collect()
+    }
+
+    fn functions(basis: &AreaBasis, place: [f64; 2]) -> Vec<f64> {
+        let mut raw = vec![0.0; basis.len()];
+        basis.raw(place, &mut raw);
+        basis
+            .transform()
+            .chunks_exact(basis.len())
+            .map(|row| row.iter().zip(&raw).map(|(t, r)| t * r).sum())
+            .collect()
+    }
+
+    /// Max |∫ φ_k φ_l dA − δ_kl| by a plain Gauss rule on a cover of its own.
+    fn defect(basis: &AreaBasis, cover: &[Patch], points: usize) -> f64 {
         let n = basis.len();
         let mut gram = vec![0.0; n * n];
-        let mut raw = vec![0.0; n];
-        for patch in patches {
-            let rule = UnitRule::of(basis.order() + 8);
-            for (s, ws) in rule.iter() {
-                for (t, wt) in rule.iter() {
-                    let node = patch.node(s, t);
-                    basis.raw(basis.frame().coordinates(&node), &mut raw);
-                    let values: Vec<f64> =
-                        (0..n).map(|k| dot(&basis.transform()[k * n..(k + 1) * n], &raw)).collect();
-                    for k in 0..n {
-                        for l in 0..n {
-                            gram[k * n + l] += ws * wt * node.area * values[k] * values[l];
-                        }
-                    }
+        let rule = UnitRule::of(points);
+        for patch in cover {
+            for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                let values = functions(basis, basis.frame().coordinates(&node));
+                for (line, x) in gram.chunks_exact_mut(n).zip(&values) {
+                    let factor = ws * wt * node.area * x;
+                    line.iter_mut().zip(&values).for_each(|(g, y)| *g += factor * y);
                 }
             }
         }
-        (0..n * n).map(|i| (gram[i] - f64::from(u8::from(i / n == i % n))).abs()).fold(0.0, f64::max)
+        gram.iter_mut().step_by(n + 1).for_each(|diagonal| *diagonal -= 1.0);
+        gram.iter().fold(0.0, |largest, g| largest.max(g.abs()))
     }
 
-    /// The further a shape is from its bounding box, the more digits evaluation through the box's polynomials
-    /// costs, and the sooner in order: an L that fills half of its box keeps 1e-12 to order 6.
+    fn ring(points: &[[f64; 2]]) -> Vec<DVec3> {
+        points.iter().map(|[x, y]| DVec3::new(*x, *y, 0.0)).collect()
+    }
+
+    fn polygon(outline: &[[f64; 2]], holes: &[&[[f64; 2]]]) -> Vec<Patch> {
+        let holes = holes.iter().map(|hole| ring(hole)).collect();
+        let region = PlanarRegion::new(ring(outline), holes).expect("a simple polygon");
+        region.convex_pieces().iter().flat_map(|piece| Patch::of_polygon(piece, DVec3::Z)).collect()
+    }
+
+    fn basis(order: usize, patches: &[Patch]) -> AreaBasis {
+        let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
+        AreaBasis::new(order, Frame::bounding(&corners, [DVec3::X, DVec3::Y]), patches).expect("it has area")
+    }
+
+    fn assert_orthonormal(name: &str, order: usize, patches: &[Patch]) {
+        let defect = defect(&basis(order, patches), &quartered(patches), order + 3);
+        assert!(defect < 1e-12, "{name}, order {order}: {defect:e}");
+    }
+
+    /// Slivers of aspect 1e4, an L with arms a tenth of its length, a comb, a square frame.
     #[test]
-    fn orthonormal_over_an_l_shape() {
-        let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
-        let arms = [
-            vec![p(0.0, 0.0), p(3.0, 0.0), p(3.0, 1.0), p(0.0, 1.0)],
-            vec![p(0.0, 1.0), p(1.0, 1.0), p(1.0, 2.0), p(0.0, 2.5)],
+    fn orthonormal_over_polygons_far_from_parallelograms() {
+        let l = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.1], [0.1, 0.1], [0.1, 1.0], [0.0, 1.0]];
+        let comb =
+            [[0., 0.], [1., 0.], [1., 0.6], [0.9, 0.6], [0.9, 0.1], [0.5, 0.1], [0.5, 0.8], [0.4, 0.8]];
+        let comb = [comb.as_slice(), &[[0.4, 0.1], [0.1, 0.1], [0.1, 1.0], [0.0, 1.0]]].concat();
+        let hole = [[0.02, 0.02], [0.02, 0.97], [0.95, 0.95], [0.98, 0.04]];
+        let shapes = [
+            ("sliver", polygon(&[[0.0, 0.0], [1.0, 0.0], [0.3, 1e-4]], &[])),
+            ("needle", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1e-4]], &[])),
+            ("thin quadrilateral", polygon(&[[0.0, 0.0], [1.0, 0.0], [0.9, 1e-4], [0.2, 0.6e-4]], &[])),
+            ("L", polygon(&l, &[])),
+            ("comb", polygon(&comb, &[])),
+            ("frame", polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]], &[&hole])),
         ];
-        let patches: Vec<Patch> = arms.iter().flat_map(|arm| Patch::of_polygon(arm, DVec3::Z)).collect();
-        for order in 0..=6 {
-            let frame = Frame::bounding(&arms.concat(), [DVec3::X, DVec3::Y]);
-            let basis = AreaBasis::new(order, frame, &patches).expect("the shape has area");
-            let defect = orthonormality_defect(&basis, &patches);
-            assert!(defect < 1e-12, "order {order}: {defect:e}");
+        for (name, patches) in &shapes {
+            for order in [1, 4, 9, 14] {
+                assert_orthonormal(name, order, patches);
+            }
+        }
+        for (name, patches) in &shapes[..4] {
+            assert_orthonormal(name, HIGHEST_ORDER, patches);
         }
     }
 
+    fn net(height: impl Fn(f64, f64) -> f64) -> [[DVec3; 4]; 4] {
+        let third = |k: usize| k as f64 / 3.0;
+        std::array::from_fn(|i| {
+            std::array::from_fn(|j| DVec3::new(third(i), third(j), height(third(i), third(j))))
+        })
+    }
+
+    /// Poles, apices, centres and collapsed sides, where the area element vanishes.
     #[test]
-    fn orthonormal_over_a_quadrilateral() {
-        let corners = [[0.0, 0.0], [3.0, 0.0], [2.8, 1.0], [0.1, 1.2]].map(|[x, y]| DVec3::new(x, y, 0.0));
-        let patches = Patch::of_polygon(&corners, DVec3::Z);
-        for order in 0..=12 {
-            let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
-            let basis = AreaBasis::new(order, frame, &patches).expect("the shape has area");
-            let defect = orthonormality_defect(&basis, &patches);
-            assert!(defect < 1e-12, "order {order}: {defect:e}");
+    fn orthonormal_over_curved_surfaces_that_degenerate() {
+        let wavy = net(|x, y| (1.3 * x - 0.4).powi(2) + 0.8 * x * y - 0.5 * (y - 0.2).powi(3));
+        let mut one_side = wavy;
+        one_side[0] = [wavy[0][0]; 4];
+        let mut two_sides = one_side;
+        two_sides.iter_mut().for_each(|row| row[0] = wavy[0][0]);
+        let nearly = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 1.0], [0.0, 0.01, 0.0]];
+        let shapes: [(&str, Arc<dyn Surface>); 8] = [
+            ("sphere", Arc::new(Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).unwrap())),
+            ("cone", Arc::new(Cone::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).unwrap())),
+            ("disk", Arc::new(Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).unwrap())),
+            ("torus", Arc::new(Torus::new(DVec3::ZERO, DVec3::Z, 2.0, 1.9, FULL_TURN, FULL_TURN).unwrap())),
+            ("Bézier", Arc::new(Bezier::new(wavy).unwrap())),
+            ("one side collapsed", Arc::new(Bezier::new(one_side).unwrap())),
+            ("two sides collapsed", Arc::new(Bezier::new(two_sides).unwrap())),
+            ("nearly a triangle", Arc::new(Bilinear::new(nearly.map(DVec3::from_array)).unwrap())),
+        ];
+        for (name, surface) in shapes {
+            let patches = [Patch::curved(Arc::clone(&surface), &Rect::FULL)];
+            for (order, points) in [(0, 24), (5, 24), (12, 24)] {
+                let frame = Frame::Parameters { center: DVec2::ZERO, half: DVec2::ONE };
+                let basis = AreaBasis::new(order, frame, &patches).expect("it has area");
+                let defect = defect(&basis, &graded(&surface), points);
+                assert!(defect < 1e-12, "{name}, order {order}: {defect:e}");
+            }
+        }
+    }
+
+    /// Σ_k φ_k(x) φ_k(y) does not depend on the basis of the space: Dubiner's gives the same.
+    #[test]
+    fn reproducing_kernel_of_a_triangle_is_that_of_dubiner() {
+        let corners = [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0]];
+        let basis = basis(HIGHEST_ORDER, &polygon(&corners, &[]));
+        assert!(!basis.is_product());
+        let dubiner = |[s, t]: [f64; 2]| {
+            let mut values = vec![0.0; basis.len()];
+            triangle::values(HIGHEST_ORDER, s, t, &mut values);
+            values
+        };
+        let ours =
+            |[x, y]: [f64; 2]| functions(&basis, basis.frame().locate(DVec3::new(x, y, 0.0), DVec2::ZERO));
+        let kernel = |x: &[f64], y: &[f64]| -> f64 { x.iter().zip(y).map(|(x, y)| x * y).sum() };
+        let places = [[-1.0, -1.0], [-0.9, 0.3], [-0.3, -0.4], [0.2, -0.95], [-0.99, 0.98]];
+        for x in places {
+            for y in places {
+                let scale = (kernel(&dubiner(x), &dubiner(x)) * kernel(&dubiner(y), &dubiner(y))).sqrt();
+                let error = kernel(&ours(x), &ours(y)) - kernel(&dubiner(x), &dubiner(y));
+                assert!(error.abs() < 1e-12 * scale, "{x:?} {y:?}: {error:e} of {scale:e}");
+            }
         }
     }
 
@@ -309,21 +393,56 @@ mod tests {
         let corners = [DVec3::ZERO, a, a + b, b];
         let patches = Patch::of_polygon(&corners, a.cross(b).normalize());
         let basis = AreaBasis::new(HIGHEST_ORDER, Frame::bounding(&corners, [a, b]), &patches);
-        let defect = orthonormality_defect(&basis.expect("it has area"), &patches);
+        let basis = basis.expect("it has area");
+        assert!(basis.is_product());
+        let defect = defect(&basis, &quartered(&patches), HIGHEST_ORDER + 3);
         assert!(defect < 1e-12, "{defect:e}");
     }
 
+    fn tensor(order: usize, patches: &[Patch]) -> AreaBasis {
+        let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
+        let measure = Measure::new(patches, Space::Tensor.chart_degree(order, patches));
+        let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
+        AreaBasis::over(&measure, Space::Tensor, order, frame, patches).expect("it has area")
+    }
+
     #[test]
-    fn a_shape_that_loses_its_digits_is_refused() {
-        let p = |x: f64, y: f64| DVec3::new(x, y, 0.0);
-        let arms = [
-            vec![p(0.0, 0.0), p(1.0, 0.0), p(1.0, 0.1), p(0.0, 0.1)],
-            vec![p(0.0, 0.1), p(0.1, 0.1), p(0.1, 1.0), p(0.0, 1.0)],
+    fn tensor_basis_is_orthonormal_and_contains_total_degree() {
+        let l = polygon(&[[0.0, 0.0], [1.0, 0.0], [1.0, 0.2], [0.3, 0.2], [0.3, 1.0], [0.0, 1.0]], &[]);
+        let shapes = [
+            (true, polygon(&[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]], &[])),
+            (false, polygon(&[[0.0, 0.0], [1.0, 0.0], [0.3, 0.8]], &[])),
+            (false, l),
         ];
-        let patches: Vec<Patch> = arms.iter().flat_map(|arm| Patch::of_polygon(arm, DVec3::Z)).collect();
-        let frame = Frame::bounding(&arms.concat(), [DVec3::X, DVec3::Y]);
-        assert!(AreaBasis::new(20, frame.clone(), &patches).is_none());
-        assert!(AreaBasis::new(4, frame, &patches).is_some());
+        for (product, patches) in &shapes {
+            for order in [0, 1, 2, 5, 9] {
+                let basis = tensor(order, patches);
+                assert_eq!(basis.len(), (order + 1) * (order + 1));
+                assert!(basis.is_product() == *product || order < 9);
+                let defect = defect(&basis, &quartered(patches), 2 * order + 3);
+                assert!(defect < 1e-12, "order {order}: {defect:e}");
+                assert_contains(&basis, &super::tests::basis(order, patches), patches);
+            }
+        }
+    }
+
+    /// ‖φ‖² of every function of `part` is the sum of its squared coefficients in `whole`.
+    fn assert_contains(whole: &AreaBasis, part: &AreaBasis, patches: &[Patch]) {
+        let rule = UnitRule::of(2 * whole.order() + 2);
+        let mut overlaps = vec![0.0; part.len() * whole.len()];
+        for patch in patches {
+            for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                let theirs = functions(whole, whole.frame().coordinates(&node));
+                let ours = functions(part, part.frame().coordinates(&node));
+                for (row, x) in overlaps.chunks_exact_mut(whole.len()).zip(&ours) {
+                    add_scaled(row, ws * wt * node.area * x, &theirs);
+                }
+            }
+        }
+        for row in overlaps.chunks_exact(whole.len()) {
+            assert!((dot(row, row) - 1.0).abs() < 1e-12, "{}", dot(row, row));
+        }
     }
 
     #[test]
@@ -332,5 +451,59 @@ mod tests {
         let patch = Patch::Flat { corners, normal: DVec3::Z };
         let frame = Frame::Plane { origin: DVec3::ZERO, first: DVec3::X, second: DVec3::Y };
         assert!(AreaBasis::new(1, frame, &[patch]).is_none());
+    }
+
+    /// Polygons with a corner in each of 3 to 9 directions, at distances between 0.2 and 1.
+    fn star() -> impl Strategy<Value = Vec<[f64; 2]>> {
+        prop::collection::vec(0.2..1.0, 3..10).prop_map(|radii| {
+            let turn = std::f64::consts::TAU / radii.len() as f64;
+            let corner = |(k, r): (usize, &f64)| [r * (k as f64 * turn).cos(), r * (k as f64 * turn).sin()];
+            radii.iter().enumerate().map(corner).collect()
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(24))]
+
+        #[test]
+        fn orthonormal_over_random_polygons(outline in star(), order in 0..=10usize) {
+            let patches = polygon(&outline, &[]);
+            let defect = defect(&basis(order, &patches), &quartered(&patches), order + 3);
+            prop_assert!(defect < 1e-12, "{defect:e}");
+        }
+
+        /// Σ_k ⟨f, φ_k⟩ φ_k = f for f of degree N, the constant included.
+        #[test]
+        fn polynomials_are_in_the_span(
+            outline in star(), order in 0..=8usize, factors in prop::collection::vec(-1.0..1.0f64, 45),
+        ) {
+            let patches = polygon(&outline, &[]);
+            let basis = basis(order, &patches);
+            let polynomial = |p: DVec3| -> f64 {
+                let term = |k: usize| {
+                    let (i, j) = total::degrees(k);
+                    factors[k] * p.x.powi(i as i32) * p.y.powi(j as i32)
+                };
+                (0..basis.len()).map(term).sum()
+            };
+            let mut coefficients = vec![0.0; basis.len()];
+            let rule = UnitRule::of(order + 2);
+            for patch in &patches {
+                for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+                    let node = patch.node(s, t);
+                    let factor = ws * wt * node.area * polynomial(node.position);
+                    let values = functions(&basis, basis.frame().coordinates(&node));
+                    coefficients.iter_mut().zip(values).for_each(|(c, value)| *c += factor * value);
+                }
+            }
+            let raw = basis.to_raw(&coefficients);
+            let mut values = vec![0.0; basis.len()];
+            for patch in &patches {
+                let node = patch.node(0.3, 0.8);
+                basis.raw(basis.frame().coordinates(&node), &mut values);
+                let sum: f64 = raw.iter().zip(&values).map(|(c, value)| c * value).sum();
+                prop_assert!((sum - polynomial(node.position)).abs() < 1e-11);
+            }
+        }
     }
 }

@@ -89,7 +89,8 @@ impl Patch {
                 let along = (b - a) * (1.0 - t) + (c - d) * t;
                 let across = (d - a) * (1.0 - s) + (c - b) * s;
                 Node {
-                    position: (a * (1.0 - s) + b * s) * (1.0 - t) + (d * (1.0 - s) + c * s) * t,
+                    // From one corner: slivers lose the fewest digits of their width.
+                    position: a + (b - a) * s + across * t,
                     normal: *normal,
                     area: along.cross(across).length(),
                     parameters: DVec2::ZERO,

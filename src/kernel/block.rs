@@ -201,7 +201,7 @@ impl<'a> Job<'a> {
         Self {
             visibility,
             accuracy,
-            degrees: [receiver.basis.order(), emitter.basis.order()],
+            degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size,
             negligible_area: NEGLIGIBLE * accuracy.eps * (receiver.area * emitter.area).sqrt(),
             moments: Moments::new(&receiver.basis, &emitter.basis),

@@ -9,6 +9,7 @@ use radiosity_core::basis::total;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::elements::space::Space;
 
 use super::chart::polynomials;
 
@@ -30,14 +31,14 @@ impl Change {
     /// The change from the own polynomials of total degree of a parallelogram `patch`.
     pub(super) fn new(patch: &Patch, basis: &AreaBasis) -> Self {
         Self::signed(patch, basis).unwrap_or_else(|| {
-            let degrees: Vec<_> = (0..total::count(basis.order())).map(total::degrees).collect();
+            let degrees: Vec<_> = (0..total::count(basis.total_degree())).map(total::degrees).collect();
             Self::projected(patch, basis, &degrees)
         })
     }
 
     /// The change from the patch's own polynomials of the given `degrees` (along, across), which span the element's.
     pub(super) fn projected(patch: &Patch, basis: &AreaBasis, degrees: &[(usize, usize)]) -> Self {
-        let (count, own, width) = (basis.len(), degrees.len(), basis.order() + 1);
+        let (count, own, width) = (basis.len(), degrees.len(), basis.total_degree() + 1);
         let rule = UnitRule::of(width);
         let tables: Vec<Vec<f64>> = rule.nodes.iter().map(|x| own_polynomials(*x, width)).collect();
         let mut matrix = vec![0.0; count * own];
@@ -85,6 +86,9 @@ impl Change {
     }
 
     fn signed(patch: &Patch, basis: &AreaBasis) -> Option<Self> {
+        if !basis.is_product() || basis.space() != Space::Total {
+            return None;
+        }
         let at = |s: f64, t: f64| basis.frame().coordinates(&patch.node(s, t));
         let corners = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
         let near = |x: f64, y: f64| (x - y).abs() <= 1e-13;

@@ -6,8 +6,8 @@
 //!
 //! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's frame
 //! (every curved patch, and parallelograms cut parallel to their sides), these are the element's raw functions
-//! themselves. Elsewhere the patch has polynomials of its own, p_i(2s − 1) p_j(2t − 1): i + j ≤ N where the chart
-//! is affine, i, j ≤ N where it is bilinear, and the element's functions are combinations of them ([`Change`]).
+//! themselves. Elsewhere the patch has polynomials of its own, p_i(2s − 1) p_j(2t − 1): i + j ≤ D where the chart
+//! is affine, i, j ≤ D where it is bilinear, D the highest total degree of the element's functions, and the element's functions are combinations of them ([`Change`]).
 
 use radiosity_core::{basis::total, legendre};
 
@@ -45,7 +45,7 @@ impl Chart {
 
     /// The patch's own polynomials.
     pub(super) fn own(patch: &Patch, basis: &AreaBasis) -> Self {
-        let degree = basis.order();
+        let degree = basis.total_degree();
         let degrees: Vec<(usize, usize)> = if patch.is_parallelogram() {
             (0..total::count(degree)).map(total::degrees).collect()
         } else {
@@ -78,7 +78,7 @@ impl Chart {
 
     fn aligned(patch: &Patch, basis: &AreaBasis) -> Option<Self> {
         let straight = !patch.is_flat() || patch.is_parallelogram();
-        if !straight {
+        if !straight || !basis.is_product() {
             return None;
         }
         let at = |s: f64, t: f64| basis.frame().coordinates(&patch.node(s, t));
@@ -94,19 +94,20 @@ impl Chart {
         let axes =
             if swapped { [axis(1, along), axis(0, across)] } else { [axis(0, along), axis(1, across)] };
         let place = |(i, j): (usize, usize)| if swapped { (j, i) } else { (i, j) };
-        let degrees = (0..basis.len()).map(|k| place(total::degrees(k))).collect();
+        let degrees = basis.degrees().map(place).collect();
         Some(Self { degree: basis.order(), degrees, axes, change: None })
     }
 }
 
-/// p_n(x), n = 0..out.len() ≤ 2 [`HIGHEST_ORDER`] + 2.
+/// p_n(x), n = 0..out.len().
 pub(super) fn polynomials(x: f64, out: &mut [f64]) {
     match out.len() {
         0..=3 => recurrence::<3>(x, out),
         4..=5 => recurrence::<5>(x, out),
         6..=9 => recurrence::<9>(x, out),
         10..=21 => recurrence::<{ HIGHEST_ORDER + 1 }>(x, out),
-        _ => recurrence::<{ 2 * HIGHEST_ORDER + 2 }>(x, out),
+        22..=42 => recurrence::<{ 2 * HIGHEST_ORDER + 2 }>(x, out),
+        _ => legendre::orthonormal(x, out),
     }
 }
 

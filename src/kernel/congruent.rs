@@ -16,6 +16,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 use crate::elements::basis::Frame;
+use crate::elements::space::Space;
 
 /// Poses whose entries differ by less are equal.
 const EQUAL: f64 = 1e-13;
@@ -38,7 +39,8 @@ impl Panel {
     pub(super) fn of(element: &Element) -> Option<Self> {
         let (Some((_, normal)), [patch]) = (element.plane, &element.patches[..]) else { return None };
         let Frame::Plane { origin, first, second } = element.basis.frame() else { return None };
-        if !patch.is_parallelogram() {
+        let plain = element.basis.is_product() && element.basis.space() == Space::Total;
+        if !plain || !patch.is_parallelogram() {
             return None;
         }
         let axis = first.cross(*second);

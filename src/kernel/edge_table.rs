@@ -93,7 +93,7 @@ impl EdgeTable {
     fn spread(&self, radial: &Radial, angular: &Angular, side: usize, out: &mut [f64]) {
         let (columns, width, places) = (self.degrees[1] + 1, self.degrees[side] + 1, self.places());
         let stride = radial.values.len();
-        let mut row = [0.0; HIGHEST_ORDER + 1];
+        let mut row = [0.0; 2 * HIGHEST_ORDER + 1];
         for i in 0..=self.degrees[0] {
             for j in 0..columns {
                 let kappa = if (i + j) % 2 == 0 { &angular.even } else { &angular.odd };

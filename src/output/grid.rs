@@ -12,9 +12,10 @@
 
 use radiosity_geom::{DVec3, PlanarRegion, Rect, polygon_area};
 
+use crate::elements::cells::cells_of;
+use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::elements::{cells_of, clip_to_cell};
 use crate::solution::{Place, Solution};
 
 /// Means over one cell of one surface.
@@ -49,9 +50,9 @@ fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> 
     let mut radiated = vec![0.0; bands.len()];
     let mut covered = 0.0;
     for element in solution.elements().of_surface(surface) {
-        let order = solution.elements().list()[element].basis.order();
+        let degree = solution.elements().list()[element].basis.total_degree();
         for patch in patches_in(solution, element, rect) {
-            for_each_point(&patch, order, |node, weight| {
+            for_each_point(&patch, degree, |node, weight| {
                 let place =
                     Place { surface, parameters: node.parameters.to_array(), position: node.position };
                 covered += weight;
@@ -86,8 +87,8 @@ fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
-fn for_each_point(patch: &Patch, order: usize, mut visit: impl FnMut(&Node, f64)) {
-    let rule = UnitRule::of(if patch.is_flat() { order / 2 + 2 } else { order + 4 });
+fn for_each_point(patch: &Patch, degree: usize, mut visit: impl FnMut(&Node, f64)) {
+    let rule = UnitRule::of(if patch.is_flat() { degree / 2 + 2 } else { degree + 4 });
     for (s, ws) in rule.iter() {
         for (t, wt) in rule.iter() {
             let node = patch.node(s, t);

@@ -113,7 +113,7 @@ pub(crate) fn scene(surfaces: &[Flat]) -> Result<Scene, SceneError> {
 
 /// The elements of a scene at one order.
 pub(crate) fn elements(scene: &Scene, order: usize) -> Result<Elements, ElementError> {
-    Elements::new(scene, &Discretization { order, subdivide: Subdivide::Uniform(1) })
+    Elements::new(scene, &Discretization::uniform(order, 1))
 }
 
 /// Blocks without shadows.

@@ -1,0 +1,124 @@
+//! Cuts of the parameter square [−1, 1]² into cells.
+//!
+//! n equal parts a direction. With layers the outermost parts are cut again, geometrically towards the sides of
+//! the square: with h = 2/n, or 1 for an uncut direction,
+//!
+//! ```text
+//! −1, −1 + h q^L, … , −1 + h q ,      mirrored ,
+//! ```
+//!
+//! that is n + 2L intervals. Near a side where surfaces meet, radiosity behaves like c + rᵞ with 0 < γ < 1;
+//! polynomials on cells whose size is a fixed part of their distance from it converge exponentially there.
+
+use radiosity_geom::Rect;
+
+/// Smallest cell that layers may make, as part of [−1, 1].
+const SMALLEST_CELL: f64 = 1e-7;
+
+/// Cells graded towards the sides of a surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Layers {
+    /// Number of layers L at each side; 0 is none.
+    pub count: usize,
+    /// q, 0 < q < 1: each layer begins at this part of the distance of the next.
+    pub ratio: f64,
+}
+
+impl Layers {
+    /// No grading.
+    pub const NONE: Self = Self { count: 0, ratio: 0.25 };
+
+    /// Whether 0 < q < 1 and no cell is too thin to be told from a line.
+    pub fn is_valid(&self) -> bool {
+        self.ratio > 0.0 && self.ratio < 1.0 && self.ratio.powf(self.count as f64) >= SMALLEST_CELL
+    }
+}
+
+/// Ends of the intervals of a cut of [−1, 1] into `parts` ≥ 1, with layers; ascending from −1 to 1.
+pub fn breaks(parts: usize, layers: Layers) -> Vec<f64> {
+    let uniform = |k: usize| -1.0 + 2.0 * k as f64 / parts as f64;
+    let width = 2.0 / parts.max(2) as f64;
+    let graded = (1..=layers.count).rev().map(|k| width * layers.ratio.powf(k as f64));
+    let graded: Vec<f64> = graded.collect();
+    let low = graded.iter().map(|distance| -1.0 + distance);
+    let high = graded.iter().rev().map(|distance| 1.0 - distance);
+    [-1.0].into_iter().chain(low).chain((1..parts).map(uniform)).chain(high).chain([1.0]).collect()
+}
+
+/// The interval of `breaks` that holds x; a break belongs to the interval above it.
+pub fn interval(breaks: &[f64], x: f64) -> usize {
+    breaks.partition_point(|end| *end <= x).clamp(1, breaks.len() - 1) - 1
+}
+
+/// The cells between the breaks along u and v, v running fastest.
+pub fn cells_between([u, v]: &[Vec<f64>; 2]) -> impl Iterator<Item = Rect> + use<> {
+    let pairs = |breaks: &[f64]| -> Vec<[f64; 2]> { breaks.windows(2).map(|w| [w[0], w[1]]).collect() };
+    let (u, v) = (pairs(u), pairs(v));
+    u.into_iter().flat_map(move |u| v.clone().into_iter().map(move |v| Rect { u, v }))
+}
+
+/// The cells of a uniform cut of [−1, 1]², v running fastest.
+pub fn cells_of(cells: [usize; 2]) -> impl Iterator<Item = Rect> {
+    cells_between(&cells.map(|parts| breaks(parts, Layers::NONE)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn one_layer_of_an_uncut_direction() {
+        // 0, .075, .925, 1 in [0, 1].
+        let expected = [-1.0, -0.85, 0.85, 1.0];
+        let breaks = breaks(1, Layers { count: 1, ratio: 0.15 });
+        assert_eq!(breaks.len(), expected.len());
+        assert!(breaks.iter().zip(expected).all(|(b, e)| (b - e).abs() < 1e-15), "{breaks:?}");
+    }
+
+    #[test]
+    fn layers_cut_only_the_outermost_parts() {
+        let expected = [-1.0, -0.875, -0.5, 0.0, 0.5, 0.875, 1.0];
+        assert_eq!(breaks(4, Layers { count: 1, ratio: 0.25 }), expected);
+    }
+
+    #[test]
+    fn ratios_and_layers_that_make_no_cells_are_told() {
+        let valid = |count, ratio| Layers { count, ratio }.is_valid();
+        assert!(valid(8, 0.25) && valid(0, 0.5) && Layers::NONE.is_valid());
+        assert!(
+            !valid(1, 0.0) && !valid(1, 1.0) && !valid(1, -0.5) && !valid(8, 0.01) && !valid(1, f64::NAN)
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn cells_cover_the_square_and_are_found(
+            parts in prop::array::uniform2(1..5usize), count in 0..=5usize, ratio in 0.1..0.9, places in prop::array::uniform4(0.0..1.0),
+        ) {
+            let breaks = parts.map(|parts| breaks(parts, Layers { count, ratio }));
+            for (breaks, parts) in breaks.iter().zip(parts) {
+                prop_assert_eq!(breaks.len() - 1, parts + 2 * count);
+                prop_assert!(breaks.windows(2).all(|w| w[0] < w[1]));
+                prop_assert!(breaks.iter().zip(breaks.iter().rev()).all(|(a, b)| (a + b).abs() < 1e-15));
+            }
+            let cells: Vec<Rect> = cells_between(&breaks).collect();
+            let area: f64 = cells.iter().map(|c| (c.u[1] - c.u[0]) * (c.v[1] - c.v[0])).sum();
+            prop_assert!((area - 4.0).abs() < 1e-13);
+            // A point of a cell is found in that cell.
+            let index = (places[0] * cells.len() as f64) as usize;
+            let cell = cells[index];
+            let inside = |[low, high]: [f64; 2], x: f64| low + (0.001 + 0.998 * x) * (high - low);
+            let (u, v) = (inside(cell.u, places[1]), inside(cell.v, places[2]));
+            let columns = breaks[1].len() - 1;
+            prop_assert_eq!(interval(&breaks[0], u) * columns + interval(&breaks[1], v), index);
+        }
+
+        #[test]
+        fn ends_belong_to_the_outermost_intervals(parts in 1..5usize, count in 0..=3usize) {
+            let breaks = breaks(parts, Layers { count, ratio: 0.3 });
+            prop_assert_eq!(interval(&breaks, -1.0), 0);
+            prop_assert_eq!(interval(&breaks, 1.0), breaks.len() - 2);
+        }
+    }
+}
