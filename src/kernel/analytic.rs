@@ -23,9 +23,12 @@ use radiosity_geom::DVec3;
 /// Closest that a root is taken to come to the interval.
 const CLOSEST: f64 = 1.0 + 1e-9;
 
-/// ϱ of 1/|c + x d|⁴ on [0, 1].
+/// ϱ of 1/|c + x d|⁴ on [0, 1]; infinite where it is constant.
 pub(super) fn rate(c: DVec3, d: DVec3) -> f64 {
     let dd = d.length_squared();
+    if dd == 0.0 {
+        return f64::INFINITY;
+    }
     // |c × d| instead of √(c²d² − (c·d)²), which cancels.
     let (real, imaginary) = (-2.0 * c.dot(d) / dd - 1.0, 2.0 * c.cross(d).length() / dd);
     ellipse(real, imaginary).max(CLOSEST)
