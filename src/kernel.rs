@@ -11,6 +11,7 @@ mod block;
 mod clip;
 mod edge;
 mod edge_table;
+mod facing;
 mod integrand;
 mod moments;
 mod own;

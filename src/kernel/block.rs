@@ -24,6 +24,7 @@ use crate::visibility::Visibility;
 
 use super::clip::{Facet, match_contact};
 use super::edge::{self, LARGEST_ASPECT, Wedge};
+use super::facing::{self, Facing, facing};
 use super::moments::Moments;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
@@ -113,24 +114,24 @@ pub(super) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself. Its accuracy does not follow ε, and it hides nothing from itself.
+/// The block of a curved element with itself. It hides nothing from itself.
 pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
     let mut job = Job::new(element, element, visibility, accuracy);
-    for patch in &element.patches {
-        same::integrate(&mut job.moments, patch, job.degrees[0]);
+    for patch in element.patches.iter().filter(|patch| facing::own(patch) != Facing::Away) {
+        same::integrate(&mut job.moments, patch, same::counts(patch, job.degrees[0], accuracy.eps));
     }
     job.kind = Kind::Same;
     let mut block = job.finish();
-    symmetrise(&mut block.values, element.basis.len());
+    add_transpose(&mut block.values, element.basis.len());
     block
 }
 
-/// The two sides of the rule differ, so its error is not symmetric: the mean of block and transpose is.
-fn symmetrise(values: &mut [f64], count: usize) {
+/// H + Hᵀ of a square matrix.
+fn add_transpose(values: &mut [f64], count: usize) {
     for k in 0..count {
-        for l in 0..k {
-            let mean = 0.5 * (values[k * count + l] + values[l * count + k]);
-            (values[k * count + l], values[l * count + k]) = (mean, mean);
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
         }
     }
 }
@@ -236,7 +237,7 @@ impl<'a> Job<'a> {
             }
             smooth = state.blockers.is_empty();
         }
-        match facing(p, q, self.accuracy.shadow_eps * self.size) {
+        match facing(p, q, state.touching) {
             Facing::Away => return,
             Facing::Partly => smooth = false,
             Facing::Wholly => {}
@@ -335,39 +336,4 @@ fn facet(patch: &Patch) -> Option<Facet> {
 fn longest(patch: &Patch) -> (Direction, f64) {
     let [along, across] = patch.extents();
     if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
-}
-
-enum Facing {
-    Wholly,
-    Partly,
-    Away,
-}
-
-/// Whether two patches face each other, up to heights of `tolerance`. Flat pairs were clipped already.
-fn facing(p: &Patch, q: &Patch, tolerance: f64) -> Facing {
-    if p.is_flat() && q.is_flat() {
-        return Facing::Wholly;
-    }
-    match (sides_seen(p, q, tolerance), sides_seen(q, p, tolerance)) {
-        ((false, _), _) | (_, (false, _)) => Facing::Away,
-        ((true, false), (true, false)) => Facing::Wholly,
-        _ => Facing::Partly,
-    }
-}
-
-/// Whether any of `other`'s hull lies in front of, and behind, the tangent planes of `patch`.
-fn sides_seen(patch: &Patch, other: &Patch, tolerance: f64) -> (bool, bool) {
-    let hull = other.hull();
-    let places = [(0.5, 0.5), (0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-    let places = if patch.is_flat() { &places[..1] } else { &places[..] };
-    let mut sides = (false, false);
-    for (s, t) in places {
-        let node = patch.node(*s, *t);
-        for point in &hull {
-            let height = (point - node.position).dot(node.normal);
-            sides.0 |= height > 0.0;
-            sides.1 |= height < -tolerance;
-        }
-    }
-    sides
 }
