@@ -9,17 +9,22 @@
 
 mod block;
 mod clip;
+mod curved;
 mod edge;
 mod edge_table;
 mod facing;
+mod horizon;
 mod integrand;
 mod moments;
 mod own;
 mod pair;
 mod same;
+mod seam;
 mod separated;
+mod touch;
 mod vertex;
 
+use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_geom::DVec3;
@@ -79,6 +84,9 @@ pub struct Blocks {
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
+    /// Estimate of the largest error that parts left unresolved make in a block, relative to the larger of the
+    /// block's largest entry and a hundredth of its row's; zero where every part was resolved.
+    pub accuracy_reached: f64,
 }
 
 /// The block of receiver `row` and emitter `column`, `row ≤ column`.
@@ -124,10 +132,16 @@ impl Blocks {
             samples: 0,
             distinct: 0,
             rays: 0,
+            accuracy_reached: 0.0,
         };
+        let mut errors = Vec::new();
         for ((row, column), outcome) in pairs.into_iter().zip(outcomes) {
+            if let Outcome::Integrated(block) = &outcome {
+                errors.push((row, column, block.error));
+            }
             blocks.take(row, column, outcome);
         }
+        blocks.accuracy_reached = blocks.largest_error(&errors);
         blocks
     }
 
@@ -163,6 +177,24 @@ impl Blocks {
     /// of each stands for the opposite direction.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
         self.stored.iter().map(|stored| (stored.row, stored.column, stored.values.as_slice()))
+    }
+
+    /// The largest of (row, column, absolute error) relative to the scale of its block.
+    fn largest_error(&self, errors: &[(usize, usize, f64)]) -> f64 {
+        let mut rows = vec![0.0f64; self.starts.len() - 1];
+        let mut largest = HashMap::new();
+        for Stored { row, column, values } in &self.stored {
+            let most = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+            rows[*row] = rows[*row].max(most);
+            rows[*column] = rows[*column].max(most);
+            largest.insert((*row, *column), most);
+        }
+        let relative = |(row, column, error): &(usize, usize, f64)| {
+            let block = largest.get(&(*row, *column)).copied().unwrap_or(0.0);
+            let scale = block.max(1e-2 * rows[*row].max(rows[*column]));
+            if *error > 0.0 { error / scale.max(f64::MIN_POSITIVE) } else { 0.0 }
+        };
+        errors.iter().map(relative).fold(0.0, f64::max)
     }
 
     fn range(&self, element: usize) -> std::ops::Range<usize> {
@@ -220,14 +252,16 @@ fn integrate(
         return outcome;
     }
     if same {
-        return Outcome::Integrated(block::self_block(receiver, visibility, accuracy));
+        return Outcome::Integrated(curved::self_block(receiver, visibility, accuracy));
     }
     let surfaces = [receiver.surface, emitter.surface];
     let blockers = visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
     if visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
         return Outcome::Hidden;
     }
-    Outcome::Integrated(block::block(receiver, emitter, &blockers, visibility, accuracy))
+    let flat = receiver.plane.is_some() && emitter.plane.is_some();
+    let block = if flat { block::block } else { curved::block };
+    Outcome::Integrated(block(receiver, emitter, &blockers, visibility, accuracy))
 }
 
 /// Whether the plane of either element leaves nothing of the other in front of it.

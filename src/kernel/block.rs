@@ -24,11 +24,10 @@ use crate::visibility::Visibility;
 
 use super::clip::{Facet, match_contact};
 use super::edge::{self, LARGEST_ASPECT, Wedge};
-use super::facing::{self, Facing, facing};
 use super::moments::Moments;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
-use super::{same, vertex};
+use super::vertex;
 
 /// Corners closer than this part of the pair's size coincide.
 const COINCIDENT: f64 = 1e-9;
@@ -55,7 +54,7 @@ impl Accuracy {
     /// Each halving takes part of the pair out of doubt, and the n⁴ samples in what is left do the rest.
     /// Measured on the Cornell box at ε = 3e-3, twice as many samples in two more halvings move the means of
     /// the floor's cells by 0.05 % of their size, those of the back wall by 0.003 %.
-    fn shadow_levels(&self) -> u32 {
+    pub(super) fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }
 }
@@ -88,6 +87,8 @@ pub(super) struct Block {
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
     pub unresolved: bool,
+    /// Estimate of the largest absolute error of `values` that comes from parts left unresolved.
+    pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
     /// Kernel evaluations.
@@ -112,28 +113,6 @@ pub(super) fn block(
         }
     }
     job.finish()
-}
-
-/// The block of a curved element with itself. It hides nothing from itself.
-pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
-    let mut job = Job::new(element, element, visibility, accuracy);
-    for patch in element.patches.iter().filter(|patch| facing::own(patch) != Facing::Away) {
-        same::integrate(&mut job.moments, patch, same::counts(patch, job.degrees[0], accuracy.eps));
-    }
-    job.kind = Kind::Same;
-    let mut block = job.finish();
-    add_transpose(&mut block.values, element.basis.len());
-    block
-}
-
-/// H + Hᵀ of a square matrix.
-fn add_transpose(values: &mut [f64], count: usize) {
-    for k in 0..count {
-        for l in 0..=k {
-            let sum = values[k * count + l] + values[l * count + k];
-            (values[k * count + l], values[l * count + k]) = (sum, sum);
-        }
-    }
 }
 
 struct Job<'a> {
@@ -188,6 +167,7 @@ impl<'a> Job<'a> {
             kind: self.kind,
             partly_hidden: self.partly_hidden,
             unresolved: self.unresolved,
+            error: 0.0,
         }
     }
 
@@ -236,11 +216,6 @@ impl<'a> Job<'a> {
                 return;
             }
             smooth = state.blockers.is_empty();
-        }
-        match facing(p, q, state.touching) {
-            Facing::Away => return,
-            Facing::Partly => smooth = false,
-            Facing::Wholly => {}
         }
         let contact =
             if state.touching { classify(p, q, self.tolerance()) } else { Contact::Apart(gap(p, q)) };

@@ -116,7 +116,8 @@ pub(super) fn integrate(
     scattered(moments, p, q, points, sees);
 }
 
-fn scattered(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3], sees: Option<Sees>) {
+/// The plain sum.
+pub(super) fn scattered(moments: &mut Moments, p: &Patch, q: &Patch, points: [usize; 3], sees: Option<Sees>) {
     let rules = points.map(UnitRule::of);
     for (x, wx) in rules[0].iter() {
         for (a, wa) in rules[2].iter() {

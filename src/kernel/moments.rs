@@ -94,6 +94,14 @@ impl<'a> Moments<'a> {
         self.values.iter_mut().zip(&back).for_each(|(value, own)| *value += own);
     }
 
+    /// Adds moments in the raw polynomials that took `samples` evaluations; `swapped`: emitter's index first.
+    pub(super) fn add(&mut self, moments: &[f64], swapped: bool, samples: u64) {
+        let turned = if swapped { transposed(moments, self.row.len()) } else { moments.to_vec() };
+        self.values.iter_mut().zip(&turned).for_each(|(value, moment)| *value += moment);
+        self.samples += samples;
+        self.distinct += samples;
+    }
+
     /// G = T_i M T_jᵀ, row-major.
     pub(super) fn into_block(self) -> Vec<f64> {
         let (rows, columns) = (self.row.len(), self.column.len());

@@ -1,0 +1,464 @@
+//! Blocks of elements of which at least one is curved.
+//!
+//! A patch is first cut until neither its lines nor its normals turn by more than a quarter circle: closed surfaces
+//! become sectors. Then, part by part, breadth first:
+//!
+//! * parts that face away from each other are dropped ([`super::facing`]);
+//! * a part with itself: convex → nothing, concave → [`super::same`], else halves with themselves and each other;
+//! * where the kernel is constant (two parts of the inside of one sphere) a plain product rule is right at once;
+//! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
+//! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
+//!   [`super::vertex`];
+//! * what blockers may cut is halved a few times and then sampled, as for planar pairs.
+//!
+//! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
+//! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
+
+use std::collections::VecDeque;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::MOST_POINTS;
+use crate::visibility::Visibility;
+
+use super::block::{Accuracy, Block, Kind};
+use super::edge::{self, LARGEST_ASPECT, Wedge};
+use super::facing::{self, Facing, facing};
+use super::horizon::{self, Side};
+use super::integrand::kernel;
+use super::moments::{Moments, Sees};
+use super::pair::gap;
+use super::separated::{self, SMALLEST_RATIO};
+use super::touch::{Touch, collapsed, cut, touch};
+use super::{same, seam, vertex};
+
+/// Points closer than this part of the pair's size coincide.
+const COINCIDENT: f64 = 1e-9;
+/// Most that lines and normals of a part may turn, radians.
+const LARGEST_TURN: f64 = 1.6;
+/// Parts that carry less than this times ε of the block are left out.
+const NEGLIGIBLE: f64 = 1e-3;
+/// Samples of one block after which contacts and horizons are refined no more.
+const MOST_SAMPLES: u64 = 20_000_000;
+/// Most points a direction of the corner rule, which takes their fourth power.
+const MOST_CORNER_POINTS: usize = 20;
+/// Points a direction of what is left when the samples are spent.
+const ROUGH_POINTS: usize = 3;
+/// No block is taken for smaller than this part of the largest there can be.
+const SMALLEST_SCALE: f64 = 1e-5;
+
+/// The block between two elements; `blockers` are the surfaces that may stand between them.
+pub(super) fn block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Block {
+    let mut job = Job::new(receiver, emitter, visibility, accuracy);
+    let (receivers, emitters) = (sectors(receiver), sectors(emitter));
+    job.scale = scale(&receivers, &emitters, job.unit);
+    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+    job.product(&receivers, &emitters, &state);
+    job.run();
+    job.finish()
+}
+
+/// The block of a curved element with itself, whose sides do not hide each other.
+pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
+    let mut job = Job::new(element, element, visibility, accuracy);
+    let parts = sectors(element);
+    job.scale = scale(&parts, &parts, job.unit);
+    job.kind = Kind::Same;
+    for (index, part) in parts.iter().enumerate() {
+        job.tasks.push_back(Task::Same(part.clone()));
+        job.product(std::slice::from_ref(part), &parts[index + 1..], &job.free());
+    }
+    job.run();
+    let mut block = job.finish();
+    add_transpose(&mut block.values, element.basis.len());
+    // Both halves of the sum carry the error.
+    block.error *= 2.0;
+    block
+}
+
+/// H + Hᵀ of a square matrix.
+fn add_transpose(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
+        }
+    }
+}
+
+/// A part of the block under way.
+enum Task {
+    /// Half of a patch with itself.
+    Same(Patch),
+    Pair(Patch, Patch, State),
+}
+
+#[derive(Clone)]
+struct State {
+    /// Whether the patches may touch.
+    touching: bool,
+    /// Halvings left for visibility.
+    levels: u32,
+    blockers: Vec<usize>,
+}
+
+struct Job<'a> {
+    visibility: &'a Visibility,
+    accuracy: Accuracy,
+    elements: [&'a Element; 2],
+    degrees: [usize; 2],
+    size: f64,
+    /// √(A_i A_j): ∫∫κ over it is the block's first entry.
+    unit: f64,
+    /// About the block's first entry.
+    scale: f64,
+    moments: Moments<'a>,
+    tasks: VecDeque<Task>,
+    kind: Kind,
+    partly_hidden: bool,
+    unresolved: bool,
+    error: f64,
+}
+
+impl<'a> Job<'a> {
+    fn new(
+        receiver: &'a Element,
+        emitter: &'a Element,
+        visibility: &'a Visibility,
+        accuracy: Accuracy,
+    ) -> Self {
+        Self {
+            visibility,
+            accuracy,
+            elements: [receiver, emitter],
+            degrees: [receiver.basis.order(), emitter.basis.order()],
+            size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
+            unit: (receiver.area * emitter.area).sqrt(),
+            scale: 1.0,
+            moments: Moments::new(&receiver.basis, &emitter.basis),
+            tasks: VecDeque::new(),
+            kind: Kind::Separated,
+            partly_hidden: false,
+            unresolved: false,
+            error: 0.0,
+        }
+    }
+
+    fn free(&self) -> State {
+        State { touching: true, levels: 0, blockers: Vec::new() }
+    }
+
+    fn run(&mut self) {
+        while let Some(task) = self.tasks.pop_front() {
+            match task {
+                Task::Same(patch) => self.same(&patch),
+                Task::Pair(p, q, state) => self.pair(&p, &q, state),
+            }
+        }
+    }
+
+    fn finish(self) -> Block {
+        Block {
+            samples: self.moments.samples,
+            distinct: self.moments.distinct,
+            rays: self.moments.rays,
+            values: self.moments.into_block(),
+            kind: self.kind,
+            partly_hidden: self.partly_hidden,
+            unresolved: self.unresolved,
+            error: self.error,
+        }
+    }
+
+    fn spent(&self) -> bool {
+        self.moments.distinct > MOST_SAMPLES
+    }
+
+    fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
+        for p in receivers {
+            for q in emitters {
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state.clone()));
+            }
+        }
+    }
+
+    fn same(&mut self, patch: &Patch) {
+        let eps = self.accuracy.eps;
+        let share = area(patch) / self.unit;
+        let facing = facing::own(patch);
+        if facing == Facing::Away {
+            return;
+        }
+        if share < NEGLIGIBLE * eps * self.scale {
+            self.error += share;
+            return;
+        }
+        let [along, across] = patch.extents();
+        let tips = collapsed(patch);
+        let direction = match tips.first() {
+            Some(side) if !constant(patch, patch) => {
+                Some(if side % 2 == 0 { Direction::Across } else { Direction::Along })
+            }
+            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || facing == Facing::Partly => {
+                Some(longest(patch).0)
+            }
+            _ => None,
+        };
+        match direction {
+            Some(direction) if !self.spent() => {
+                let [a, b] = patch.halves(direction);
+                let state = self.free();
+                self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
+                self.tasks.extend([Task::Same(a), Task::Same(b)]);
+            }
+            Some(_) => self.rough(patch, patch),
+            None => same::integrate(&mut self.moments, patch, same::counts(patch, self.degrees[0], eps)),
+        }
+    }
+
+    fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let share = area(p).min(area(q)) / self.unit;
+        if share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+            self.error += share;
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+        }
+        let tolerance = COINCIDENT * self.size;
+        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
+        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        state.touching = gap <= 0.0;
+        let facing = facing(p, q, state.touching);
+        if facing == Facing::Away {
+            return;
+        }
+        if !state.blockers.is_empty() {
+            if state.levels > 0 {
+                state.levels -= 1;
+                return self.halve(p, q, &contact, &state);
+            }
+            self.partly_hidden = true;
+        } else if constant(p, q) {
+            let chart = chart_points(self.accuracy.eps) + 2;
+            let [m, n] = self.degrees.map(|degree| degree / 2 + 1 + chart);
+            return self.moments.tensor(p, q, [m, m, n + 1, n + 1], None);
+        }
+        match facing {
+            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
+            _ => self.smooth(p, q, &contact, gap, &state),
+        }
+    }
+
+    /// A pair through which a horizon may run.
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let longest = longest(p).1.max(longest(q).1);
+        if gap >= SMALLEST_RATIO * longest {
+            return self.horizon(p, q, gap);
+        }
+        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        if self.spent() { self.rough(p, q) } else { self.halve(p, q, contact, state) }
+    }
+
+    /// A pair that sees each other wholly, or whose horizons are left to rays.
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
+        let free = |x, y| visibility.free(&blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            Touch::Edge { p: a, q: b, matched } => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = edge::counts(a, b, &wedge, self.degrees, eps);
+                self.unresolved |= points[2] > MOST_POINTS;
+                let rule = if *matched { edge::scattered } else { seam::integrate };
+                rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
+            }
+            Touch::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = vertex::counts(a, b, self.degrees, eps);
+                self.unresolved |= points[1] > MOST_CORNER_POINTS;
+                vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
+            }
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) => {
+                let points = self.points(p, q, gap);
+                self.moments.tensor(p, q, points, sees);
+            }
+            _ => {
+                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                if self.spent() { self.rough(p, q) } else { self.halve(p, q, contact, state) }
+            }
+        }
+    }
+
+    /// Points of the tensor rule of a pair apart.
+    fn points(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
+        let counts = separated::counts(p, q, self.degrees, gap, self.accuracy.eps);
+        let extra =
+            [p, p, q, q].map(|patch| if patch.is_flat() { 0 } else { chart_points(self.accuracy.eps) });
+        [0, 1, 2, 3].map(|k| (counts[k] + extra[k]).min(MOST_POINTS))
+    }
+
+    /// A pair apart, cut at its horizons.
+    fn horizon(&mut self, p: &Patch, q: &Patch, gap: f64) {
+        let [a, b, c, d] = self.points(p, q, gap);
+        let receiver = Side { patch: p, basis: &self.elements[0].basis, points: [a, b] };
+        let emitter = Side { patch: q, basis: &self.elements[1].basis, points: [c, d] };
+        // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
+        let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
+        let budget = MOST_SAMPLES.saturating_sub(self.moments.distinct);
+        // The horizon of a plane depends on the other point only: it is cut out of the other patch.
+        let swap = planar(q) && !planar(p);
+        let cut = if swap {
+            horizon::integrate(&emitter, &receiver, tolerance, budget)
+        } else {
+            horizon::integrate(&receiver, &emitter, tolerance, budget)
+        };
+        self.moments.add(&cut.moments, swap, cut.samples);
+        self.error += 4.0 * cut.error / self.unit;
+        self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
+    }
+
+    /// What is left when the samples are spent: all that it may carry counts as error.
+    fn rough(&mut self, p: &Patch, q: &Patch) {
+        let n = ROUGH_POINTS;
+        self.unresolved = true;
+        let (a, b) = (nodes(p, n), nodes(q, n + 1));
+        let most = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y))).fold(0.0, f64::max);
+        self.error += (most * area(p) * area(q)).min(area(p).min(area(q))) / self.unit;
+        self.moments.tensor(p, q, [n, n, n + 1, n + 1], None);
+    }
+
+    /// Brings a contact nearer to a rule, or halves a pair where it is longest; both sides together along a common
+    /// edge.
+    fn halve(&mut self, p: &Patch, q: &Patch, contact: &Touch, state: &State) {
+        let whole = |patch: &Patch| vec![patch.clone()];
+        match contact {
+            Touch::Edge { p: a, q: b, matched: true } => {
+                let wedge = Wedge::of(a, b);
+                if wedge.length >= 0.999 * wedge.depths[0].max(wedge.depths[1]) {
+                    return self.product(&a.halves(Direction::Along), &b.halves(Direction::Along), state);
+                }
+            }
+            Touch::Cut([at_p, at_q]) => {
+                let parts_p = at_p.map_or_else(|| whole(p), |place| cut(p, place).to_vec());
+                let parts_q = at_q.map_or_else(|| whole(q), |place| cut(q, place).to_vec());
+                return self.product(&parts_p, &parts_q, state);
+            }
+            Touch::Tip([at_p, at_q]) => {
+                let parts_p = at_p.map_or_else(|| whole(p), |direction| p.halves(direction).to_vec());
+                let parts_q = at_q.map_or_else(|| whole(q), |direction| q.halves(direction).to_vec());
+                return self.product(&parts_p, &parts_q, state);
+            }
+            _ => {}
+        }
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        if extent_p >= extent_q {
+            self.product(&p.halves(direction_p), std::slice::from_ref(q), state);
+        } else {
+            self.product(std::slice::from_ref(p), &q.halves(direction_q), state);
+        }
+    }
+}
+
+/// More points a direction that a curved chart takes for ε.
+fn chart_points(eps: f64) -> usize {
+    (-0.25 * eps.log10()).ceil() as usize
+}
+
+/// The patches of an element, each cut until it turns by a quarter circle at the most.
+fn sectors(element: &Element) -> Vec<Patch> {
+    let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
+    let mut done = Vec::new();
+    while let Some(patch) = open.pop_front() {
+        let turns = if patch.is_flat() { [0.0; 2] } else { turns(&patch) };
+        if turns[0].max(turns[1]) <= LARGEST_TURN {
+            done.push(patch);
+        } else {
+            let direction = if turns[0] >= turns[1] { Direction::Along } else { Direction::Across };
+            open.extend(patch.halves(direction));
+        }
+    }
+    done
+}
+
+/// Largest angles by which lines and normals turn along s and along t.
+fn turns(patch: &Patch) -> [f64; 2] {
+    const STEPS: usize = 8;
+    let place = |k: usize| k as f64 / STEPS as f64;
+    let turn = |node: &dyn Fn(f64) -> Node| {
+        let line: Vec<Node> = (0..=STEPS).map(|k| node(place(k))).collect();
+        let normals = line.windows(2).map(|w| w[0].normal.angle_between(w[1].normal)).sum::<f64>();
+        let steps: Vec<DVec3> = line.windows(2).map(|w| w[1].position - w[0].position).collect();
+        let total: f64 = steps.iter().map(|d| d.length()).sum();
+        if total <= 1e-9 * patch.hull()[0].distance(patch.node(0.5, 0.5).position) {
+            return 0.0;
+        }
+        let bends = steps.windows(2).map(|w| w[0].angle_between(w[1])).sum::<f64>();
+        normals.max(bends * STEPS as f64 / (STEPS - 1) as f64)
+    };
+    let most = |turn: &dyn Fn(f64) -> f64| [0.0, 0.5, 1.0].map(turn).into_iter().fold(0.0, f64::max);
+    [most(&|t| turn(&|s| patch.node(s, t))), most(&|s| turn(&|t| patch.node(s, t)))]
+}
+
+/// About ∫∫κ over `unit`, not below [`SMALLEST_SCALE`].
+fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
+    let sum = |patches: &[Patch], n: usize| -> Vec<(Node, f64)> {
+        let weighted = |patch: &Patch| {
+            let nodes = nodes(patch, n);
+            nodes.into_iter().map(|x| (x, x.area / (n * n) as f64)).collect::<Vec<_>>()
+        };
+        patches.iter().flat_map(weighted).collect()
+    };
+    let (a, b) = (sum(receivers, 4), sum(emitters, 5));
+    let total: f64 =
+        a.iter().map(|(x, wx)| b.iter().map(|(y, wy)| wx * wy * kernel(x, y)).sum::<f64>()).sum();
+    (total / unit).clamp(SMALLEST_SCALE, 1.0)
+}
+
+/// n × n nodes at the middles of as many cells.
+fn nodes(patch: &Patch, n: usize) -> Vec<Node> {
+    let place = |k: usize| (k as f64 + 0.5) / n as f64;
+    (0..n * n).map(|k| patch.node(place(k / n), place(k % n))).collect()
+}
+
+/// Whether the kernel has one value for all pairs of points: both on the inside of one sphere.
+fn constant(p: &Patch, q: &Patch) -> bool {
+    let (a, b) = (nodes(p, 3), nodes(q, 4));
+    let values = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y)));
+    let [low, high] = values.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], k| [low.min(k), high.max(k)]);
+    low > 0.0 && high - low <= 1e-10 * high
+}
+
+fn planar(patch: &Patch) -> bool {
+    patch.is_flat() || nodes(patch, 3).windows(2).all(|w| w[0].normal.distance(w[1].normal) <= 1e-12)
+}
+
+/// About the area of a patch.
+fn area(patch: &Patch) -> f64 {
+    let nodes = nodes(patch, 2);
+    nodes.iter().map(|x| x.area).sum::<f64>() / nodes.len() as f64
+}
+
+fn longest(patch: &Patch) -> (Direction, f64) {
+    let [along, across] = patch.extents();
+    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
+}

@@ -1,0 +1,316 @@
+//! Patches apart of which some points do not see each other for their own horizons.
+//!
+//! The kernel is clipped where either of n_x·(y − x), n_y·(x − y) changes sign, and a tensor rule converges only like
+//! 1/n² or so. Instead the integral is iterated: for every outer point x,
+//!
+//! ```text
+//! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
+//! ```
+//!
+//! is computed on exactly the part of q that x sees. Along the lines of q's chart that cross the horizon the visible
+//! stretches end at roots of the two functions; across them, the lines are cut where a horizon leaves q through its
+//! sides. On each stretch the integrand is analytic. The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
+//!
+//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q; there the outer
+//! patch is halved until the halves together agree with the whole.
+
+use radiosity_geom::DVec3;
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+
+use super::integrand::kernel;
+
+/// Nodes a direction by which a whole patch is judged, and places by which roots on a line are bracketed.
+const GRID: usize = 9;
+const PLACES: usize = 6;
+
+/// What a pair of patches gave.
+#[derive(Debug)]
+pub(super) struct Cut {
+    /// Moments in the raw polynomials, row-major, outer functions by inner functions.
+    pub moments: Vec<f64>,
+    /// Estimate of their largest error.
+    pub error: f64,
+    /// Kernel and horizon evaluations.
+    pub samples: u64,
+}
+
+/// An outer and an inner patch with the polynomials of their elements.
+pub(super) struct Side<'a> {
+    /// The patch.
+    pub patch: &'a Patch,
+    /// Its element's polynomials.
+    pub basis: &'a AreaBasis,
+    /// Points along and across where nothing is cut.
+    pub points: [usize; 2],
+}
+
+/// The moments of two patches apart, each part to `tolerance` in absolute terms, with about `budget` evaluations.
+pub(super) fn integrate(outer: &Side, inner: &Side, tolerance: f64, budget: u64) -> Cut {
+    let size = outer.basis.len() * inner.basis.len();
+    let mut job = Job {
+        outer,
+        lines: Lines::new(inner),
+        tolerance,
+        budget,
+        cut: Cut { moments: vec![0.0; size], error: 0.0, samples: 0 },
+    };
+    let whole = job.cell(outer.patch);
+    job.refine(outer.patch, &whole);
+    job.cut
+}
+
+struct Job<'a> {
+    outer: &'a Side<'a>,
+    lines: Lines<'a>,
+    tolerance: f64,
+    budget: u64,
+    cut: Cut,
+}
+
+impl Job<'_> {
+    /// Adds a part of the outer patch whose moments by one rule are `whole`.
+    fn refine(&mut self, part: &Patch, whole: &[f64]) {
+        let [along, across] = part.extents();
+        let halves = part.halves(if along >= across { Direction::Along } else { Direction::Across });
+        let moments = [self.cell(&halves[0]), self.cell(&halves[1])];
+        let sum: Vec<f64> = moments[0].iter().zip(&moments[1]).map(|(a, b)| a + b).collect();
+        let difference = sum.iter().zip(whole).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+        let spent = self.cut.samples > self.budget;
+        if difference <= self.tolerance || spent {
+            self.cut.moments.iter_mut().zip(&sum).for_each(|(m, s)| *m += s);
+            // The halves are better than the whole by at least a factor 2³ of a kink of second order.
+            self.cut.error += if spent { difference } else { 0.125 * difference };
+            return;
+        }
+        for (half, moments) in halves.iter().zip(&moments) {
+            self.refine(half, moments);
+        }
+    }
+
+    /// Moments of a part of the outer patch by one tensor rule.
+    fn cell(&mut self, part: &Patch) -> Vec<f64> {
+        let (rows, columns) = (self.outer.basis.len(), self.lines.basis.len());
+        let [along, across] = self.outer.points.map(UnitRule::of);
+        let mut moments = vec![0.0; rows * columns];
+        let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
+        for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+            let x = part.node(s, t);
+            right.fill(0.0);
+            self.lines.seen_from(&x, &mut right);
+            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            let weight = ws * wt * x.area;
+            for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
+                row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
+            }
+        }
+        self.cut.samples += std::mem::take(&mut self.lines.samples);
+        moments
+    }
+}
+
+/// The inner patch, ready to be integrated as seen from any point.
+struct Lines<'a> {
+    patch: &'a Patch,
+    basis: &'a AreaBasis,
+    points: [usize; 2],
+    grid: Vec<Node>,
+    center: DVec3,
+    /// Bounds of the second differences of y, of n, and of n·(C − y) on the grid, summed over directions.
+    bends: [f64; 3],
+    /// The uncut rule: nodes, and rows of w A L_l.
+    nodes: Vec<Node>,
+    rows: Vec<f64>,
+    /// Work space: values of the polynomials at a point.
+    values: Vec<f64>,
+    samples: u64,
+}
+
+impl<'a> Lines<'a> {
+    fn new(inner: &Side<'a>) -> Self {
+        let Side { patch, basis, points } = *inner;
+        let place = |k: usize| k as f64 / (GRID - 1) as f64;
+        let grid: Vec<Node> =
+            (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID))).collect();
+        let center = grid.iter().map(|y| y.position).sum::<DVec3>() / grid.len() as f64;
+        let bends = [
+            second_differences(&grid, |y| y.position),
+            second_differences(&grid, |y| y.normal),
+            second_differences(&grid, |y| DVec3::X * y.normal.dot(center - y.position)),
+        ];
+        let [along, across] = points.map(UnitRule::of);
+        let (mut nodes, mut rows) = (Vec::new(), vec![0.0; basis.len() * points[0] * points[1]]);
+        let places = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
+        for (((s, ws), (t, wt)), row) in places.zip(rows.chunks_exact_mut(basis.len())) {
+            let node = patch.node(s, t);
+            basis.raw(basis.frame().coordinates(&node), row);
+            row.iter_mut().for_each(|value| *value *= ws * wt * node.area);
+            nodes.push(node);
+        }
+        let values = vec![0.0; basis.len()];
+        Self { patch, basis, points, grid, center, bends, nodes, rows, values, samples: 0 }
+    }
+
+    /// Adds W_l(x) to `out`.
+    fn seen_from(&mut self, x: &Node, out: &mut [f64]) {
+        let heights: Vec<[f64; 2]> = self.grid.iter().map(|y| heights(x, y)).collect();
+        let margins =
+            [0.25 * self.bends[0], 0.25 * (self.bends[1] * x.position.distance(self.center) + self.bends[2])];
+        let range = |k: usize| {
+            let values = heights.iter().map(|h| h[k]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
+        };
+        let ranges = [range(0), range(1)];
+        self.samples += self.grid.len() as u64;
+        if (0..2).any(|k| ranges[k][1] + margins[k] <= 0.0) {
+            return;
+        }
+        if (0..2).all(|k| ranges[k][0] >= margins[k]) {
+            return self.whole(x, out);
+        }
+        let direction = crossed(&heights);
+        self.cut(x, direction, out);
+    }
+
+    fn whole(&mut self, x: &Node, out: &mut [f64]) {
+        self.samples += self.nodes.len() as u64;
+        for (y, row) in self.nodes.iter().zip(self.rows.chunks_exact(out.len())) {
+            let value = kernel(x, y);
+            out.iter_mut().zip(row).for_each(|(o, r)| *o += value * r);
+        }
+    }
+
+    /// The part that x sees, along lines of the given direction.
+    fn cut(&mut self, x: &Node, direction: Direction, out: &mut [f64]) {
+        let patch = self.patch;
+        let node = |w: f64, z: f64| match direction {
+            Direction::Along => patch.node(w, z),
+            Direction::Across => patch.node(z, w),
+        };
+        let [along, across] = self.points.map(UnitRule::of);
+        let (line, over) = if direction == Direction::Along { (along, across) } else { (across, along) };
+        let mut breaks = vec![0.0, 1.0];
+        for side in [0.0, 1.0] {
+            self.samples += roots(|z| heights(x, &node(side, z)), &mut breaks);
+        }
+        for (low, high) in stretches(&mut breaks) {
+            for (z, wz) in over.iter() {
+                let z = low + (high - low) * z;
+                let mut ends = vec![0.0, 1.0];
+                self.samples += roots(|w| heights(x, &node(w, z)), &mut ends);
+                for (start, end) in stretches(&mut ends) {
+                    let seen =
+                        |w: f64| heights(x, &node(start + (end - start) * w, z)).iter().all(|h| *h > 0.0);
+                    if !seen(0.5) {
+                        continue;
+                    }
+                    self.samples += line.nodes.len() as u64;
+                    for (w, ww) in line.iter() {
+                        let y = node(start + (end - start) * w, z);
+                        let value = kernel(x, &y) * y.area * wz * ww * (high - low) * (end - start);
+                        self.basis.raw(self.basis.frame().coordinates(&y), &mut self.values);
+                        out.iter_mut().zip(&self.values).for_each(|(o, l)| *o += value * l);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// [n_x·(y − x), n_y·(x − y)]: the heights of each over the tangent plane of the other.
+fn heights(x: &Node, y: &Node) -> [f64; 2] {
+    let d = y.position - x.position;
+    [x.normal.dot(d), -y.normal.dot(d)]
+}
+
+/// The direction whose lines the horizons cross more often.
+fn crossed(heights: &[[f64; 2]]) -> Direction {
+    let changes = |step: usize, first: &dyn Fn(usize) -> usize| -> usize {
+        (0..GRID)
+            .map(|line| {
+                let at = |k: usize| heights[first(line) + k * step];
+                (1..GRID).map(|k| (0..2).filter(|f| at(k)[*f] * at(k - 1)[*f] < 0.0).count()).sum::<usize>()
+            })
+            .sum()
+    };
+    let along = changes(GRID, &|line| line);
+    let across = changes(1, &|line| line * GRID);
+    if along >= across { Direction::Along } else { Direction::Across }
+}
+
+/// Appends the roots in (0, 1) of both functions; returns the number of evaluations.
+fn roots(f: impl Fn(f64) -> [f64; 2], out: &mut Vec<f64>) -> u64 {
+    let place = |k: usize| k as f64 / (PLACES - 1) as f64;
+    let values: [[f64; 2]; PLACES] = std::array::from_fn(|k| f(place(k)));
+    let mut evaluations = PLACES as u64;
+    for which in 0..2 {
+        let mut brackets = Vec::new();
+        for k in 1..PLACES {
+            let (low, high) = (values[k - 1][which], values[k][which]);
+            if low * high < 0.0 {
+                brackets.push(([place(k - 1), place(k)], [low, high]));
+            }
+        }
+        // Two roots between neighbours of one sign: at the vertex of the parabola through three the sign may differ.
+        for k in 1..PLACES - 1 {
+            let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
+            let bend = a - 2.0 * b + c;
+            if !(a * b > 0.0 && b * c > 0.0 && b * bend > 0.0 && (a - c).abs() < 2.0 * bend.abs()) {
+                continue;
+            }
+            let w = place(k) + 0.5 * (a - c) / bend / (PLACES - 1) as f64;
+            let value = f(w)[which];
+            evaluations += 1;
+            if value * b < 0.0 {
+                brackets.push(([place(k - 1), w], [a, value]));
+                brackets.push(([w, place(k + 1)], [value, c]));
+            }
+        }
+        for (ends, values) in brackets {
+            out.push(root(|w| f(w)[which], ends, values, &mut evaluations));
+        }
+    }
+    evaluations
+}
+
+/// A bracketed root by the Illinois variant of false position.
+fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evaluations: &mut u64) -> f64 {
+    let mut last = ends[0];
+    for _ in 0..40 {
+        let w = (ends[0] * values[1] - ends[1] * values[0]) / (values[1] - values[0]);
+        if (w - last).abs() <= 1e-9 {
+            return w;
+        }
+        last = w;
+        let value = f(w);
+        *evaluations += 1;
+        if value * values[1] < 0.0 {
+            (ends[0], values[0]) = (ends[1], values[1]);
+        } else {
+            values[0] *= 0.5;
+        }
+        (ends[1], values[1]) = (w, value);
+    }
+    last
+}
+
+/// The stretches between breaks, which are sorted first.
+fn stretches(breaks: &mut [f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
+    breaks.sort_by(f64::total_cmp);
+    breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
+}
+
+/// The sum over both directions of the grid of the largest second difference.
+fn second_differences(grid: &[Node], value: impl Fn(&Node) -> DVec3) -> f64 {
+    let at = |i: usize, j: usize| value(&grid[i * GRID + j]);
+    let mut largest = [0.0f64; 2];
+    for i in 1..GRID - 1 {
+        for j in 0..GRID {
+            largest[0] = largest[0].max((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)).length());
+            largest[1] = largest[1].max((at(j, i - 1) - 2.0 * at(j, i) + at(j, i + 1)).length());
+        }
+    }
+    largest[0] + largest[1]
+}
