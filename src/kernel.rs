@@ -8,6 +8,7 @@
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 
 mod block;
+mod chart;
 mod clip;
 mod curved;
 mod edge;

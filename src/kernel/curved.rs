@@ -20,10 +20,11 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
-use crate::elements::rule::MOST_POINTS;
+use crate::elements::rule::{MOST_POINTS, UnitRule};
 use crate::visibility::Visibility;
 
 use super::block::{Accuracy, Block, Kind};
+use super::chart;
 use super::edge::{self, LARGEST_ASPECT, Wedge};
 use super::facing::{self, Facing, facing};
 use super::horizon::{self, Side};
@@ -191,22 +192,22 @@ impl<'a> Job<'a> {
     }
 
     fn same(&mut self, patch: &Patch) {
-        let eps = self.accuracy.eps;
         let share = area(patch) / self.unit;
         let facing = facing::own(patch);
         if facing == Facing::Away {
             return;
         }
-        if share < NEGLIGIBLE * eps * self.scale {
+        if share < NEGLIGIBLE * self.accuracy.eps * self.scale {
             self.error += share;
             return;
+        }
+        if let Some(value) = constant(patch, patch) {
+            return self.constant(patch, patch, 0.5 * value);
         }
         let [along, across] = patch.extents();
         let tips = collapsed(patch);
         let direction = match tips.first() {
-            Some(side) if !constant(patch, patch) => {
-                Some(if side % 2 == 0 { Direction::Across } else { Direction::Along })
-            }
+            Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
             _ if along.max(across) > LARGEST_ASPECT * along.min(across) || facing == Facing::Partly => {
                 Some(longest(patch).0)
             }
@@ -220,7 +221,11 @@ impl<'a> Job<'a> {
                 self.tasks.extend([Task::Same(a), Task::Same(b)]);
             }
             Some(_) => self.rough(patch, patch),
-            None => same::integrate(&mut self.moments, patch, same::counts(patch, self.degrees[0], eps)),
+            None => {
+                let eps = self.eps(share);
+                let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
+                same::integrate(&mut self.moments, patch, points);
+            }
         }
     }
 
@@ -251,10 +256,8 @@ impl<'a> Job<'a> {
                 return self.halve(p, q, &contact, &state);
             }
             self.partly_hidden = true;
-        } else if constant(p, q) {
-            let chart = chart_points(self.accuracy.eps) + 2;
-            let [m, n] = self.degrees.map(|degree| degree / 2 + 1 + chart);
-            return self.moments.tensor(p, q, [m, m, n + 1, n + 1], None);
+        } else if let Some(value) = constant(p, q) {
+            return self.constant(p, q, value);
         }
         match facing {
             Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
@@ -274,7 +277,7 @@ impl<'a> Job<'a> {
 
     /// A pair that sees each other wholly, or whose horizons are left to rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
-        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
+        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.part_eps(p, q));
         let free = |x, y| visibility.free(&blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
@@ -284,7 +287,9 @@ impl<'a> Job<'a> {
                 if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let points = edge::counts(a, b, &wedge, self.degrees, eps);
+                let [_, _, angular] = edge::counts(a, b, &wedge, self.degrees, eps);
+                let exact = self.exact_degree() + contact_chart(a, b, eps);
+                let points = [exact, exact, angular];
                 self.unresolved |= points[2] > MOST_POINTS;
                 let rule = if *matched { edge::scattered } else { seam::integrate };
                 rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
@@ -294,7 +299,8 @@ impl<'a> Job<'a> {
                 if vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let points = vertex::counts(a, b, self.degrees, eps);
+                let [_, angular] = vertex::counts(a, b, self.degrees, eps);
+                let points = [self.exact_degree() + contact_chart(a, b, eps), angular];
                 self.unresolved |= points[1] > MOST_CORNER_POINTS;
                 vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
             }
@@ -311,10 +317,43 @@ impl<'a> Job<'a> {
 
     /// Points of the tensor rule of a pair apart.
     fn points(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
-        let counts = separated::counts(p, q, self.degrees, gap, self.accuracy.eps);
-        let extra =
-            [p, p, q, q].map(|patch| if patch.is_flat() { 0 } else { chart_points(self.accuracy.eps) });
-        [0, 1, 2, 3].map(|k| (counts[k] + extra[k]).min(MOST_POINTS))
+        let eps = self.part_eps(p, q);
+        let counts = separated::counts(p, q, self.degrees, gap, eps);
+        let charts = [chart::points(p, eps), chart::points(q, eps)].concat();
+        [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
+    }
+
+    /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
+    fn exact_degree(&self) -> usize {
+        (self.degrees[0] + self.degrees[1] + 3) / 2
+    }
+
+    /// Accuracy for a part that carries at most `share` of what a block can: small parts need fewer digits.
+    fn eps(&self, share: f64) -> f64 {
+        (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(1e-2)
+    }
+
+    fn part_eps(&self, p: &Patch, q: &Patch) -> f64 {
+        self.eps(area(p).min(area(q)) / self.unit)
+    }
+
+    /// A pair of patches on which the kernel has one value: the product of their own moments.
+    fn constant(&mut self, p: &Patch, q: &Patch, value: f64) {
+        let side = |patch: &Patch, element: &Element| {
+            let basis = &element.basis;
+            let (mut sums, mut row) = (vec![0.0; basis.len()], vec![0.0; basis.len()]);
+            let [along, across] =
+                chart::points(patch, self.accuracy.eps).map(|n| UnitRule::of(basis.order() / 2 + n + 2));
+            for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                basis.raw(basis.frame().coordinates(&node), &mut row);
+                sums.iter_mut().zip(&row).for_each(|(sum, l)| *sum += ws * wt * node.area * l);
+            }
+            (sums, (along.nodes.len() * across.nodes.len()) as u64)
+        };
+        let ((left, m), (right, n)) = (side(p, self.elements[0]), side(q, self.elements[1]));
+        let moments: Vec<f64> = left.iter().flat_map(|l| right.iter().map(move |r| value * l * r)).collect();
+        self.moments.add(&moments, false, m + n);
     }
 
     /// A pair apart, cut at its horizons.
@@ -379,9 +418,11 @@ impl<'a> Job<'a> {
     }
 }
 
-/// More points a direction that a curved chart takes for ε.
-fn chart_points(eps: f64) -> usize {
-    (-0.25 * eps.log10()).ceil() as usize
+/// Points that the charts of two touching patches take: half as many again as of patches apart, since the kernel
+/// between them varies with the charts alone.
+fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
+    let most = [chart::points(p, eps), chart::points(q, eps)].concat().into_iter().max().unwrap_or(0);
+    most + most.div_ceil(2)
 }
 
 /// The patches of an element, each cut until it turns by a quarter circle at the most.
@@ -440,12 +481,15 @@ fn nodes(patch: &Patch, n: usize) -> Vec<Node> {
     (0..n * n).map(|k| patch.node(place(k / n), place(k % n))).collect()
 }
 
-/// Whether the kernel has one value for all pairs of points: both on the inside of one sphere.
-fn constant(p: &Patch, q: &Patch) -> bool {
+/// The kernel's value if it is the same for all pairs of points: both on the inside of one sphere.
+fn constant(p: &Patch, q: &Patch) -> Option<f64> {
+    if p.is_flat() || q.is_flat() {
+        return None;
+    }
     let (a, b) = (nodes(p, 3), nodes(q, 4));
     let values = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y)));
     let [low, high] = values.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], k| [low.min(k), high.max(k)]);
-    low > 0.0 && high - low <= 1e-10 * high
+    (low > 0.0 && high - low <= 1e-10 * high).then_some(0.5 * (low + high))
 }
 
 fn planar(patch: &Patch) -> bool {

@@ -7,9 +7,10 @@
 //! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
 //! ```
 //!
-//! is computed on exactly the part of q that x sees. Along the lines of q's chart that cross the horizon the visible
-//! stretches end at roots of the two functions; across them, the lines are cut where a horizon leaves q through its
-//! sides. On each stretch the integrand is analytic. The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
+//! is computed on exactly the part of q that x sees. q is quartered until each horizon in a quarter crosses either all
+//! lines along s or all lines along t at most once. There the visible stretch of a line ends at a root, and across
+//! the lines the quarter is cut where a horizon leaves it through a side: on each stretch the integrand is analytic.
+//! The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
 //!
 //! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q; there the outer
 //! patch is halved until the halves together agree with the whole.
@@ -22,9 +23,12 @@ use crate::elements::rule::UnitRule;
 
 use super::integrand::kernel;
 
-/// Nodes a direction by which a whole patch is judged, and places by which roots on a line are bracketed.
-const GRID: usize = 9;
+/// Nodes a direction by which a patch and its quarters are judged.
+const GRID: usize = 6;
+/// Places by which roots on a side are bracketed.
 const PLACES: usize = 6;
+/// How often the inner patch is quartered.
+const DEEPEST: u32 = 5;
 
 /// What a pair of patches gave.
 #[derive(Debug)]
@@ -52,7 +56,7 @@ pub(super) fn integrate(outer: &Side, inner: &Side, tolerance: f64, budget: u64)
     let size = outer.basis.len() * inner.basis.len();
     let mut job = Job {
         outer,
-        lines: Lines::new(inner),
+        inner: Part::new(inner.patch.clone(), inner.basis, inner.points, 0),
         tolerance,
         budget,
         cut: Cut { moments: vec![0.0; size], error: 0.0, samples: 0 },
@@ -64,7 +68,7 @@ pub(super) fn integrate(outer: &Side, inner: &Side, tolerance: f64, budget: u64)
 
 struct Job<'a> {
     outer: &'a Side<'a>,
-    lines: Lines<'a>,
+    inner: Part<'a>,
     tolerance: f64,
     budget: u64,
     cut: Cut,
@@ -92,45 +96,44 @@ impl Job<'_> {
 
     /// Moments of a part of the outer patch by one tensor rule.
     fn cell(&mut self, part: &Patch) -> Vec<f64> {
-        let (rows, columns) = (self.outer.basis.len(), self.lines.basis.len());
+        let (rows, columns) = (self.outer.basis.len(), self.inner.basis.len());
         let [along, across] = self.outer.points.map(UnitRule::of);
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
+        let inner = &mut self.inner;
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
             let x = part.node(s, t);
             right.fill(0.0);
-            self.lines.seen_from(&x, &mut right);
+            self.cut.samples += inner.seen_from(&x, &mut right);
             self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
             let weight = ws * wt * x.area;
             for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
                 row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
             }
         }
-        self.cut.samples += std::mem::take(&mut self.lines.samples);
         moments
     }
 }
 
-/// The inner patch, ready to be integrated as seen from any point.
-struct Lines<'a> {
-    patch: &'a Patch,
+/// The inner patch or a quarter of it, ready to be integrated as seen from any point.
+struct Part<'a> {
+    patch: Patch,
     basis: &'a AreaBasis,
     points: [usize; 2],
+    depth: u32,
     grid: Vec<Node>,
     center: DVec3,
     /// Bounds of the second differences of y, of n, and of n·(C − y) on the grid, summed over directions.
     bends: [f64; 3],
-    /// The uncut rule: nodes, and rows of w A L_l.
+    /// The uncut rule: nodes, and rows of w A L_l; empty until it is used.
     nodes: Vec<Node>,
     rows: Vec<f64>,
-    /// Work space: values of the polynomials at a point.
-    values: Vec<f64>,
-    samples: u64,
+    /// Empty until they are used.
+    quarters: Vec<Part<'a>>,
 }
 
-impl<'a> Lines<'a> {
-    fn new(inner: &Side<'a>) -> Self {
-        let Side { patch, basis, points } = *inner;
+impl<'a> Part<'a> {
+    fn new(patch: Patch, basis: &'a AreaBasis, points: [usize; 2], depth: u32) -> Self {
         let place = |k: usize| k as f64 / (GRID - 1) as f64;
         let grid: Vec<Node> =
             (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID))).collect();
@@ -140,82 +143,100 @@ impl<'a> Lines<'a> {
             second_differences(&grid, |y| y.normal),
             second_differences(&grid, |y| DVec3::X * y.normal.dot(center - y.position)),
         ];
-        let [along, across] = points.map(UnitRule::of);
-        let (mut nodes, mut rows) = (Vec::new(), vec![0.0; basis.len() * points[0] * points[1]]);
-        let places = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
-        for (((s, ws), (t, wt)), row) in places.zip(rows.chunks_exact_mut(basis.len())) {
-            let node = patch.node(s, t);
-            basis.raw(basis.frame().coordinates(&node), row);
-            row.iter_mut().for_each(|value| *value *= ws * wt * node.area);
-            nodes.push(node);
-        }
-        let values = vec![0.0; basis.len()];
-        Self { patch, basis, points, grid, center, bends, nodes, rows, values, samples: 0 }
+        let (nodes, rows, quarters) = (Vec::new(), Vec::new(), Vec::new());
+        Self { patch, basis, points, depth, grid, center, bends, nodes, rows, quarters }
     }
 
-    /// Adds W_l(x) to `out`.
-    fn seen_from(&mut self, x: &Node, out: &mut [f64]) {
-        let heights: Vec<[f64; 2]> = self.grid.iter().map(|y| heights(x, y)).collect();
+    /// Adds W_l(x) to `out`; returns the number of evaluations.
+    fn seen_from(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+        let grid: Vec<[f64; 2]> = self.grid.iter().map(|y| heights(x, y)).collect();
         let margins =
             [0.25 * self.bends[0], 0.25 * (self.bends[1] * x.position.distance(self.center) + self.bends[2])];
         let range = |k: usize| {
-            let values = heights.iter().map(|h| h[k]);
+            let values = grid.iter().map(|h| h[k]);
             values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
         };
         let ranges = [range(0), range(1)];
-        self.samples += self.grid.len() as u64;
+        let spent = grid.len() as u64;
         if (0..2).any(|k| ranges[k][1] + margins[k] <= 0.0) {
-            return;
+            return spent;
         }
-        if (0..2).all(|k| ranges[k][0] >= margins[k]) {
-            return self.whole(x, out);
+        let clipped: Vec<usize> = (0..2).filter(|k| ranges[*k][0] < margins[*k]).collect();
+        if clipped.is_empty() {
+            return spent + self.whole(x, out);
         }
-        let direction = crossed(&heights);
-        self.cut(x, direction, out);
+        let crosses = |direction| clipped.iter().all(|k| monotone(&grid, *k, direction));
+        let direction = [Direction::Along, Direction::Across].into_iter().find(|d| crosses(*d));
+        match direction {
+            Some(direction) => spent + self.cut(x, direction, out),
+            None if self.depth == DEEPEST => spent + self.cut(x, Direction::Along, out),
+            None => spent + self.quartered(x, out),
+        }
     }
 
-    fn whole(&mut self, x: &Node, out: &mut [f64]) {
-        self.samples += self.nodes.len() as u64;
+    fn quartered(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+        if self.quarters.is_empty() {
+            let halves = self.patch.halves(Direction::Along);
+            let quarters = halves.iter().flat_map(|half| half.halves(Direction::Across));
+            let (basis, points, depth) = (self.basis, self.points, self.depth + 1);
+            self.quarters = quarters.map(|patch| Part::new(patch, basis, points, depth)).collect();
+        }
+        self.quarters.iter_mut().map(|quarter| quarter.seen_from(x, out)).sum()
+    }
+
+    fn whole(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+        if self.nodes.is_empty() {
+            self.tabulate();
+        }
         for (y, row) in self.nodes.iter().zip(self.rows.chunks_exact(out.len())) {
             let value = kernel(x, y);
             out.iter_mut().zip(row).for_each(|(o, r)| *o += value * r);
         }
+        self.nodes.len() as u64
+    }
+
+    fn tabulate(&mut self) {
+        let [along, across] = self.points.map(UnitRule::of);
+        let mut row = vec![0.0; self.basis.len()];
+        for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+            let node = self.patch.node(s, t);
+            self.basis.raw(self.basis.frame().coordinates(&node), &mut row);
+            self.rows.extend(row.iter().map(|value| ws * wt * node.area * value));
+            self.nodes.push(node);
+        }
     }
 
     /// The part that x sees, along lines of the given direction.
-    fn cut(&mut self, x: &Node, direction: Direction, out: &mut [f64]) {
-        let patch = self.patch;
+    fn cut(&self, x: &Node, direction: Direction, out: &mut [f64]) -> u64 {
         let node = |w: f64, z: f64| match direction {
-            Direction::Along => patch.node(w, z),
-            Direction::Across => patch.node(z, w),
+            Direction::Along => self.patch.node(w, z),
+            Direction::Across => self.patch.node(z, w),
         };
         let [along, across] = self.points.map(UnitRule::of);
         let (line, over) = if direction == Direction::Along { (along, across) } else { (across, along) };
+        let mut values = vec![0.0; self.basis.len()];
+        let mut evaluations = 0;
         let mut breaks = vec![0.0, 1.0];
         for side in [0.0, 1.0] {
-            self.samples += roots(|z| heights(x, &node(side, z)), &mut breaks);
+            evaluations += roots(|z| heights(x, &node(side, z)), &mut breaks);
         }
-        for (low, high) in stretches(&mut breaks) {
+        breaks.sort_by(f64::total_cmp);
+        for (low, high) in stretches(&breaks) {
             for (z, wz) in over.iter() {
                 let z = low + (high - low) * z;
-                let mut ends = vec![0.0, 1.0];
-                self.samples += roots(|w| heights(x, &node(w, z)), &mut ends);
-                for (start, end) in stretches(&mut ends) {
-                    let seen =
-                        |w: f64| heights(x, &node(start + (end - start) * w, z)).iter().all(|h| *h > 0.0);
-                    if !seen(0.5) {
-                        continue;
-                    }
-                    self.samples += line.nodes.len() as u64;
-                    for (w, ww) in line.iter() {
-                        let y = node(start + (end - start) * w, z);
-                        let value = kernel(x, &y) * y.area * wz * ww * (high - low) * (end - start);
-                        self.basis.raw(self.basis.frame().coordinates(&y), &mut self.values);
-                        out.iter_mut().zip(&self.values).for_each(|(o, l)| *o += value * l);
-                    }
+                let Some([start, end]) = visible(|w| heights(x, &node(w, z)), &mut evaluations) else {
+                    continue;
+                };
+                evaluations += line.nodes.len() as u64;
+                for (w, ww) in line.iter() {
+                    let y = node(start + (end - start) * w, z);
+                    let value = kernel(x, &y) * y.area * wz * ww * (high - low) * (end - start);
+                    self.basis.raw(self.basis.frame().coordinates(&y), &mut values);
+                    out.iter_mut().zip(&values).for_each(|(o, l)| *o += value * l);
                 }
             }
         }
+        evaluations
     }
 }
 
@@ -225,19 +246,38 @@ fn heights(x: &Node, y: &Node) -> [f64; 2] {
     [x.normal.dot(d), -y.normal.dot(d)]
 }
 
-/// The direction whose lines the horizons cross more often.
-fn crossed(heights: &[[f64; 2]]) -> Direction {
-    let changes = |step: usize, first: &dyn Fn(usize) -> usize| -> usize {
-        (0..GRID)
-            .map(|line| {
-                let at = |k: usize| heights[first(line) + k * step];
-                (1..GRID).map(|k| (0..2).filter(|f| at(k)[*f] * at(k - 1)[*f] < 0.0).count()).sum::<usize>()
-            })
-            .sum()
-    };
-    let along = changes(GRID, &|line| line);
-    let across = changes(1, &|line| line * GRID);
-    if along >= across { Direction::Along } else { Direction::Across }
+/// Whether a height rises, or falls, along all lines of a direction.
+fn monotone(grid: &[[f64; 2]], which: usize, direction: Direction) -> bool {
+    let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
+    let steps = (0..GRID).flat_map(|line| {
+        (1..GRID)
+            .map(move |k| grid[line * first + k * step][which] - grid[line * first + (k - 1) * step][which])
+    });
+    let [low, high] =
+        steps.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)]);
+    // Steps of one sign, and none so small beside the others that a turn may lie in its neighbourhood.
+    (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
+}
+
+/// The stretch of a line on which both heights, each monotone, are positive.
+fn visible(f: impl Fn(f64) -> [f64; 2], evaluations: &mut u64) -> Option<[f64; 2]> {
+    let (first, last) = (f(0.0), f(1.0));
+    *evaluations += 2;
+    let mut stretch = [0.0f64, 1.0];
+    for k in 0..2 {
+        if first[k].max(last[k]) <= 0.0 {
+            return None;
+        }
+        if first[k].min(last[k]) < 0.0 {
+            let at = root(|w| f(w)[k], [0.0, 1.0], [first[k], last[k]], evaluations);
+            stretch = if first[k] < 0.0 {
+                [stretch[0].max(at), stretch[1]]
+            } else {
+                [stretch[0], stretch[1].min(at)]
+            };
+        }
+    }
+    (stretch[0] < stretch[1]).then_some(stretch)
 }
 
 /// Appends the roots in (0, 1) of both functions; returns the number of evaluations.
@@ -296,9 +336,8 @@ fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evalua
     last
 }
 
-/// The stretches between breaks, which are sorted first.
-fn stretches(breaks: &mut [f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
-    breaks.sort_by(f64::total_cmp);
+/// The stretches between sorted breaks.
+fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
 }
 

@@ -26,13 +26,12 @@ use crate::elements::rule::UnitRule;
 use super::moments::Moments;
 use super::separated;
 
-/// Numbers of points [x, a, y] for degree `degree` on either side.
-pub(super) fn counts(patch: &Patch, degree: usize, eps: f64) -> [usize; 3] {
+/// Numbers of points [x, a, y] for degree `degree` on either side and a chart that takes `chart` points.
+pub(super) fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [usize; 3] {
     let [along, across] = patch.extents();
     let q = along.min(across) / along.max(across);
     let sigma = q + (1.0 + q * q).sqrt();
     let rho = sigma + (sigma * sigma - 1.0).sqrt();
-    let chart = (-0.6 * eps.log10()).ceil() as usize;
     [degree + 1 + chart, separated::points(degree, eps, rho) + 1, degree + 1 + chart]
 }
 
