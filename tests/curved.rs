@@ -87,8 +87,16 @@ fn ball(center: DVec3, radius: f64) -> Sphere {
 #[test]
 fn explore() {
     let run = |name: &str, shapes: &dyn Fn() -> Vec<Arc<dyn Surface>>, value: &dyn Fn(&Transport) -> f64| {
-        for order in [0, 3] {
-            for eps in [1e-2, 1e-4, 1e-8, 1e-12] {
+        let list = |k: &str, d: &str| {
+            std::env::var(k)
+                .unwrap_or(d.to_owned())
+                .split(',')
+                .map(|x| x.parse::<f64>().unwrap())
+                .collect::<Vec<_>>()
+        };
+        for order in list("ORDERS", "0,3") {
+            let order = order as usize;
+            for eps in list("EPS", "1e-2,1e-4,1e-8,1e-12") {
                 let start = std::time::Instant::now();
                 let t = Transport::unoccluded(shapes(), order, eps);
                 println!(
@@ -138,7 +146,14 @@ fn explore() {
                     Arc::new(disk(0.0, true, 1.0)),
                 ]
             },
-            &|t| t.closure(),
+            &|t| {
+                println!(
+                    "   lid {:.1e} self {:.1e}",
+                    t.factor(1, 0) - 1.0,
+                    t.factor(0, 0) - (1.0 - 0.5f64.sqrt())
+                );
+                t.closure()
+            },
         );
     }
     if which.contains('e') {

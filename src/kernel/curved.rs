@@ -41,8 +41,8 @@ const COINCIDENT: f64 = 1e-9;
 const LARGEST_TURN: f64 = 1.6;
 /// Parts that carry less than this times ε of the block are left out.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Samples of one block after which contacts and horizons are refined no more.
-const MOST_SAMPLES: u64 = 20_000_000;
+/// Samples of one block after which contacts and horizons are refined no more, per squared digit of 1/ε.
+const SAMPLES_PER_DIGIT: f64 = 5e5;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
 /// Points a direction of what is left when the samples are spent.
@@ -61,8 +61,15 @@ pub(super) fn block(
     let mut job = Job::new(receiver, emitter, visibility, accuracy);
     let (receivers, emitters) = (sectors(receiver), sectors(emitter));
     job.scale = scale(&receivers, &emitters, job.unit);
-    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
-    job.product(&receivers, &emitters, &state);
+    if blockers.is_empty() {
+        // The horizon of a plane depends on the other point only: it is cut out of the other patch.
+        job.swapped = emitters.iter().all(planar) && !receivers.iter().all(planar);
+        let (outer, inner) = if job.swapped { (emitters, receivers) } else { (receivers, emitters) };
+        job.tasks.extend(outer.into_iter().map(|part| Task::Fan(part, inner.clone())));
+    } else {
+        let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+        job.product(&receivers, &emitters, &state);
+    }
     job.run();
     job.finish()
 }
@@ -100,6 +107,8 @@ enum Task {
     /// Half of a patch with itself.
     Same(Patch),
     Pair(Patch, Patch, State),
+    /// Parts of one side as seen from one part of the other, with nothing in between.
+    Fan(Patch, Vec<Patch>),
 }
 
 #[derive(Clone)]
@@ -121,6 +130,8 @@ struct Job<'a> {
     unit: f64,
     /// About the block's first entry.
     scale: f64,
+    /// Whether the outer parts of fans are the emitter's.
+    swapped: bool,
     moments: Moments<'a>,
     tasks: VecDeque<Task>,
     kind: Kind,
@@ -144,6 +155,7 @@ impl<'a> Job<'a> {
             size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
             unit: (receiver.area * emitter.area).sqrt(),
             scale: 1.0,
+            swapped: false,
             moments: Moments::new(&receiver.basis, &emitter.basis),
             tasks: VecDeque::new(),
             kind: Kind::Separated,
@@ -162,6 +174,7 @@ impl<'a> Job<'a> {
             match task {
                 Task::Same(patch) => self.same(&patch),
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
+                Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
         }
     }
@@ -179,8 +192,14 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Samples left for contacts and horizons.
+    fn budget(&self) -> u64 {
+        let most = SAMPLES_PER_DIGIT * self.accuracy.eps.log10().powi(2).max(4.0);
+        (most as u64).saturating_sub(self.moments.distinct)
+    }
+
     fn spent(&self) -> bool {
-        self.moments.distinct > MOST_SAMPLES
+        self.budget() == 0
     }
 
     fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
@@ -229,6 +248,45 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
+    /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
+    fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+        let reach = longest(outer).1;
+        let mut open: VecDeque<Patch> = inner.into();
+        let (mut clipped, mut near) = (Vec::new(), Vec::new());
+        while let Some(part) = open.pop_front() {
+            let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
+            let share = area(p).min(area(q)) / self.unit;
+            let gap = gap(p, q);
+            let facing = facing(p, q, gap <= 0.0);
+            if facing == Facing::Away {
+                continue;
+            }
+            if gap <= COINCIDENT * self.size || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+                let state = self.free();
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
+            } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) && !self.spent() {
+                self.kind = self.kind.max(Kind::Split);
+                if reach > longest(&part).1 {
+                    near.push(part);
+                } else {
+                    open.extend(part.halves(longest(&part).0));
+                }
+            } else if facing == Facing::Wholly {
+                let points = self.points(p, q, gap);
+                self.moments.tensor(p, q, points, None);
+            } else {
+                clipped.push((part, gap));
+            }
+        }
+        if near.is_empty() {
+            return self.horizon(outer, &clipped);
+        }
+        near.extend(clipped.into_iter().map(|(part, _)| part));
+        let halves = outer.halves(longest(outer).0);
+        self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
     fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
         let share = area(p).min(area(q)) / self.unit;
         if share < NEGLIGIBLE * self.accuracy.eps * self.scale {
@@ -269,7 +327,8 @@ impl<'a> Job<'a> {
     fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let longest = longest(p).1.max(longest(q).1);
         if gap >= SMALLEST_RATIO * longest {
-            return self.horizon(p, q, gap);
+            let (outer, inner) = if self.swapped { (q, p) } else { (p, q) };
+            return self.horizon(outer, &[(inner.clone(), gap)]);
         }
         self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
         if self.spent() { self.rough(p, q) } else { self.halve(p, q, contact, state) }
@@ -289,7 +348,7 @@ impl<'a> Job<'a> {
                 }
                 let [_, _, angular] = edge::counts(a, b, &wedge, self.degrees, eps);
                 let exact = self.exact_degree() + contact_chart(a, b, eps);
-                let points = [exact, exact, angular];
+                let points = [exact, exact, angular + 1];
                 self.unresolved |= points[2] > MOST_POINTS;
                 let rule = if *matched { edge::scattered } else { seam::integrate };
                 rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
@@ -300,6 +359,8 @@ impl<'a> Job<'a> {
                     return self.halve(p, q, contact, state);
                 }
                 let [_, angular] = vertex::counts(a, b, self.degrees, eps);
+                let degree = self.degrees[0].max(self.degrees[1]);
+                let angular = angular.max(separated::points(degree, eps, corner_rate(a, b))) + 1;
                 let points = [self.exact_degree() + contact_chart(a, b, eps), angular];
                 self.unresolved |= points[1] > MOST_CORNER_POINTS;
                 vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
@@ -356,22 +417,28 @@ impl<'a> Job<'a> {
         self.moments.add(&moments, false, m + n);
     }
 
-    /// A pair apart, cut at its horizons.
-    fn horizon(&mut self, p: &Patch, q: &Patch, gap: f64) {
-        let [a, b, c, d] = self.points(p, q, gap);
-        let receiver = Side { patch: p, basis: &self.elements[0].basis, points: [a, b] };
-        let emitter = Side { patch: q, basis: &self.elements[1].basis, points: [c, d] };
+    /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
+    /// next, their sum stays smooth.
+    fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
+        let mut points = [1; 2];
+        let mut sides = Vec::new();
+        let [first, second] = if self.swapped { [1, 0] } else { [0, 1] };
+        for (part, gap) in inner {
+            let (p, q) = if self.swapped { (part, outer) } else { (outer, part) };
+            let counts = self.points(p, q, *gap);
+            for (most, count) in points.iter_mut().zip(&counts[2 * first..]) {
+                *most = *count.max(most);
+            }
+            sides.push((part.clone(), [counts[2 * second], counts[2 * second + 1]]));
+        }
+        if sides.is_empty() {
+            return;
+        }
+        let outer = Side { patch: outer, basis: &self.elements[first].basis, points };
         // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
         let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
-        let budget = MOST_SAMPLES.saturating_sub(self.moments.distinct);
-        // The horizon of a plane depends on the other point only: it is cut out of the other patch.
-        let swap = planar(q) && !planar(p);
-        let cut = if swap {
-            horizon::integrate(&emitter, &receiver, tolerance, budget)
-        } else {
-            horizon::integrate(&receiver, &emitter, tolerance, budget)
-        };
-        self.moments.add(&cut.moments, swap, cut.samples);
+        let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, self.budget());
+        self.moments.add(&cut.moments, self.swapped, cut.samples);
         self.error += 4.0 * cut.error / self.unit;
         self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
     }
@@ -423,6 +490,25 @@ impl<'a> Job<'a> {
 fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most = [chart::points(p, eps), chart::points(q, eps)].concat().into_iter().max().unwrap_or(0);
     most + most.div_ceil(2)
+}
+
+/// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of
+/// the least angle φ between them, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ).
+fn corner_rate(p: &Patch, q: &Patch) -> f64 {
+    const STEPS: usize = 8;
+    let directions = |patch: &Patch| -> Vec<DVec3> {
+        let corner = patch.node(0.0, 0.0).position;
+        let [along, across] = [(1e-3, 0.0), (0.0, 1e-3)].map(|(s, t)| patch.node(s, t).position - corner);
+        let at = |k: usize| {
+            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * k as f64 / STEPS as f64).sin_cos();
+            cos * along + sin * across
+        };
+        (0..=STEPS).map(at).collect()
+    };
+    let (a, b) = (directions(p), directions(q));
+    let angles = a.iter().flat_map(|d| b.iter().map(move |e| d.angle_between(*e)));
+    let sigma = 1.0 + 2.0 * (0.5 * angles.fold(std::f64::consts::PI, f64::min)).sin().max(0.01);
+    sigma + (sigma * sigma - 1.0).sqrt()
 }
 
 /// The patches of an element, each cut until it turns by a quarter circle at the most.

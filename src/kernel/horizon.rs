@@ -41,25 +41,33 @@ pub(super) struct Cut {
     pub samples: u64,
 }
 
-/// An outer and an inner patch with the polynomials of their elements.
+/// An outer patch.
 pub(super) struct Side<'a> {
     /// The patch.
     pub patch: &'a Patch,
     /// Its element's polynomials.
     pub basis: &'a AreaBasis,
-    /// Points along and across where nothing is cut.
+    /// Points along and across.
     pub points: [usize; 2],
 }
 
-/// The moments of two patches apart, each part to `tolerance` in absolute terms, with about `budget` evaluations.
-pub(super) fn integrate(outer: &Side, inner: &Side, tolerance: f64, budget: u64) -> Cut {
-    let size = outer.basis.len() * inner.basis.len();
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in absolute terms, with about `budget`
+/// evaluations. Inner patches come with their points along and across where nothing is cut.
+pub(super) fn integrate(
+    outer: &Side,
+    basis: &AreaBasis,
+    inner: &[(Patch, [usize; 2])],
+    tolerance: f64,
+    budget: u64,
+) -> Cut {
+    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, *points, 0));
     let mut job = Job {
         outer,
-        inner: Part::new(inner.patch.clone(), inner.basis, inner.points, 0),
+        columns: basis.len(),
+        inner: parts.collect(),
         tolerance,
         budget,
-        cut: Cut { moments: vec![0.0; size], error: 0.0, samples: 0 },
+        cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
     };
     let whole = job.cell(outer.patch);
     job.refine(outer.patch, &whole);
@@ -68,7 +76,8 @@ pub(super) fn integrate(outer: &Side, inner: &Side, tolerance: f64, budget: u64)
 
 struct Job<'a> {
     outer: &'a Side<'a>,
-    inner: Part<'a>,
+    columns: usize,
+    inner: Vec<Part<'a>>,
     tolerance: f64,
     budget: u64,
     cut: Cut,
@@ -96,15 +105,14 @@ impl Job<'_> {
 
     /// Moments of a part of the outer patch by one tensor rule.
     fn cell(&mut self, part: &Patch) -> Vec<f64> {
-        let (rows, columns) = (self.outer.basis.len(), self.inner.basis.len());
+        let (rows, columns) = (self.outer.basis.len(), self.columns);
         let [along, across] = self.outer.points.map(UnitRule::of);
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
-        let inner = &mut self.inner;
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
             let x = part.node(s, t);
             right.fill(0.0);
-            self.cut.samples += inner.seen_from(&x, &mut right);
+            self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
             self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
             let weight = ws * wt * x.area;
             for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
