@@ -15,6 +15,7 @@
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
 
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 
@@ -258,11 +259,13 @@ impl<'a> Job<'a> {
             let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
             let share = area(p).min(area(q)) / self.unit;
             let gap = gap(p, q);
-            let facing = facing(p, q, gap <= 0.0);
+            let tolerance = COINCIDENT * self.size;
+            let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
+            let facing = facing(p, q, touching);
             if facing == Facing::Away {
                 continue;
             }
-            if gap <= COINCIDENT * self.size || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+            if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
                 let state = self.free();
                 self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
             } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) && !self.spent() {
@@ -304,7 +307,7 @@ impl<'a> Job<'a> {
         let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
         let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
         state.touching = gap <= 0.0;
-        let facing = facing(p, q, state.touching);
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)));
         if facing == Facing::Away {
             return;
         }
@@ -429,7 +432,8 @@ impl<'a> Job<'a> {
             for (most, count) in points.iter_mut().zip(&counts[2 * first..]) {
                 *most = *count.max(most);
             }
-            sides.push((part.clone(), [counts[2 * second], counts[2 * second + 1]]));
+            let eps = self.part_eps(p, q);
+            sides.push((part.clone(), quartered_points(part, self.degrees[second], *gap, eps)));
         }
         if sides.is_empty() {
             return;
@@ -490,6 +494,20 @@ impl<'a> Job<'a> {
 fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most = [chart::points(p, eps), chart::points(q, eps)].concat().into_iter().max().unwrap_or(0);
     most + most.div_ceil(2)
+}
+
+/// Points of the tensor rule on an inner patch and on its quarters, by how often it is quartered: their extents halve,
+/// and their charts take about a quarter less points each time.
+fn quartered_points(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
+    let charts = chart::points(patch, eps);
+    let extents = patch.extents();
+    let count = |axis: usize, depth: usize| {
+        let ratio = gap / extents[axis] * f64::from(1 << depth);
+        let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
+        let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
+        (separated::points(degree, eps, rho) + chart).min(MOST_POINTS)
+    };
+    (0..=horizon::DEEPEST).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }
 
 /// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of

@@ -15,6 +15,8 @@
 //! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q; there the outer
 //! patch is halved until the halves together agree with the whole.
 
+use std::sync::Arc;
+
 use radiosity_geom::DVec3;
 
 use crate::elements::basis::AreaBasis;
@@ -28,7 +30,7 @@ const GRID: usize = 6;
 /// Places by which roots on a side are bracketed.
 const PLACES: usize = 6;
 /// How often the inner patch is quartered.
-const DEEPEST: u32 = 5;
+pub(super) const DEEPEST: usize = 5;
 
 /// What a pair of patches gave.
 #[derive(Debug)]
@@ -52,15 +54,16 @@ pub(super) struct Side<'a> {
 }
 
 /// The moments of an outer patch with inner ones apart from it, to `tolerance` in absolute terms, with about `budget`
-/// evaluations. Inner patches come with their points along and across where nothing is cut.
+/// evaluations. Inner patches come with their points along and across, and those of their parts by how often these
+/// are quartered, up to [`DEEPEST`].
 pub(super) fn integrate(
     outer: &Side,
     basis: &AreaBasis,
-    inner: &[(Patch, [usize; 2])],
+    inner: &[(Patch, Arc<[[usize; 2]]>)],
     tolerance: f64,
     budget: u64,
 ) -> Cut {
-    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, *points, 0));
+    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, Arc::clone(points), 0));
     let mut job = Job {
         outer,
         columns: basis.len(),
@@ -127,8 +130,9 @@ impl Job<'_> {
 struct Part<'a> {
     patch: Patch,
     basis: &'a AreaBasis,
-    points: [usize; 2],
-    depth: u32,
+    /// By depth.
+    points: Arc<[[usize; 2]]>,
+    depth: usize,
     grid: Vec<Node>,
     center: DVec3,
     /// Bounds of the second differences of y, of n, and of n·(C − y) on the grid, summed over directions.
@@ -141,7 +145,7 @@ struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    fn new(patch: Patch, basis: &'a AreaBasis, points: [usize; 2], depth: u32) -> Self {
+    fn new(patch: Patch, basis: &'a AreaBasis, points: Arc<[[usize; 2]]>, depth: usize) -> Self {
         let place = |k: usize| k as f64 / (GRID - 1) as f64;
         let grid: Vec<Node> =
             (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID))).collect();
@@ -186,8 +190,8 @@ impl<'a> Part<'a> {
         if self.quarters.is_empty() {
             let halves = self.patch.halves(Direction::Along);
             let quarters = halves.iter().flat_map(|half| half.halves(Direction::Across));
-            let (basis, points, depth) = (self.basis, self.points, self.depth + 1);
-            self.quarters = quarters.map(|patch| Part::new(patch, basis, points, depth)).collect();
+            let (basis, points, depth) = (self.basis, self.points.clone(), self.depth + 1);
+            self.quarters = quarters.map(|patch| Part::new(patch, basis, points.clone(), depth)).collect();
         }
         self.quarters.iter_mut().map(|quarter| quarter.seen_from(x, out)).sum()
     }
@@ -204,7 +208,7 @@ impl<'a> Part<'a> {
     }
 
     fn tabulate(&mut self) {
-        let [along, across] = self.points.map(UnitRule::of);
+        let [along, across] = self.points[self.depth].map(UnitRule::of);
         let mut row = vec![0.0; self.basis.len()];
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
             let node = self.patch.node(s, t);
@@ -220,7 +224,7 @@ impl<'a> Part<'a> {
             Direction::Along => self.patch.node(w, z),
             Direction::Across => self.patch.node(z, w),
         };
-        let [along, across] = self.points.map(UnitRule::of);
+        let [along, across] = self.points[self.depth].map(UnitRule::of);
         let (line, over) = if direction == Direction::Along { (along, across) } else { (across, along) };
         let mut values = vec![0.0; self.basis.len()];
         let mut evaluations = 0;
@@ -360,4 +364,39 @@ fn second_differences(grid: &[Node], value: impl Fn(&Node) -> DVec3) -> f64 {
         }
     }
     largest[0] + largest[1]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use crate::elements::basis::Frame;
+    use radiosity_geom::shapes::{FULL_TURN, Sphere};
+    use radiosity_geom::{DVec2, Flipped, Rect, Surface};
+
+    /// Within a sphere every point facing any way sees the sphere alone: ∫κ dA = 1.
+    #[test]
+    fn a_point_in_a_sphere_sees_it_wholly() {
+        let sphere = Sphere::new(DVec3::ZERO, 2.0, DVec3::Z, [-2.0, 2.0], FULL_TURN).expect("a sphere");
+        let inside: Arc<dyn Surface> = Arc::new(Flipped::new(Box::new(sphere)));
+        let whole = Patch::curved(Arc::clone(&inside), &Rect::FULL);
+        let frame = Frame::Parameters { center: DVec2::ZERO, half: DVec2::ONE };
+        let basis = AreaBasis::new(0, frame, std::slice::from_ref(&whole)).expect("it has area");
+        let halves = |patch: &Patch, direction| patch.halves(direction).to_vec();
+        let quarters =
+            halves(&whole, Direction::Along).into_iter().flat_map(|p| halves(&p, Direction::Along));
+        let eighths = quarters.flat_map(|p| halves(&p, Direction::Across));
+        let mut parts: Vec<Part> =
+            eighths.map(|patch| Part::new(patch, &basis, [[16; 2]; DEEPEST + 1].into(), 0)).collect();
+        for k in 0..40 {
+            let (sin, cos) = (0.7 * f64::from(k)).sin_cos();
+            let z = 0.96 - 0.05 * f64::from(k);
+            let normal = DVec3::new((1.0 - z * z).sqrt() * cos, (1.0 - z * z).sqrt() * sin, z);
+            let x = Node { position: normal, normal, area: 1.0, parameters: DVec2::ZERO };
+            let mut out = [0.0];
+            parts.iter_mut().for_each(|part| _ = part.seen_from(&x, &mut out));
+            // L₀ = ½.
+            assert!((2.0 * out[0] - 1.0).abs() < 2e-8, "{z}: {:e}", 2.0 * out[0] - 1.0);
+        }
+    }
 }
