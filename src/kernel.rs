@@ -252,11 +252,11 @@ fn integrate(
     if let Some(outcome) = planes_exchange_nothing(receiver, emitter) {
         return outcome;
     }
-    if same {
-        return Outcome::Integrated(curved::self_block(receiver, visibility, accuracy));
-    }
     let surfaces = [receiver.surface, emitter.surface];
     let blockers = visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+    if same {
+        return Outcome::Integrated(curved::self_block(receiver, &blockers, visibility, accuracy));
+    }
     if visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
         return Outcome::Hidden;
     }

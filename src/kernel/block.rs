@@ -1,19 +1,19 @@
-//! One block of G: the transfer between two elements.
+//! One block of G: the transfer between two planar elements ([`super::curved`] has the others).
 //!
 //! ```text
 //! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
 //! ```
 //!
-//! Every pair of patches is brought to a case that a rule covers: flat pairs are clipped and matched
+//! Every pair of patches is brought to a case that a rule covers: pairs are clipped and matched
 //! ([`clip`]), then
 //!
 //! * a common edge → [`edge`], split while aspect > 2.5;
 //! * a common corner → [`vertex`], split while aspect > 2.5;
 //! * apart → [`separated`] where gap/extent ≥ ¼, else the longest extent is halved.
 //!
-//! A pair that a blocker may cut, or whose horizon crosses it, is halved a few times first: parts that
-//! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
-//! is multiplied by its own visibility.
+//! A pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
+//! rule, parts wholly hidden are dropped, and in the rest every sample is multiplied by its own
+//! visibility.
 
 use radiosity_geom::polygon_area;
 
@@ -132,7 +132,7 @@ struct Job<'a> {
 struct State {
     /// Whether the patches may touch.
     touching: bool,
-    /// Halvings left for visibility and horizon.
+    /// Halvings left for visibility.
     levels: u32,
     blockers: Vec<usize>,
 }
@@ -208,18 +208,16 @@ impl<'a> Job<'a> {
 
     /// A pair made ready: halves it or applies its rule.
     fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
-        let mut smooth = true;
         if !state.blockers.is_empty() {
             let (hull_p, hull_q) = (p.hull(), q.hull());
             state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
             if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
                 return;
             }
-            smooth = state.blockers.is_empty();
         }
         let contact =
             if state.touching { classify(p, q, self.tolerance()) } else { Contact::Apart(gap(p, q)) };
-        if !smooth && state.levels > 0 {
+        if !state.blockers.is_empty() && state.levels > 0 {
             state.levels -= 1;
             return self.halve(p, q, &contact, state);
         }

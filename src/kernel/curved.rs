@@ -75,15 +75,21 @@ pub(super) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself, whose sides do not hide each other.
-pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
+/// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull.
+pub(super) fn self_block(
+    element: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Block {
     let mut job = Job::new(element, element, visibility, accuracy);
     let parts = sectors(element);
     job.scale = scale(&parts, &parts, job.unit);
     job.kind = Kind::Same;
+    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for (index, part) in parts.iter().enumerate() {
-        job.tasks.push_back(Task::Same(part.clone()));
-        job.product(std::slice::from_ref(part), &parts[index + 1..], &job.free());
+        job.tasks.push_back(Task::Same(part.clone(), state.clone()));
+        job.product(std::slice::from_ref(part), &parts[index + 1..], &state);
     }
     job.run();
     let mut block = job.finish();
@@ -106,7 +112,7 @@ fn add_transpose(values: &mut [f64], count: usize) {
 /// A part of the block under way.
 enum Task {
     /// Half of a patch with itself.
-    Same(Patch),
+    Same(Patch, State),
     Pair(Patch, Patch, State),
     /// Parts of one side as seen from one part of the other, with nothing in between.
     Fan(Patch, Vec<Patch>),
@@ -173,7 +179,7 @@ impl<'a> Job<'a> {
     fn run(&mut self) {
         while let Some(task) = self.tasks.pop_front() {
             match task {
-                Task::Same(patch) => self.same(&patch),
+                Task::Same(patch, state) => self.same(&patch, state),
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
@@ -211,7 +217,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    fn same(&mut self, patch: &Patch) {
+    fn same(&mut self, patch: &Patch, mut state: State) {
         let share = area(patch) / self.unit;
         let facing = facing::own(patch);
         if facing == Facing::Away {
@@ -221,30 +227,40 @@ impl<'a> Job<'a> {
             self.error += share;
             return;
         }
-        if let Some(value) = constant(patch, patch) {
+        let mut doubtful = facing == Facing::Partly;
+        if !state.blockers.is_empty() {
+            let hull = patch.hull();
+            state.blockers = self.visibility.narrow(&state.blockers, &hull, &hull);
+            self.partly_hidden |= !state.blockers.is_empty();
+            doubtful |= !state.blockers.is_empty() && state.levels > 0;
+            state.levels = state.levels.saturating_sub(1);
+        }
+        if state.blockers.is_empty()
+            && let Some(value) = constant(patch, patch)
+        {
             return self.constant(patch, patch, 0.5 * value);
         }
         let [along, across] = patch.extents();
         let tips = collapsed(patch);
         let direction = match tips.first() {
             Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
-            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || facing == Facing::Partly => {
-                Some(longest(patch).0)
-            }
+            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(longest(patch).0),
             _ => None,
         };
         match direction {
             Some(direction) if !self.spent() => {
                 let [a, b] = patch.halves(direction);
-                let state = self.free();
                 self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
-                self.tasks.extend([Task::Same(a), Task::Same(b)]);
+                self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
             }
             Some(_) => self.rough(patch, patch),
             None => {
                 let eps = self.eps(share);
                 let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
-                same::integrate(&mut self.moments, patch, points);
+                let (visibility, blockers) = (self.visibility, state.blockers);
+                let free = |x, y| visibility.free(&blockers, x, y);
+                let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+                same::integrate(&mut self.moments, patch, points, sees);
             }
         }
     }

@@ -23,7 +23,7 @@
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
-use super::moments::Moments;
+use super::moments::{Moments, Sees};
 use super::separated;
 
 /// Numbers of points [x, a, y] for degree `degree` on either side and a chart that takes `chart` points.
@@ -36,7 +36,7 @@ pub(super) fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [u
 }
 
 /// Adds half of a patch with itself: the other half is the transpose.
-pub(super) fn integrate(moments: &mut Moments, patch: &Patch, points: [usize; 3]) {
+pub(super) fn integrate(moments: &mut Moments, patch: &Patch, points: [usize; 3], sees: Option<Sees>) {
     let [radial, angular, base] = points.map(UnitRule::of);
     for ((x, wx), (a, wa)) in radial.iter().flat_map(|x| angular.iter().map(move |a| (x, a))) {
         for (z, w) in [(x, x * a), (x * a, x)] {
@@ -44,7 +44,7 @@ pub(super) fn integrate(moments: &mut Moments, patch: &Patch, points: [usize; 3]
             for ((y, wy), (y2, wy2)) in base.iter().flat_map(|y| base.iter().map(move |y2| (y, y2))) {
                 let (s, t) = ((1.0 - z) * y, (1.0 - w) * y2);
                 for (low, high) in [(t, t + w), (t + w, t)] {
-                    moments.scattered(&patch.node(s, low), &patch.node(s + z, high), weight * wy * wy2, None);
+                    moments.scattered(&patch.node(s, low), &patch.node(s + z, high), weight * wy * wy2, sees);
                 }
             }
         }
