@@ -46,8 +46,12 @@ const NEGLIGIBLE: f64 = 1e-3;
 const SAMPLES_PER_DIGIT: f64 = 5e5;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
-/// Points a direction of what is left when the samples are spent.
-const ROUGH_POINTS: usize = 3;
+/// Points a direction of attempts on parts that no rule covers, for degree 0.
+const FEWEST_POINTS: usize = 4;
+/// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
+const LARGEST_ATTEMPT: f64 = 0.25;
+/// Part of the block's error that one attempt may make.
+const ATTEMPT_SHARE: f64 = 0.03;
 /// No block is taken for smaller than this part of the largest there can be.
 const SMALLEST_SCALE: f64 = 1e-5;
 
@@ -248,12 +252,15 @@ impl<'a> Job<'a> {
             _ => None,
         };
         match direction {
-            Some(direction) if !self.spent() => {
+            Some(direction) => {
+                let ready = (doubtful || self.spent()) && tips.is_empty();
+                if ready && self.attempt(patch, patch, None, &state) {
+                    return;
+                }
                 let [a, b] = patch.halves(direction);
                 self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
                 self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
             }
-            Some(_) => self.rough(patch, patch),
             None => {
                 let eps = self.eps(share);
                 let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
@@ -284,7 +291,12 @@ impl<'a> Job<'a> {
             if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
                 let state = self.free();
                 self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
-            } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) && !self.spent() {
+            } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) {
+                if self.spent() {
+                    let (p, q) = (p.clone(), q.clone());
+                    self.attempt(&p, &q, Some(&Touch::Apart(gap)), &self.free());
+                    continue;
+                }
                 self.kind = self.kind.max(Kind::Split);
                 if reach > longest(&part).1 {
                     near.push(part);
@@ -350,7 +362,9 @@ impl<'a> Job<'a> {
             return self.horizon(outer, &[(inner.clone(), gap)]);
         }
         self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
-        if self.spent() { self.rough(p, q) } else { self.halve(p, q, contact, state) }
+        if !self.attempt(p, q, Some(contact), state) {
+            self.halve(p, q, contact, state);
+        }
     }
 
     /// A pair that sees each other wholly, or whose horizons are left to rays.
@@ -390,7 +404,10 @@ impl<'a> Job<'a> {
             }
             _ => {
                 self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
-                if self.spent() { self.rough(p, q) } else { self.halve(p, q, contact, state) }
+                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
+                    self.halve(p, q, contact, state);
+                }
             }
         }
     }
@@ -463,14 +480,46 @@ impl<'a> Job<'a> {
         self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
     }
 
-    /// What is left when the samples are spent: all that it may carry counts as error.
-    fn rough(&mut self, p: &Patch, q: &Patch) {
-        let n = ROUGH_POINTS;
-        self.unresolved = true;
-        let (a, b) = (nodes(p, n), nodes(q, n + 1));
-        let most = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y))).fold(0.0, f64::max);
-        self.error += (most * area(p) * area(q)).min(area(p).min(area(q))) / self.unit;
-        self.moments.tensor(p, q, [n, n, n + 1, n + 1], None);
+    /// Tries a part that no rule covers to the accuracy asked, for a horizon through a contact or a contact of another
+    /// kind, by the rule that fits best with two numbers of points; their difference is the error. `contact` is None
+    /// for a patch with itself. Whether it was good enough, or has to be since the samples are spent.
+    fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
+        let share = area(p).min(area(q)) / self.unit;
+        if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
+            return false;
+        }
+        let n = FEWEST_POINTS + self.degrees[0].max(self.degrees[1]) / 2;
+        let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
+        let error = 4.0 * fine.difference(&coarse) / self.unit;
+        let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;
+        let kept = enough || self.spent();
+        self.moments.merge(&coarse, false);
+        self.moments.merge(&fine, kept);
+        if kept {
+            self.error += error;
+            self.unresolved |= !enough;
+        }
+        kept
+    }
+
+    fn tentative(
+        &self,
+        p: &Patch,
+        q: &Patch,
+        contact: Option<&Touch>,
+        n: usize,
+        blockers: &[usize],
+    ) -> Moments<'a> {
+        let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
+        let free = |x, y| self.visibility.free(blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            None => same::integrate(&mut moments, p, [n; 3], sees),
+            Some(Touch::Edge { p, q, matched: true }) => edge::scattered(&mut moments, p, q, [n; 3], sees),
+            Some(Touch::Vertex(p, q)) => vertex::integrate(&mut moments, p, q, [n; 2], sees),
+            Some(_) => moments.tensor(p, q, [n, n, n + 1, n + 1], sees),
+        }
+        moments
     }
 
     /// Brings a contact nearer to a rule, or halves a pair where it is longest; both sides together along a common

@@ -102,6 +102,21 @@ impl<'a> Moments<'a> {
         self.distinct += samples;
     }
 
+    /// Largest difference of the raw moments of two sums of the same elements.
+    pub(super) fn difference(&self, other: &Self) -> f64 {
+        self.values.iter().zip(&other.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    /// Adds another sum of the same elements, if `kept`; its cost in any case.
+    pub(super) fn merge(&mut self, other: &Self, kept: bool) {
+        if kept {
+            self.values.iter_mut().zip(&other.values).for_each(|(value, moment)| *value += moment);
+        }
+        self.samples += other.samples;
+        self.distinct += other.distinct;
+        self.rays += other.rays;
+    }
+
     /// G = T_i M T_jᵀ, row-major.
     pub(super) fn into_block(self) -> Vec<f64> {
         let (rows, columns) = (self.row.len(), self.column.len());
