@@ -3,6 +3,7 @@
 use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
+use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Material, Place, Scene, SceneSurface};
@@ -11,7 +12,7 @@ use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
     Bezier, Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, SpherePatch, Torus,
 };
-use radiosity_geom::{DVec3, Flipped, Surface};
+use radiosity_geom::{DVec3, Flipped, Motion, Placed, Surface};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
 use serde_json::Value;
@@ -62,14 +63,6 @@ impl Transport {
         let (row, column) = (i.min(j), i.max(j));
         let found = self.blocks.iter().find(|(r, c, _)| (*r, *c) == (row, column));
         found.map_or(0.0, |(_, _, values)| values[0] * (list[j].area / list[i].area).sqrt())
-    }
-
-    /// Largest |c − G c|, c the constant 1, relative to √area: the closure of a closed scene.
-    fn closure(&self) -> f64 {
-        let constant: Vec<f64> = self.elements.list().iter().flat_map(|e| e.constant.clone()).collect();
-        let seen = self.blocks.apply(&constant);
-        let least = self.elements.list().iter().map(|e| e.area.sqrt()).fold(f64::INFINITY, f64::min);
-        constant.iter().zip(&seen).map(|(c, g)| (c - g).abs()).fold(0.0, f64::max) / least
     }
 }
 
@@ -230,4 +223,101 @@ fn the_inner_of_two_spheres_hides_the_outer_from_itself() {
     let outer = count / 2..count;
     let seen: f64 = outer.clone().map(|j| transport.factor(outer.start, j)).sum();
     assert!((seen - 0.75).abs() < 0.02, "{seen}");
+}
+
+/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
+/// the floor touches it where no rule holds: what was reached is reported.
+#[test]
+fn a_ball_on_the_floor_tells_what_it_reached() {
+    let floor = Parallelogram::new(DVec3::new(-3.0, -3.0, 0.0), 6.0 * DVec3::X, 6.0 * DVec3::Y);
+    let shapes = vec![Arc::new(ball(DVec3::Z, 1.0)) as Arc<dyn Surface>, Arc::new(floor.expect("a square"))];
+    let exact = 0.9f64.asin() / PI;
+    for eps in [1e-2, 1e-3] {
+        let transport = Transport::unoccluded(shapes.clone(), 0, eps);
+        let error = (transport.factor(0, 1) / exact - 1.0).abs();
+        assert!(error <= 2.0 * eps.max(transport.blocks.accuracy_reached), "{eps:e}: {error:e}");
+        assert!(error < 0.05, "{eps:e}: {error:e}");
+    }
+}
+
+/// Two curved walls and a lid that meet in edges of unequal length: the edges are cut where the others end.
+#[test]
+fn unequal_sectors_of_a_can_close_it() {
+    let lids: [Arc<dyn Surface>; 2] = [Arc::new(disk(0.0, true, 1.0)), Arc::new(disk(2.0, false, 1.0))];
+    let walls = [[0.0, 2.0], [2.0, 2.0 * PI]].map(|angle| inside(tube(1.0, 2.0, angle)));
+    for eps in [1e-4, 1e-8] {
+        let transport = Transport::unoccluded(walls.iter().chain(&lids).cloned().collect(), 1, eps);
+        let error = furnace_error(&transport);
+        assert!(error <= 10.0 * eps, "{eps:e}: {error:e}");
+    }
+}
+
+fn any_shape() -> impl Strategy<Value = Arc<dyn Surface>> {
+    let sheet = prop::collection::vec(-0.4..0.4f64, 16).prop_map(|lifts| -> Arc<dyn Surface> {
+        let points = std::array::from_fn(|i| {
+            std::array::from_fn(|j| DVec3::new(i as f64 / 3.0 - 0.5, j as f64 / 3.0 - 0.5, lifts[4 * i + j]))
+        });
+        Arc::new(Bezier::new(points).expect("a sheet"))
+    });
+    let ring = (0.2..0.4f64, 0.5..6.0f64, 0.5..6.0f64).prop_map(|(minor, turn, tube)| -> Arc<dyn Surface> {
+        Arc::new(Torus::new(DVec3::ZERO, DVec3::Z, 0.6, minor, [0.0, turn], [0.0, tube]).expect("a ring"))
+    });
+    let cap = (-0.9..0.0f64, 0.1..0.9f64, 0.5..6.0f64).prop_map(|(low, high, turn)| -> Arc<dyn Surface> {
+        Arc::new(Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [low, high], [0.0, turn]).expect("a cap"))
+    });
+    let tube = (0.3..1.0f64, 0.5..6.0f64).prop_map(|(radius, turn)| -> Arc<dyn Surface> {
+        Arc::new(Cylinder::new(DVec3::ZERO, 0.8 * DVec3::Z, radius, [0.0, turn]).expect("a tube"))
+    });
+    (prop_oneof![sheet, ring, cap, tube], any::<bool>())
+        .prop_map(|(shape, flip)| if flip { Arc::new(Flipped::new(Box::new(Shared(shape)))) } else { shape })
+}
+
+/// A shared surface where an owned one is asked for.
+#[derive(Debug)]
+struct Shared(Arc<dyn Surface>);
+
+impl Surface for Shared {
+    fn jet(&self, u: f64, v: f64) -> radiosity_geom::Jet {
+        self.0.jet(u, v)
+    }
+
+    fn bounds(&self, rect: &radiosity_geom::Rect) -> radiosity_geom::Aabb {
+        self.0.bounds(rect)
+    }
+
+    fn intersect(&self, ray: &radiosity_geom::Ray) -> Option<radiosity_geom::Hit> {
+        self.0.intersect(ray)
+    }
+}
+
+fn posed(shape: Arc<dyn Surface>, at: [f64; 3], axis: [f64; 3], angle: f64) -> Arc<dyn Surface> {
+    let axis = DVec3::from_array(axis) + 2.0 * DVec3::Z;
+    let motion = Motion::new(DVec3::from_array(at), axis, angle, 1.0).expect("a motion");
+    Arc::new(Placed::new(Box::new(Shared(shape)), motion))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    /// Any two bent pieces apart: finite, 0 ≤ F ≤ 1, and the same whichever is the receiver.
+    #[test]
+    fn any_two_curved_pieces_exchange_a_share_both_ways_alike(
+        first in any_shape(), second in any_shape(),
+        at in prop::array::uniform3(-0.5..0.5f64), axis in prop::array::uniform3(-1.0..1.0f64),
+        angle in 0.0..6.0f64, distance in 2.2..4.0f64,
+    ) {
+        let eps = 1e-2;
+        let second = posed(second, [at[0], at[1], distance + at[2]], axis, angle);
+        let there = Transport::unoccluded(vec![first.clone(), second.clone()], 1, eps);
+        let back = Transport::unoccluded(vec![second, first], 1, eps);
+        for transport in [&there, &back] {
+            prop_assert!(transport.blocks.iter().all(|(_, _, values)| values.iter().all(|g| g.is_finite())));
+            for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let factor = transport.factor(i, j);
+                prop_assert!((-eps..=1.0 + eps).contains(&factor), "{} {}: {}", i, j, factor);
+            }
+        }
+        let (forward, backward) = (there.factor(0, 1), back.factor(1, 0));
+        prop_assert!((forward - backward).abs() <= 2.0 * eps * forward.max(1e-2), "{} {}", forward, backward);
+    }
 }

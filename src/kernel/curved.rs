@@ -42,8 +42,10 @@ const COINCIDENT: f64 = 1e-9;
 const LARGEST_TURN: f64 = 1.6;
 /// Parts that carry less than this times ε of the block are left out.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Samples of one block after which contacts and horizons are refined no more, per squared digit of 1/ε.
-const SAMPLES_PER_DIGIT: f64 = 5e5;
+/// Samples of one block after which contacts are refined no more, per squared digit of 1/ε.
+const CONTACT_SAMPLES: f64 = 5e5;
+/// The same for horizons, whose samples are cheaper.
+const HORIZON_SAMPLES: f64 = 2e6;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
@@ -149,6 +151,8 @@ struct Job<'a> {
     partly_hidden: bool,
     unresolved: bool,
     error: f64,
+    /// Samples spent on horizons.
+    horizons: u64,
 }
 
 impl<'a> Job<'a> {
@@ -173,6 +177,7 @@ impl<'a> Job<'a> {
             partly_hidden: false,
             unresolved: false,
             error: 0.0,
+            horizons: 0,
         }
     }
 
@@ -203,14 +208,13 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Samples left for contacts and horizons.
-    fn budget(&self) -> u64 {
-        let most = SAMPLES_PER_DIGIT * self.accuracy.eps.log10().powi(2).max(4.0);
-        (most as u64).saturating_sub(self.moments.distinct)
+    /// Whether contacts may be refined no more.
+    fn spent(&self) -> bool {
+        self.moments.distinct - self.horizons > self.most(CONTACT_SAMPLES)
     }
 
-    fn spent(&self) -> bool {
-        self.budget() == 0
+    fn most(&self, per_digit: f64) -> u64 {
+        (per_digit * self.accuracy.eps.log10().powi(2).max(4.0)) as u64
     }
 
     fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
@@ -474,7 +478,9 @@ impl<'a> Job<'a> {
         let outer = Side { patch: outer, basis: &self.elements[first].basis, points };
         // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
         let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
-        let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, self.budget());
+        let budget = self.most(HORIZON_SAMPLES).saturating_sub(self.horizons);
+        let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, budget);
+        self.horizons += cut.samples;
         self.moments.add(&cut.moments, self.swapped, cut.samples);
         self.error += 4.0 * cut.error / self.unit;
         self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
