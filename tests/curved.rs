@@ -155,15 +155,15 @@ fn furnace_error(transport: &Transport) -> f64 {
 
 #[test]
 fn furnaces_with_curved_walls_keep_the_accuracy_asked() {
-    let rooms: [(&str, &dyn Fn() -> Vec<Arc<dyn Surface>>, &[f64]); 4] = [
-        ("cube sphere", &|| cube_sphere(1.5), &[1e-4, 1e-8, 1e-12]),
-        ("polar sphere", &|| vec![inside(ball(DVec3::X, 0.7))], &[1e-4, 1e-8, 1e-12]),
-        ("can", &|| can(2.0), &[1e-4, 1e-8, 1e-12]),
-        ("cone", &closed_cone, &[1e-4, 1e-8]),
+    let rooms: [(&str, Vec<Arc<dyn Surface>>, &[f64]); 4] = [
+        ("cube sphere", cube_sphere(1.5), &[1e-4, 1e-8, 1e-12]),
+        ("polar sphere", vec![inside(ball(DVec3::X, 0.7))], &[1e-4, 1e-8, 1e-12]),
+        ("can", can(2.0), &[1e-4, 1e-8, 1e-12]),
+        ("cone", closed_cone(), &[1e-4, 1e-8]),
     ];
     for (name, room, accuracies) in rooms {
         for eps in accuracies {
-            let transport = Transport::unoccluded(room(), 2, *eps);
+            let transport = Transport::unoccluded(room.clone(), 2, *eps);
             let error = furnace_error(&transport);
             assert!(error <= 10.0 * eps + 1e-13, "{name} {eps:e}: {error:e}");
             assert_eq!(transport.blocks.pairs.unresolved, 0, "{name} {eps:e}");

@@ -578,7 +578,9 @@ fn quartered_points(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[u
         let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
         (separated::points(degree, eps, rho) + chart).min(MOST_POINTS)
     };
-    (0..=horizon::DEEPEST).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
+    // A horizon that grazes a quarter's lines clips ever less of ever smaller quarters.
+    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
+    (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }
 
 /// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of

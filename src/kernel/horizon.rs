@@ -29,7 +29,7 @@ use super::integrand::kernel;
 const GRID: usize = 6;
 /// Places by which roots on a side are bracketed.
 const PLACES: usize = 6;
-/// How often the inner patch is quartered.
+/// Most often that an inner patch is quartered.
 pub(super) const DEEPEST: usize = 5;
 
 /// What a pair of patches gave.
@@ -55,7 +55,7 @@ pub(super) struct Side<'a> {
 
 /// The moments of an outer patch with inner ones apart from it, to `tolerance` in absolute terms, with about `budget`
 /// evaluations. Inner patches come with their points along and across, and those of their parts by how often these
-/// are quartered, up to [`DEEPEST`].
+/// are quartered, which is done as often as points are given.
 pub(super) fn integrate(
     outer: &Side,
     basis: &AreaBasis,
@@ -130,7 +130,7 @@ impl Job<'_> {
 struct Part<'a> {
     patch: Patch,
     basis: &'a AreaBasis,
-    /// By depth.
+    /// By depth; as many as there may be.
     points: Arc<[[usize; 2]]>,
     depth: usize,
     grid: Vec<Node>,
@@ -181,7 +181,7 @@ impl<'a> Part<'a> {
         let direction = [Direction::Along, Direction::Across].into_iter().find(|d| crosses(*d));
         match direction {
             Some(direction) => spent + self.cut(x, direction, out),
-            None if self.depth == DEEPEST => spent + self.cut(x, Direction::Along, out),
+            None if self.depth + 1 == self.points.len() => spent + self.cut(x, Direction::Along, out),
             None => spent + self.quartered(x, out),
         }
     }

@@ -1,8 +1,7 @@
 //! How two patches meet: in a common edge, a common corner, or not at all.
 //!
 //! The rule is chosen by this alone. Flat pairs arrive cut so that contacts are whole edges or
-//! corners ([`super::clip`]); curved ones that touch otherwise count as apart with no gap and are
-//! halved until they do not.
+//! corners ([`super::clip`]); for pairs with a curved patch see [`super::touch`].
 
 use radiosity_geom::DVec3;
 
