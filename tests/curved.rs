@@ -17,7 +17,7 @@ use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
 use serde_json::Value;
 
-fn scene(shapes: Vec<Arc<dyn Surface>>) -> Scene {
+fn scene(shapes: Shapes) -> Scene {
     let surface = |(index, shape): (usize, Arc<dyn Surface>)| SceneSurface {
         name: format!("surface {index}"),
         kind: "test",
@@ -38,13 +38,15 @@ fn scene(shapes: Vec<Arc<dyn Surface>>) -> Scene {
     }
 }
 
+type Shapes = Vec<Arc<dyn Surface>>;
+
 struct Transport {
     elements: Elements,
     blocks: Blocks,
 }
 
 impl Transport {
-    fn new(shapes: Vec<Arc<dyn Surface>>, order: usize, cells: usize, eps: f64, shadows: Shadows) -> Self {
+    fn new(shapes: Shapes, order: usize, cells: usize, eps: f64, shadows: Shadows) -> Self {
         let scene = scene(shapes);
         let visibility = Visibility::new(&scene, shadows);
         let how = Discretization { order, subdivide: Subdivide::Uniform(cells) };
@@ -53,7 +55,7 @@ impl Transport {
         Self { elements, blocks }
     }
 
-    fn unoccluded(shapes: Vec<Arc<dyn Surface>>, order: usize, eps: f64) -> Self {
+    fn unoccluded(shapes: Shapes, order: usize, eps: f64) -> Self {
         Self::new(shapes, order, 1, eps, Shadows::Off)
     }
 
@@ -122,16 +124,16 @@ fn plate_and_quarter_tube_to_the_accuracy_asked() {
     }
 }
 
-fn cube_sphere(radius: f64) -> Vec<Arc<dyn Surface>> {
+fn cube_sphere(radius: f64) -> Shapes {
     SpherePatch::cube(DVec3::ZERO, radius).expect("a sphere").into_iter().map(inside).collect()
 }
 
-fn can(height: f64) -> Vec<Arc<dyn Surface>> {
+fn can(height: f64) -> Shapes {
     let lids: [Arc<dyn Surface>; 2] = [Arc::new(disk(0.0, true, 1.0)), Arc::new(disk(height, false, 1.0))];
     [inside(tube(1.0, height, FULL_TURN))].into_iter().chain(lids).collect()
 }
 
-fn closed_cone() -> Vec<Arc<dyn Surface>> {
+fn closed_cone() -> Shapes {
     let cone = Cone::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a cone");
     vec![inside(cone), Arc::new(disk(0.0, true, 1.0))]
 }
@@ -155,7 +157,7 @@ fn furnace_error(transport: &Transport) -> f64 {
 
 #[test]
 fn furnaces_with_curved_walls_keep_the_accuracy_asked() {
-    let rooms: [(&str, Vec<Arc<dyn Surface>>, &[f64]); 4] = [
+    let rooms: [(&str, Shapes, &[f64]); 4] = [
         ("cube sphere", cube_sphere(1.5), &[1e-4, 1e-8, 1e-12]),
         ("polar sphere", vec![inside(ball(DVec3::X, 0.7))], &[1e-4, 1e-8, 1e-12]),
         ("can", can(2.0), &[1e-4, 1e-8, 1e-12]),
