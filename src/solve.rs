@@ -89,6 +89,9 @@ pub struct Outcome {
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
+    /// The largest error that unresolved parts leave in a block, relative to its scale
+    /// ([`Blocks::accuracy_reached`]).
+    pub accuracy_reached: f64,
     /// Name of the solver that did it: the choice made, where the choice was left open.
     pub solver: &'static str,
     /// Iterations, the most of any band.
@@ -195,8 +198,20 @@ fn solve_in_pool(
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands);
     let checks = Checks::of(&solution, &blocks);
-    let Blocks { pairs, samples, distinct, rays, .. } = blocks;
-    Ok(Outcome { solution, checks, pairs, samples, distinct, rays, solver, iterations, residual, seconds })
+    let Blocks { pairs, samples, distinct, rays, accuracy_reached, .. } = blocks;
+    Ok(Outcome {
+        solution,
+        checks,
+        pairs,
+        samples,
+        distinct,
+        rays,
+        accuracy_reached,
+        solver,
+        iterations,
+        residual,
+        seconds,
+    })
 }
 
 fn blocks(

@@ -19,6 +19,7 @@ use super::block::{self, Accuracy, Block};
 use super::blocks::Blocks;
 use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
+use super::curved;
 use super::planes::{self, Planes};
 use super::reach::{Reach, relaxed};
 
@@ -83,9 +84,14 @@ pub(super) fn assemble(
     let accuracies = scene.accuracies(&tasks);
     let sources = scene.share(&tasks, &accuracies);
     let integrated = scene.integrate(&tasks, &accuracies, &sources, progress);
+    let mut errors = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
-        scene.store(&mut blocks, task, source, &tasks, &integrated);
+        let block = scene.store(&mut blocks, task, source, &tasks, &integrated);
+        if block.error > 0.0 {
+            errors.push((task.row as usize, task.column as usize, block.error));
+        }
     }
+    blocks.accuracy_reached = blocks.largest_error(&errors);
     blocks
 }
 
@@ -170,7 +176,14 @@ impl Scene<'_> {
     }
 
     /// Stores the block of `task` and counts what it cost.
-    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Block]) {
+    fn store<'b>(
+        &self,
+        blocks: &mut Blocks,
+        task: &Task,
+        source: &Source,
+        tasks: &[Task],
+        integrated: &'b [Block],
+    ) -> &'b Block {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
         let block = &integrated[*place];
         blocks.pairs.take(block);
@@ -187,6 +200,7 @@ impl Scene<'_> {
                 blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
             }
         }
+        block
     }
 
     /// The block of `task` from the `values` of the equal task `first`.
@@ -269,15 +283,17 @@ impl Scene<'_> {
 
     fn block(&self, task: &Task, accuracy: Accuracy) -> Block {
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
-        if task.row == task.column {
-            return block::self_block(receiver, self.visibility, accuracy);
-        }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = match task.hash {
             Some(_) => Vec::new(),
             None => self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces),
         };
-        block::block(receiver, emitter, &blockers, self.visibility, accuracy)
+        if task.row == task.column {
+            return curved::self_block(receiver, &blockers, self.visibility, accuracy);
+        }
+        let flat = receiver.plane.is_some() && emitter.plane.is_some();
+        let block = if flat { block::block } else { curved::block };
+        block(receiver, emitter, &blockers, self.visibility, accuracy)
     }
 }
 

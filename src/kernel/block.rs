@@ -1,11 +1,11 @@
-//! One block of G: the transfer between two elements.
+//! One block of G: the transfer between two planar elements ([`super::curved`] has the others).
 //!
 //! ```text
 //! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
 //! ```
 //!
 //! Constants on flat elements that see each other freely go by [`contour`], exactly. Otherwise every pair of
-//! patches is brought to a case that a rule covers: flat pairs are clipped and matched
+//! flat patches is brought to a case that a rule covers: they are clipped and matched
 //! ([`clip`]), then
 //!
 //! * a common edge → [`edge`], split while aspect > 2.5;
@@ -13,9 +13,9 @@
 //! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`super::near`];
 //!   else the longest extent is halved.
 //!
-//! A pair that a blocker may cut, or whose horizon crosses it, is halved a few times first: parts that
-//! are free again get the smooth rule, parts wholly hidden are dropped, and in the rest every sample
-//! is multiplied by its own visibility.
+//! A pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
+//! rule, parts wholly hidden are dropped, and in the rest every sample is multiplied by its own
+//! visibility.
 
 use radiosity_geom::polygon_area;
 
@@ -31,7 +31,7 @@ use super::moments::Moments;
 use super::near::Plan;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
-use super::{same, vertex};
+use super::vertex;
 
 /// Corners closer than this part of the pair's size coincide.
 const COINCIDENT: f64 = 1e-9;
@@ -58,7 +58,7 @@ impl Accuracy {
     /// Each halving takes part of the pair out of doubt, and the n⁴ samples in what is left do the rest.
     /// Measured on the Cornell box at ε = 3e-3, twice as many samples in two more halvings move the means of
     /// the floor's cells by 0.05 % of their size, those of the back wall by 0.003 %.
-    fn shadow_levels(&self) -> u32 {
+    pub(super) fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }
 }
@@ -93,6 +93,8 @@ pub(super) struct Block {
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
     pub unresolved: bool,
+    /// Estimate of the largest absolute error of `values` that comes from parts left unresolved.
+    pub error: f64,
     /// Terms of the rules; logarithms where the contours were integrated.
     pub samples: u64,
     /// Kernel evaluations, or logarithms.
@@ -140,32 +142,11 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
         kind: Kind::Contour,
         partly_hidden: false,
         unresolved: false,
+        error: 0.0,
         samples: terms,
         distinct: terms,
         rays: 0,
     })
-}
-
-/// The block of a curved element with itself. Its accuracy does not follow ε, and it hides nothing from itself.
-pub(super) fn self_block(element: &Element, visibility: &Visibility, accuracy: Accuracy) -> Block {
-    let mut job = Job::new(element, element, visibility, accuracy);
-    for patch in &element.patches {
-        same::integrate(&mut job.moments, patch, job.degrees[0]);
-    }
-    job.kind = Kind::Same;
-    let mut block = job.finish();
-    symmetrise(&mut block.values, element.basis.len());
-    block
-}
-
-/// The two sides of the rule differ, so its error is not symmetric: the mean of block and transpose is.
-fn symmetrise(values: &mut [f64], count: usize) {
-    for k in 0..count {
-        for l in 0..k {
-            let mean = 0.5 * (values[k * count + l] + values[l * count + k]);
-            (values[k * count + l], values[l * count + k]) = (mean, mean);
-        }
-    }
 }
 
 struct Job<'a> {
@@ -185,7 +166,7 @@ struct Job<'a> {
 struct State {
     /// Whether the patches may touch.
     touching: bool,
-    /// Halvings left for visibility and horizon.
+    /// Halvings left for visibility.
     levels: u32,
     blockers: Vec<usize>,
 }
@@ -220,6 +201,7 @@ impl<'a> Job<'a> {
             kind: self.kind,
             partly_hidden: self.partly_hidden,
             unresolved: self.unresolved,
+            error: 0.0,
         }
     }
 
@@ -260,23 +242,16 @@ impl<'a> Job<'a> {
 
     /// A pair made ready: halves it or applies its rule.
     fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
-        let mut smooth = true;
         if !state.blockers.is_empty() {
             let (hull_p, hull_q) = (p.hull(), q.hull());
             state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
             if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
                 return;
             }
-            smooth = state.blockers.is_empty();
-        }
-        match facing(p, q, self.accuracy.shadow_eps * self.size) {
-            Facing::Away => return,
-            Facing::Partly => smooth = false,
-            Facing::Wholly => {}
         }
         let contact =
             if state.touching { classify(p, q, self.tolerance()) } else { Contact::Apart(gap(p, q)) };
-        if !smooth && state.levels > 0 {
+        if !state.blockers.is_empty() && state.levels > 0 {
             state.levels -= 1;
             return self.halve(p, q, &contact, state);
         }
@@ -387,39 +362,4 @@ fn facet(patch: &Patch) -> Option<Facet> {
 fn longest(patch: &Patch) -> (Direction, f64) {
     let [along, across] = patch.extents();
     if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
-}
-
-enum Facing {
-    Wholly,
-    Partly,
-    Away,
-}
-
-/// Whether two patches face each other, up to heights of `tolerance`. Flat pairs were clipped already.
-fn facing(p: &Patch, q: &Patch, tolerance: f64) -> Facing {
-    if p.is_flat() && q.is_flat() {
-        return Facing::Wholly;
-    }
-    match (sides_seen(p, q, tolerance), sides_seen(q, p, tolerance)) {
-        ((false, _), _) | (_, (false, _)) => Facing::Away,
-        ((true, false), (true, false)) => Facing::Wholly,
-        _ => Facing::Partly,
-    }
-}
-
-/// Whether any of `other`'s hull lies in front of, and behind, the tangent planes of `patch`.
-fn sides_seen(patch: &Patch, other: &Patch, tolerance: f64) -> (bool, bool) {
-    let hull = other.hull();
-    let places = [(0.5, 0.5), (0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-    let places = if patch.is_flat() { &places[..1] } else { &places[..] };
-    let mut sides = (false, false);
-    for (s, t) in places {
-        let node = patch.node(*s, *t);
-        for point in &hull {
-            let height = (point - node.position).dot(node.normal);
-            sides.0 |= height > 0.0;
-            sides.1 |= height < -tolerance;
-        }
-    }
-    sides
 }

@@ -15,7 +15,7 @@ use crate::elements::rule::UnitRule;
 
 use super::change::Change;
 use super::chart::Chart;
-use super::integrand::Sees;
+use super::integrand::{Sees, visible_kernel};
 use super::product::{self, Grid, Line};
 
 /// One of the two elements of a pair.
@@ -96,6 +96,41 @@ impl<'a> Moments<'a> {
         let mut pair = self.patches(p, q);
         pair.product(points.map(|n| UnitRule::of(n).line()), 1.0, sees);
         self.add(pair);
+    }
+
+    /// Adds one pair of points with a weight for the two charts.
+    pub(super) fn scattered(&mut self, x: &Node, y: &Node, weight: f64, sees: Option<Sees>) {
+        self.samples += 1;
+        self.distinct += 1;
+        let value = visible_kernel(x, y, sees, &mut self.rays) * weight * x.area * y.area;
+        if value != 0.0 {
+            let mut column = vec![0.0; self.emitter.len()];
+            self.emitter.raw(self.emitter.frame().coordinates(y), &mut column);
+            self.outer(Side::Receiver, x, value, &column, 0);
+        }
+    }
+
+    /// Adds moments in the raw polynomials that took `samples` evaluations; `swapped`: emitter's index first.
+    pub(super) fn add_raw(&mut self, moments: &[f64], swapped: bool, samples: u64) {
+        let turned = if swapped { transposed(moments, self.receiver.len()) } else { moments.to_vec() };
+        self.values.iter_mut().zip(&turned).for_each(|(value, moment)| *value += moment);
+        self.samples += samples;
+        self.distinct += samples;
+    }
+
+    /// Largest difference of the raw moments of two sums of the same elements.
+    pub(super) fn difference(&self, other: &Self) -> f64 {
+        self.values.iter().zip(&other.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    }
+
+    /// Adds another sum of the same elements, if `kept`; its cost in any case.
+    pub(super) fn merge(&mut self, other: &Self, kept: bool) {
+        if kept {
+            self.values.iter_mut().zip(&other.values).for_each(|(value, moment)| *value += moment);
+        }
+        self.samples += other.samples;
+        self.distinct += other.distinct;
+        self.rays += other.rays;
     }
 
     /// Bases of receiver and emitter.

@@ -1,8 +1,7 @@
 //! How two patches meet: in a common edge, a common corner, or not at all.
 //!
 //! The rule is chosen by this alone. Flat pairs arrive cut so that contacts are whole edges or
-//! corners ([`super::clip`]); curved ones that touch otherwise count as apart with no gap and are
-//! halved until they do not.
+//! corners ([`super::clip`]); for pairs with a curved patch see [`super::touch`].
 
 use radiosity_geom::DVec3;
 
@@ -61,11 +60,47 @@ fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f6
     })
 }
 
-/// Distance between two patches: exact for flat ones, that of the corners' polygons less their sagittas for
-/// curved ones.
+/// Distance between two patches: exact for flat ones, a lower bound where one is curved.
+///
+/// Two bounds are tried: the distance of the corners' polygons less the sagittas, good for patches that are small or
+/// little bent; and that of points on uniform grids less half the diagonals of the grids' cells.
 pub(super) fn gap(p: &Patch, q: &Patch) -> f64 {
-    let distance = polygon_distance(&p.polygon(), &q.polygon());
-    (distance - p.sagitta() - q.sagitta()).max(0.0)
+    let by_corners = polygon_distance(&p.polygon(), &q.polygon()) - p.sagitta() - q.sagitta();
+    if p.is_flat() && q.is_flat() || by_corners > 0.5 * (diagonal(p) + diagonal(q)) {
+        return by_corners.max(0.0);
+    }
+    let by_points = match (p.is_flat(), q.is_flat()) {
+        (false, false) => {
+            let (a, b) = (grid(p), grid(q));
+            let distances = a.iter().flat_map(|x| b.iter().map(move |y| x.distance_squared(*y)));
+            distances.fold(f64::INFINITY, f64::min).sqrt() - cell(p) - cell(q)
+        }
+        (true, _) => to_polygon(&grid(q), &p.polygon()) - cell(q),
+        (_, true) => to_polygon(&grid(p), &q.polygon()) - cell(p),
+    };
+    by_corners.max(by_points).max(0.0)
+}
+
+/// Points a direction of the grids that distances are taken between.
+const GRID: usize = 7;
+
+fn grid(patch: &Patch) -> Vec<DVec3> {
+    let place = |k: usize| k as f64 / (GRID - 1) as f64;
+    (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID)).position).collect()
+}
+
+/// Half the diagonal of a cell of the grid, with a margin for arcs that are longer than their chords.
+fn cell(patch: &Patch) -> f64 {
+    0.6 * diagonal(patch) / (GRID - 1) as f64
+}
+
+fn diagonal(patch: &Patch) -> f64 {
+    let [along, across] = patch.extents();
+    along.hypot(across)
+}
+
+fn to_polygon(points: &[DVec3], polygon: &[DVec3]) -> f64 {
+    points.iter().map(|x| point_to_polygon(*x, polygon)).fold(f64::INFINITY, f64::min)
 }
 
 /// Distance between two convex polygons that do not cross.

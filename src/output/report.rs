@@ -40,6 +40,9 @@ pub struct Report {
     pub kernel_samples_distinct: u64,
     /// Segments tested for visibility.
     pub shadow_rays: u64,
+    /// The largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
+    /// hundredth of its row's; zero where every part was resolved.
+    pub accuracy_reached: f64,
     /// Iterations of the solver, the most of any band.
     pub iterations: usize,
     /// ‖b − e − ρ G b‖₂ / ‖e‖₂, the largest of any band.
@@ -102,6 +105,7 @@ impl Report {
             kernel_samples: outcome.samples,
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
+            accuracy_reached: outcome.accuracy_reached,
             iterations: outcome.iterations,
             residual: outcome.residual,
             converged: true,
@@ -131,11 +135,19 @@ fn warnings(options: &Options, outcome: &Outcome) -> Vec<Warning> {
         warn(
             "near-floor",
             format!(
-                "{} pairs come so near each other, or touch in such a way, that splitting stopped at 1/64 of their \
-                 size: their blocks may miss the accuracy asked; subdivide the surfaces there",
+                "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
+                 miss the accuracy asked; subdivide the surfaces there",
                 outcome.pairs.unresolved
             ),
         );
+    }
+    if outcome.accuracy_reached > options.eps {
+        let message = format!(
+            "some transfers of curved surfaces are good to about {:.0e} of their size only: subdivide the surfaces that \
+             touch others along no common edge, or that face themselves in part",
+            outcome.accuracy_reached
+        );
+        warn("accuracy-reached", message);
     }
     // The rules of 1993 take no accuracy.
     let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };

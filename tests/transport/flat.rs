@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use radiosity::elements::{Discretization, ElementError, Elements, Subdivide};
+use radiosity::elements::{Discretization, ElementError, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Scene, SceneError};
 use radiosity::visibility::{Shadows, Visibility};

@@ -108,6 +108,7 @@ fn integrate(
         kind,
         partly_hidden: !blockers.is_empty(),
         unresolved: false,
+        error: 0.0,
         samples: transfer.samples,
         distinct: transfer.samples,
         rays: transfer.rays,

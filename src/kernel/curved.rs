@@ -1,0 +1,685 @@
+//! Blocks of elements of which at least one is curved.
+//!
+//! A patch is first cut until neither its lines nor its normals turn by more than a quarter circle: closed surfaces
+//! become sectors. Then, part by part, breadth first:
+//!
+//! * parts that face away from each other are dropped ([`super::facing`]);
+//! * a part with itself: convex → nothing, concave → [`super::same`], else halves with themselves and each other;
+//! * where the kernel is constant (two parts of the inside of one sphere) a plain product rule is right at once;
+//! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
+//! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
+//!   [`super::vertex`];
+//! * what blockers may cut is halved a few times and then sampled, as for planar pairs.
+//!
+//! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
+//! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
+
+use std::collections::VecDeque;
+use std::sync::Arc;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::visibility::Visibility;
+
+use super::block::{Accuracy, Block, Kind};
+use super::edge::{self, LARGEST_ASPECT, Wedge};
+use super::facing::{self, Facing, facing};
+use super::fineness;
+use super::horizon::{self, Side};
+use super::integrand::{Sees, kernel};
+use super::moments::Moments;
+use super::pair::gap;
+use super::separated::{self, SMALLEST_RATIO};
+use super::touch::{Touch, collapsed, cut, touch};
+use super::{same, seam, vertex};
+
+/// Points closer than this part of the pair's size coincide.
+const COINCIDENT: f64 = 1e-9;
+/// Most that lines and normals of a part may turn, radians.
+const LARGEST_TURN: f64 = 1.6;
+/// Parts that carry less than this times ε of the block are left out.
+const NEGLIGIBLE: f64 = 1e-3;
+/// Samples of one block after which contacts are refined no more, per squared digit of 1/ε.
+const CONTACT_SAMPLES: f64 = 5e5;
+/// The same for horizons, whose samples are cheaper.
+const HORIZON_SAMPLES: f64 = 2e6;
+/// Most points a direction of the corner rule, which takes their fourth power.
+const MOST_CORNER_POINTS: usize = 20;
+/// Points a direction of attempts on parts that no rule covers, for degree 0.
+const FEWEST_POINTS: usize = 4;
+/// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
+const LARGEST_ATTEMPT: f64 = 0.25;
+/// Part of the block's error that one attempt may make.
+const ATTEMPT_SHARE: f64 = 0.03;
+/// No block is taken for smaller than this part of the largest there can be.
+const SMALLEST_SCALE: f64 = 1e-5;
+
+/// The block between two elements; `blockers` are the surfaces that may stand between them.
+pub(super) fn block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Block {
+    let mut job = Job::new(receiver, emitter, visibility, accuracy);
+    let (receivers, emitters) = (sectors(receiver), sectors(emitter));
+    job.scale = scale(&receivers, &emitters, job.unit);
+    if blockers.is_empty() {
+        // The horizon of a plane depends on the other point only: it is cut out of the other patch.
+        job.swapped = emitters.iter().all(planar) && !receivers.iter().all(planar);
+        let (outer, inner) = if job.swapped { (emitters, receivers) } else { (receivers, emitters) };
+        job.tasks.extend(outer.into_iter().map(|part| Task::Fan(part, inner.clone())));
+    } else {
+        let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+        job.product(&receivers, &emitters, &state);
+    }
+    job.run();
+    job.finish()
+}
+
+/// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull.
+pub(super) fn self_block(
+    element: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Block {
+    let mut job = Job::new(element, element, visibility, accuracy);
+    let parts = sectors(element);
+    job.scale = scale(&parts, &parts, job.unit);
+    job.kind = Kind::Same;
+    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
+    for (index, part) in parts.iter().enumerate() {
+        job.tasks.push_back(Task::Same(part.clone(), state.clone()));
+        job.product(std::slice::from_ref(part), &parts[index + 1..], &state);
+    }
+    job.run();
+    let mut block = job.finish();
+    add_transpose(&mut block.values, element.basis.len());
+    // Both halves of the sum carry the error.
+    block.error *= 2.0;
+    block
+}
+
+/// H + Hᵀ of a square matrix.
+fn add_transpose(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
+        }
+    }
+}
+
+/// A part of the block under way.
+enum Task {
+    /// Half of a patch with itself.
+    Same(Patch, State),
+    Pair(Patch, Patch, State),
+    /// Parts of one side as seen from one part of the other, with nothing in between.
+    Fan(Patch, Vec<Patch>),
+}
+
+#[derive(Clone)]
+struct State {
+    /// Whether the patches may touch.
+    touching: bool,
+    /// Halvings left for visibility.
+    levels: u32,
+    blockers: Vec<usize>,
+}
+
+struct Job<'a> {
+    visibility: &'a Visibility,
+    accuracy: Accuracy,
+    elements: [&'a Element; 2],
+    degrees: [usize; 2],
+    size: f64,
+    /// √(A_i A_j): ∫∫κ over it is the block's first entry.
+    unit: f64,
+    /// About the block's first entry.
+    scale: f64,
+    /// Whether the outer parts of fans are the emitter's.
+    swapped: bool,
+    moments: Moments<'a>,
+    tasks: VecDeque<Task>,
+    kind: Kind,
+    partly_hidden: bool,
+    unresolved: bool,
+    error: f64,
+    /// Samples spent on horizons.
+    horizons: u64,
+}
+
+impl<'a> Job<'a> {
+    fn new(
+        receiver: &'a Element,
+        emitter: &'a Element,
+        visibility: &'a Visibility,
+        accuracy: Accuracy,
+    ) -> Self {
+        Self {
+            visibility,
+            accuracy,
+            elements: [receiver, emitter],
+            degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
+            size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
+            unit: (receiver.area * emitter.area).sqrt(),
+            scale: 1.0,
+            swapped: false,
+            moments: Moments::new(&receiver.basis, &emitter.basis),
+            tasks: VecDeque::new(),
+            kind: Kind::Separated,
+            partly_hidden: false,
+            unresolved: false,
+            error: 0.0,
+            horizons: 0,
+        }
+    }
+
+    fn free(&self) -> State {
+        State { touching: true, levels: 0, blockers: Vec::new() }
+    }
+
+    fn run(&mut self) {
+        while let Some(task) = self.tasks.pop_front() {
+            match task {
+                Task::Same(patch, state) => self.same(&patch, state),
+                Task::Pair(p, q, state) => self.pair(&p, &q, state),
+                Task::Fan(outer, inner) => self.fan(&outer, inner),
+            }
+        }
+    }
+
+    fn finish(self) -> Block {
+        Block {
+            samples: self.moments.samples,
+            distinct: self.moments.distinct,
+            rays: self.moments.rays,
+            values: self.moments.into_block(),
+            kind: self.kind,
+            partly_hidden: self.partly_hidden,
+            unresolved: self.unresolved,
+            error: self.error,
+        }
+    }
+
+    /// Whether contacts may be refined no more.
+    fn spent(&self) -> bool {
+        self.moments.distinct - self.horizons > self.most(CONTACT_SAMPLES)
+    }
+
+    fn most(&self, per_digit: f64) -> u64 {
+        (per_digit * self.accuracy.eps.log10().powi(2).max(4.0)) as u64
+    }
+
+    fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
+        for p in receivers {
+            for q in emitters {
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state.clone()));
+            }
+        }
+    }
+
+    fn same(&mut self, patch: &Patch, mut state: State) {
+        let share = area(patch) / self.unit;
+        let facing = facing::own(patch);
+        if facing == Facing::Away {
+            return;
+        }
+        if share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+            self.error += share;
+            return;
+        }
+        let mut doubtful = facing == Facing::Partly;
+        if !state.blockers.is_empty() {
+            let hull = patch.hull();
+            state.blockers = self.visibility.narrow(&state.blockers, &hull, &hull);
+            self.partly_hidden |= !state.blockers.is_empty();
+            doubtful |= !state.blockers.is_empty() && state.levels > 0;
+            state.levels = state.levels.saturating_sub(1);
+        }
+        if state.blockers.is_empty()
+            && let Some(value) = constant(patch, patch)
+        {
+            return self.constant(patch, patch, 0.5 * value);
+        }
+        let [along, across] = patch.extents();
+        let tips = collapsed(patch);
+        let direction = match tips.first() {
+            Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
+            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(longest(patch).0),
+            _ => None,
+        };
+        match direction {
+            Some(direction) => {
+                let ready = (doubtful || self.spent()) && tips.is_empty();
+                if ready && self.attempt(patch, patch, None, &state) {
+                    return;
+                }
+                let [a, b] = patch.halves(direction);
+                self.product(std::slice::from_ref(&a), std::slice::from_ref(&b), &state);
+                self.tasks.extend([Task::Same(a, state.clone()), Task::Same(b, state)]);
+            }
+            None => {
+                let eps = self.eps(share);
+                let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
+                let (visibility, blockers) = (self.visibility, state.blockers);
+                let free = |x, y| visibility.free(&blockers, x, y);
+                let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+                same::integrate(&mut self.moments, patch, points, sees);
+            }
+        }
+    }
+
+    /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
+    /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
+    fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+        let reach = longest(outer).1;
+        let mut open: VecDeque<Patch> = inner.into();
+        let (mut clipped, mut near) = (Vec::new(), Vec::new());
+        while let Some(part) = open.pop_front() {
+            let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
+            let share = area(p).min(area(q)) / self.unit;
+            let gap = gap(p, q);
+            let tolerance = COINCIDENT * self.size;
+            let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
+            let facing = facing(p, q, touching);
+            if facing == Facing::Away {
+                continue;
+            }
+            if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+                let state = self.free();
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
+            } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) {
+                if self.spent() {
+                    let (p, q) = (p.clone(), q.clone());
+                    self.attempt(&p, &q, Some(&Touch::Apart(gap)), &self.free());
+                    continue;
+                }
+                self.kind = self.kind.max(Kind::Split);
+                if reach > longest(&part).1 {
+                    near.push(part);
+                } else {
+                    open.extend(part.halves(longest(&part).0));
+                }
+            } else if facing == Facing::Wholly {
+                let points = self.points(p, q, gap);
+                self.moments.tensor(p, q, points, None);
+            } else {
+                clipped.push((part, gap));
+            }
+        }
+        if near.is_empty() {
+            return self.horizon(outer, &clipped);
+        }
+        near.extend(clipped.into_iter().map(|(part, _)| part));
+        let halves = outer.halves(longest(outer).0);
+        self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let share = area(p).min(area(q)) / self.unit;
+        if share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+            self.error += share;
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+        }
+        let tolerance = COINCIDENT * self.size;
+        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
+        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        state.touching = gap <= 0.0;
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)));
+        if facing == Facing::Away {
+            return;
+        }
+        if !state.blockers.is_empty() {
+            if state.levels > 0 {
+                state.levels -= 1;
+                return self.halve(p, q, &contact, &state);
+            }
+            self.partly_hidden = true;
+        } else if let Some(value) = constant(p, q) {
+            return self.constant(p, q, value);
+        }
+        match facing {
+            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
+            _ => self.smooth(p, q, &contact, gap, &state),
+        }
+    }
+
+    /// A pair through which a horizon may run.
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let longest = longest(p).1.max(longest(q).1);
+        if gap >= SMALLEST_RATIO * longest {
+            let (outer, inner) = if self.swapped { (q, p) } else { (p, q) };
+            return self.horizon(outer, &[(inner.clone(), gap)]);
+        }
+        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        if !self.attempt(p, q, Some(contact), state) {
+            self.halve(p, q, contact, state);
+        }
+    }
+
+    /// A pair that sees each other wholly, or whose horizons are left to rays.
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.part_eps(p, q));
+        let free = |x, y| visibility.free(&blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            Touch::Edge { p: a, q: b, matched } => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let [_, _, angular] = edge::counts(a, b, &wedge, self.degrees, eps);
+                let exact = self.exact_degree() + contact_chart(a, b, eps);
+                let points = [exact, exact, angular + 1];
+                self.unresolved |= points[2] > MOST_POINTS;
+                let rule = if *matched { edge::integrate } else { seam::integrate };
+                rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
+            }
+            Touch::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let [_, angular] = vertex::counts(a, b, self.degrees, eps);
+                let degree = self.degrees[0].max(self.degrees[1]);
+                let angular = angular.max(separated::points(degree, eps, corner_rate(a, b))) + 1;
+                let points = [self.exact_degree() + contact_chart(a, b, eps), angular];
+                self.unresolved |= points[1] > MOST_CORNER_POINTS;
+                vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
+            }
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) => {
+                let points = self.points(p, q, gap);
+                self.moments.tensor(p, q, points, sees);
+            }
+            _ => {
+                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
+                    self.halve(p, q, contact, state);
+                }
+            }
+        }
+    }
+
+    /// Points of the tensor rule of a pair apart.
+    fn points(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
+        let eps = self.part_eps(p, q);
+        let counts = separated::counts(p, q, self.degrees, gap, eps);
+        let charts = [fineness::points(p, eps), fineness::points(q, eps)].concat();
+        [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
+    }
+
+    /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
+    fn exact_degree(&self) -> usize {
+        (self.degrees[0] + self.degrees[1] + 3) / 2
+    }
+
+    /// Accuracy for a part that carries at most `share` of what a block can: small parts need fewer digits.
+    fn eps(&self, share: f64) -> f64 {
+        (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(1e-2)
+    }
+
+    fn part_eps(&self, p: &Patch, q: &Patch) -> f64 {
+        self.eps(area(p).min(area(q)) / self.unit)
+    }
+
+    /// A pair of patches on which the kernel has one value: the product of their own moments.
+    fn constant(&mut self, p: &Patch, q: &Patch, value: f64) {
+        let side = |patch: &Patch, element: &Element| {
+            let basis = &element.basis;
+            let (mut sums, mut row) = (vec![0.0; basis.len()], vec![0.0; basis.len()]);
+            let [along, across] =
+                fineness::points(patch, self.accuracy.eps).map(|n| UnitRule::of(basis.order() / 2 + n + 2));
+            for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                basis.raw(basis.frame().coordinates(&node), &mut row);
+                sums.iter_mut().zip(&row).for_each(|(sum, l)| *sum += ws * wt * node.area * l);
+            }
+            (sums, (along.nodes.len() * across.nodes.len()) as u64)
+        };
+        let ((left, m), (right, n)) = (side(p, self.elements[0]), side(q, self.elements[1]));
+        let moments: Vec<f64> = left.iter().flat_map(|l| right.iter().map(move |r| value * l * r)).collect();
+        self.moments.add_raw(&moments, false, m + n);
+    }
+
+    /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
+    /// next, their sum stays smooth.
+    fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
+        let mut points = [1; 2];
+        let mut sides = Vec::new();
+        let [first, second] = if self.swapped { [1, 0] } else { [0, 1] };
+        for (part, gap) in inner {
+            let (p, q) = if self.swapped { (part, outer) } else { (outer, part) };
+            let counts = self.points(p, q, *gap);
+            for (most, count) in points.iter_mut().zip(&counts[2 * first..]) {
+                *most = *count.max(most);
+            }
+            let eps = self.part_eps(p, q);
+            sides.push((part.clone(), quartered_points(part, self.degrees[second], *gap, eps)));
+        }
+        if sides.is_empty() {
+            return;
+        }
+        let outer = Side { patch: outer, basis: &self.elements[first].basis, points };
+        // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
+        let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
+        let budget = self.most(HORIZON_SAMPLES).saturating_sub(self.horizons);
+        let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, budget);
+        self.horizons += cut.samples;
+        self.moments.add_raw(&cut.moments, self.swapped, cut.samples);
+        self.error += 4.0 * cut.error / self.unit;
+        self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
+    }
+
+    /// Tries a part that no rule covers to the accuracy asked, for a horizon through a contact or a contact of another
+    /// kind, by the rule that fits best with two numbers of points; their difference is the error. `contact` is None
+    /// for a patch with itself. Whether it was good enough, or has to be since the samples are spent.
+    fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
+        let share = area(p).min(area(q)) / self.unit;
+        if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
+            return false;
+        }
+        let n = FEWEST_POINTS + self.degrees[0].max(self.degrees[1]) / 2;
+        let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
+        let error = 4.0 * fine.difference(&coarse) / self.unit;
+        let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;
+        let kept = enough || self.spent();
+        self.moments.merge(&coarse, false);
+        self.moments.merge(&fine, kept);
+        if kept {
+            self.error += error;
+            self.unresolved |= !enough;
+        }
+        kept
+    }
+
+    fn tentative(
+        &self,
+        p: &Patch,
+        q: &Patch,
+        contact: Option<&Touch>,
+        n: usize,
+        blockers: &[usize],
+    ) -> Moments<'a> {
+        let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
+        let free = |x, y| self.visibility.free(blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            None => same::integrate(&mut moments, p, [n; 3], sees),
+            Some(Touch::Edge { p, q, matched: true }) => edge::integrate(&mut moments, p, q, [n; 3], sees),
+            Some(Touch::Vertex(p, q)) => vertex::integrate(&mut moments, p, q, [n; 2], sees),
+            Some(_) => moments.tensor(p, q, [n, n, n + 1, n + 1], sees),
+        }
+        moments
+    }
+
+    /// Brings a contact nearer to a rule, or halves a pair where it is longest; both sides together along a common
+    /// edge.
+    fn halve(&mut self, p: &Patch, q: &Patch, contact: &Touch, state: &State) {
+        let whole = |patch: &Patch| vec![patch.clone()];
+        match contact {
+            Touch::Edge { p: a, q: b, matched: true } => {
+                let wedge = Wedge::of(a, b);
+                if wedge.length >= 0.999 * wedge.depths[0].max(wedge.depths[1]) {
+                    return self.product(&a.halves(Direction::Along), &b.halves(Direction::Along), state);
+                }
+            }
+            Touch::Cut([at_p, at_q]) => {
+                let parts_p = at_p.map_or_else(|| whole(p), |place| cut(p, place).to_vec());
+                let parts_q = at_q.map_or_else(|| whole(q), |place| cut(q, place).to_vec());
+                return self.product(&parts_p, &parts_q, state);
+            }
+            Touch::Tip([at_p, at_q]) => {
+                let parts_p = at_p.map_or_else(|| whole(p), |direction| p.halves(direction).to_vec());
+                let parts_q = at_q.map_or_else(|| whole(q), |direction| q.halves(direction).to_vec());
+                return self.product(&parts_p, &parts_q, state);
+            }
+            _ => {}
+        }
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        if extent_p >= extent_q {
+            self.product(&p.halves(direction_p), std::slice::from_ref(q), state);
+        } else {
+            self.product(std::slice::from_ref(p), &q.halves(direction_q), state);
+        }
+    }
+}
+
+/// Points that the charts of two touching patches take: half as many again as of patches apart, since the kernel
+/// between them varies with the charts alone.
+fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
+    let most = [fineness::points(p, eps), fineness::points(q, eps)].concat().into_iter().max().unwrap_or(0);
+    most + most.div_ceil(2)
+}
+
+/// Points of the tensor rule on an inner patch and on its quarters, by how often it is quartered: their extents halve,
+/// and their charts take about a quarter less points each time.
+fn quartered_points(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
+    let charts = fineness::points(patch, eps);
+    let extents = patch.extents();
+    let count = |axis: usize, depth: usize| {
+        let ratio = gap / extents[axis] * f64::from(1 << depth);
+        let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
+        let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
+        (separated::points(degree, eps, rho) + chart).min(MOST_POINTS)
+    };
+    // A horizon that grazes a quarter's lines clips ever less of ever smaller quarters.
+    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
+    (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
+}
+
+/// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of
+/// the least angle φ between them, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ).
+fn corner_rate(p: &Patch, q: &Patch) -> f64 {
+    const STEPS: usize = 8;
+    let directions = |patch: &Patch| -> Vec<DVec3> {
+        let corner = patch.node(0.0, 0.0).position;
+        let [along, across] = [(1e-3, 0.0), (0.0, 1e-3)].map(|(s, t)| patch.node(s, t).position - corner);
+        let at = |k: usize| {
+            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * k as f64 / STEPS as f64).sin_cos();
+            cos * along + sin * across
+        };
+        (0..=STEPS).map(at).collect()
+    };
+    let (a, b) = (directions(p), directions(q));
+    let angles = a.iter().flat_map(|d| b.iter().map(move |e| d.angle_between(*e)));
+    let sigma = 1.0 + 2.0 * (0.5 * angles.fold(std::f64::consts::PI, f64::min)).sin().max(0.01);
+    sigma + (sigma * sigma - 1.0).sqrt()
+}
+
+/// The patches of an element, each cut until it turns by a quarter circle at the most.
+fn sectors(element: &Element) -> Vec<Patch> {
+    let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
+    let mut done = Vec::new();
+    while let Some(patch) = open.pop_front() {
+        let turns = if patch.is_flat() { [0.0; 2] } else { turns(&patch) };
+        if turns[0].max(turns[1]) <= LARGEST_TURN {
+            done.push(patch);
+        } else {
+            let direction = if turns[0] >= turns[1] { Direction::Along } else { Direction::Across };
+            open.extend(patch.halves(direction));
+        }
+    }
+    done
+}
+
+/// Largest angles by which lines and normals turn along s and along t.
+fn turns(patch: &Patch) -> [f64; 2] {
+    const STEPS: usize = 8;
+    let place = |k: usize| k as f64 / STEPS as f64;
+    let turn = |node: &dyn Fn(f64) -> Node| {
+        let line: Vec<Node> = (0..=STEPS).map(|k| node(place(k))).collect();
+        let normals = line.windows(2).map(|w| w[0].normal.angle_between(w[1].normal)).sum::<f64>();
+        let steps: Vec<DVec3> = line.windows(2).map(|w| w[1].position - w[0].position).collect();
+        let total: f64 = steps.iter().map(|d| d.length()).sum();
+        if total <= 1e-9 * patch.hull()[0].distance(patch.node(0.5, 0.5).position) {
+            return 0.0;
+        }
+        let bends = steps.windows(2).map(|w| w[0].angle_between(w[1])).sum::<f64>();
+        normals.max(bends * STEPS as f64 / (STEPS - 1) as f64)
+    };
+    let most = |turn: &dyn Fn(f64) -> f64| [0.0, 0.5, 1.0].map(turn).into_iter().fold(0.0, f64::max);
+    [most(&|t| turn(&|s| patch.node(s, t))), most(&|s| turn(&|t| patch.node(s, t)))]
+}
+
+/// About ∫∫κ over `unit`, not below [`SMALLEST_SCALE`].
+fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
+    let sum = |patches: &[Patch], n: usize| -> Vec<(Node, f64)> {
+        let weighted = |patch: &Patch| {
+            let nodes = nodes(patch, n);
+            nodes.into_iter().map(|x| (x, x.area / (n * n) as f64)).collect::<Vec<_>>()
+        };
+        patches.iter().flat_map(weighted).collect()
+    };
+    let (a, b) = (sum(receivers, 4), sum(emitters, 5));
+    let total: f64 =
+        a.iter().map(|(x, wx)| b.iter().map(|(y, wy)| wx * wy * kernel(x, y)).sum::<f64>()).sum();
+    (total / unit).clamp(SMALLEST_SCALE, 1.0)
+}
+
+/// n × n nodes at the middles of as many cells.
+fn nodes(patch: &Patch, n: usize) -> Vec<Node> {
+    let place = |k: usize| (k as f64 + 0.5) / n as f64;
+    (0..n * n).map(|k| patch.node(place(k / n), place(k % n))).collect()
+}
+
+/// The kernel's value if it is the same for all pairs of points: both on the inside of one sphere.
+fn constant(p: &Patch, q: &Patch) -> Option<f64> {
+    if p.is_flat() || q.is_flat() {
+        return None;
+    }
+    let (a, b) = (nodes(p, 3), nodes(q, 4));
+    let values = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y)));
+    let [low, high] = values.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], k| [low.min(k), high.max(k)]);
+    (low > 0.0 && high - low <= 1e-10 * high).then_some(0.5 * (low + high))
+}
+
+fn planar(patch: &Patch) -> bool {
+    patch.is_flat() || nodes(patch, 3).windows(2).all(|w| w[0].normal.distance(w[1].normal) <= 1e-12)
+}
+
+/// About the area of a patch.
+fn area(patch: &Patch) -> f64 {
+    let nodes = nodes(patch, 2);
+    nodes.iter().map(|x| x.area).sum::<f64>() / nodes.len() as f64
+}
+
+fn longest(patch: &Patch) -> (Direction, f64) {
+    let [along, across] = patch.extents();
+    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
+}

@@ -1,0 +1,325 @@
+//! Transport between curved surfaces against closed forms and independent references.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use radiosity::elements::{Discretization, Elements};
+use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::scene::{Material, Place, Scene, SceneSurface};
+use radiosity::system::{Coating, System};
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_geom::shapes::{
+    Bezier, Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, SpherePatch, Torus,
+};
+use radiosity_geom::{DVec3, Flipped, Motion, Placed, Surface};
+use radiosity_solvers::Settings;
+use radiosity_solvers::method::Method;
+use serde_json::Value;
+
+fn scene(shapes: Shapes) -> Scene {
+    let surface = |(index, shape): (usize, Arc<dyn Surface>)| SceneSurface {
+        name: format!("surface {index}"),
+        kind: "test",
+        shape,
+        material: Material { reflectance: vec![0.5], emission: vec![1.0] },
+        material_name: Some("white".to_owned()),
+        order: None,
+        subdivide: None,
+        place: Place { origin: "test".into(), line: 1, column: 1, text: String::new(), width: 1 },
+    };
+    Scene {
+        name: "curved".to_owned(),
+        title: None,
+        bands: vec!["grey".to_owned()],
+        surfaces: shapes.into_iter().enumerate().map(surface).collect(),
+        camera: None,
+        origin: "test".to_owned(),
+    }
+}
+
+type Shapes = Vec<Arc<dyn Surface>>;
+
+struct Transport {
+    elements: Elements,
+    blocks: Blocks,
+}
+
+impl Transport {
+    fn new(shapes: Shapes, order: usize, cells: usize, eps: f64, shadows: Shadows) -> Self {
+        let scene = scene(shapes);
+        let visibility = Visibility::new(&scene, shadows);
+        let how = Discretization::uniform(order, cells);
+        let elements = Elements::new(&scene, &how).expect("all have area");
+        let blocks = Blocks::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {});
+        Self { elements, blocks }
+    }
+
+    fn unoccluded(shapes: Shapes, order: usize, eps: f64) -> Self {
+        Self::new(shapes, order, 1, eps, Shadows::Off)
+    }
+
+    /// Form factor from element i to element j: √(A_j / A_i) G_ij^00.
+    fn factor(&self, i: usize, j: usize) -> f64 {
+        let list = self.elements.list();
+        let (row, column) = (i.min(j), i.max(j));
+        let found = self.blocks.iter().find(|(r, c, _)| (*r, *c) == (row, column));
+        found.map_or(0.0, |(_, _, values)| values[0] * (list[j].area / list[i].area).sqrt())
+    }
+}
+
+fn inside(surface: impl Surface + 'static) -> Arc<dyn Surface> {
+    Arc::new(Flipped::new(Box::new(surface)))
+}
+
+fn tube(radius: f64, height: f64, angle: [f64; 2]) -> Cylinder {
+    Cylinder::new(DVec3::ZERO, height * DVec3::Z, radius, angle).expect("a tube")
+}
+
+fn disk(z: f64, up: bool, radius: f64) -> Disk {
+    let normal = if up { DVec3::Z } else { -DVec3::Z };
+    Disk::new(z * DVec3::Z, normal, radius, 0.0, FULL_TURN).expect("a disk")
+}
+
+fn ball(center: DVec3, radius: f64) -> Sphere {
+    Sphere::new(center, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball")
+}
+
+/// A plate and a quarter of a tube that meet in an edge, all 15 × 15 entries of order 4, and the tube with itself.
+#[test]
+fn plate_and_quarter_tube_to_the_accuracy_asked() {
+    let text = include_str!("data/transfers_curved.json");
+    let data: Value = serde_json::from_str(text).expect("the reference is JSON");
+    let number = |value: &Value| value.as_f64().expect("a number");
+    let plate = || -> Arc<dyn Surface> {
+        Arc::new(Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).expect("a square"))
+    };
+    // v of the reference runs from the angle π down to π/2: our u, reversed; its u is our v.
+    let quarter =
+        || inside(Cylinder::new(DVec3::Y, DVec3::X, 1.0, [FRAC_PI_2, PI]).expect("a quarter of a tube"));
+    let degrees: Vec<[usize; 2]> = data["index"]
+        .as_array()
+        .expect("an index")
+        .iter()
+        .map(|pair| [0, 1].map(|k| pair[k].as_u64().expect("a degree") as usize))
+        .collect();
+    let scale = 4.0 / FRAC_PI_2.sqrt();
+    let expected = |k: usize, l: usize| {
+        // Our emitter index l has degrees (a, b) in (angle, height): the reference's (height, angle) is (b, a).
+        let [a, b] = degrees[l];
+        let place = degrees.iter().position(|pair| *pair == [b, a]).expect("the index is complete");
+        let sign = if a % 2 == 0 { 1.0 } else { -1.0 };
+        sign * scale * number(&data["M"][k][place])
+    };
+    for eps in [1e-2, 1e-4, 1e-8, 1e-12] {
+        let transport = Transport::unoccluded(vec![plate(), quarter()], 4, eps);
+        let (_, _, values) = transport.blocks.iter().find(|(i, j, _)| (*i, *j) == (0, 1)).expect("they meet");
+        let largest = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+        for (index, value) in values.iter().enumerate() {
+            let error = (value - expected(index / 15, index % 15)).abs();
+            assert!(error <= eps * largest + 1e-13, "{eps:e} entry {index}: {error:e}");
+        }
+        let own = transport.factor(1, 1) - number(&data["self_F_cylinder"]);
+        assert!(own.abs() <= eps * 0.06 + 1e-13, "{eps:e} self: {own:e}");
+    }
+}
+
+fn cube_sphere(radius: f64) -> Shapes {
+    SpherePatch::cube(DVec3::ZERO, radius).expect("a sphere").into_iter().map(inside).collect()
+}
+
+fn can(height: f64) -> Shapes {
+    let lids: [Arc<dyn Surface>; 2] = [Arc::new(disk(0.0, true, 1.0)), Arc::new(disk(height, false, 1.0))];
+    [inside(tube(1.0, height, FULL_TURN))].into_iter().chain(lids).collect()
+}
+
+fn closed_cone() -> Shapes {
+    let cone = Cone::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a cone");
+    vec![inside(cone), Arc::new(disk(0.0, true, 1.0))]
+}
+
+/// Largest |b − 2c| / √area of the furnace: reflectance ½, exitance 1 everywhere, B = 2.
+fn furnace_error(transport: &Transport) -> f64 {
+    let list = transport.elements.list();
+    let coating = Coating { reflectance: vec![0.5; list.len()], exitance: vec![1.0; list.len()] };
+    let system = System::new(list, &transport.blocks, &coating);
+    let right = system.right_hand_side();
+    let mut unknowns = vec![0.0; right.len()];
+    let solver = Method::named("cholesky").expect("it is listed").solver;
+    let matrix = system.matrix().expect("the matrix is finite");
+    solver.solve(&matrix, &right, &mut unknowns, &Settings::default(), &mut |_| {}).expect("it is definite");
+    let radiosity = system.coefficients(&unknowns).radiosity;
+    let roots = list.iter().flat_map(|e| vec![e.area.sqrt(); e.basis.len()]);
+    let constant = list.iter().flat_map(|e| e.constant.clone());
+    let errors = radiosity.iter().zip(constant).zip(roots).map(|((b, c), root)| (b - 2.0 * c).abs() / root);
+    errors.fold(0.0, f64::max)
+}
+
+#[test]
+fn furnaces_with_curved_walls_keep_the_accuracy_asked() {
+    let rooms: [(&str, Shapes, &[f64]); 4] = [
+        ("cube sphere", cube_sphere(1.5), &[1e-4, 1e-8, 1e-12]),
+        ("polar sphere", vec![inside(ball(DVec3::X, 0.7))], &[1e-4, 1e-8, 1e-12]),
+        ("can", can(2.0), &[1e-4, 1e-8, 1e-12]),
+        ("cone", closed_cone(), &[1e-4, 1e-8]),
+    ];
+    for (name, room, accuracies) in rooms {
+        for eps in accuracies {
+            let transport = Transport::unoccluded(room.clone(), 2, *eps);
+            let error = furnace_error(&transport);
+            assert!(error <= 10.0 * eps + 1e-13, "{name} {eps:e}: {error:e}");
+            assert_eq!(transport.blocks.pairs.unresolved, 0, "{name} {eps:e}");
+        }
+    }
+}
+
+/// Coaxial disks of radius 1 at distance h: F = 1 + h²/2 − √((1 + h²/2)² − 1); the side sees the rest.
+#[test]
+fn lids_and_side_of_a_can() {
+    let h = 2.0f64;
+    let x = 1.0 + 0.5 * h * h;
+    let lids = x - (x * x - 1.0).sqrt();
+    for eps in [1e-4, 1e-8] {
+        let transport = Transport::unoccluded(can(h), 0, eps);
+        assert!((transport.factor(1, 2) - lids).abs() <= eps);
+        assert!((transport.factor(1, 0) - (1.0 - lids)).abs() <= eps);
+        assert!((transport.factor(0, 0) - (1.0 - (1.0 - lids) / h)).abs() <= eps);
+    }
+}
+
+/// A ball of any size that a disk of radius a sees whole from distance d: F = ½ (1 − 1/√(1 + (a/d)²)).
+#[test]
+fn ball_over_a_disk_is_cut_at_its_horizon() {
+    let exact = 0.5 * (1.0 - 1.0 / 1.25f64.sqrt());
+    for eps in [1e-2, 1e-4, 1e-8] {
+        let shapes: [Arc<dyn Surface>; 2] =
+            [Arc::new(ball(DVec3::ZERO, 0.5)), Arc::new(disk(2.0, false, 1.0))];
+        for order in [0, 2] {
+            let transport = Transport::unoccluded(shapes.to_vec(), order, eps);
+            assert!((transport.factor(0, 1) - exact).abs() <= eps * exact, "{eps:e}");
+            let swapped = Transport::unoccluded(shapes.iter().rev().cloned().collect(), order, eps);
+            assert!((swapped.factor(1, 0) - exact).abs() <= eps * exact, "{eps:e}");
+        }
+        assert_eq!(Transport::unoccluded(shapes.to_vec(), 0, eps).factor(0, 0), 0.0, "a ball is convex");
+    }
+}
+
+/// Between concentric spheres all that leaves the inner one reaches the outer one: F = 1, and back (r₁/r₂)².
+#[test]
+fn concentric_spheres() {
+    for eps in [1e-2, 1e-4] {
+        let shapes =
+            vec![Arc::new(ball(DVec3::ZERO, 1.0)) as Arc<dyn Surface>, inside(ball(DVec3::ZERO, 2.0))];
+        let transport = Transport::unoccluded(shapes, 0, eps);
+        assert!((transport.factor(0, 1) - 1.0).abs() <= eps);
+        assert!((transport.factor(1, 0) - 0.25).abs() <= 0.25 * eps);
+    }
+}
+
+/// With the inner sphere as a blocker the outer one sees the share 1 − (r₁/r₂)² of itself.
+#[test]
+fn the_inner_of_two_spheres_hides_the_outer_from_itself() {
+    let shapes = vec![Arc::new(ball(DVec3::ZERO, 1.0)) as Arc<dyn Surface>, inside(ball(DVec3::ZERO, 2.0))];
+    let transport = Transport::new(shapes, 0, 2, 1e-2, Shadows::Rays(1e-2));
+    let count = transport.elements.list().len();
+    let outer = count / 2..count;
+    let seen: f64 = outer.clone().map(|j| transport.factor(outer.start, j)).sum();
+    assert!((seen - 0.75).abs() < 0.02, "{seen}");
+}
+
+/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
+/// the floor touches it where no rule holds: what was reached is reported.
+#[test]
+fn a_ball_on_the_floor_tells_what_it_reached() {
+    let floor = Parallelogram::new(DVec3::new(-3.0, -3.0, 0.0), 6.0 * DVec3::X, 6.0 * DVec3::Y);
+    let shapes = vec![Arc::new(ball(DVec3::Z, 1.0)) as Arc<dyn Surface>, Arc::new(floor.expect("a square"))];
+    let exact = 0.9f64.asin() / PI;
+    for eps in [1e-2, 1e-3] {
+        let transport = Transport::unoccluded(shapes.clone(), 0, eps);
+        let error = (transport.factor(0, 1) / exact - 1.0).abs();
+        assert!(error <= 2.0 * eps.max(transport.blocks.accuracy_reached), "{eps:e}: {error:e}");
+        assert!(error < 0.05, "{eps:e}: {error:e}");
+    }
+}
+
+/// Two curved walls and a lid that meet in edges of unequal length: the edges are cut where the others end.
+#[test]
+fn unequal_sectors_of_a_can_close_it() {
+    let lids: [Arc<dyn Surface>; 2] = [Arc::new(disk(0.0, true, 1.0)), Arc::new(disk(2.0, false, 1.0))];
+    let walls = [[0.0, 2.0], [2.0, 2.0 * PI]].map(|angle| inside(tube(1.0, 2.0, angle)));
+    for eps in [1e-4, 1e-8] {
+        let transport = Transport::unoccluded(walls.iter().chain(&lids).cloned().collect(), 1, eps);
+        let error = furnace_error(&transport);
+        assert!(error <= 10.0 * eps, "{eps:e}: {error:e}");
+    }
+}
+
+fn any_shape() -> impl Strategy<Value = Arc<dyn Surface>> {
+    let sheet = prop::collection::vec(-0.4..0.4f64, 16).prop_map(|lifts| -> Arc<dyn Surface> {
+        let points = std::array::from_fn(|i| {
+            std::array::from_fn(|j| DVec3::new(i as f64 / 3.0 - 0.5, j as f64 / 3.0 - 0.5, lifts[4 * i + j]))
+        });
+        Arc::new(Bezier::new(points).expect("a sheet"))
+    });
+    let ring = (0.2..0.4f64, 0.5..6.0f64, 0.5..6.0f64).prop_map(|(minor, turn, tube)| -> Arc<dyn Surface> {
+        Arc::new(Torus::new(DVec3::ZERO, DVec3::Z, 0.6, minor, [0.0, turn], [0.0, tube]).expect("a ring"))
+    });
+    let cap = (-0.9..0.0f64, 0.1..0.9f64, 0.5..6.0f64).prop_map(|(low, high, turn)| -> Arc<dyn Surface> {
+        Arc::new(Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [low, high], [0.0, turn]).expect("a cap"))
+    });
+    let tube = (0.3..1.0f64, 0.5..6.0f64).prop_map(|(radius, turn)| -> Arc<dyn Surface> {
+        Arc::new(Cylinder::new(DVec3::ZERO, 0.8 * DVec3::Z, radius, [0.0, turn]).expect("a tube"))
+    });
+    (prop_oneof![sheet, ring, cap, tube], any::<bool>())
+        .prop_map(|(shape, flip)| if flip { Arc::new(Flipped::new(Box::new(Shared(shape)))) } else { shape })
+}
+
+/// A shared surface where an owned one is asked for.
+#[derive(Debug)]
+struct Shared(Arc<dyn Surface>);
+
+impl Surface for Shared {
+    fn jet(&self, u: f64, v: f64) -> radiosity_geom::Jet {
+        self.0.jet(u, v)
+    }
+
+    fn bounds(&self, rect: &radiosity_geom::Rect) -> radiosity_geom::Aabb {
+        self.0.bounds(rect)
+    }
+
+    fn intersect(&self, ray: &radiosity_geom::Ray) -> Option<radiosity_geom::Hit> {
+        self.0.intersect(ray)
+    }
+}
+
+fn posed(shape: Arc<dyn Surface>, at: [f64; 3], axis: [f64; 3], angle: f64) -> Arc<dyn Surface> {
+    let axis = DVec3::from_array(axis) + 2.0 * DVec3::Z;
+    let motion = Motion::new(DVec3::from_array(at), axis, angle, 1.0).expect("a motion");
+    Arc::new(Placed::new(Box::new(Shared(shape)), motion))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(6))]
+
+    /// Any two bent pieces apart: finite, 0 ≤ F ≤ 1, and the same whichever is the receiver.
+    #[test]
+    fn any_two_curved_pieces_exchange_a_share_both_ways_alike(
+        first in any_shape(), second in any_shape(),
+        at in prop::array::uniform3(-0.5..0.5f64), axis in prop::array::uniform3(-1.0..1.0f64),
+        angle in 0.0..6.0f64, distance in 2.2..4.0f64,
+    ) {
+        let eps = 1e-2;
+        let second = posed(second, [at[0], at[1], distance + at[2]], axis, angle);
+        let there = Transport::unoccluded(vec![first.clone(), second.clone()], 1, eps);
+        let back = Transport::unoccluded(vec![second, first], 1, eps);
+        for transport in [&there, &back] {
+            prop_assert!(transport.blocks.iter().all(|(_, _, values)| values.iter().all(|g| g.is_finite())));
+            for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                let factor = transport.factor(i, j);
+                prop_assert!((-eps..=1.0 + eps).contains(&factor), "{} {}: {}", i, j, factor);
+            }
+        }
+        let (forward, backward) = (there.factor(0, 1), back.factor(1, 0));
+        prop_assert!((forward - backward).abs() <= 2.0 * eps * forward.max(1e-2), "{} {}", forward, backward);
+    }
+}
