@@ -21,7 +21,10 @@ use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
 use super::planes::{self, Planes};
-use super::reach::{Reach, relaxed};
+use super::reach::{ROW_SHARE, Reach, relaxed};
+
+/// What of a rough estimate of a curved pair counts as a lower bound.
+const ESTIMATE_SHARE: f64 = 0.5;
 
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
@@ -38,10 +41,19 @@ struct Scene<'a> {
 struct Task {
     row: u32,
     column: u32,
-    /// Bounds of its entries: the largest from below, all from above.
+    /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
     entries: [f64; 2],
     /// Hash of its pose where it may be equal to others.
     hash: Option<u64>,
+}
+
+/// What the block of a task has to reach.
+#[derive(Clone, Copy)]
+struct Goal {
+    /// Accuracy relative to its own largest entry.
+    eps: f64,
+    /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
+    least: f64,
 }
 
 /// What sorting makes of a pair.
@@ -81,9 +93,9 @@ pub(super) fn assemble(
     };
     let mut blocks = Blocks::empty(starts(list), true);
     let tasks = sort(&scene, &mut blocks);
-    let accuracies = scene.accuracies(&tasks);
-    let sources = scene.share(&tasks, &accuracies);
-    let integrated = scene.integrate(&tasks, &accuracies, &sources, progress);
+    let goals = scene.goals(&tasks);
+    let sources = scene.share(&tasks, &goals);
+    let integrated = scene.integrate(&tasks, &goals, &sources, progress);
     let mut errors = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
         let block = scene.store(&mut blocks, task, source, &tasks, &integrated);
@@ -154,6 +166,9 @@ impl Scene<'_> {
         if !blockers.is_empty() {
             return task([0.0, most], None);
         }
+        if receiver.plane.is_none() || emitter.plane.is_none() {
+            return task([ESTIMATE_SHARE * curved::estimate(receiver, emitter), most], None);
+        }
         task([least, most], self.pose_of(row, column).map(|pose| pose.hash()))
     }
 
@@ -213,30 +228,30 @@ impl Scene<'_> {
         Cow::Owned(pose.block_from(&other, values))
     }
 
-    /// The accuracy of each task relative to its own largest entry.
-    fn accuracies(&self, tasks: &[Task]) -> Vec<f64> {
+    /// What each task has to reach.
+    fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
         let mut rows = vec![0.0f64; self.list.len()];
         for Task { row, column, entries, .. } in tasks {
             for element in [*row, *column] {
                 rows[element as usize] = rows[element as usize].max(entries[0]);
             }
         }
-        let accuracy = |task: &Task| {
+        let goal = |task: &Task| {
             let row = rows[task.row as usize].min(rows[task.column as usize]);
-            relaxed(self.accuracy.eps, row, task.entries[1])
+            Goal { eps: relaxed(self.accuracy.eps, row, task.entries[1]), least: ROW_SHARE * row }
         };
-        tasks.iter().map(accuracy).collect()
+        tasks.iter().map(goal).collect()
     }
 
     /// Finds the tasks that are equal to an earlier one and need the same accuracy.
-    fn share(&self, tasks: &[Task], accuracies: &[f64]) -> Vec<Source> {
+    fn share(&self, tasks: &[Task], goals: &[Goal]) -> Vec<Source> {
         let mut first: HashMap<(u64, u64), usize> = HashMap::new();
         let candidates: Vec<Option<usize>> = tasks
             .iter()
-            .zip(accuracies)
+            .zip(goals)
             .enumerate()
-            .map(|(index, (task, eps))| {
-                let found = *first.entry((task.hash?, eps.to_bits())).or_insert(index);
+            .map(|(index, (task, goal))| {
+                let found = *first.entry((task.hash?, goal.eps.to_bits())).or_insert(index);
                 (found != index).then_some(found)
             })
             .collect();
@@ -264,7 +279,7 @@ impl Scene<'_> {
     fn integrate(
         &self,
         tasks: &[Task],
-        accuracies: &[f64],
+        goals: &[Goal],
         sources: &[Source],
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Vec<Block> {
@@ -273,15 +288,15 @@ impl Scene<'_> {
         let (done, total) = (AtomicUsize::new(0), own.len());
         own.par_iter()
             .map(|index| {
-                let accuracy = Accuracy { eps: accuracies[*index], ..self.accuracy };
-                let block = self.block(&tasks[*index], accuracy);
+                let block = self.block(&tasks[*index], goals[*index]);
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
                 block
             })
             .collect()
     }
 
-    fn block(&self, task: &Task, accuracy: Accuracy) -> Block {
+    fn block(&self, task: &Task, goal: Goal) -> Block {
+        let accuracy = Accuracy { eps: goal.eps, ..self.accuracy };
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = match task.hash {
@@ -289,11 +304,12 @@ impl Scene<'_> {
             None => self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces),
         };
         if task.row == task.column {
-            return curved::self_block(receiver, &blockers, self.visibility, accuracy);
+            return curved::self_block(receiver, &blockers, self.visibility, accuracy, goal.least);
         }
-        let flat = receiver.plane.is_some() && emitter.plane.is_some();
-        let block = if flat { block::block } else { curved::block };
-        block(receiver, emitter, &blockers, self.visibility, accuracy)
+        if receiver.plane.is_some() && emitter.plane.is_some() {
+            return block::block(receiver, emitter, &blockers, self.visibility, accuracy);
+        }
+        curved::block(receiver, emitter, &blockers, self.visibility, accuracy, goal.least)
     }
 }
 

@@ -54,20 +54,35 @@ const FEWEST_POINTS: usize = 4;
 const LARGEST_ATTEMPT: f64 = 0.25;
 /// Part of the block's error that one attempt may make.
 const ATTEMPT_SHARE: f64 = 0.03;
+/// By how much more than by a rough rule a block may carry.
+const ROUGHNESS: f64 = 3.0;
+/// Ratio of areas up to which a rough rule tells.
+const LARGEST_AREA_RATIO: f64 = 100.0;
 /// No block is taken for smaller than this part of the largest there can be.
 const SMALLEST_SCALE: f64 = 1e-5;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them.
+/// The block's first entry by a rough rule, without blockers.
+pub(super) fn estimate(receiver: &Element, emitter: &Element) -> f64 {
+    scale(&sectors(receiver), &sectors(emitter), (receiver.area * emitter.area).sqrt())
+}
+
+/// The block between two elements; `blockers` are the surfaces that may stand between them. The error is measured
+/// against the block's first entry or `least`, whichever is larger.
 pub(super) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
     accuracy: Accuracy,
+    least: f64,
 ) -> Block {
     let mut job = Job::new(receiver, emitter, visibility, accuracy);
     let (receivers, emitters) = (sectors(receiver), sectors(emitter));
-    job.scale = scale(&receivers, &emitters, job.unit);
+    let rough = scale(&receivers, &emitters, job.unit);
+    job.scale = rough.max(least).max(SMALLEST_SCALE);
+    if job.carries_nothing(rough) {
+        return job.finish();
+    }
     if blockers.is_empty() {
         // The horizon of a plane depends on the other point only: it is cut out of the other patch.
         job.swapped = emitters.iter().all(planar) && !receivers.iter().all(planar);
@@ -81,17 +96,23 @@ pub(super) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull.
+/// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull, `least`
+/// as for [`block`].
 pub(super) fn self_block(
     element: &Element,
     blockers: &[usize],
     visibility: &Visibility,
     accuracy: Accuracy,
+    least: f64,
 ) -> Block {
     let mut job = Job::new(element, element, visibility, accuracy);
     let parts = sectors(element);
-    job.scale = scale(&parts, &parts, job.unit);
+    let rough = scale(&parts, &parts, job.unit);
+    job.scale = rough.max(least).max(SMALLEST_SCALE);
     job.kind = Kind::Same;
+    if job.carries_nothing(rough) {
+        return job.finish();
+    }
     let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for (index, part) in parts.iter().enumerate() {
         job.tasks.push_back(Task::Same(part.clone(), state.clone()));
@@ -179,6 +200,18 @@ impl<'a> Job<'a> {
             error: 0.0,
             horizons: 0,
         }
+    }
+
+    /// Whether the whole block is smaller than its error may be, as nearly flat surfaces are with themselves. Elements of
+    /// very different sizes are not judged by a rough rule.
+    fn carries_nothing(&mut self, rough: f64) -> bool {
+        let [a, b] = self.elements.map(|element| element.area);
+        let nothing =
+            a.max(b) < LARGEST_AREA_RATIO * a.min(b) && ROUGHNESS * rough < self.accuracy.eps * self.scale;
+        if nothing {
+            self.error += rough;
+        }
+        nothing
     }
 
     fn free(&self) -> State {
@@ -649,7 +682,7 @@ fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
     let (a, b) = (sum(receivers, 4), sum(emitters, 5));
     let total: f64 =
         a.iter().map(|(x, wx)| b.iter().map(|(y, wy)| wx * wy * kernel(x, y)).sum::<f64>()).sum();
-    (total / unit).clamp(SMALLEST_SCALE, 1.0)
+    (total / unit).min(1.0)
 }
 
 /// n × n nodes at the middles of as many cells.

@@ -18,7 +18,7 @@ use radiosity_geom::DVec3;
 use crate::elements::Element;
 
 /// A block may be wrong by ε times this part of the largest entry of its row.
-const ROW_SHARE: f64 = 1e-2;
+pub(super) const ROW_SHARE: f64 = 1e-2;
 /// Largest relative error a block is ever allowed.
 const LOOSEST: f64 = 0.5;
 
