@@ -26,6 +26,9 @@ use super::reach::{ROW_SHARE, Reach, relaxed};
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
 
+/// What part of a pair is taken to be visible where blockers may stand in between.
+const VISIBLE_SHARE: f64 = 0.1;
+
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
     list: &'a [Element],
@@ -162,12 +165,12 @@ impl Scene<'_> {
         if self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
             return Sorted::Hidden;
         }
-        let [least, most] = self.reaches[row].entries(&self.reaches[column]);
-        if !blockers.is_empty() {
-            return task([0.0, most], None);
-        }
+        let [mut least, most] = self.reaches[row].entries(&self.reaches[column]);
         if receiver.plane.is_none() || emitter.plane.is_none() {
-            return task([ESTIMATE_SHARE * curved::estimate(receiver, emitter), most], None);
+            least = ESTIMATE_SHARE * curved::estimate(receiver, emitter);
+        }
+        if !blockers.is_empty() {
+            return task([VISIBLE_SHARE * least, most], None);
         }
         task([least, most], self.pose_of(row, column).map(|pose| pose.hash()))
     }

@@ -60,6 +60,8 @@ const ROUGHNESS: f64 = 3.0;
 const LARGEST_AREA_RATIO: f64 = 100.0;
 /// No block is taken for smaller than this part of the largest there can be.
 const SMALLEST_SCALE: f64 = 1e-5;
+/// The same for what a surface sends to itself: beside it stands what the surface loses to others.
+const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// The block's first entry by a rough rule, without blockers.
 pub(super) fn estimate(receiver: &Element, emitter: &Element) -> f64 {
@@ -79,7 +81,7 @@ pub(super) fn block(
     let mut job = Job::new(receiver, emitter, visibility, accuracy);
     let (receivers, emitters) = (sectors(receiver), sectors(emitter));
     let rough = scale(&receivers, &emitters, job.unit);
-    job.scale = rough.max(least).max(SMALLEST_SCALE);
+    job.scale = rough.max(least).max(job.smallest_scale());
     if job.carries_nothing(rough) {
         return job.finish();
     }
@@ -108,7 +110,7 @@ pub(super) fn self_block(
     let mut job = Job::new(element, element, visibility, accuracy);
     let parts = sectors(element);
     let rough = scale(&parts, &parts, job.unit);
-    job.scale = rough.max(least).max(SMALLEST_SCALE);
+    job.scale = rough.max(least).max(job.smallest_scale());
     job.kind = Kind::Same;
     if job.carries_nothing(rough) {
         return job.finish();
@@ -200,6 +202,11 @@ impl<'a> Job<'a> {
             error: 0.0,
             horizons: 0,
         }
+    }
+
+    fn smallest_scale(&self) -> f64 {
+        let [a, b] = self.elements.map(|element| element.surface);
+        if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_SCALE }
     }
 
     /// Whether the whole block is smaller than its error may be, as nearly flat surfaces are with themselves. Elements of
