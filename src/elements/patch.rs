@@ -151,6 +151,13 @@ impl Patch {
         ((*b - *a) - (*c - *d)).abs().max_element() <= 1e-14 * scale
     }
 
+    /// Whether the patch is flat with four right angles.
+    pub fn is_rectangle(&self) -> bool {
+        let Self::Flat { corners: [a, b, _, d], .. } = self else { return false };
+        let (along, across) = (b - a, d - a);
+        self.is_parallelogram() && along.dot(across).abs() <= 1e-12 * along.length() * across.length()
+    }
+
     /// Largest lengths along s and along t (scene length).
     pub fn extents(&self) -> [f64; 2] {
         let [a, b, c, d] = self.corners();

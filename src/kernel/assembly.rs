@@ -135,7 +135,7 @@ impl Scene<'_> {
         let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
         for column in row..self.list.len() {
             let sorted = self.sorted(row, column);
-            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_)));
+            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
             match sorted {
                 Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
                 Sorted::Facing => counts.skipped_facing += 1,
@@ -167,7 +167,9 @@ impl Scene<'_> {
         }
         let [mut least, most] = self.reaches[row].entries(&self.reaches[column]);
         if receiver.plane.is_none() || emitter.plane.is_none() {
-            least = ESTIMATE_SHARE * curved::estimate(receiver, emitter);
+            // ∫κ dA ≤ 1 on either side.
+            let most = (receiver.area.min(emitter.area) / receiver.area.max(emitter.area)).sqrt();
+            least = ESTIMATE_SHARE * curved::estimate(receiver, emitter).min(most);
         }
         if !blockers.is_empty() {
             return task([VISIBLE_SHARE * least, most], None);

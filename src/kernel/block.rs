@@ -8,8 +8,8 @@
 //! flat patches is brought to a case that a rule covers: they are clipped and matched
 //! ([`clip`]), then
 //!
-//! * a common edge → [`edge`], split while aspect > 2.5;
-//! * a common corner → [`vertex`], split while aspect > 2.5;
+//! * a common edge → [`edge`], split while aspect > 2.5 where visibility is sampled;
+//! * a common corner → [`vertex`], likewise;
 //! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`super::near`];
 //!   else the longest extent is halved.
 //!
@@ -27,6 +27,7 @@ use crate::visibility::Visibility;
 use super::clip::{Facet, match_contact};
 use super::contour;
 use super::edge::{self, LARGEST_ASPECT, Wedge};
+use super::integrand::Sees;
 use super::moments::Moments;
 use super::near::Plan;
 use super::pair::{Contact, classify, gap};
@@ -46,7 +47,7 @@ const MOST_SLIVER_POINTS: usize = 16;
 /// What accuracy the blocks are asked to have.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy {
-    /// Of the smooth rules, relative to the block's largest entry.
+    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger.
     pub eps: f64,
     /// Of visibility within a block.
     pub shadow_eps: f64,
@@ -154,12 +155,13 @@ struct Job<'a> {
     accuracy: Accuracy,
     degrees: [usize; 2],
     size: f64,
-    /// Parts of less area are left out.
-    negligible_area: f64,
+    /// √(A_i A_j).
+    unit: f64,
     moments: Moments<'a>,
     kind: Kind,
     partly_hidden: bool,
     unresolved: bool,
+    error: f64,
 }
 
 #[derive(Clone)]
@@ -184,11 +186,12 @@ impl<'a> Job<'a> {
             accuracy,
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size,
-            negligible_area: NEGLIGIBLE * accuracy.eps * (receiver.area * emitter.area).sqrt(),
+            unit: (receiver.area * emitter.area).sqrt(),
             moments: Moments::new(&receiver.basis, &emitter.basis),
             kind: Kind::Separated,
             partly_hidden: false,
             unresolved: false,
+            error: 0.0,
         }
     }
 
@@ -201,7 +204,7 @@ impl<'a> Job<'a> {
             kind: self.kind,
             partly_hidden: self.partly_hidden,
             unresolved: self.unresolved,
-            error: 0.0,
+            error: self.error,
         }
     }
 
@@ -217,9 +220,9 @@ impl<'a> Job<'a> {
         let seen = facet_p.in_front_of(&facet_q, self.tolerance());
         let seeing = facet_q.in_front_of(&facet_p, self.tolerance());
         let (Some(seen), Some(seeing)) = (seen, seeing) else { return };
-        // ∫κ dA ≤ 1 on either side: a sliver cannot carry more than its own area.
-        if polygon_area(&seen.corners).min(polygon_area(&seeing.corners)) < self.negligible_area {
-            return;
+        let area = polygon_area(&seen.corners).min(polygon_area(&seeing.corners));
+        if area < NEGLIGIBLE * self.accuracy.eps * self.unit {
+            return self.lose(area);
         }
         if self.facets(&seen, &seeing, state) > 1 {
             self.kind = self.kind.max(Kind::Contact);
@@ -260,65 +263,107 @@ impl<'a> Job<'a> {
 
     /// Applies the rule of a contact, or halves the pair where the rule would be poor.
     fn apply(&mut self, p: &Patch, q: &Patch, contact: Contact, state: State) {
-        self.partly_hidden |= !state.blockers.is_empty();
-        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.accuracy.eps);
-        let free = |x, y| visibility.free(&blockers, x, y);
-        let sees: Option<super::integrand::Sees> = if blockers.is_empty() { None } else { Some(&free) };
-        let longest = longest(p).1.max(longest(q).1);
-        let divisible = longest > SMALLEST_PART * self.size;
-        let plain = sees.is_none() && p.is_flat() && q.is_flat();
-        match &contact {
-            Contact::Edge(a, b) => {
-                self.kind = self.kind.max(Kind::Edge);
-                if plain {
-                    let (rest, resolved) = edge::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
-                    self.unresolved |= !resolved;
-                    return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone()));
+        self.kind = self.kind.max(match &contact {
+            Contact::Edge(..) => Kind::Edge,
+            Contact::Vertex(..) => Kind::Vertex,
+            Contact::Apart(gap) if self.is_near(p, q, *gap) => Kind::Split,
+            Contact::Apart(_) => Kind::Separated,
+        });
+        if state.blockers.is_empty() {
+            return self.free(p, q, &contact, state);
+        }
+        self.partly_hidden = true;
+        let (visibility, blockers) = (self.visibility, state.blockers.clone());
+        self.sampled(p, q, &contact, state, &|x, y| visibility.free(&blockers, x, y));
+    }
+
+    /// A pair with nothing in between: rules that know the kernel's singularities.
+    fn free(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State) {
+        let (degrees, eps) = (self.degrees, self.accuracy.eps);
+        let done = match contact {
+            Contact::Edge(a, b) => match edge::integrate_flat(&mut self.moments, a, b, degrees, eps) {
+                Some(rest) => return rest.iter().for_each(|(a, b)| self.visit(a, b, state.clone())),
+                None => false,
+            },
+            Contact::Vertex(a, b) => vertex::integrate_flat(&mut self.moments, a, b, degrees, eps),
+            Contact::Apart(gap) if self.is_near(p, q, *gap) => {
+                match Plan::cheaper_than_split(&self.moments, p, q, eps) {
+                    Some(plan) => return plan.integrate(&mut self.moments),
+                    None if self.is_divisible(p, q) => return self.halve(p, q, contact, state),
+                    None => false,
                 }
+            }
+            Contact::Apart(gap) => return self.tensor(p, q, *gap, None),
+        };
+        if done {
+            return;
+        }
+        match Plan::new(&self.moments, p, q, eps) {
+            Some(plan) => plan.integrate(&mut self.moments),
+            None if self.is_divisible(p, q) => self.halve(p, q, contact, state),
+            None => self.leave(p, q, None),
+        }
+    }
+
+    /// A pair whose visibility is sampled: plain rules that take any integrand.
+    fn sampled(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State, sees: Sees) {
+        let eps = self.accuracy.eps;
+        match contact {
+            Contact::Edge(a, b) => {
                 let wedge = Wedge::of(a, b);
-                if wedge.aspect() > LARGEST_ASPECT && divisible {
-                    return self.halve(p, q, &contact, state);
+                if wedge.aspect() > LARGEST_ASPECT && self.is_divisible(p, q) {
+                    return self.halve(p, q, contact, state);
                 }
                 let points = edge::counts(a, b, &wedge, self.degrees, eps);
                 let most = if wedge.aspect() > LARGEST_ASPECT { MOST_SLIVER_POINTS } else { MOST_POINTS };
-                self.unresolved |= points[2] > most;
-                edge::integrate(&mut self.moments, a, b, points.map(|n| n.min(most)), sees);
+                self.note(points[2] > most, p, q);
+                edge::integrate(&mut self.moments, a, b, points.map(|n| n.min(most)), Some(sees));
             }
             Contact::Vertex(a, b) => {
-                self.kind = self.kind.max(Kind::Vertex);
-                if plain {
-                    self.unresolved |= !vertex::integrate_flat(&mut self.moments, a, b, self.degrees, eps);
-                    return;
-                }
-                if vertex::aspect(a, b) > LARGEST_ASPECT && divisible {
-                    return self.halve(p, q, &contact, state);
+                if vertex::aspect(a, b) > LARGEST_ASPECT && self.is_divisible(p, q) {
+                    return self.halve(p, q, contact, state);
                 }
                 let points = vertex::counts(a, b, self.degrees, eps);
-                if plain && points[1] > MOST_SLIVER_POINTS {
-                    return Plan::new(&self.moments, p, q, eps).integrate(&mut self.moments);
-                }
-                self.unresolved |= points[1] > MOST_SLIVER_POINTS;
+                self.note(points[1] > MOST_SLIVER_POINTS, p, q);
                 let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
-                vertex::integrate(&mut self.moments, a, b, points, sees);
+                vertex::integrate(&mut self.moments, a, b, points, Some(sees));
             }
-            Contact::Apart(gap) => {
-                let near = *gap < SMALLEST_RATIO * longest;
-                if near && plain {
-                    self.kind = self.kind.max(Kind::Split);
-                    if let Some(plan) = Plan::cheaper_than_split(&self.moments, p, q, eps) {
-                        return plan.integrate(&mut self.moments);
-                    }
-                }
-                if near && divisible {
-                    self.kind = self.kind.max(Kind::Split);
-                    return self.halve(p, q, &contact, state);
-                }
-                self.unresolved |= near;
-                let gap = gap.max(SMALLEST_RATIO * longest);
-                let points = separated::counts(p, q, self.degrees, gap, eps);
-                self.moments.tensor(p, q, points, sees);
-            }
+            Contact::Apart(gap) if !self.is_near(p, q, *gap) => self.tensor(p, q, *gap, Some(sees)),
+            Contact::Apart(_) if self.is_divisible(p, q) => self.halve(p, q, contact, state),
+            Contact::Apart(_) => self.leave(p, q, Some(sees)),
         }
+    }
+
+    fn tensor(&mut self, p: &Patch, q: &Patch, gap: f64, sees: Option<Sees>) {
+        let points = separated::counts(p, q, self.degrees, gap, self.accuracy.eps);
+        self.moments.tensor(p, q, points, sees);
+    }
+
+    /// A near pair that is halved no more: summed roughly.
+    fn leave(&mut self, p: &Patch, q: &Patch, sees: Option<Sees>) {
+        self.note(true, p, q);
+        self.tensor(p, q, SMALLEST_RATIO * longest(p).1.max(longest(q).1), sees);
+    }
+
+    /// Counts a part that misses its accuracy: what it carries at the most is its error.
+    fn note(&mut self, missed: bool, p: &Patch, q: &Patch) {
+        if missed {
+            self.unresolved = true;
+            self.lose(polygon_area(&p.polygon()).min(polygon_area(&q.polygon())));
+        }
+    }
+
+    /// ∫κ dA ≤ 1 on either side: what an area can carry, relative to √(A_i A_j).
+    fn lose(&mut self, area: f64) {
+        self.error += area / self.unit;
+    }
+
+    fn is_near(&self, p: &Patch, q: &Patch, gap: f64) -> bool {
+        gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1)
+    }
+
+    fn is_divisible(&self, p: &Patch, q: &Patch) -> bool {
+        longest(p).1.max(longest(q).1) > SMALLEST_PART * self.size
     }
 
     /// Halves a pair where it is longest; both sides together along a common edge.

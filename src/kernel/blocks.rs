@@ -8,6 +8,7 @@ use crate::visibility::Visibility;
 use super::assembly;
 use super::block::Accuracy;
 use super::counts::PairCounts;
+use super::reach::ROW_SHARE;
 
 /// All blocks of G, one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
@@ -118,7 +119,7 @@ impl Blocks {
         }
         let relative = |(row, column, error): &(usize, usize, f64)| {
             let block = largest.get(&(*row, *column)).copied().unwrap_or(0.0);
-            let scale = block.max(1e-2 * rows[*row].max(rows[*column]));
+            let scale = block.max(ROW_SHARE * rows[*row].min(rows[*column]));
             error / scale.max(f64::MIN_POSITIVE)
         };
         errors.iter().map(relative).fold(0.0, f64::max)

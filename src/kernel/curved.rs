@@ -40,6 +40,8 @@ use super::{same, seam, vertex};
 const COINCIDENT: f64 = 1e-9;
 /// Most that lines and normals of a part may turn, radians.
 const LARGEST_TURN: f64 = 1.6;
+/// Most sectors: a crease turns by as much however short the line across it.
+const MOST_SECTORS: usize = 256;
 /// Parts that carry less than this times ε of the block are left out.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Samples of one block after which contacts are refined no more, per squared digit of 1/ε.
@@ -648,7 +650,7 @@ fn sectors(element: &Element) -> Vec<Patch> {
     let mut done = Vec::new();
     while let Some(patch) = open.pop_front() {
         let turns = if patch.is_flat() { [0.0; 2] } else { turns(&patch) };
-        if turns[0].max(turns[1]) <= LARGEST_TURN {
+        if turns[0].max(turns[1]) <= LARGEST_TURN || open.len() + done.len() >= MOST_SECTORS {
             done.push(patch);
         } else {
             let direction = if turns[0] >= turns[1] { Direction::Along } else { Direction::Across };

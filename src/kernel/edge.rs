@@ -99,29 +99,30 @@ pub(super) fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], e
 /// proportions.
 ///
 /// Parallelograms go by [`Hinge`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which meet
-/// the edge in one corner at most, are returned as pairs still to be done. False if the accuracy was not reached.
+/// the edge in one corner at most, are returned as pairs still to be done. None, and nothing is added, where the kernel is too nearly singular.
 pub(super) fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
     q: &Patch,
     degrees: [usize; 2],
     eps: f64,
-) -> (Vec<(Patch, Patch)>, bool) {
+) -> Option<Vec<(Patch, Patch)>> {
     if p.is_parallelogram() && q.is_parallelogram() {
         let table = EdgeTable::of(degrees);
-        let (angular, samples) = Hinge::new(p, q).moments(degrees, eps);
+        let (angular, samples) = Hinge::new(p, q).moments(degrees, eps)?;
         moments.own(p, q, &table.moments(&angular));
         moments.samples += samples * table.points() as u64;
         moments.distinct += samples;
-        return (Vec::new(), angular.iter().all(|region| region.resolved));
+        return Some(Vec::new());
     }
     let ([at_p, beyond_p], [at_q, beyond_q]) = (triangles(p), triangles(q));
-    let resolved = match (&at_p, &at_q) {
-        (Some(a), Some(b)) => wedge::integrate(moments, &doubled(a), &doubled(b), degrees, eps),
-        _ => true,
-    };
+    if let (Some(a), Some(b)) = (&at_p, &at_q)
+        && !wedge::integrate(moments, &doubled(a), &doubled(b), degrees, eps)
+    {
+        return None;
+    }
     let rest = [(&beyond_p, &at_q), (&at_p, &beyond_q), (&beyond_p, &beyond_q)];
-    (rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect(), resolved)
+    Some(rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect())
 }
 
 /// A flat patch with its edge at t = 0 as the triangle on that edge and what lies beyond it; cut by the shorter diagonal.
@@ -228,8 +229,7 @@ mod tests {
         let wedge = Wedge::of(&p, &q);
         let points = counts(&p, &q, &wedge, [3, 5], 1e-14);
         let mut fast = Moments::new(&receiver, &emitter);
-        let (rest, resolved) = integrate_flat(&mut fast, &p, &q, [3, 5], 1e-14);
-        assert!(rest.is_empty() && resolved);
+        assert!(integrate_flat(&mut fast, &p, &q, [3, 5], 1e-14).is_some_and(|rest| rest.is_empty()));
         let mut summed = Moments::new(&receiver, &emitter);
         integrate(&mut summed, &p, &q, points, None);
         assert!(fast.distinct < summed.distinct / 10);

@@ -42,8 +42,6 @@ pub(super) struct Angular {
     pub odd: Vec<f64>,
     /// Number of c.
     pub width: usize,
-    /// Whether the accuracy was reached.
-    pub resolved: bool,
 }
 
 /// One of the three regions: r = fixed + a · along[0] + b · along[1], for the two signs of ζ.
@@ -72,20 +70,20 @@ impl Hinge {
         Self { edge, depths, strength: FRAC_1_PI * strength * origin.area * far.area, upright }
     }
 
-    /// κ_rc of the three regions for polynomials of the given degrees [receiver, emitter]; the number of kernel values too.
-    pub(super) fn moments(&self, degrees: [usize; 2], eps: f64) -> ([Angular; 3], u64) {
+    /// κ_rc of the three regions for polynomials of the given degrees [receiver, emitter], and the number of kernel
+    /// values; None where the kernel is too nearly singular.
+    pub(super) fn moments(&self, degrees: [usize; 2], eps: f64) -> Option<([Angular; 3], u64)> {
         let mut samples = 0;
         let along_edge = degrees[0] + degrees[1] + 1;
         let regions = [[degrees[1], along_edge], [degrees[0], along_edge], degrees];
-        let angular = [0, 1, 2].map(|which| {
+        let mut all = regions.map(Angular::new);
+        for (which, angular) in all.iter_mut().enumerate() {
             let region = self.region(which, regions[which], degrees[0].max(degrees[1]), eps);
-            let mut angular = Angular::new(regions[which]);
             for sign in 0..region.signs {
-                samples += region.add(sign, self.strength, &mut angular);
+                samples += region.add(sign, self.strength, angular)?;
             }
-            angular
-        });
-        (angular, samples)
+        }
+        Some((all, samples))
     }
 
     fn region(&self, which: usize, degrees: [usize; 2], degree: usize, eps: f64) -> Region {
@@ -104,23 +102,21 @@ impl Angular {
     fn new(degrees: [usize; 2]) -> Self {
         let width = degrees[1] + 1;
         let zeros = vec![0.0; (degrees[0] + 1) * width];
-        Self { even: zeros.clone(), odd: zeros, width, resolved: true }
+        Self { even: zeros.clone(), odd: zeros, width }
     }
 }
 
 impl Region {
     /// Adds the moments of one sign of ζ; returns the number of kernel values.
-    fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> u64 {
+    fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
         let difference = |a: f64, b: f64| self.difference(sign, a, b);
         let square = Bilinear { difference: &difference, degree: self.degree, eps: self.eps };
         let mut samples = 0;
-        let (parts, resolved) = square.parts();
-        out.resolved &= resolved;
-        for (part, points) in parts {
+        for (part, points) in square.parts()? {
             self.integrate(sign, strength, &part, points, out);
             samples += (points[0] * points[1]) as u64;
         }
-        samples
+        Some(samples)
     }
 
     /// y − x at x = 1.

@@ -15,7 +15,9 @@ mod radial;
 mod samples;
 mod stretch;
 
+use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
+use crate::elements::space::Space;
 
 use super::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule, split_cost};
@@ -41,17 +43,25 @@ pub(super) struct Plan {
 impl Plan {
     /// As [`Plan::new`], or None where halving both patches until they are apart takes less.
     pub(super) fn cheaper_than_split(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
-        let degrees = moments.bases().map(|basis| basis.order());
+        let degrees = moments.bases().map(|basis| basis.total_degree());
         if split_cost(p, q, degrees, eps, CHEAP_SPLIT).is_finite() {
             return None;
         }
-        let plan = Self::new(moments, p, q, eps);
+        let plan = Self::new(moments, p, q, eps)?;
         let split = split_cost(p, q, degrees, eps, plan.cost.min(MOST_COUNTED));
         (plan.cost < split).then_some(plan)
     }
 
-    /// For two flat convex patches in front of each other that do not touch and see each other freely.
-    pub(super) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Self {
+    /// For two flat convex patches in front of each other that see each other freely. They may touch: distances are
+    /// floored.
+    ///
+    /// None where it would take too many cells, and for bases whose raw functions are not the products of total degree
+    /// that the rays know.
+    pub(super) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
+        let known = |basis: &AreaBasis| basis.is_product() && basis.space() == Space::Total;
+        if !moments.bases().into_iter().all(known) {
+            return None;
+        }
         // The smaller patch is usually the better one outside.
         let size = |patch: &Patch| patch.extents().iter().sum::<f64>();
         let [first, other] = if size(p) <= size(q) {
@@ -61,7 +71,8 @@ impl Plan {
         };
         let first = Self::outside(first, moments, p, q, eps, f64::INFINITY);
         let other = Self::outside(other, moments, p, q, eps, first.cost);
-        if other.cost < first.cost { other } else { first }
+        let plan = if other.cost < first.cost { other } else { first };
+        plan.cost.is_finite().then_some(plan)
     }
 
     /// With the outer integral over one given side; its cost is infinite if it passes `limit`.

@@ -29,6 +29,9 @@ use super::integrand::Sees;
 /// Receiver points side by side.
 const LANES: usize = 8;
 
+/// Squares of distances below this count as this: points that coincide exchange nothing, and 0/0 is no number.
+const COINCIDENT: f64 = 1e-150;
+
 type Lanes = [f64; LANES];
 
 /// Nodes and weights along one direction.
@@ -199,7 +202,7 @@ fn add_scaled(out: &mut Lanes, factor: f64, values: &Lanes) {
     }
 }
 
-/// scale / r⁴.
+/// scale / r⁴; the scale vanishes where points can coincide.
 #[inline(always)]
 fn flat(tile: &Tile, node: &Node, scale: f64) -> Lanes {
     core::array::from_fn(|lane| {
@@ -208,7 +211,7 @@ fn flat(tile: &Tile, node: &Node, scale: f64) -> Lanes {
             node.position.y - tile.position[1][lane],
             node.position.z - tile.position[2][lane],
         );
-        let r2 = dx * dx + dy * dy + dz * dz;
+        let r2 = (dx * dx + dy * dy + dz * dz).max(COINCIDENT);
         scale / (r2 * r2)
     })
 }
@@ -222,7 +225,7 @@ fn general(tile: &Tile, node: &Node, scale: f64) -> Lanes {
             node.position.y - tile.position[1][lane],
             node.position.z - tile.position[2][lane],
         );
-        let r2 = (dx * dx + dy * dy + dz * dz).max(f64::MIN_POSITIVE.sqrt());
+        let r2 = (dx * dx + dy * dy + dz * dz).max(COINCIDENT);
         let arriving = tile.normal[0][lane] * dx + tile.normal[1][lane] * dy + tile.normal[2][lane] * dz;
         let leaving = -(node.normal.x * dx + node.normal.y * dy + node.normal.z * dz);
         scale * arriving.max(0.0) * leaving.max(0.0) / (r2 * r2)

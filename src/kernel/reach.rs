@@ -1,7 +1,7 @@
 //! How large the entries of a block can be, and must be, without integrating it.
 //!
 //! With balls of radii R around two elements whose centres lie d apart, the kernel is bounded on both sides by its
-//! values at the ends of what the distance and the two cosines can be. With h_i = n_i·d the height of j's centre over i,
+//! values at the ends of what the distance and the two cosines can be. With h_i the height of j's centre over the plane of i,
 //!
 //! ```text
 //! |G_kl| ≤ sup κ √(A_i A_j) ,   sup κ ≤ (h_i + R_j)(h_j + R_i) / π(d − R_i − R_j)⁴ ,
@@ -28,7 +28,8 @@ pub(super) struct Reach {
     center: DVec3,
     radius: f64,
     area: f64,
-    normal: Option<DVec3>,
+    /// A point of its plane and the normal.
+    plane: Option<(DVec3, DVec3)>,
 }
 
 impl Reach {
@@ -37,7 +38,7 @@ impl Reach {
         let bounds = element.bounds();
         let center = 0.5 * (bounds.min + bounds.max);
         let radius = element.hull.iter().map(|point| point.distance(center)).fold(0.0, f64::max);
-        Self { center, radius, area: element.area, normal: element.plane.map(|(_, normal)| normal) }
+        Self { center, radius, area: element.area, plane: element.plane }
     }
 
     /// Lower bound of the largest entry and upper bound of all entries of the block of two elements.
@@ -47,11 +48,14 @@ impl Reach {
         if distance <= 1.01 * sum {
             return [0.0, f64::INFINITY];
         }
-        let heights = |reach: &Self, d: DVec3, radius: f64| {
-            // A curved element may turn any way.
-            reach.normal.map_or([0.0, distance + sum], |n| [n.dot(d) - radius, n.dot(d) + radius])
+        // Of a ball over a plane; a curved element may turn any way.
+        let heights = |reach: &Self, ball: &Self| {
+            reach.plane.map_or([0.0, distance + sum], |(point, normal)| {
+                let height = normal.dot(ball.center - point);
+                [height - ball.radius, height + ball.radius]
+            })
         };
-        let (ours, theirs) = (heights(self, d, other.radius), heights(other, -d, self.radius));
+        let (ours, theirs) = (heights(self, other), heights(other, self));
         let bound = |side: usize, distance: f64| {
             let cosines = ours[side].max(0.0) * theirs[side].max(0.0);
             (self.area * other.area).sqrt() * FRAC_1_PI * cosines / distance.powi(4)
@@ -73,8 +77,8 @@ mod tests {
     use super::*;
 
     fn square(z: f64, up: f64) -> Reach {
-        let normal = DVec3::Z * up;
-        Reach { center: DVec3::Z * z, radius: 0.5f64.sqrt(), area: 1.0, normal: Some(normal) }
+        let center = DVec3::Z * z;
+        Reach { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
     }
 
     /// Parallel unit squares three apart: F = 0.0316 by the closed form.
@@ -89,6 +93,16 @@ mod tests {
         let [low, high] = square(0.0, 1.0).entries(&square(z, -1.0));
         assert!(0.0 < low && low < exact && exact < high, "{low} {exact} {high}");
         assert_eq!(square(0.0, 1.0).entries(&square(1.0, -1.0)), [0.0, f64::INFINITY]);
+    }
+
+    /// The centre of a ball need not lie in the plane.
+    #[test]
+    fn heights_are_measured_from_the_plane() {
+        let mut raised = square(0.0, 1.0);
+        raised.center.z = 0.5;
+        let [low, high] = raised.entries(&square(5.0, -1.0));
+        let [least, most] = square(0.0, 1.0).entries(&square(5.0, -1.0));
+        assert!(low > least && high > most, "the same heights, a shorter distance");
     }
 
     #[test]

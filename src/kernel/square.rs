@@ -8,13 +8,14 @@ use crate::elements::rule::MOST_POINTS;
 use super::analytic;
 
 /// Places of the other variable at which the rate of convergence along one is looked at.
-const PLACES: [f64; 7] = [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0];
+const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
 /// Most halvings.
 const DEEPEST: u32 = 48;
 /// Most parts.
 const MOST_PARTS: usize = 512;
-/// Most points along one variable of a part that may not be halved any more.
-const LAST_POINTS: usize = 16;
+
+/// Parts of the square, each with its points along a and b.
+pub(super) type Parts = Vec<(Part, [usize; 2])>;
 
 /// A part of the square [0, 1]².
 #[derive(Clone, Copy, Debug)]
@@ -55,20 +56,14 @@ pub(super) struct Bilinear<'a> {
 impl Bilinear<'_> {
     /// The parts, each with its points along a and b: halved as long as that takes fewer.
     ///
-    /// False if the accuracy is not reached: r vanishes, or as good as vanishes, somewhere in the square.
-    pub(super) fn parts(&self) -> (Vec<(Part, [usize; 2])>, bool) {
+    /// None where this takes too many: r vanishes, or as good as vanishes, somewhere in the square.
+    pub(super) fn parts(&self) -> Option<Parts> {
         let mut parts = Vec::new();
         self.plan(Part::WHOLE, 0, &mut parts);
-        let resolved = parts.iter().all(|(_, points)| points.iter().all(|n| *n <= MOST_POINTS));
-        parts.iter_mut().for_each(|(_, points)| {
-            if points.iter().any(|n| *n > MOST_POINTS) {
-                *points = points.map(|n| n.min(LAST_POINTS));
-            }
-        });
-        (parts, resolved)
+        parts.iter().all(|(_, points)| points.iter().all(|n| *n <= MOST_POINTS)).then_some(parts)
     }
 
-    fn plan(&self, part: Part, depth: u32, parts: &mut Vec<(Part, [usize; 2])>) {
+    fn plan(&self, part: Part, depth: u32, parts: &mut Parts) {
         let points = self.points(&part);
         let cost = |points: [usize; 2]| points[0] * points[1];
         let halves = part.halves(usize::from(points[1] > points[0]));

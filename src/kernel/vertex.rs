@@ -24,13 +24,13 @@ use super::product::Line;
 use super::separated;
 
 /// Places of the other two variables at which the rate of convergence along one is looked at.
-const PLACES: [f64; 3] = [0.0, 0.5, 1.0];
+const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
 /// Most halvings of the cube.
 const DEEPEST: u32 = 60;
 /// Most parts of it.
 const MOST_PARTS: usize = 512;
-/// Most points along one variable of a part that may not be halved any more.
-const LAST_POINTS: usize = 8;
+/// What is asked of triangles, whose area elements are not constant in the subdomains.
+const FAN_SHARE: f64 = 0.5;
 
 /// Numbers of points [x, angular] for degrees `[receiver, emitter]`, for patches whose visibility is sampled or whose charts are
 /// not affine.
@@ -60,7 +60,7 @@ pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [us
 
 /// Adds two flat patches oriented with their common corner at (0, 0) that see each other freely.
 ///
-/// False if the accuracy was not reached: they meet, or as good as meet, elsewhere too.
+/// False, and nothing is added, where this takes too many parts: they meet, or as good as meet, elsewhere too.
 pub(super) fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
@@ -68,18 +68,25 @@ pub(super) fn integrate_flat(
     degrees: [usize; 2],
     eps: f64,
 ) -> bool {
-    if p.is_parallelogram() && q.is_parallelogram() {
-        let subdomains = [0, 1, 2, 3].map(Subdomain::Box);
-        return by_parts(moments, p, q, &subdomains, degrees, eps);
+    let plans = if p.is_parallelogram() && q.is_parallelogram() {
+        plans(p, q, &[0, 1, 2, 3].map(Subdomain::Box), degrees, eps)
+    } else {
+        let subdomains = [true, false].map(|receiver| Subdomain::Fan { receiver });
+        let (fan_p, fan_q) = (fan(p), fan(q));
+        let pairs = fan_p.iter().flat_map(|p| fan_q.iter().map(move |q| (p, q)));
+        pairs.flat_map(|(p, q)| plans(p, q, &subdomains, degrees, FAN_SHARE * eps)).collect()
+    };
+    if !plans.iter().all(Plan::resolved) {
+        return false;
     }
-    let mut resolved = true;
-    for p in fan(p) {
-        for q in fan(q) {
-            let subdomains = [Subdomain::Fan { receiver: true }, Subdomain::Fan { receiver: false }];
-            resolved &= by_parts(moments, &p, &q, &subdomains, degrees, eps);
+    for plan in plans {
+        let mut pair = moments.patches(&plan.patches[0], &plan.patches[1]);
+        for (part, points) in plan.parts {
+            add(&mut pair, plan.subdomain, &part, exact(degrees), points, None);
         }
+        moments.add(pair);
     }
-    resolved
+    true
 }
 
 /// Which coordinates run with x.
@@ -139,16 +146,30 @@ impl Subdomain {
     }
 }
 
-/// The rule of one pair with its number of points chosen part by part.
-struct Planner<'p> {
-    patches: [&'p Patch; 2],
+/// The rule of one pair in one subdomain, with its number of points chosen part by part.
+struct Plan {
+    patches: [Patch; 2],
     subdomain: Subdomain,
     degree: usize,
     eps: f64,
     parts: Vec<(Part, [usize; 3])>,
 }
 
-impl Planner<'_> {
+fn plans(p: &Patch, q: &Patch, subdomains: &[Subdomain], degrees: [usize; 2], eps: f64) -> Vec<Plan> {
+    let plan = |subdomain: &Subdomain| {
+        let (patches, degree) = ([p.clone(), q.clone()], degrees[0].max(degrees[1]));
+        let mut plan = Plan { patches, subdomain: *subdomain, degree, eps, parts: Vec::new() };
+        plan.plan(Part::WHOLE, 0);
+        plan
+    };
+    subdomains.iter().map(plan).collect()
+}
+
+impl Plan {
+    fn resolved(&self) -> bool {
+        self.parts.iter().all(|(_, points)| points.iter().all(|n| *n <= MOST_POINTS))
+    }
+
     fn plan(&mut self, part: Part, depth: u32) {
         let points = self.points(&part);
         let cost = |points: [usize; 3]| points.iter().product::<usize>();
@@ -188,31 +209,6 @@ impl Planner<'_> {
         let [s, t, u, v] = self.subdomain.place(place);
         self.patches[1].node(u, v).position - self.patches[0].node(s, t).position
     }
-}
-
-fn by_parts(
-    moments: &mut Moments,
-    p: &Patch,
-    q: &Patch,
-    subdomains: &[Subdomain],
-    degrees: [usize; 2],
-    eps: f64,
-) -> bool {
-    let mut pair = moments.patches(p, q);
-    let mut resolved = true;
-    for subdomain in subdomains {
-        let degree = degrees[0].max(degrees[1]);
-        let mut planner = Planner { patches: [p, q], subdomain: *subdomain, degree, eps, parts: Vec::new() };
-        planner.plan(Part::WHOLE, 0);
-        for (part, points) in planner.parts {
-            let reached = points.iter().all(|n| *n <= MOST_POINTS);
-            let points = if reached { points } else { points.map(|n| n.min(LAST_POINTS)) };
-            resolved &= reached;
-            add(&mut pair, *subdomain, &part, exact(degrees), points, None);
-        }
-    }
-    moments.add(pair);
-    resolved
 }
 
 /// For each x a subdomain is a tensor grid.

@@ -91,25 +91,29 @@ impl Wedge {
     }
 }
 
+/// What is asked beyond ε, for the four regions add up.
+const SHARE: f64 = 0.5;
+
 /// Adds the halves s + t ≤ 1 of two parallelograms with a common edge at t = 0 that see each other freely.
 ///
-/// False if the accuracy was not reached.
+/// False, and nothing is added, where the kernel is too nearly singular.
 pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> bool {
     let wedge = Wedge::new(p, q);
+    let parts = |region: Region| {
+        let difference = |a: f64, b: f64| wedge.difference(region, a, b);
+        let degree = degrees[0].max(degrees[1]);
+        Bilinear { difference: &difference, degree, eps: SHARE * eps }.parts()
+    };
+    let Some(plans) = Region::ALL.into_iter().map(parts).collect::<Option<Vec<_>>>() else { return false };
     let mut sum = EdgeSum::new(moments.patches(p, q));
     let rule = UnitRule::of((degrees[0] + degrees[1] + 3) / 2);
-    let mut resolved = true;
-    for region in Region::ALL {
-        let difference = |a: f64, b: f64| wedge.difference(region, a, b);
-        let square = Bilinear { difference: &difference, degree: degrees[0].max(degrees[1]), eps };
-        let (parts, reached) = square.parts();
-        resolved &= reached;
+    for (region, parts) in Region::ALL.into_iter().zip(plans) {
         for (part, points) in parts {
             add(&mut sum, &wedge, region, &part, points, rule);
         }
     }
     moments.add(sum.pair);
-    resolved
+    true
 }
 
 fn add(sum: &mut EdgeSum, wedge: &Wedge, region: Region, part: &Part, points: [usize; 2], rule: &UnitRule) {
