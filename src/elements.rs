@@ -330,10 +330,16 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
     match plane {
         Some(_) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
-            // A parallelogram fills the frame along its own sides, whatever the surface's parameters are.
+            let jet = shape.jet(u, v);
+            let parallel = |x: DVec3, y: DVec3| x.cross(y).length() <= 1e-9 * x.length() * y.length();
+            // A parallelogram fills the frame along its own sides; in the order of the parameters where they run along them.
             let sides = match patches {
-                [patch] if patch.is_parallelogram() => [corners[1] - corners[0], corners[3] - corners[0]],
-                _ => [shape.jet(u, v).du, shape.jet(u, v).dv],
+                [patch] if patch.is_parallelogram() => {
+                    let own = [corners[1] - corners[0], corners[3] - corners[0]];
+                    let along = |d: DVec3| own.iter().any(|side| parallel(d, *side));
+                    if along(jet.du) && along(jet.dv) { [jet.du, jet.dv] } else { own }
+                }
+                _ => [jet.du, jet.dv],
             };
             Frame::bounding(&corners, sides)
         }
