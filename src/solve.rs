@@ -31,6 +31,9 @@ pub struct Options {
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<paper::Rules>,
+    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`]): right for closed scenes
+    /// without shadows only.
+    pub closure: bool,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// Whether surfaces hide each other.
@@ -55,6 +58,7 @@ impl Default for Options {
             layers: Layers::NONE,
             eps: 1e-3,
             kernel: None,
+            closure: false,
             shadow_eps: 3e-3,
             shadows: true,
             method: Method::named("auto").expect("auto is always listed"),
@@ -224,7 +228,13 @@ fn blocks(
     let Some(rules) = options.kernel else {
         let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        return Ok(Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress));
+        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress);
+        if options.closure {
+            let ones: Vec<f64> =
+                elements.list().iter().flat_map(|element| element.constant.clone()).collect();
+            blocks.close(&ones);
+        }
+        return Ok(blocks);
     };
     paper::assemble(elements, visibility, rules, paper::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })

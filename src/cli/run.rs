@@ -154,6 +154,7 @@ fn options(method: &MethodArgs) -> Options {
         layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps,
         kernel: method.kernel.rules(),
+        closure: method.closure_correction,
         shadows: method.shadows != Shadows::Off,
         method: method.solver,
         tolerance: method.tolerance,
