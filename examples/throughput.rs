@@ -22,6 +22,9 @@ fn main() {
     {
         measure(cuts, order, eps);
     }
+    for (order, eps) in [(4, 1e-4), (8, 1e-8)] {
+        plain(order, eps);
+    }
 }
 
 fn measure(cuts: usize, order: usize, eps: f64) {
@@ -47,5 +50,33 @@ fn measure(cuts: usize, order: usize, eps: f64) {
         blocks.distinct,
         1e3 * seconds,
         1e9 * seconds / blocks.distinct as f64
+    );
+}
+
+/// Two parallel squares one side apart: nothing but the tensor rule.
+fn plain(order: usize, eps: f64) {
+    const TIMES: u32 = 200;
+    let squares = "bands = [\"grey\"]
+[[surfaces]]
+quad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }
+[[surfaces]]
+quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
+    let scene = Scene::from_toml(squares, "squares").expect("the scene is valid");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("squares have area");
+    let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
+    let (samples, seconds) = in_threads(1, || {
+        let start = Instant::now();
+        let mut samples = 0;
+        for _ in 0..TIMES {
+            samples += Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}).distinct;
+        }
+        (samples, start.elapsed().as_secs_f64())
+    })
+    .expect("one thread can be started");
+    println!(
+        "parallel squares, order {order}, eps {eps:.0e}: {:.1} million samples a second, {:.2} ns each",
+        1e-6 * samples as f64 / seconds,
+        1e9 * seconds / samples as f64
     );
 }
