@@ -9,7 +9,7 @@
 //!
 //! * products of Legendre polynomials ([`products`]), T triangular, where that keeps all digits: on
 //!   parallelograms and most curved elements. Rules may be factorised then;
-//! * else the φ themselves by their [`recurrence`], T = 1. For total degree planar elements are turned along their diameter for it.
+//! * else the φ themselves by their `recurrence`, T = 1. For total degree planar elements are turned along their diameter for it.
 //!
 //! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal
 //! basis of Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
