@@ -48,7 +48,7 @@ impl Checks {
     /// Of a solution that was computed with `blocks`.
     pub fn of(solution: &Solution, blocks: &Blocks) -> Self {
         let list = solution.elements().list();
-        let ones: Vec<f64> = list.iter().flat_map(|element| element.constant.clone()).collect();
+        let ones = solution.elements().constant();
         let transported = blocks.apply(&ones);
         let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
         let complete: Vec<usize> = (0..list.len()).filter(|i| blocks.is_complete(*i)).collect();

@@ -229,6 +229,11 @@ impl Elements {
         self.surfaces[surface].shape.as_ref()
     }
 
+    /// Coefficients c of the constant 1, element by element.
+    pub fn constant(&self) -> Vec<f64> {
+        self.list.iter().flat_map(|element| &element.constant).copied().collect()
+    }
+
     /// Number of coefficients per band of all elements together.
     pub fn coefficients(&self) -> usize {
         self.list.iter().map(|element| element.basis.len()).sum()

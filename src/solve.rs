@@ -230,9 +230,7 @@ fn blocks(
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
         let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress);
         if options.closure {
-            let ones: Vec<f64> =
-                elements.list().iter().flat_map(|element| element.constant.clone()).collect();
-            blocks.close(&ones);
+            blocks.close(&elements.constant());
         }
         return Ok(blocks);
     };

@@ -48,6 +48,8 @@ struct Task {
     entries: [f64; 2],
     /// Hash of its pose where it may be equal to others.
     hash: Option<u64>,
+    /// Surfaces that may stand between.
+    blockers: Vec<usize>,
 }
 
 /// What the block of a task has to reach.
@@ -155,13 +157,14 @@ impl Scene<'_> {
         if !(self.sends)(row) && !(self.sends)(column) {
             return Sorted::Black;
         }
-        let task =
-            |entries, hash| Sorted::Task(Task { row: row as u32, column: column as u32, entries, hash });
-        if row == column {
-            return task([0.0, f64::INFINITY], None);
-        }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        let task = |entries, hash, blockers| {
+            Sorted::Task(Task { row: row as u32, column: column as u32, entries, hash, blockers })
+        };
+        if row == column {
+            return task([0.0, f64::INFINITY], None, blockers);
+        }
         if self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
             return Sorted::Hidden;
         }
@@ -172,9 +175,9 @@ impl Scene<'_> {
             least = ESTIMATE_SHARE * curved::estimate(receiver, emitter).min(most);
         }
         if !blockers.is_empty() {
-            return task([VISIBLE_SHARE * least, most], None);
+            return task([VISIBLE_SHARE * least, most], None, blockers);
         }
-        task([least, most], self.pose_of(row, column).map(|pose| pose.hash()))
+        task([least, most], self.pose_of(row, column).map(|pose| pose.hash()), blockers)
     }
 
     /// Whether the plane of either element leaves nothing of the other in front of it.
@@ -303,18 +306,14 @@ impl Scene<'_> {
     fn block(&self, task: &Task, goal: Goal) -> Block {
         let accuracy = Accuracy { eps: goal.eps, ..self.accuracy };
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
-        let surfaces = [receiver.surface, emitter.surface];
-        let blockers = match task.hash {
-            Some(_) => Vec::new(),
-            None => self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces),
-        };
+        let blockers = &task.blockers;
         if task.row == task.column {
-            return curved::self_block(receiver, &blockers, self.visibility, accuracy, goal.least);
+            return curved::self_block(receiver, blockers, self.visibility, accuracy, goal.least);
         }
         if receiver.plane.is_some() && emitter.plane.is_some() {
-            return block::block(receiver, emitter, &blockers, self.visibility, accuracy);
+            return block::block(receiver, emitter, blockers, self.visibility, accuracy);
         }
-        curved::block(receiver, emitter, &blockers, self.visibility, accuracy, goal.least)
+        curved::block(receiver, emitter, blockers, self.visibility, accuracy, goal.least)
     }
 }
 

@@ -468,7 +468,7 @@ impl<'a> Job<'a> {
 
     /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
     fn exact_degree(&self) -> usize {
-        (self.degrees[0] + self.degrees[1] + 3) / 2
+        separated::exact(self.degrees)
     }
 
     /// Accuracy for a part that carries at most `share` of what a block can: small parts need fewer digits.

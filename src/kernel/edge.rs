@@ -86,8 +86,8 @@ impl Wedge {
 /// Numbers of points [x, y, angular] for degrees `[receiver, emitter]`.
 pub(super) fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], eps: f64) -> [usize; 3] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
-    // Exact for degree N_i + N_j + 1 where the chart is affine; else x and y see the chart as well.
-    let exact = (degrees[0] + degrees[1] + 3) / 2;
+    // Where the chart is not affine, x and y see it as well.
+    let exact = separated::exact(degrees);
     let extra = if affine { 0 } else { 1 + (-eps.log10() / 1.5).ceil() as usize };
     // Below 30° the formula falls short: the kernel's peak grows as the angle closes.
     let peak = (7.5 * (1.0 - wedge.cosine)).clamp(1e-8, 1.0);

@@ -4,6 +4,8 @@
 //! S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)
 //! ```
 
+use crate::elements::columns::add_scaled;
+
 use super::moments::PatchMoments;
 
 /// The sums S, Q and M of one pair of patches.
@@ -66,8 +68,4 @@ impl<'p> EdgeSum<'p> {
         }
         self.along_receiver.fill(0.0);
     }
-}
-
-fn add_scaled(out: &mut [f64], factor: f64, row: &[f64]) {
-    out.iter_mut().zip(row).for_each(|(o, r)| *o += factor * r);
 }

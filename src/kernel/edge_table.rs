@@ -24,6 +24,7 @@ use crate::elements::rule::UnitRule;
 
 use super::chart::polynomials;
 use super::hinge::Angular;
+use super::separated;
 
 /// B, C and Y at the nodes x for one pair of degrees.
 #[derive(Debug)]
@@ -146,8 +147,7 @@ impl EdgeTable {
     }
 
     fn compute(degrees: [usize; 2]) -> Self {
-        // Exact for degree N_i + N_j + 1 along y, and along x.
-        let rule = UnitRule::of((degrees[0] + degrees[1] + 3) / 2);
+        let rule = UnitRule::of(separated::exact(degrees));
         let nodes = rule.iter().map(|(x, weight)| Radial::new(x, weight, degrees, rule)).collect();
         Self { degrees, nodes }
     }

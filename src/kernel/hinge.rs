@@ -10,17 +10,19 @@
 //!
 //! Where one side is much deeper, the edge short or the angle small, the kernel peaks in one place of the square (a, b).
 //! The square is halved towards it as long as that takes fewer points; each part has its own number of points along a and b
-//! ([`super::square`]).
+//! ([`super::parts`]).
 
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_geom::DVec3;
 
+use crate::elements::columns::add_scaled;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
 use super::chart::polynomials;
-use super::square::{Bilinear, Part};
+use super::parts::{Multilinear, Part};
+use super::wedge::DEEPEST;
 
 /// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]
@@ -109,8 +111,9 @@ impl Angular {
 impl Region {
     /// Adds the moments of one sign of ζ; returns the number of kernel values.
     fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
-        let difference = |a: f64, b: f64| self.difference(sign, a, b);
-        let square = Bilinear { difference: &difference, degree: self.degree, eps: self.eps };
+        let difference = |[a, b]: [f64; 2]| self.difference(sign, a, b);
+        let (degree, eps) = (self.degree, self.eps);
+        let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
         let mut samples = 0;
         for (part, points) in square.parts()? {
             self.integrate(sign, strength, &part, points, out);
@@ -124,7 +127,7 @@ impl Region {
         self.fixed[sign] + self.along[sign][0] * a + self.along[sign][1] * b
     }
 
-    fn integrate(&self, sign: usize, strength: f64, part: &Part, points: [usize; 2], out: &mut Angular) {
+    fn integrate(&self, sign: usize, strength: f64, part: &Part<2>, points: [usize; 2], out: &mut Angular) {
         let rules = points.map(UnitRule::of);
         let (mut row_a, mut row_b) = (vec![0.0; self.degrees[0] + 1], vec![0.0; out.width]);
         let mut tables = Vec::with_capacity(points[1] * out.width);
@@ -156,8 +159,4 @@ impl Region {
         let r2 = self.difference(sign, a, b).length_squared();
         heights / (r2 * r2)
     }
-}
-
-fn add_scaled(out: &mut [f64], factor: f64, row: &[f64]) {
-    out.iter_mut().zip(row).for_each(|(o, r)| *o += factor * r);
 }

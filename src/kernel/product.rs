@@ -135,6 +135,14 @@ impl Tile {
         }
     }
 
+    /// y − x and its square, not below [`COINCIDENT`].
+    #[inline(always)]
+    fn offset(&self, node: &Node, lane: usize) -> [f64; 4] {
+        let [x, y, z] = &self.position;
+        let (dx, dy, dz) = (node.position.x - x[lane], node.position.y - y[lane], node.position.z - z[lane]);
+        [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(COINCIDENT)]
+    }
+
     fn point(&self, lane: usize) -> DVec3 {
         DVec3::new(self.position[0][lane], self.position[1][lane], self.position[2][lane])
     }
@@ -206,12 +214,7 @@ fn add_scaled(out: &mut Lanes, factor: f64, values: &Lanes) {
 #[inline(always)]
 fn flat(tile: &Tile, node: &Node, scale: f64) -> Lanes {
     core::array::from_fn(|lane| {
-        let (dx, dy, dz) = (
-            node.position.x - tile.position[0][lane],
-            node.position.y - tile.position[1][lane],
-            node.position.z - tile.position[2][lane],
-        );
-        let r2 = (dx * dx + dy * dy + dz * dz).max(COINCIDENT);
+        let [.., r2] = tile.offset(node, lane);
         scale / (r2 * r2)
     })
 }
@@ -220,12 +223,7 @@ fn flat(tile: &Tile, node: &Node, scale: f64) -> Lanes {
 #[inline(always)]
 fn general(tile: &Tile, node: &Node, scale: f64) -> Lanes {
     core::array::from_fn(|lane| {
-        let (dx, dy, dz) = (
-            node.position.x - tile.position[0][lane],
-            node.position.y - tile.position[1][lane],
-            node.position.z - tile.position[2][lane],
-        );
-        let r2 = (dx * dx + dy * dy + dz * dz).max(COINCIDENT);
+        let [dx, dy, dz, r2] = tile.offset(node, lane);
         let arriving = tile.normal[0][lane] * dx + tile.normal[1][lane] * dy + tile.normal[2][lane] * dz;
         let leaving = -(node.normal.x * dx + node.normal.y * dy + node.normal.z * dz);
         scale * arriving.max(0.0) * leaving.max(0.0) / (r2 * r2)

@@ -24,6 +24,11 @@ pub(super) fn points(degree: usize, eps: f64, rho: f64) -> usize {
     count.ceil().max(1.0) as usize
 }
 
+/// Points exact for degree N_i + N_j + 1: the polynomials of both sides along a line where the kernel is constant.
+pub(super) fn exact(degrees: [usize; 2]) -> usize {
+    (degrees[0] + degrees[1] + 3) / 2
+}
+
 /// Points along s and t of the receiver, then of the emitter, for degrees `[receiver, emitter]`.
 ///
 /// `gap` is positive. A chart that is not affine raises the degree by one: its area element is linear.

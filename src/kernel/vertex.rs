@@ -9,26 +9,20 @@
 //! ```
 //!
 //! x²κ does not depend on x, nor does it know any singularity but that of 1/r⁴ outside the cube of a, b, c: the sum over x is exact, and the
-//! number of points along a, b and c follows from where r² vanishes ([`super::analytic`]). The cube is halved as long as that takes fewer points,
+//! number of points along a, b and c follows from where r² vanishes ([`super::parts`]). The cube is halved as long as that takes fewer points,
 //! so angles and proportions of the patches do not matter.
 
-use radiosity_geom::DVec3;
-
 use crate::elements::patch::Patch;
-use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::elements::rule::UnitRule;
 
-use super::analytic;
 use super::integrand::Sees;
 use super::moments::{Moments, PatchMoments};
+use super::parts::{Multilinear, Part, Parts};
 use super::product::Line;
 use super::separated;
 
-/// Places of the other two variables at which the rate of convergence along one is looked at.
-const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
-/// Most halvings of the cube.
+/// Most halvings of the cube, one inside the other.
 const DEEPEST: u32 = 60;
-/// Most parts of it.
-const MOST_PARTS: usize = 512;
 /// What is asked of triangles, whose area elements are not constant in the subdomains.
 const FAN_SHARE: f64 = 0.5;
 
@@ -40,7 +34,7 @@ pub(super) fn counts(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> [us
     let ratio = 1.0 / aspect(p, q);
     let sigma = ratio + (1.0 + ratio * ratio).sqrt();
     let rho = (sigma + (sigma * sigma - 1.0).sqrt()).min(4.2);
-    [exact(degrees) + extra, separated::points(degrees[0].max(degrees[1]), eps, rho)]
+    [separated::exact(degrees) + extra, separated::points(degrees[0].max(degrees[1]), eps, rho)]
 }
 
 /// Ratio of the largest to the smallest extent of the two patches.
@@ -68,21 +62,22 @@ pub(super) fn integrate_flat(
     degrees: [usize; 2],
     eps: f64,
 ) -> bool {
-    let plans = if p.is_parallelogram() && q.is_parallelogram() {
-        plans(p, q, &[0, 1, 2, 3].map(Subdomain::Box), degrees, eps)
+    let plans: Option<Vec<Plan>> = if p.is_parallelogram() && q.is_parallelogram() {
+        (0..4).map(|place| Plan::new(p, q, Subdomain::Box(place), degrees, eps)).collect()
     } else {
-        let subdomains = [true, false].map(|receiver| Subdomain::Fan { receiver });
         let (fan_p, fan_q) = (fan(p), fan(q));
         let pairs = fan_p.iter().flat_map(|p| fan_q.iter().map(move |q| (p, q)));
-        pairs.flat_map(|(p, q)| plans(p, q, &subdomains, degrees, FAN_SHARE * eps)).collect()
+        let plan = |(p, q)| {
+            [true, false]
+                .map(|receiver| Plan::new(p, q, Subdomain::Fan { receiver }, degrees, FAN_SHARE * eps))
+        };
+        pairs.flat_map(plan).collect()
     };
-    if !plans.iter().all(Plan::resolved) {
-        return false;
-    }
+    let Some(plans) = plans else { return false };
     for plan in plans {
         let mut pair = moments.patches(&plan.patches[0], &plan.patches[1]);
         for (part, points) in plan.parts {
-            add(&mut pair, plan.subdomain, &part, exact(degrees), points, None);
+            add(&mut pair, plan.subdomain, &part, separated::exact(degrees), points, None);
         }
         moments.add(pair);
     }
@@ -99,29 +94,6 @@ enum Subdomain {
         /// Which.
         receiver: bool,
     },
-}
-
-/// A part of the cube (a, b, c).
-#[derive(Clone, Copy, Debug)]
-struct Part {
-    low: [f64; 3],
-    size: [f64; 3],
-}
-
-impl Part {
-    const WHOLE: Self = Self { low: [0.0; 3], size: [1.0; 3] };
-
-    fn halves(&self, direction: usize) -> [Self; 2] {
-        let mut halves = [*self; 2];
-        halves[0].size[direction] *= 0.5;
-        halves[1].size[direction] *= 0.5;
-        halves[1].low[direction] += halves[1].size[direction];
-        halves
-    }
-
-    fn at(&self, direction: usize, place: f64) -> f64 {
-        self.low[direction] + self.size[direction] * place
-    }
 }
 
 impl Subdomain {
@@ -146,68 +118,23 @@ impl Subdomain {
     }
 }
 
-/// The rule of one pair in one subdomain, with its number of points chosen part by part.
+/// The rule of one pair in one subdomain, part by part.
 struct Plan {
     patches: [Patch; 2],
     subdomain: Subdomain,
-    degree: usize,
-    eps: f64,
-    parts: Vec<(Part, [usize; 3])>,
-}
-
-fn plans(p: &Patch, q: &Patch, subdomains: &[Subdomain], degrees: [usize; 2], eps: f64) -> Vec<Plan> {
-    let plan = |subdomain: &Subdomain| {
-        let (patches, degree) = ([p.clone(), q.clone()], degrees[0].max(degrees[1]));
-        let mut plan = Plan { patches, subdomain: *subdomain, degree, eps, parts: Vec::new() };
-        plan.plan(Part::WHOLE, 0);
-        plan
-    };
-    subdomains.iter().map(plan).collect()
+    parts: Parts<3>,
 }
 
 impl Plan {
-    fn resolved(&self) -> bool {
-        self.parts.iter().all(|(_, points)| points.iter().all(|n| *n <= MOST_POINTS))
-    }
-
-    fn plan(&mut self, part: Part, depth: u32) {
-        let points = self.points(&part);
-        let cost = |points: [usize; 3]| points.iter().product::<usize>();
-        let direction = (0..3).max_by_key(|k| (points[*k], 3 - k)).expect("there are three");
-        let halves = part.halves(direction);
-        let halved: usize = halves.iter().map(|half| cost(self.points(half))).sum();
-        let too_many = points.iter().any(|n| *n > MOST_POINTS);
-        let may = depth < DEEPEST && self.parts.len() < MOST_PARTS;
-        if may && (too_many || halved < cost(points)) {
-            halves.into_iter().for_each(|half| self.plan(half, depth + 1));
-        } else {
-            self.parts.push((part, points));
-        }
-    }
-
-    /// Points along a, b and c.
-    fn points(&self, part: &Part) -> [usize; 3] {
-        [0, 1, 2].map(|direction| {
-            let others = [(direction + 1) % 3, (direction + 2) % 3];
-            let mut rho = f64::INFINITY;
-            for first in PLACES {
-                for second in PLACES {
-                    let mut place = part.low;
-                    place[others[0]] = part.at(others[0], first);
-                    place[others[1]] = part.at(others[1], second);
-                    let low = self.difference(place);
-                    place[direction] = part.at(direction, 1.0);
-                    rho = rho.min(analytic::rate(low, self.difference(place) - low));
-                }
-            }
-            analytic::points(self.degree, self.eps, rho)
-        })
-    }
-
-    /// y − x, linear in each of the three.
-    fn difference(&self, place: [f64; 3]) -> DVec3 {
-        let [s, t, u, v] = self.subdomain.place(place);
-        self.patches[1].node(u, v).position - self.patches[0].node(s, t).position
+    fn new(p: &Patch, q: &Patch, subdomain: Subdomain, degrees: [usize; 2], eps: f64) -> Option<Self> {
+        // y − x.
+        let difference = |place: [f64; 3]| {
+            let [s, t, u, v] = subdomain.place(place);
+            q.node(u, v).position - p.node(s, t).position
+        };
+        let degree = degrees[0].max(degrees[1]);
+        let parts = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST }.parts()?;
+        Some(Self { patches: [p.clone(), q.clone()], subdomain, parts })
     }
 }
 
@@ -215,7 +142,7 @@ impl Plan {
 fn add(
     pair: &mut PatchMoments,
     subdomain: Subdomain,
-    part: &Part,
+    part: &Part<3>,
     radial: usize,
     points: [usize; 3],
     sees: Option<Sees>,
@@ -245,11 +172,6 @@ fn add(
             }
         }
     }
-}
-
-/// Points that are exact for the polynomials along x.
-fn exact(degrees: [usize; 2]) -> usize {
-    (degrees[0] + degrees[1] + 3) / 2
 }
 
 /// A patch oriented with the corner at (0, 0) as triangles that collapse in it: s = 0 is the corner.

@@ -27,7 +27,8 @@ use crate::elements::rule::UnitRule;
 
 use super::edge_sum::EdgeSum;
 use super::moments::Moments;
-use super::square::{Bilinear, Part};
+use super::parts::{Multilinear, Part};
+use super::separated;
 
 /// Two triangles, oriented with the common edge at t = 0 of the parallelograms they are halves of.
 struct Wedge {
@@ -91,6 +92,8 @@ impl Wedge {
     }
 }
 
+/// Most halvings of a square of angular variables, one inside the other.
+pub(super) const DEEPEST: u32 = 48;
 /// What is asked beyond ε, for the four regions add up.
 const SHARE: f64 = 0.5;
 
@@ -100,13 +103,13 @@ const SHARE: f64 = 0.5;
 pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> bool {
     let wedge = Wedge::new(p, q);
     let parts = |region: Region| {
-        let difference = |a: f64, b: f64| wedge.difference(region, a, b);
+        let difference = |[a, b]: [f64; 2]| wedge.difference(region, a, b);
         let degree = degrees[0].max(degrees[1]);
-        Bilinear { difference: &difference, degree, eps: SHARE * eps }.parts()
+        Multilinear { difference: &difference, degree, eps: SHARE * eps, deepest: DEEPEST }.parts()
     };
     let Some(plans) = Region::ALL.into_iter().map(parts).collect::<Option<Vec<_>>>() else { return false };
     let mut sum = EdgeSum::new(moments.patches(p, q));
-    let rule = UnitRule::of((degrees[0] + degrees[1] + 3) / 2);
+    let rule = UnitRule::of(separated::exact(degrees));
     for (region, parts) in Region::ALL.into_iter().zip(plans) {
         for (part, points) in parts {
             add(&mut sum, &wedge, region, &part, points, rule);
@@ -116,7 +119,14 @@ pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, degrees: [u
     true
 }
 
-fn add(sum: &mut EdgeSum, wedge: &Wedge, region: Region, part: &Part, points: [usize; 2], rule: &UnitRule) {
+fn add(
+    sum: &mut EdgeSum,
+    wedge: &Wedge,
+    region: Region,
+    part: &Part<2>,
+    points: [usize; 2],
+    rule: &UnitRule,
+) {
     let rules = points.map(UnitRule::of);
     let size: f64 = part.size.iter().product();
     for (a, wa) in rules[0].iter() {

@@ -143,8 +143,8 @@ fn warnings(options: &Options, outcome: &Outcome) -> Vec<Warning> {
     }
     if outcome.accuracy_reached > options.eps {
         let message = format!(
-            "some transfers of curved surfaces are good to about {:.0e} of their size only: subdivide the surfaces that \
-             touch others along no common edge, or that face themselves in part",
+            "some transfers are good to about {:.0e} of their size only: subdivide the surfaces that touch others along no \
+             common edge, come very near them, or face themselves in part",
             outcome.accuracy_reached
         );
         warn("accuracy-reached", message);
