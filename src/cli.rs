@@ -1,6 +1,7 @@
 //! Command line: the verbs, and what each does with the library.
 
 mod check;
+mod convergence;
 mod error;
 mod grid;
 mod options;
@@ -40,6 +41,7 @@ enum Verb {
     Solve(solve::SolveArgs),
     Render(render::RenderArgs),
     Grid(grid::GridArgs),
+    Convergence(convergence::ConvergenceArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
 }
@@ -51,6 +53,7 @@ impl Cli {
             Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
             Verb::Scenes(args) => scenes::run(args),
         }

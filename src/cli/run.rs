@@ -3,6 +3,7 @@
 use std::io::{Write, stderr};
 use std::time::Instant;
 
+use radiosity::adaptation::{Goal, adapt};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
@@ -12,7 +13,7 @@ use radiosity::solve::{self, Options, Outcome, Progress as Stage};
 use crate::cli::error::CliError;
 use radiosity::visibility;
 
-use crate::cli::options::{MethodArgs, ReportArgs, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, Order, ReportArgs, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -65,8 +66,18 @@ impl Run {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, loaded.scene.bands.len()),
         };
-        let outcome = solve::solve(&loaded.scene, &options, &observe)?;
-        let mut summary = Report::new(&loaded.scene, &options, &outcome);
+        let (outcome, mut summary) = match method.wanted_accuracy() {
+            Some(accuracy) => {
+                let adapted = adapt(&loaded.scene, &options, Goal::new(accuracy), &observe)?;
+                let summary = Report::adapted(&loaded.scene, &adapted);
+                (adapted.outcome, summary)
+            }
+            None => {
+                let outcome = solve::solve(&loaded.scene, &options, &observe)?;
+                let summary = Report::new(&loaded.scene, &options, &outcome);
+                (outcome, summary)
+            }
+        };
         summary.seconds.load = loaded.seconds;
         Ok(Self {
             outcome,
@@ -120,6 +131,9 @@ impl Run {
                 checks.row_sum_max
             ),
         ];
+        lines.extend(self.report.accuracy_estimate.map(|estimate| {
+            format!("estimated relative error of the radiosity {estimate:.1e}, that of the next coarser run")
+        }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(
@@ -142,10 +156,15 @@ pub(crate) fn shadows(method: &MethodArgs) -> visibility::Shadows {
     }
 }
 
-fn options(method: &MethodArgs) -> Options {
+/// The library's options of a method as typed.
+pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
-        order: method.order,
+        order: match method.order {
+            Some(Order::Degree(order)) => order,
+            None if method.wanted_accuracy().is_none() => defaults.order,
+            Some(Order::Auto) | None => 0,
+        },
         space: if method.tensor { Space::Tensor } else { Space::Total },
         subdivide: match method.subdivide {
             Subdivide::Auto => None,

@@ -10,7 +10,7 @@
 //! else stands in a hole of the surface nothing arrives, and the mean says so. The integrals are exact
 //! for the polynomials on flat surfaces.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect, polygon_area};
+use radiosity_geom::{PlanarRegion, Rect, polygon_area};
 
 use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
@@ -51,7 +51,7 @@ fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> 
     let mut covered = 0.0;
     for element in solution.elements().of_surface(surface) {
         let degree = solution.elements().list()[element].basis.total_degree();
-        for patch in patches_in(solution, element, rect) {
+        for patch in solution.elements().patches_over(element, rect) {
             for_each_point(&patch, degree, |node, weight| {
                 let place =
                     Place { surface, parameters: node.parameters.to_array(), position: node.position };
@@ -67,24 +67,6 @@ fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> 
     let area = outer_area(solution, surface, rect).unwrap_or(covered);
     let mean = |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
     Cell { surface, index, irradiance: mean(sums), radiosity: mean(radiated), area }
-}
-
-/// The part of an element over a parameter rectangle.
-fn patches_in(solution: &Solution, element: usize, rect: &Rect) -> Vec<Patch> {
-    let element = &solution.elements().list()[element];
-    let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
-    let Some((_, normal)) = element.plane else {
-        return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
-    };
-    let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
-    let parts = clip_to_cell(solution.elements().shape(element.surface), &pieces, rect);
-    parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
-}
-
-fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
-    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
-    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
 fn for_each_point(patch: &Patch, degree: usize, mut visit: impl FnMut(&Node, f64)) {
