@@ -11,6 +11,7 @@ mod render;
 mod run;
 mod scenes;
 mod solve;
+mod style;
 mod table;
 
 use clap::{Parser, Subcommand};

@@ -1,14 +1,17 @@
 //! `radiosity convergence`: how the error of a scene's radiosity falls with order, layers, unknowns and time.
 
-use std::io::{Write, stdout};
-use std::path::PathBuf;
+use std::io::{Write, stderr, stdout};
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use radiosity::convergence::{Reference, Run, convergence};
+use radiosity::output::chart::Chart;
+use radiosity::scene::Scene;
 
 use crate::cli::{
     error::CliError,
     options::{MethodArgs, SceneArg},
+    output_file::OutputFile,
     progress::Progress,
     run::{Loaded, options},
     table::Table,
@@ -54,15 +57,80 @@ pub(crate) enum Format {
 
 /// Solves the scene again and again, prints the table and draws the errors.
 pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
+    if args.method.wanted_accuracy().is_some() {
+        return Err(CliError::Refused {
+            message: "convergence runs every order and chooses none".to_owned(),
+            cure: "leave out --accuracy, and give --max-order a number".to_owned(),
+        });
+    }
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
+    let kind = kind(&path)?;
+    let output = OutputFile::reserve(&path)?;
     let progress = Progress::new(args.quiet);
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
-    let runs = convergence(&loaded.scene, &options(&args.method), &Reference::FinestRun, &advance)?;
+    let runs = convergence(scene, &options(&args.method), &Reference::FinestRun, &advance)?;
     drop(progress);
     let table = match args.format {
         Format::Text => text(&runs),
         Format::Csv => csv(&runs),
     };
-    Ok(stdout().write_all(table.as_bytes())?)
+    stdout().write_all(table.as_bytes())?;
+    draw(&chart(args, scene, &runs), kind, &output)?;
+    if !args.quiet {
+        // Nobody is left to tell if stderr is closed.
+        let _ = writeln!(stderr(), "wrote {}", path.display());
+    }
+    Ok(())
+}
+
+/// What kind of file a chart is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Svg,
+    Png,
+}
+
+fn kind(path: &Path) -> Result<Kind, CliError> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("svg") => Ok(Kind::Svg),
+        Some("png") => Ok(Kind::Png),
+        _ => Err(CliError::Refused {
+            message: format!("{}: the ending names no kind of drawing", path.display()),
+            cure: "choose a file ending in .svg or .png".to_owned(),
+        }),
+    }
+}
+
+fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
+    let title = scene.title.as_ref().unwrap_or(&scene.name);
+    let finest = runs.last().map_or_else(String::new, |run| match run.layers {
+        0 => format!("order {}", run.order),
+        layers => format!("order {} on {layers} layers", run.order),
+    });
+    let accuracy = match args.method.kernel.rules() {
+        Some(_) => "the rules of 1993".to_owned(),
+        None => format!("transfers to {:e}", args.method.eps),
+    };
+    Chart {
+        title: format!("{title}: error by order"),
+        caption: format!("L² difference from the finest run, {finest}; {accuracy}; numbers are orders"),
+        runs,
+    }
+}
+
+fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> {
+    match kind {
+        Kind::Svg => {
+            let svg = chart.svg()?;
+            output.write(|writer| writer.write_all(svg.as_bytes()))
+        }
+        Kind::Png => {
+            let picture = chart.picture()?;
+            output.write(|writer| picture.write_png(writer))
+        }
+    }
 }
 
 const HEADER: [&str; 9] =

@@ -2,6 +2,7 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
+use radiosity::output::chart::ChartError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
 use thiserror::Error;
@@ -37,6 +38,17 @@ pub(crate) enum CliError {
         /// The scene as named in messages.
         origin: String,
     },
+    /// What was asked for cannot be done.
+    #[error("{message}")]
+    Refused {
+        /// What is wrong.
+        message: String,
+        /// How to mend it.
+        cure: String,
+    },
+    /// A chart could not be drawn.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
@@ -46,10 +58,15 @@ impl CliError {
     /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
-            CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
+            CliError::Scene(_)
+            | CliError::Unwritable { .. }
+            | CliError::NoCamera { .. }
+            | CliError::Refused { .. } => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
+                ExitCode::from(1)
+            }
         }
     }
 
@@ -75,7 +92,10 @@ impl CliError {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
             CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => None,
+            CliError::Refused { cure, .. } => Some(cure.clone()),
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
+                None
+            }
         }
     }
 }

@@ -3,17 +3,20 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use radiosity::output::render::{Read, render};
+use radiosity::output::exr_file::write_exr;
+use radiosity::output::render::{Read, render, white_balance};
+use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::in_threads;
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SceneArg, positive},
+    options::{Counts, MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
     run::{Loaded, Run, shadows},
+    style::{Kind, StyleArgs},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -23,8 +26,8 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture [default: SCENE.png]
-    #[arg(short, long, value_name = "FILE.png")]
+    /// File of the picture: .png, or .exr for radiosities in W/m² as they are [default: SCENE.png]
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Pixels across and down [default: as the scene's camera says]
@@ -39,9 +42,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "MODE", default_value = "direct")]
     pub(crate) read: ReadMode,
 
-    /// Factor on the radiosities before they become colours [default: chosen for the picture]
-    #[arg(long, value_name = "X", value_parser = positive)]
-    pub(crate) exposure: Option<f64>,
+    #[command(flatten)]
+    pub(crate) style: StyleArgs,
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
@@ -63,8 +65,10 @@ pub(crate) enum ReadMode {
 pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
     let scene = &loaded.scene;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", scene.name).into());
+    let kind = args.style.kind(&path)?;
     let output = OutputFile::reserve(&path)?;
     let camera = camera(args, scene)?;
+    let style = args.style.prepare(scene, &camera)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = Visibility::new(scene, shadows(&args.method));
@@ -74,11 +78,21 @@ pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
     };
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.outcome.solution;
-    let picture = || render(solution, &visibility, &camera, args.samples, read, &rows);
-    let image = in_threads(run.threads, picture)?;
-    let exposure = args.exposure.unwrap_or_else(|| image.automatic_exposure());
-    output.write(|writer| image.write_png(exposure, writer))?;
-    run.finish(progress, Some(&path.display().to_string()))
+    let (raster, borders) = in_threads(run.threads, || {
+        let raster = render(solution, &visibility, &camera, args.samples, read, &rows);
+        let borders = || wireframe(solution.elements(), &visibility, &camera, args.samples);
+        (raster, args.style.wireframe.then(borders))
+    })?;
+    let mut written = path.display().to_string();
+    match kind {
+        Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
+        Kind::Png => {
+            let (picture, figures) = style.picture(&raster, white_balance(solution), borders.as_deref())?;
+            written += &figures;
+            output.write(|writer| picture.write_png(writer))?;
+        }
+    }
+    run.finish(progress, Some(&written))
 }
 
 fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {
