@@ -14,7 +14,6 @@ mod file;
 mod json_text;
 mod material;
 mod nearest;
-mod placement;
 mod shape;
 mod source;
 mod surface;

@@ -57,7 +57,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NotFinite { .. } => "give a number that a computation can start from",
         Fault::NotWhole { .. } => "give 0, 1, 2, …",
         Fault::EmptyText => "write at least one letter",
-        Fault::NoAxis => "give rotate = [x, y, z, degrees] with an axis that does not vanish",
+        Fault::NoSuchPoint { .. } => "count the points from 0, the last index is one less than their number",
         Fault::BadCamera { .. } => "move the eye, the target or the up vector",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
@@ -82,8 +82,13 @@ fn example(key: &str) -> &'static str {
     match key {
         "material" => ", the name of one of [materials.…]",
         "reflectance" => ", a number or one per band, 0 ≤ ρ < 1; 0 is black",
-        "eye" | "target" | "origin" | "edge1" | "edge2" => ", three numbers in brackets",
+        "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
+        | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
+        "curve" => ", four control points, each three numbers in brackets",
+        "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
+        "patches" => ", a list of patches, each 16 indices of points, counted from 0",
+        "weights" => ", four rows of four numbers above 0",
         _ => "",
     }
 }

@@ -136,12 +136,17 @@ pub enum Fault {
         /// Line of the first use.
         first_line: usize,
     },
-    /// A shape that has no area, is folded, not planar, or has a hole outside; the message holds the cure.
+    /// A shape or transform that cannot be made, e.g. without area; the message holds the cure.
     #[error("{0}")]
     Shape(ShapeError),
-    /// A transform that cannot be applied.
-    #[error("the rotation axis has no direction")]
-    NoAxis,
+    /// An index beyond the list of points.
+    #[error("there is no point {index}: the list has {count}")]
+    NoSuchPoint {
+        /// The index, counted from 0.
+        index: u32,
+        /// How many points there are.
+        count: usize,
+    },
     /// A camera that looks nowhere.
     #[error("{problem}")]
     BadCamera {

@@ -105,13 +105,15 @@ pub(super) fn surfaces(
         for side in &sides {
             names.add(&side.name, name_span, source)?;
         }
-        apart(&surfaces, &sides[0], &file.shape.span)?;
-        surfaces.extend(sides);
+        for pair in sides.chunks(if file.two_sided { 2 } else { 1 }) {
+            apart(&surfaces, &pair[0], &file.shape.span)?;
+            surfaces.extend_from_slice(pair);
+        }
     }
     Ok(surfaces)
 }
 
-/// The surface, and its back if it is two-sided.
+/// The surfaces of one entry, the back of a two-sided one after its front.
 fn sides(
     file: &SurfaceFile,
     name: &str,
@@ -119,30 +121,42 @@ fn sides(
     bands: usize,
     source: &Source,
 ) -> Result<Vec<SceneSurface>, Located> {
-    let front = SceneSurface {
-        name: name.to_owned(),
+    let material = surface_material(file.material.as_ref(), materials, bands)?;
+    let surface = |name: String, shape: Arc<dyn Surface>| SceneSurface {
+        name,
         kind: file.shape.kind,
-        shape: shape(file, file.flip)?,
-        material: surface_material(file.material.as_ref(), materials, bands)?,
+        shape,
+        material: material.clone(),
         material_name: file.material.as_ref().map(|material| material.value.clone()),
         order: file.order,
         subdivide: file.subdivide,
         place: source.place(&file.span),
     };
+    let names =
+        |index: usize| if file.shape.is_numbered() { format!("{name}-{index}") } else { name.to_owned() };
+    let fronts = shapes(file, file.flip)?.into_iter().enumerate();
+    let fronts = fronts.map(|(index, shape)| surface(names(index), shape));
     if !file.two_sided {
-        return Ok(vec![front]);
+        return Ok(fronts.collect());
     }
-    let back =
-        SceneSurface { name: format!("{name}:back"), shape: shape(file, !file.flip)?, ..front.clone() };
-    Ok(vec![front, back])
+    let backs = shapes(file, !file.flip)?;
+    let pair = |(front, back): (SceneSurface, _)| {
+        let back = surface(format!("{}:back", front.name), back);
+        [front, back]
+    };
+    Ok(fronts.zip(backs).flat_map(pair).collect())
 }
 
-fn shape(file: &SurfaceFile, flip: bool) -> Result<Arc<dyn Surface>, Located> {
-    let shape = file.shape.build(&file.placement).map_err(|error| {
+/// The shapes of one entry, turned over if `flip`.
+fn shapes(file: &SurfaceFile, flip: bool) -> Result<Vec<Arc<dyn Surface>>, Located> {
+    let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
+    let turned = |shape: Box<dyn Surface>| -> Arc<dyn Surface> {
+        if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) }
+    };
+    Ok(shapes.into_iter().map(turned).collect())
 }
 
 fn surface_material(
