@@ -6,7 +6,7 @@ use radiosity_geom::{DVec3, Flipped, Surface};
 
 use crate::scene::{
     camera::Camera,
-    coincident::coincide,
+    coincident::Occupied,
     error::{Fault, Located},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name, material_title, surface_title},
     material::{Material, check_emission, check_reflectance},
@@ -97,6 +97,7 @@ pub(super) fn surfaces(
     }
     let mut names = UniqueNames::default();
     let mut surfaces: Vec<SceneSurface> = Vec::with_capacity(files.len());
+    let mut occupied = Vec::new();
     for (index, file) in files.iter().enumerate() {
         let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
         let sides =
@@ -106,7 +107,7 @@ pub(super) fn surfaces(
             names.add(&side.name, name_span, source)?;
         }
         for pair in sides.chunks(if file.two_sided { 2 } else { 1 }) {
-            apart(&surfaces, &pair[0], &file.shape.span)?;
+            occupied.push(apart(&occupied, &pair[0], &file.shape.span)?);
             surfaces.extend_from_slice(pair);
         }
     }
@@ -171,12 +172,17 @@ fn surface_material(
     })
 }
 
-/// Whether `new` coincides with none of `earlier`.
-fn apart(earlier: &[SceneSurface], new: &SceneSurface, span: &Span) -> Result<(), Located> {
-    match earlier.iter().find(|other| coincide(&*other.shape, &*new.shape)) {
-        None => Ok(()),
-        Some(other) => {
-            let fault = Fault::Coincident { other: other.name.clone() };
+/// What `new` occupies, if that is no part of what others do, each given with its name.
+fn apart(
+    others: &[(String, Occupied)],
+    new: &SceneSurface,
+    span: &Span,
+) -> Result<(String, Occupied), Located> {
+    let own = Occupied::new(&new.shape);
+    match others.iter().find(|(_, other)| other.coincides(&own)) {
+        None => Ok((new.name.clone(), own)),
+        Some((name, _)) => {
+            let fault = Fault::Coincident { other: name.clone() };
             Err(Located::at(span, fault).within(|| surface_title(&new.name)))
         }
     }
