@@ -14,6 +14,7 @@ mod file;
 mod json_text;
 mod material;
 mod nearest;
+mod polygon_list;
 mod shape;
 mod source;
 mod surface;
@@ -34,7 +35,7 @@ pub use surface::SceneSurface;
 use error::Located;
 use file::SceneFile;
 use source::Source;
-use tree::Node;
+use tree::{Node, Value};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -56,7 +57,8 @@ pub struct Scene {
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; everything else TOML.
+    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons; everything
+    /// else TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -80,6 +82,9 @@ impl Scene {
         if let Some((name, _)) = settings.first() {
             return Err(whole_file(origin, Fault::ParameterOfFile { name: (*name).to_owned() }));
         }
+        if source.ends_with(".csv") {
+            return Scene::from_csv(&text, origin);
+        }
         match source.ends_with(".json") || text.trim_start().starts_with('{') {
             true => Scene::from_json(&text, origin),
             false => Scene::from_toml(&text, origin),
@@ -97,15 +102,41 @@ impl Scene {
             .map_err(|located| located.in_source(&source))
     }
 
-    /// Reads JSON, the same tree as the TOML; `origin` is its name in messages.
+    /// Reads JSON, the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
+    /// `origin` is its name in messages.
     ///
     /// # Errors
     /// The first thing wrong in the text.
     pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        json_text::parse(text)
+        let scene = |tree: Node| match &tree.value {
+            Value::List(polygons) => assemble(&polygon_list::from_list(polygons, &tree.span), &source),
+            _ => assemble(&tree, &source),
+        };
+        json_text::parse(text).and_then(scene).map_err(|located| located.in_source(&source))
+    }
+
+    /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
+        let source = Source::new(origin, text);
+        polygon_list::from_csv(text)
             .and_then(|tree| assemble(&tree, &source))
             .map_err(|located| located.in_source(&source))
+    }
+
+    /// The index of the surface of that name.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownSurface`], which lists the names there are.
+    pub fn surface_named(&self, name: &str) -> Result<usize, SceneError> {
+        let unknown = || {
+            let known = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
+            whole_file(&self.origin, Fault::UnknownSurface { name: name.to_owned(), known })
+        };
+        self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
 
     /// The built-in scene `name`, its parameters at their defaults.

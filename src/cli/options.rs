@@ -183,7 +183,8 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
 }
 
-fn fraction(text: &str) -> Result<f64, String> {
+/// A number between 0 and 1.
+pub(crate) fn fraction(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
 }
 
@@ -210,7 +211,8 @@ fn solver() -> impl TypedValueParser<Value = &'static Method> {
         .map(|name| Method::named(&name).expect("the parser lets only listed names pass"))
 }
 
-fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
+/// `auto`, or elements along u and v.
+pub(crate) fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
     PossibleValuesParser::new(["auto", "1", "2", "4"])
         .map(|text| text.parse().map_or(Subdivide::Auto, Subdivide::Parts))
 }

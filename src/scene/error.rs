@@ -154,6 +154,14 @@ pub enum Fault {
         /// The materials of the scene.
         known: Vec<String>,
     },
+    /// A surface that was asked for and is not there.
+    #[error("unknown surface {name:?}")]
+    UnknownSurface {
+        /// What was typed.
+        name: String,
+        /// The surfaces of the scene.
+        known: Vec<String>,
+    },
     /// Two things of one name.
     #[error("the name {name:?} is given twice")]
     DuplicateName {
