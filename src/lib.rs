@@ -32,4 +32,5 @@ pub mod checks;
 pub mod solve;
 pub mod adaptation;
 pub mod convergence;
+pub mod view_factors;
 pub mod output;

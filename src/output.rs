@@ -1,4 +1,4 @@
-//! What leaves the library: pictures, charts, grids of means, reports.
+//! What leaves the library: pictures, charts, grids of means, reports, view factors.
 
 pub mod canvas;
 pub mod chart;
@@ -17,4 +17,5 @@ pub mod report;
 pub mod scale;
 pub mod solution_file;
 pub mod view;
+pub mod view_factors;
 pub mod wireframe;
