@@ -6,8 +6,8 @@
 use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
 
+use super::pinhole::Pinhole;
 use super::raster::Raster;
-use super::view::View;
 use crate::direct::DirectLight;
 use crate::scene::Camera;
 use crate::solution::{Band, Place, Solution};
@@ -33,7 +33,7 @@ pub fn render(
     read: Read,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
-    let view = View::new(camera);
+    let view = Pinhole::new(camera);
     let direct = (read == Read::Direct).then(|| DirectLight::new(solution, visibility));
     let reader = Reader { solution, visibility, direct };
     let done = std::sync::atomic::AtomicUsize::new(0);
@@ -61,7 +61,7 @@ struct Seen {
     coverage: f64,
 }
 
-fn pixel(reader: &Reader, view: &View, [column, row]: [u32; 2], samples: u32) -> Seen {
+fn pixel(reader: &Reader, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Seen {
     let mut radiosity = vec![0.0; reader.solution.bands().len()];
     let mut count = 0u32;
     for index in 0..samples * samples {

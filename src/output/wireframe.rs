@@ -12,7 +12,7 @@
 
 use rayon::prelude::*;
 
-use super::view::View;
+use super::pinhole::Pinhole;
 use crate::elements::Elements;
 use crate::scene::Camera;
 use crate::visibility::Visibility;
@@ -22,7 +22,7 @@ const NOTHING: u32 = u32::MAX;
 
 /// The part of each pixel that borders cover, in row order.
 pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, samples: u32) -> Vec<f64> {
-    let view = View::new(camera);
+    let view = Pinhole::new(camera);
     let [columns, rows] = [camera.width, camera.height].map(|pixels| (pixels * samples) as usize);
     let seen: Vec<Vec<u32>> = (0..=rows)
         .into_par_iter()
@@ -59,7 +59,7 @@ pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, 
 }
 
 /// The element whose front is seen through the point (x, y) of the picture.
-fn element(elements: &Elements, visibility: &Visibility, view: &View, x: f64, y: f64) -> u32 {
+fn element(elements: &Elements, visibility: &Visibility, view: &Pinhole, x: f64, y: f64) -> u32 {
     let ray = view.ray(x, y);
     let Some((surface, hit)) = visibility.nearest(&ray) else { return NOTHING };
     let front = elements.shape(surface).jet(hit.u, hit.v).normal.dot(ray.direction) < 0.0;

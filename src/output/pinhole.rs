@@ -1,4 +1,4 @@
-//! A view: the rays of a pinhole camera.
+//! The rays of a pinhole camera.
 
 use radiosity_geom::{DVec3, Ray};
 
@@ -6,7 +6,7 @@ use crate::scene::Camera;
 
 /// A camera ready to cast rays.
 #[derive(Clone, Copy, Debug)]
-pub struct View {
+pub struct Pinhole {
     eye: DVec3,
     /// Direction through the left upper corner of the picture.
     corner: DVec3,
@@ -15,7 +15,7 @@ pub struct View {
     down: DVec3,
 }
 
-impl View {
+impl Pinhole {
     /// The view of `camera`.
     pub fn new(camera: &Camera) -> Self {
         let forward = (camera.target - camera.eye).normalize();
