@@ -12,10 +12,11 @@ mod scenes;
 mod solve;
 mod table;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use radiosity::scene::Scene;
 
 use error::CliError;
+use options::MethodArgs;
 use run::Loaded;
 
 const EXAMPLES: &str = "\
@@ -33,6 +34,10 @@ SCENE is a path (.toml or .json), the name of a built-in scene, or - for standar
 pub(crate) struct Cli {
     #[command(subcommand)]
     verb: Verb,
+
+    /// Options of the method that were typed: a solution file has fixed them.
+    #[arg(skip)]
+    fixing: Vec<String>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -45,12 +50,20 @@ enum Verb {
 }
 
 impl Cli {
+    /// What was typed; ends the program with a message where that makes no sense.
+    pub(crate) fn typed() -> Self {
+        let matches = Self::command().get_matches();
+        let mut cli = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli
+    }
+
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene.scene)?),
+            Verb::Render(args) => render::run(args, Loaded::readable(&args.scene.scene, &self.fixing)?),
+            Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene.scene, &self.fixing)?),
             Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
             Verb::Scenes(args) => scenes::run(args),
         }

@@ -29,4 +29,5 @@ pub mod solution;
 pub mod direct;
 pub mod checks;
 pub mod solve;
+pub mod solved;
 pub mod output;

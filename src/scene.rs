@@ -28,12 +28,11 @@ pub use camera::Camera;
 pub use error::{Fault, SceneError};
 pub use file::MAX_ORDER;
 pub use material::Material;
-pub use source::Place;
+pub use source::{Place, Source};
 pub use surface::SceneSurface;
 
 use error::Located;
 use file::SceneFile;
-use source::Source;
 use tree::Node;
 
 /// A valid scene.
@@ -51,6 +50,8 @@ pub struct Scene {
     pub camera: Option<Camera>,
     /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
     pub origin: String,
+    /// The text it was read from; none for a scene built in code.
+    pub source: Option<Source>,
 }
 
 impl Scene {
@@ -61,18 +62,33 @@ impl Scene {
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
     pub fn load(source: &str) -> Result<Scene, SceneError> {
-        if builtin::text(source).is_some() {
-            return Scene::builtin(source);
+        Scene::parse(&Scene::text_of(source)?)
+    }
+
+    /// The text that [`Scene::load`] would read: of a built-in scene, of standard input for `-`, or of a file.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or an unknown name.
+    pub fn text_of(source: &str) -> Result<Source, SceneError> {
+        if let Some(text) = builtin::text(source) {
+            return Ok(Source::new(source, text));
         }
         let (origin, text) = match source {
             "-" => ("<stdin>", io::read_to_string(io::stdin())),
             path => (path, std::fs::read_to_string(path)),
         };
         let text = text.map_err(|error| unreadable(source, origin, &error))?;
-        match source.ends_with(".json") || text.trim_start().starts_with('{') {
-            true => Scene::from_json(&text, origin),
-            false => Scene::from_toml(&text, origin),
-        }
+        Ok(Source::new(origin, &text))
+    }
+
+    /// Reads JSON where the origin ends in `.json` or the text starts with `{`, else TOML.
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn parse(source: &Source) -> Result<Scene, SceneError> {
+        let is_json = source.origin.ends_with(".json") || source.text.trim_start().starts_with('{');
+        let tree = if is_json { json_text::parse(&source.text) } else { toml_text::parse(&source.text) };
+        tree.and_then(|tree| assemble(&tree, source)).map_err(|located| located.in_source(source))
     }
 
     /// Reads TOML; `origin` is its name in messages.
@@ -81,9 +97,8 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        toml_text::parse(text)
-            .and_then(|tree| assemble(&tree, &source))
-            .map_err(|located| located.in_source(&source))
+        let tree = toml_text::parse(text);
+        tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
     /// Reads JSON, the same tree as the TOML; `origin` is its name in messages.
@@ -92,9 +107,8 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        json_text::parse(text)
-            .and_then(|tree| assemble(&tree, &source))
-            .map_err(|located| located.in_source(&source))
+        let tree = json_text::parse(text);
+        tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
     /// The built-in scene `name`.
@@ -145,6 +159,7 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
         bands,
         camera: file.camera.map(validation::camera).transpose()?,
         origin: source.origin.to_string(),
+        source: Some(source.clone()),
     })
 }
 
