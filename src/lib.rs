@@ -30,4 +30,5 @@ pub mod direct;
 pub mod checks;
 pub mod solve;
 pub mod solved;
+pub mod view_factors;
 pub mod output;

@@ -12,7 +12,7 @@ use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
-use crate::cli::options::{MethodArgs, ReportArgs, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -33,9 +33,9 @@ pub(crate) struct Loaded {
 
 impl Loaded {
     /// Reads a scene that light can be asked of.
-    pub(crate) fn lit(source: &str) -> Result<Self, CliError> {
+    pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = Scene::text_of(source)?;
+        let text = source.text()?;
         if is_solution(&text.text) {
             return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
         }
@@ -44,9 +44,9 @@ impl Loaded {
 
     /// Reads a scene that light can be asked of, or a solution file: then the options in `fixed`, those of the method that
     /// were typed, are refused.
-    pub(crate) fn readable(source: &str, fixed: &[String]) -> Result<Self, CliError> {
+    pub(crate) fn readable(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = Scene::text_of(source)?;
+        let text = source.text()?;
         if !is_solution(&text.text) {
             return Self::new(Scene::parse(&text)?, None, started);
         }
