@@ -11,9 +11,9 @@ mod run;
 mod scenes;
 mod solve;
 mod table;
+mod view_factors;
 
 use clap::{Parser, Subcommand};
-use radiosity::scene::Scene;
 
 use error::CliError;
 use run::Loaded;
@@ -23,6 +23,7 @@ Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
+  radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity check room.toml                   what is in a scene, and what looks wrong
 
 SCENE is a path (.toml or .json), the name of a built-in scene, or - for standard input.";
@@ -40,6 +41,7 @@ enum Verb {
     Solve(solve::SolveArgs),
     Render(render::RenderArgs),
     Grid(grid::GridArgs),
+    ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
 }
@@ -48,10 +50,11 @@ impl Cli {
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
+            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene)?),
+            Verb::ViewFactors(args) => view_factors::run(args),
+            Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),
         }
     }

@@ -30,4 +30,5 @@ pub mod solution;
 pub mod direct;
 pub mod checks;
 pub mod solve;
+pub mod view_factors;
 pub mod output;

@@ -37,6 +37,21 @@ pub(crate) enum CliError {
         /// The scene as named in messages.
         origin: String,
     },
+    /// A value of `--pairs` without two names.
+    #[error("--pairs {text}: two names are needed")]
+    NoPair {
+        /// What was typed.
+        text: String,
+    },
+    /// An output whose ending names no format.
+    #[error("{}: the ending names no format", path.display())]
+    UnknownFormat {
+        /// The output as typed.
+        path: PathBuf,
+    },
+    /// A few pairs were asked for in a format that holds a matrix.
+    #[error("--pairs are no matrix, which is all that NPY holds")]
+    PairsAsArray,
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
@@ -47,6 +62,9 @@ impl CliError {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
+            CliError::NoPair { .. } | CliError::UnknownFormat { .. } | CliError::PairsAsArray => {
+                ExitCode::from(2)
+            }
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
@@ -59,7 +77,9 @@ impl CliError {
             return String::new();
         }
         let mut text = format!("error: {self}\n");
-        if let CliError::Scene(SceneError { place: Some(place), .. }) = self {
+        if let CliError::Scene(SceneError { place: Some(place), .. }) = self
+            && !place.text.is_empty()
+        {
             text += &excerpt(place);
         }
         if let Some(cure) = self.cure() {
@@ -75,6 +95,13 @@ impl CliError {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
             CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
+            CliError::NoPair { .. } => {
+                Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
+            }
+            CliError::UnknownFormat { .. } => {
+                Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
+            }
+            CliError::PairsAsArray => Some("choose --format csv or json".into()),
             CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => None,
         }
     }

@@ -8,8 +8,14 @@ impl Fault {
         Some(match self {
             Fault::Shape(_) => return None,
             Fault::UnknownScene { name } => {
-                choose(name, builtin::NAMES, "built-in scenes")
+                choose(name, builtin::ALL.iter().map(|scene| scene.name), "built-in scenes")
                     + "; a scene file is given by its path, ending in .toml or .json"
+            }
+            Fault::UnknownParameter { known, .. } if known.is_empty() => {
+                "this scene has no parameters; `radiosity scenes` lists those that have".to_owned()
+            }
+            Fault::UnknownParameter { name, known } => {
+                choose(name, known.iter().copied(), "parameters of this scene")
             }
             Fault::UnknownKey { key, known } => choose(key, known.iter().copied(), "known keys"),
             Fault::UnknownMaterial { name, known } if known.is_empty() => {
@@ -17,6 +23,9 @@ impl Fault {
             }
             Fault::UnknownMaterial { name, known } => {
                 choose(name, known.iter().map(String::as_str), "materials of this scene")
+            }
+            Fault::UnknownSurface { name, known } => {
+                choose(name, known.iter().map(String::as_str), "surfaces of this scene")
             }
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
@@ -38,6 +47,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
     match fault {
         Fault::Unreadable { .. } => {
             "check the path and its permissions; `radiosity scenes` lists scenes that need no file"
+        }
+        Fault::ParameterRange { .. } => "choose a value in that range",
+        Fault::ParameterOfFile { .. } => {
+            "change the number in the file; parameters belong to built-in scenes, see `radiosity scenes`"
         }
         Fault::Syntax { language: "JSON", .. } => {
             "JSON wants quotes around every key and a comma between items, none after the last"

@@ -38,6 +38,32 @@ pub enum Fault {
         /// What was typed.
         name: String,
     },
+    /// A setting of a parameter that the built-in scene does not have.
+    #[error("there is no parameter {name:?}")]
+    UnknownParameter {
+        /// What was typed.
+        name: String,
+        /// The parameters of the scene.
+        known: Vec<&'static str>,
+    },
+    /// A parameter set outside its range.
+    #[error("the parameter {name} is {value}, outside {least} ≤ {name} ≤ {most}")]
+    ParameterRange {
+        /// The parameter.
+        name: &'static str,
+        /// What was typed.
+        value: f64,
+        /// Least value it takes.
+        least: f64,
+        /// Largest value it takes.
+        most: f64,
+    },
+    /// A setting for a scene that is not built in.
+    #[error("a scene file has no parameters, yet {name:?} is set")]
+    ParameterOfFile {
+        /// What was typed.
+        name: String,
+    },
     /// The text is not TOML or JSON.
     #[error("syntax error: {message}")]
     Syntax {
@@ -126,6 +152,14 @@ pub enum Fault {
         /// What was typed.
         name: String,
         /// The materials of the scene.
+        known: Vec<String>,
+    },
+    /// A surface that was asked for and is not there.
+    #[error("unknown surface {name:?}")]
+    UnknownSurface {
+        /// What was typed.
+        name: String,
+        /// The surfaces of the scene.
         known: Vec<String>,
     },
     /// Two things of one name.
