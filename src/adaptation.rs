@@ -8,7 +8,8 @@
 //! ```
 //!
 //! and the last term is the smaller one as long as runs get better. The estimate is d(B_k, B_k₊₁), an error of the run
-//! before; the result is the better run k + 1. What no run resolves, both leave out and no estimate shows.
+//! before; the result is the better run k + 1. What no run resolves, both leave out and no estimate shows: surfaces that
+//! state their own order and cuts keep them, and what they miss is not seen.
 //!
 //! In a scene without shadows the radiosity is smooth but for the edges where surfaces meet, and layers graded towards
 //! them converge fastest. Shadow edges lie anywhere: where something stands between, the elements are cut evenly.
@@ -107,18 +108,18 @@ pub fn adapt(
     let mut plan: Vec<Options> =
         rungs.iter().enumerate().map(|(k, rung)| rung.options(k, options, goal.accuracy)).collect();
     plan.dedup_by_key(|o| (o.order, o.layers.count, o.subdivide));
-    let mut plan = plan.into_iter().map(|options| (at_least(scene, &options), options));
-    let (first, mut chosen) = plan.next().expect("there is a first rung");
-    let mut outcome = solve(&first, &chosen, progress)?;
+    let mut plan = plan.into_iter();
+    let mut chosen = plan.next().expect("there is a first rung");
+    let mut outcome = solve(scene, &chosen, progress)?;
     let mut estimate = f64::INFINITY;
-    for (scene, options) in plan {
+    for options in plan {
         if estimate <= goal.accuracy {
             break;
         }
-        if estimate.is_finite() && unknowns(&scene, &options, occluded)? > goal.most_unknowns {
+        if estimate.is_finite() && unknowns(scene, &options, occluded)? > goal.most_unknowns {
             break;
         }
-        let finer = solve(&scene, &options, progress)?;
+        let finer = solve(scene, &options, progress)?;
         estimate = distance(&outcome.solution, &finer.solution).expect("the runs are of one scene");
         (outcome, chosen) = (finer, options);
     }
@@ -137,17 +138,6 @@ impl Rung {
             ..*least
         }
     }
-}
-
-/// The scene with what its surfaces state of themselves raised to `options`: they too have to get finer.
-fn at_least(scene: &Scene, options: &Options) -> Scene {
-    let mut scene = scene.clone();
-    for surface in &mut scene.surfaces {
-        surface.order = surface.order.map(|own| own.max(options.order));
-        surface.subdivide =
-            surface.subdivide.map(|own| own.map(|cuts| cuts.max(options.subdivide.unwrap_or(1))));
-    }
-    scene
 }
 
 fn unknowns(scene: &Scene, options: &Options, occluded: bool) -> Result<usize, Failure> {

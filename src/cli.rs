@@ -15,9 +15,10 @@ mod style;
 mod table;
 mod view_factors;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use error::CliError;
+use options::MethodArgs;
 use run::Loaded;
 
 const EXAMPLES: &str = "\
@@ -36,6 +37,10 @@ SCENE is a path (.toml or .json), the name of a built-in scene, or - for standar
 pub(crate) struct Cli {
     #[command(subcommand)]
     verb: Verb,
+
+    /// Options of the method that were typed: a solution file has fixed them.
+    #[arg(skip)]
+    fixing: Vec<String>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -50,12 +55,20 @@ enum Verb {
 }
 
 impl Cli {
+    /// What was typed; ends the program with a message where that makes no sense.
+    pub(crate) fn typed() -> Self {
+        let matches = Self::command().get_matches();
+        let mut cli = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli
+    }
+
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene)?),
-            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene)?),
-            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
+            Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),

@@ -22,6 +22,7 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod inspection;
 pub mod elements;
 pub mod kernel;
 pub mod system;
@@ -32,5 +33,6 @@ pub mod checks;
 pub mod solve;
 pub mod adaptation;
 pub mod convergence;
+pub mod solved;
 pub mod view_factors;
 pub mod output;

@@ -229,15 +229,3 @@ fn what_cannot_be_reached_is_told() {
     assert!(adapted.estimate > 1e-3 && adapted.estimate < 0.1);
     assert!(adapted.outcome.solution.elements().coefficients() <= 200);
 }
-
-#[test]
-fn orders_and_cuts_that_surfaces_state_rise_too() {
-    let mut scene = Scene::builtin("empty-box").expect("it is built in");
-    for surface in &mut scene.surfaces {
-        surface.order = Some(0);
-        surface.subdivide = Some([1, 2]);
-    }
-    let options = Options { order: 0, threads: 2, ..Options::default() };
-    let adapted = adapt(&scene, &options, Goal::new(5e-2), &|_| {}).expect("it can be solved");
-    assert!(adapted.outcome.solution.elements().list().iter().all(|element| element.basis.order() >= 2));
-}

@@ -49,13 +49,13 @@ pub(crate) enum ReadMode {
 }
 
 /// Solves the scene and prints the means.
-pub(crate) fn run(args: &GridArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let cells = args.cells.0.map(|count| count as usize);
-    let table = csv(scene, &grid(&run.outcome.solution, scene.surfaces.len(), cells));
+    let scene = &run.solved.scene;
+    let table = csv(scene, &grid(&run.solved.outcome.solution, scene.surfaces.len(), cells));
     match &output {
         Some(file) => file.write(|writer| writer.write_all(table.as_bytes()))?,
         None => stdout().write_all(table.as_bytes())?,

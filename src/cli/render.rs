@@ -7,15 +7,13 @@ use radiosity::output::exr_file::write_exr;
 use radiosity::output::render::{Read, render, white_balance};
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
-use radiosity::solve::in_threads;
-use radiosity::visibility::Visibility;
 
 use crate::cli::{
     error::CliError,
     options::{Counts, MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
-    run::{Loaded, Run, shadows},
+    run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
 
@@ -62,23 +60,22 @@ pub(crate) enum ReadMode {
 }
 
 /// Solves the scene and writes a picture.
-pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", scene.name).into());
+pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     let kind = args.style.kind(&path)?;
     let output = OutputFile::reserve(&path)?;
-    let camera = camera(args, scene)?;
-    let style = args.style.prepare(scene, &camera)?;
+    let camera = camera(args, &loaded.scene)?;
+    let style = args.style.prepare(&loaded.scene, &camera)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, shadows(&args.method));
+    let visibility = run.solved.visibility();
     let read = match args.read {
         ReadMode::Basis => Read::Basis,
         ReadMode::Direct => Read::Direct,
     };
     let rows = |done, total| progress.show("picture", done, total);
-    let solution = &run.outcome.solution;
-    let (raster, borders) = in_threads(run.threads, || {
+    let solution = &run.solved.outcome.solution;
+    let (raster, borders) = run.in_threads(|| {
         let raster = render(solution, &visibility, &camera, args.samples, read, &rows);
         let borders = || wireframe(solution.elements(), &visibility, &camera, args.samples);
         (raster, args.style.wireframe.then(borders))

@@ -100,6 +100,12 @@ impl Report {
             );
             report.warnings.push(Warning { code: "accuracy-not-reached".to_owned(), message, surface: None });
         }
+        if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
+            let message = "some surfaces state their own order or subdivide and keep it: what they miss is not in the \
+                           estimated error";
+            let code = "accuracy-unseen".to_owned();
+            report.warnings.push(Warning { code, message: message.to_owned(), surface: None });
+        }
         report
     }
 
@@ -126,7 +132,7 @@ impl Report {
             accuracy_estimate: None,
             iterations: outcome.iterations,
             residual: outcome.residual,
-            converged: true,
+            converged: outcome.converged,
             checks: outcome.checks,
             warnings: warnings(options, outcome),
         }
