@@ -7,6 +7,7 @@ mod grid;
 mod options;
 mod output_file;
 mod progress;
+mod reference;
 mod render;
 mod run;
 mod scenes;

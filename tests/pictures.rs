@@ -34,7 +34,10 @@ fn png_size(path: &Path) -> [u32; 2] {
 #[test]
 fn radiosities_of_the_furnace_are_two_in_the_file() {
     let folder = tempfile::tempdir().unwrap();
-    done(folder.path(), &["render", "furnace-cube", "--size", "20x16", "--eps", "1e-5", "-o", "f.exr"]);
+    done(
+        folder.path(),
+        &["render", "furnace-cube", "--size", "20x16", "--eps", "1e-5", "--read", "basis", "-o", "f.exr"],
+    );
     let file = BufReader::new(File::open(folder.path().join("f.exr")).unwrap());
     let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
     assert_eq!(raster.size(), [20, 16]);
@@ -53,6 +56,60 @@ fn a_picture_does_not_differ_from_itself() {
     assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
     let told = done(folder.path(), &[&at[..], &["--difference", "a.exr", "--order", "0"]].concat());
     assert!(!told.contains("rms 0.0"), "{told}");
+}
+
+#[test]
+fn pictures_of_solution_files_are_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["solve", "empty-box", "--order", "1", "-o", "s.json"]);
+    let at = ["render", "empty-box", "--size", "20x15", "--samples", "1", "--difference", "s.json"];
+    let told = done(folder.path(), &[&at[..], &["--order", "1"]].concat());
+    assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
+    let told = done(folder.path(), &[&at[..], &["--order", "0"]].concat());
+    assert!(!told.contains("rms 0.0"), "{told}");
+    let output = radiosity(folder.path(), &["render", "furnace-cube", "--difference", "s.json"]);
+    assert_eq!(output.status.code(), Some(0), "names and areas are those of the cube");
+    let output = radiosity(folder.path(), &["render", "cornell-box", "--difference", "s.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("s.json: it has other bands"));
+}
+
+#[test]
+fn a_solution_file_is_a_reference() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["solve", "empty-box", "--order", "2", "-o", "s.json"]);
+    let at = ["convergence", "empty-box", "--max-order", "2", "--format", "csv", "--reference", "s.json"];
+    let output = radiosity(folder.path(), &at);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8_lossy(&output.stdout);
+    let errors: Vec<f64> =
+        table.lines().skip(1).map(|line| line.split(',').nth(7).unwrap().parse().unwrap()).collect();
+    assert_eq!(errors.len(), 3);
+    assert!(errors[0] > errors[1] && errors[1] > 0.01, "{errors:?}");
+    assert!(errors[2] < 1e-12, "the same run: {errors:?}");
+    assert!(fs::read_to_string(folder.path().join("empty-box.svg")).unwrap().contains("s.json"));
+    let output = radiosity(folder.path(), &["convergence", "furnace-cube", "--reference", "s.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("it has other materials"));
+}
+
+#[test]
+fn a_camera_is_proposed_that_sees_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let (start, rest) = SQUARE.split_once("[camera]").expect("there is one");
+    let bare = format!("{start}{}", &rest[rest.find("[materials").expect("it follows")..]);
+    fs::write(folder.path().join("s.toml"), &bare).unwrap();
+    let output = radiosity(folder.path(), &["render", "s.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let camera = told.split_once("such as [camera] ").expect("a camera is proposed").1;
+    let lines = camera.trim().replace("], ", "]\n");
+    fs::write(folder.path().join("s.toml"), format!("{bare}\n[camera]\n{lines}\nwidth = 16\nheight = 16"))
+        .unwrap();
+    done(folder.path(), &["render", "s.toml", "-o", "s.exr"]);
+    let file = BufReader::new(File::open(folder.path().join("s.exr")).unwrap());
+    let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
+    assert!(raster.field(None).seen().count() > 40, "much of the picture shows the square");
 }
 
 #[test]

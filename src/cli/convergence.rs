@@ -5,14 +5,18 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use radiosity::convergence::{Reference, Run, convergence};
+use radiosity::distance::distance;
 use radiosity::output::chart::Chart;
 use radiosity::scene::Scene;
+use radiosity::solution::Solution;
+use radiosity::solved::Solved;
 
 use crate::cli::{
     error::CliError,
     options::{MethodArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
+    reference,
     run::{Loaded, options},
     table::Table,
 };
@@ -33,6 +37,10 @@ pub(crate) struct ConvergenceArgs {
     /// File of the drawing, .svg or .png [default: SCENE.svg]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
+
+    /// Solution file that errors are measured against [default: the finest run]
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) reference: Option<PathBuf>,
 
     /// How the table on standard output is written
     #[arg(long, value_name = "FORMAT", default_value = "text")]
@@ -67,9 +75,19 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = OutputFile::reserve(&path)?;
+    let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
     let progress = Progress::new(args.quiet);
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
-    let runs = convergence(scene, &options(&args.method), &Reference::FinestRun, &advance)?;
+    let options = options(&args.method);
+    let runs = match &reference {
+        None => convergence(scene, &options, &Reference::FinestRun, &advance)?,
+        Some(Solved { outcome, .. }) => {
+            let error = |solution: &Solution| {
+                distance(solution, &outcome.solution).expect("surfaces and bands were compared")
+            };
+            convergence(scene, &options, &Reference::Given(&error), &advance)?
+        }
+    };
     drop(progress);
     let table = match args.format {
         Format::Text => text(&runs),
@@ -103,19 +121,35 @@ fn kind(path: &Path) -> Result<Kind, CliError> {
     }
 }
 
+/// The reference solution, of the same surfaces, bands and materials.
+fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
+    let solved = reference::solution(path, scene)?;
+    if reference::same_materials(&solved.scene, scene) {
+        return Ok(solved);
+    }
+    Err(CliError::Refused {
+        message: format!("{}: it has other materials than the scene", path.display()),
+        cure: "give a solution of the scene as it is".to_owned(),
+    })
+}
+
 fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
     let finest = runs.last().map_or_else(String::new, |run| match run.layers {
         0 => format!("order {}", run.order),
         layers => format!("order {} on {layers} layers", run.order),
     });
+    let against = match &args.reference {
+        None => format!("the finest run, {finest}"),
+        Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+    };
     let accuracy = match args.method.kernel.rules() {
         Some(_) => "the rules of 1993".to_owned(),
         None => format!("transfers to {:e}", args.method.eps),
     };
     Chart {
         title: format!("{title}: error by order"),
-        caption: format!("L² difference from the finest run, {finest}; {accuracy}; numbers are orders"),
+        caption: format!("L² difference from {against}; {accuracy}; numbers are orders"),
         runs,
     }
 }

@@ -55,6 +55,8 @@ pub(crate) enum CliError {
     NoCamera {
         /// The scene as named in messages.
         origin: String,
+        /// A camera that sees the scene, as one would write it.
+        proposal: String,
     },
     /// What was asked for cannot be done.
     #[error("{message}")]
@@ -139,7 +141,9 @@ impl CliError {
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
-            CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
+            CliError::NoCamera { proposal, .. } => {
+                Some(format!("add a [camera] with eye and target to the scene, such as {proposal}"))
+            }
             CliError::Refused { cure, .. } => Some(cure.clone()),
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())

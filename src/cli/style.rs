@@ -14,8 +14,9 @@ use radiosity::output::picture::Picture;
 use radiosity::output::raster::Raster;
 use radiosity::output::scale::{Scale, round_above};
 use radiosity::scene::{Camera, Scene};
+use radiosity::solved::Solved;
 
-use crate::cli::{error::CliError, options::positive};
+use crate::cli::{error::CliError, options::positive, reference};
 
 /// How a picture looks.
 #[derive(Debug, Args)]
@@ -29,8 +30,8 @@ pub(crate) struct StyleArgs {
     #[arg(long, alias = "false-color")]
     pub(crate) false_colour: bool,
 
-    /// Shows by how much the picture differs from this one, an .exr of equal size, with a legend in %
-    #[arg(long, value_name = "FILE.exr", conflicts_with = "false_colour")]
+    /// Shows by how much the picture differs from that of a solution file, or from an .exr of equal size, in %
+    #[arg(long, value_name = "FILE", conflicts_with = "false_colour")]
     pub(crate) difference: Option<PathBuf>,
 
     /// Numbers at the ends of the legend [default: chosen for the picture]
@@ -77,7 +78,16 @@ pub(crate) struct Style<'a> {
     band: Option<usize>,
     /// Name of the band, or how several become one.
     band_name: String,
-    other: Option<Raster>,
+    other: Option<Other>,
+}
+
+/// What a picture is compared with.
+#[derive(Debug)]
+enum Other {
+    /// A picture that was read.
+    Taken(Raster),
+    /// A solution to take the same picture of.
+    Solved(Box<Solved>),
 }
 
 impl StyleArgs {
@@ -122,7 +132,10 @@ impl StyleArgs {
     }
 }
 
-fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Raster, CliError> {
+fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Other, CliError> {
+    if path.extension().is_none_or(|ending| !ending.eq_ignore_ascii_case("exr")) {
+        return Ok(Other::Solved(Box::new(reference::solution(path, scene)?)));
+    }
     let refused = |reason: String, cure: &str| CliError::Refused {
         message: format!("{}: {reason}", path.display()),
         cure: cure.to_owned(),
@@ -137,10 +150,17 @@ fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Raster, CliError
             format!("it has {width}x{height} pixels, the picture {}x{}", camera.width, camera.height);
         return Err(refused(reason, &format!("add --size {width}x{height}")));
     }
-    Ok(raster)
+    Ok(Other::Taken(raster))
 }
 
 impl Style<'_> {
+    /// Has `take` take the picture to compare with, where that is of a solution.
+    pub(crate) fn take_other(&mut self, take: impl FnOnce(&Solved) -> Raster) {
+        if let Some(Other::Solved(solved)) = &self.other {
+            self.other = Some(Other::Taken(take(solved)));
+        }
+    }
+
     /// The picture, and what is to be said about it after its name.
     pub(crate) fn picture(
         &self,
@@ -154,7 +174,7 @@ impl Style<'_> {
             }
             picture
         };
-        if let Some(other) = &self.other {
+        if let Some(Other::Taken(other)) = &self.other {
             let (picture, figures) =
                 self.difference(&raster.field(self.band), &other.field(self.band), wired)?;
             return Ok((picture, figures));
