@@ -5,7 +5,10 @@ mod error;
 mod grid;
 mod options;
 mod output_file;
+mod points;
+mod probe;
 mod progress;
+mod read;
 mod render;
 mod run;
 mod scenes;
@@ -22,6 +25,7 @@ const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
+  radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity check room.toml                   what is in a scene, and what looks wrong
 
@@ -39,6 +43,7 @@ pub(crate) struct Cli {
 enum Verb {
     Solve(solve::SolveArgs),
     Render(render::RenderArgs),
+    Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
@@ -50,6 +55,10 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Probe(args) => {
+                let points = args.load_points()?;
+                probe::run(args, &points, &Loaded::lit(&args.scene.scene)?)
+            }
             Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
             Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
             Verb::Scenes(args) => scenes::run(args),

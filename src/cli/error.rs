@@ -6,12 +6,17 @@ use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
 use thiserror::Error;
 
+use crate::cli::points::PointsError;
+
 /// Why a command ended early.
 #[derive(Debug, Error)]
 pub(crate) enum CliError {
     /// Something is wrong with the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// Something is wrong with the points of a probe.
+    #[error(transparent)]
+    Points(#[from] PointsError),
     /// An output that cannot be written, found out before the work.
     #[error("{}: cannot be written: {reason}", path.display())]
     Unwritable {
@@ -47,6 +52,7 @@ impl CliError {
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
+            CliError::Points(_) => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
@@ -71,6 +77,7 @@ impl CliError {
     fn cure(&self) -> Option<String> {
         match self {
             CliError::Scene(error) => error.cure(),
+            CliError::Points(error) => Some(error.cure.clone()),
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }

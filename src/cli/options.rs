@@ -164,7 +164,8 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
 }
 
-fn fraction(text: &str) -> Result<f64, String> {
+/// A number between 0 and 1.
+pub(crate) fn fraction(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
 }
 
