@@ -14,7 +14,6 @@ mod table;
 mod view_factors;
 
 use clap::{Parser, Subcommand};
-use radiosity::scene::Scene;
 
 use error::CliError;
 use run::Loaded;
@@ -51,11 +50,11 @@ impl Cli {
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene.scene)?),
-            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene.scene)?),
+            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
-            Verb::Check(args) => check::run(args, &Scene::load(&args.scene.scene)?),
+            Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),
         }
     }

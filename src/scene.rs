@@ -14,7 +14,6 @@ mod file;
 mod json_text;
 mod material;
 mod nearest;
-mod placement;
 mod polygon_list;
 mod shape;
 mod source;
@@ -25,6 +24,7 @@ mod validation;
 
 use std::{io, path::Path};
 
+pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
 pub use error::{Fault, SceneError};
 pub use file::MAX_ORDER;
@@ -63,14 +63,25 @@ impl Scene {
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
     pub fn load(source: &str) -> Result<Scene, SceneError> {
-        if builtin::text(source).is_some() {
-            return Scene::builtin(source);
+        Scene::load_with(source, &[])
+    }
+
+    /// Loads a scene as [`Scene::load`] does, a built-in one with parameters set by name.
+    ///
+    /// # Errors
+    /// As for [`Scene::load`] and [`Scene::builtin_with`]; settings for anything but a built-in scene.
+    pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+        if builtin::named(source).is_some() {
+            return Scene::builtin_with(source, settings);
         }
         let (origin, text) = match source {
             "-" => ("<stdin>", io::read_to_string(io::stdin())),
             path => (path, std::fs::read_to_string(path)),
         };
         let text = text.map_err(|error| unreadable(source, origin, &error))?;
+        if let Some((name, _)) = settings.first() {
+            return Err(whole_file(origin, Fault::ParameterOfFile { name: (*name).to_owned() }));
+        }
         if source.ends_with(".csv") {
             return Scene::from_csv(&text, origin);
         }
@@ -128,20 +139,33 @@ impl Scene {
         self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
 
-    /// The built-in scene `name`.
+    /// The built-in scene `name`, its parameters at their defaults.
     ///
     /// # Errors
     /// [`Fault::UnknownScene`], which lists the names there are.
     pub fn builtin(name: &str) -> Result<Scene, SceneError> {
-        match builtin::text(name) {
-            Some(text) => Scene::from_toml(text, name),
-            None => Err(whole_file(name, Fault::UnknownScene { name: name.to_owned() })),
-        }
+        Scene::builtin_with(name, &[])
+    }
+
+    /// The built-in scene `name` with parameters set by name; of two settings of one parameter the last counts.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownScene`], [`Fault::UnknownParameter`], [`Fault::ParameterRange`].
+    pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+        let scene = builtin::named(name)
+            .ok_or_else(|| whole_file(name, Fault::UnknownScene { name: name.to_owned() }))?;
+        let text = scene.text(settings).map_err(|fault| whole_file(name, fault))?;
+        Scene::from_toml(&text, name)
+    }
+
+    /// The built-in scenes with their parameters.
+    pub fn builtins() -> &'static [Builtin] {
+        &builtin::ALL
     }
 
     /// The names of the built-in scenes.
-    pub fn builtin_names() -> &'static [&'static str] {
-        &builtin::NAMES
+    pub fn builtin_names() -> impl Iterator<Item = &'static str> {
+        builtin::ALL.iter().map(|scene| scene.name)
     }
 
     /// Checks what only light needs: a material on every surface, and one that emits.

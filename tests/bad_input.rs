@@ -295,9 +295,12 @@ fn camera_without_view() {
 
 #[test]
 fn bad_transform() {
-    let parts = ["room.toml:9:24: surface \"floor\": the rotation axis has no direction"];
+    let parts = ["room.toml:9:24: surface \"floor\": `rotate` has no length; give a vector"];
     refused(&room("name", "transform = { rotate = [0, 0, 0, 30] }\nname"), &parts);
-    refused(&room("name", "transform = { scale = 0 }\nname"), &["the scale is 0, outside scale > 0"]);
+    refused(
+        &room("name", "transform = { scale = 0 }\nname"),
+        &["room.toml:9:23:", "`scale` is 0; it must be greater than zero"],
+    );
 }
 
 #[test]

@@ -7,7 +7,7 @@ use clap::{
     builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
 };
 use radiosity::kernel::paper::{Reading, Rules};
-use radiosity::scene::MAX_ORDER;
+use radiosity::scene::{MAX_ORDER, Scene, SceneError};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, output_file::OutputFile};
@@ -18,6 +18,25 @@ pub(crate) struct SceneArg {
     /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
+
+    /// Sets a parameter of a built-in scene, as often as needed; `radiosity scenes` lists them
+    #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
+    pub(crate) settings: Vec<(String, f64)>,
+}
+
+impl SceneArg {
+    /// Loads the scene.
+    pub(crate) fn load(&self) -> Result<Scene, SceneError> {
+        let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        Scene::load_with(&self.scene, &settings)
+    }
+}
+
+fn setting(text: &str) -> Result<(String, f64), String> {
+    let expected = || "expected the name of a parameter and a number, such as distance=0.1".to_owned();
+    let (name, value) = text.split_once('=').ok_or_else(expected)?;
+    let value: f64 = value.trim().parse().map_err(|_| expected())?;
+    if value.is_finite() { Ok((name.trim().to_owned(), value)) } else { Err(expected()) }
 }
 
 /// How the radiosity is computed.

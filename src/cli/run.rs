@@ -12,7 +12,7 @@ use radiosity::solve::{self, Options, Outcome, Progress as Stage};
 use crate::cli::error::CliError;
 use radiosity::visibility;
 
-use crate::cli::options::{MethodArgs, ReportArgs, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -28,9 +28,9 @@ pub(crate) struct Loaded {
 
 impl Loaded {
     /// Reads a scene that light can be asked of.
-    pub(crate) fn lit(source: &str) -> Result<Self, CliError> {
+    pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        let scene = Scene::load(source)?;
+        let scene = source.load()?;
         scene.require_light()?;
         Ok(Self { scene, started, seconds: started.elapsed().as_secs_f64() })
     }

@@ -88,7 +88,7 @@ pub(crate) enum Format {
 pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
-    let scene = Scene::load(&args.scene.scene)?;
+    let scene = args.scene.load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
     let file = args.output.as_deref().map(OutputFile::reserve).transpose()?;

@@ -38,6 +38,32 @@ pub enum Fault {
         /// What was typed.
         name: String,
     },
+    /// A setting of a parameter that the built-in scene does not have.
+    #[error("there is no parameter {name:?}")]
+    UnknownParameter {
+        /// What was typed.
+        name: String,
+        /// The parameters of the scene.
+        known: Vec<&'static str>,
+    },
+    /// A parameter set outside its range.
+    #[error("the parameter {name} is {value}, outside {least} ≤ {name} ≤ {most}")]
+    ParameterRange {
+        /// The parameter.
+        name: &'static str,
+        /// What was typed.
+        value: f64,
+        /// Least value it takes.
+        least: f64,
+        /// Largest value it takes.
+        most: f64,
+    },
+    /// A setting for a scene that is not built in.
+    #[error("a scene file has no parameters, yet {name:?} is set")]
+    ParameterOfFile {
+        /// What was typed.
+        name: String,
+    },
     /// The text is not TOML or JSON.
     #[error("syntax error: {message}")]
     Syntax {
@@ -144,12 +170,17 @@ pub enum Fault {
         /// Line of the first use.
         first_line: usize,
     },
-    /// A shape that has no area, is folded, not planar, or has a hole outside; the message holds the cure.
+    /// A shape or transform that cannot be made, e.g. without area; the message holds the cure.
     #[error("{0}")]
     Shape(ShapeError),
-    /// A transform that cannot be applied.
-    #[error("the rotation axis has no direction")]
-    NoAxis,
+    /// An index beyond the list of points.
+    #[error("there is no point {index}: the list has {count}")]
+    NoSuchPoint {
+        /// The index, counted from 0.
+        index: u32,
+        /// How many points there are.
+        count: usize,
+    },
     /// A camera that looks nowhere.
     #[error("{problem}")]
     BadCamera {
