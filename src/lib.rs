@@ -22,6 +22,7 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod inspection;
 pub mod elements;
 pub mod kernel;
 pub mod system;
