@@ -323,7 +323,7 @@ impl<'a> Job<'a> {
     fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
         let reach = longest(outer).1;
         let mut open: VecDeque<Patch> = inner.into();
-        let (mut clipped, mut near) = (Vec::new(), Vec::new());
+        let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
             let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
             let share = area(p).min(area(q)) / self.unit;
@@ -350,18 +350,29 @@ impl<'a> Job<'a> {
                     open.extend(part.halves(longest(&part).0));
                 }
             } else if facing == Facing::Wholly {
-                let points = self.points(p, q, gap);
-                self.moments.tensor(p, q, points, None);
+                whole.push((part, gap));
             } else {
                 clipped.push((part, gap));
             }
         }
+        if near.is_empty() && clipped.is_empty() {
+            return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
+        }
+        // Beside horizons those seen wholly go the same way: the sum of all is smoother than any of them.
+        clipped.extend(whole);
         if near.is_empty() {
             return self.horizon(outer, &clipped);
         }
         near.extend(clipped.into_iter().map(|(part, _)| part));
         let halves = outer.halves(longest(outer).0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// An inner part that the outer one sees wholly, by a tensor rule.
+    fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
+        let (p, q) = if self.swapped { (inner, outer) } else { (outer, inner) };
+        let points = self.points(p, q, gap);
+        self.moments.tensor(p, q, points, None);
     }
 
     fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
