@@ -1,4 +1,4 @@
-//! What leaves the library: pictures, charts, grids of means, reports, view factors.
+//! What leaves the library: pictures, charts, values at points, grids of means, view factors, reports.
 
 pub mod canvas;
 pub mod chart;
@@ -6,12 +6,14 @@ pub mod difference;
 pub mod exr_file;
 pub mod false_colour;
 pub mod field;
+pub mod reader;
 pub mod grid;
 pub mod image;
 pub mod legend;
 pub mod lettering;
 pub mod picture;
 pub mod pinhole;
+pub mod probe;
 pub mod raster;
 pub mod render;
 pub mod report;

@@ -8,19 +8,14 @@ use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
 use super::raster::Raster;
-use crate::direct::DirectLight;
+pub use super::reader::Read;
+use super::reader::{Light, Reader};
 use crate::scene::Camera;
-use crate::solution::{Band, Place, Solution};
+use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// What a picture is read from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Read {
-    /// The polynomials alone.
-    Basis,
-    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
-    Direct,
-}
+/// Accuracy of gathered light in pictures, relative: finer than eight bits of colour show.
+const GATHERED: f64 = 3e-3;
 
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
 ///
@@ -34,13 +29,12 @@ pub fn render(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
     let view = Pinhole::new(camera);
-    let direct = (read == Read::Direct).then(|| DirectLight::new(solution, visibility));
-    let reader = Reader { solution, visibility, direct };
+    let eye = Eye { reader: Reader::new(solution, visibility, read, GATHERED) };
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<Seen>> = (0..camera.height)
         .into_par_iter()
         .map(|row| {
-            let pixels = (0..camera.width).map(|column| pixel(&reader, &view, [column, row], samples));
+            let pixels = (0..camera.width).map(|column| pixel(&eye, &view, [column, row], samples));
             let pixels = pixels.collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, camera.height as usize);
             pixels
@@ -61,14 +55,14 @@ struct Seen {
     coverage: f64,
 }
 
-fn pixel(reader: &Reader, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Seen {
-    let mut radiosity = vec![0.0; reader.solution.bands().len()];
+fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Seen {
+    let mut radiosity = vec![0.0; eye.reader.solution().bands().len()];
     let mut count = 0u32;
     for index in 0..samples * samples {
         let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let x = f64::from(column) + offset(index % samples);
         let y = f64::from(row) + offset(index / samples);
-        if let Some(values) = reader.along(&view.ray(x, y)) {
+        if let Some(values) = eye.along(&view.ray(x, y)) {
             radiosity.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
             count += 1;
         }
@@ -79,17 +73,15 @@ fn pixel(reader: &Reader, view: &Pinhole, [column, row]: [u32; 2], samples: u32)
 }
 
 /// What a camera ray needs to become radiosities.
-struct Reader<'a> {
-    solution: &'a Solution,
-    visibility: &'a Visibility,
-    direct: Option<DirectLight<'a>>,
+struct Eye<'a> {
+    reader: Reader<'a>,
 }
 
-impl Reader<'_> {
+impl Eye<'_> {
     /// Radiosity per band of the front that a ray meets first, if it is a front.
     fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
-        let (surface, hit) = self.visibility.nearest(ray)?;
-        let elements = self.solution.elements();
+        let (surface, hit) = self.reader.visibility().nearest(ray)?;
+        let elements = self.reader.solution().elements();
         let jet = elements.shape(surface).jet(hit.u, hit.v);
         let parameters = [hit.u, hit.v];
         let seen = jet.normal.dot(ray.direction) < 0.0;
@@ -100,20 +92,16 @@ impl Reader<'_> {
 
     /// Radiosity per band; what polynomials undershoot is cut off at zero.
     fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
-        let bands = self.solution.bands();
-        let Some(direct) = &self.direct else {
-            return (0..bands.len())
-                .map(|band| self.solution.radiosity(band, element, place).max(0.0))
-                .collect();
+        let irradiance = match self.reader.light() {
+            Light::Direct(direct) => {
+                let lit = direct.at(element, place.position, normal);
+                let rest = self.reader.indirect_polynomials(element, place);
+                lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
+            }
+            Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),
         };
-        let sources: Vec<(usize, f64)> = direct.at(element, place.position, normal).collect();
-        let value = |(index, band): (usize, &Band)| {
-            let lit: f64 =
-                sources.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum();
-            let irradiance = lit + self.solution.indirect(index, element, place).max(0.0);
-            band.coating.radiosity(element, irradiance)
-        };
-        bands.iter().enumerate().map(value).collect()
+        let bands = self.reader.solution().bands().iter();
+        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()
     }
 }
 
