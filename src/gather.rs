@@ -23,7 +23,7 @@ use crate::view::walk::Walk;
 use crate::visibility::Visibility;
 
 /// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
-const PER_CELL: f64 = 0.3;
+const PER_CELL: f64 = 1.0;
 
 /// Part of the bound of the irradiance below which the sum is taken again, finer.
 const DARK: f64 = 0.4;
@@ -50,7 +50,7 @@ pub struct Company {
 impl<'a> Gather<'a> {
     /// The light of `solution`, to be gathered to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
-        let direct = DirectLight::new(solution, visibility);
+        let direct = DirectLight::within(solution, visibility, eps);
         let scale = scale(solution);
         let list = solution.elements().list();
         let reflects = |i: &usize| solution.bands().iter().any(|band| band.coating.reflectance[*i] > 0.0);

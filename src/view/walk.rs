@@ -210,7 +210,7 @@ impl<'a> Walk<'a> {
         let facing = |node: &Node| (self.vantage.position - node.position).dot(node.normal) > 0.0;
         let fronts = cell.nodes.iter().filter(|node| facing(node)).count();
         let whole = (fronts == 0 || fronts == POINTS) && self.vantage.overlooks(&cell.hull);
-        if whole { 0.0 } else { 0.2 * cell.brightness }
+        if whole { 0.0 } else { 0.5 * cell.brightness }
     }
 
     /// Weights of the Gauss rule with the kernel, whatever stands between.
