@@ -86,14 +86,16 @@ impl<'a> DirectLight<'a> {
 
     fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<(usize, f64)> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        let trees = || self.trees.iter().enumerate();
-        let bound: f64 = trees().map(|(index, tree)| walk.bound(index, tree)).sum();
-        let factor = |(index, tree): (usize, &Tree)| {
-            let mut factor = [0.0];
-            walk.add(index, tree, PER_CELL * self.eps * bound, &mut factor);
-            (self.emitters[index], factor[0])
-        };
-        trees().map(factor).collect()
+        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, |walk, tolerance| {
+            let (mut factors, mut level) = (Vec::with_capacity(self.trees.len()), 0.0);
+            for (index, tree) in self.trees.iter().enumerate() {
+                let mut factor = [0.0];
+                walk.add(index, tree, tolerance, &mut factor);
+                level += factor[0] / tree.scale()[0];
+                factors.push((self.emitters[index], factor[0]));
+            }
+            (factors, level)
+        })
     }
 
     fn per_band(&self, factors: &[(usize, f64)]) -> Vec<f64> {
