@@ -21,6 +21,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
+use serde::{Deserialize, Serialize};
 
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, HIGHEST_ORDER};
@@ -32,7 +33,7 @@ use rule::UnitRule;
 use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Discretization {
     /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`].
     pub order: usize,
@@ -53,7 +54,8 @@ impl Discretization {
 }
 
 /// Cuts along u and v of a surface that does not state its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Subdivide {
     /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise.
     Auto {
@@ -157,6 +159,7 @@ impl Element {
 pub struct Elements {
     list: Vec<Element>,
     surfaces: Vec<Cut>,
+    how: Discretization,
 }
 
 /// How one surface was cut: ends of the cells along u and v, and the element of each cell.
@@ -177,7 +180,7 @@ impl Elements {
             return Err(ElementError::Layers { layers: how.layers });
         }
         let extent = scene_extent(scene);
-        let mut elements = Self { list: Vec::new(), surfaces: Vec::new() };
+        let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
         for (index, surface) in scene.surfaces.iter().enumerate() {
             let order = surface.order.unwrap_or(how.order);
             if order > HIGHEST_ORDER {
@@ -194,6 +197,11 @@ impl Elements {
             elements.surfaces.push(cut);
         }
         Ok(elements)
+    }
+
+    /// How the scene was cut.
+    pub fn discretization(&self) -> &Discretization {
+        &self.how
     }
 
     /// The elements, in the order of their surfaces.

@@ -22,6 +22,7 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod inspection;
 pub mod elements;
 pub mod kernel;
 pub mod system;
@@ -31,4 +32,6 @@ pub mod direct;
 pub mod gather;
 pub mod checks;
 pub mod solve;
+pub mod solved;
+pub mod view_factors;
 pub mod output;

@@ -1,4 +1,4 @@
-//! What leaves the library: pictures, grids of means, values at points, reports.
+//! What leaves the library: pictures, grids of means, values at points, view factors, reports.
 
 pub mod image;
 pub mod reader;
@@ -7,3 +7,4 @@ pub mod probe;
 pub mod render;
 pub mod report;
 pub mod solution_file;
+pub mod view_factors;

@@ -44,6 +44,7 @@ fn scene(shapes: Shapes) -> Scene {
         surfaces: shapes.into_iter().enumerate().map(surface).collect(),
         camera: None,
         origin: "test".to_owned(),
+        source: None,
     }
 }
 

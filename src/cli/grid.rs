@@ -7,8 +7,7 @@ use clap::{Args, ValueEnum};
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
-use radiosity::solve::in_threads;
-use radiosity::visibility::Visibility;
+use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
@@ -17,7 +16,7 @@ use crate::cli::{
     output_file::OutputFile,
     progress::Progress,
     read::{ReadArgs, Samples},
-    run::{Loaded, Run, shadows},
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and prints means over the cells of every surface
@@ -66,17 +65,16 @@ pub(crate) enum Format {
 }
 
 /// Solves the scene and prints the means.
-pub(crate) fn run(args: &GridArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, shadows(&args.method));
-    let solution = &run.outcome.solution;
+    let visibility = run.solved.visibility();
+    let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
-    let cells = in_threads(run.threads, || {
-        let reader = Reader::new(solution, &visibility, args.read.read.into(), args.read.read_eps);
+    let cells = run.in_threads(|| {
+        let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
         grid(&reader, sides, args.read_samples.0, &observe)
     })?;
     let table = match args.format {

@@ -7,8 +7,7 @@ use clap::Args;
 use radiosity::output::probe::{ProbeFault, Reading, probe};
 use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
-use radiosity::solve::in_threads;
-use radiosity::visibility::Visibility;
+use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
@@ -19,7 +18,7 @@ use crate::cli::{
     points::{COLUMNS, Points, PointsError},
     progress::Progress,
     read::ReadArgs,
-    run::{Loaded, Run, shadows},
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and prints the irradiance at points of your choice, in the unit of the scene's exitance (lm/m² makes lux)
@@ -73,16 +72,15 @@ impl ProbeArgs {
 }
 
 /// Solves the scene and prints the readings.
-pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(), CliError> {
     let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, shadows(&args.method));
-    let solution = &run.outcome.solution;
+    let visibility = run.solved.visibility();
+    let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);
-    let readings = in_threads(run.threads, || {
-        let reader = Reader::new(solution, &visibility, args.read.read.into(), args.read.read_eps);
+    let readings = run.in_threads(|| {
+        let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
         probe(&reader, &points.probes, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;

@@ -3,7 +3,7 @@
 use std::io::{Write, stdout};
 
 use clap::Args;
-use radiosity::scene::Scene;
+use radiosity::scene::{Parameter, Scene};
 
 use crate::cli::{error::CliError, table::Table};
 
@@ -12,12 +12,19 @@ use crate::cli::{error::CliError, table::Table};
 #[command(after_help = "Example:\n  radiosity scenes")]
 pub(crate) struct ScenesArgs {}
 
-/// Prints name, number of surfaces and title of every built-in scene.
+/// Prints name, number of surfaces and title of every built-in scene, then their parameters.
 pub(crate) fn run(_: &ScenesArgs) -> Result<(), CliError> {
-    let mut table = Table::new(["scene", "surfaces", "title"]);
-    for name in Scene::builtin_names() {
-        let scene = Scene::builtin(name)?;
-        table.row([scene.name, scene.surfaces.len().to_string(), scene.title.unwrap_or_default()]);
+    let mut scenes = Table::new(["scene", "surfaces", "title"]);
+    let mut parameters = Table::new(["scene", "parameter", "default", "from", "to", "meaning"]);
+    for builtin in Scene::builtins() {
+        let scene = Scene::builtin(builtin.name)?;
+        scenes.row([scene.name, scene.surfaces.len().to_string(), scene.title.unwrap_or_default()]);
+        for Parameter { name, default, range, meaning, .. } in builtin.parameters {
+            let [default, least, most] = [*default, range[0], range[1]].map(|number| number.to_string());
+            let [scene, name, meaning] = [builtin.name, name, meaning].map(str::to_owned);
+            parameters.row([scene, name, default, least, most, meaning]);
+        }
     }
-    Ok(stdout().write_all(table.to_string().as_bytes())?)
+    let hint = "for example: radiosity render teapot --set height=1.3";
+    Ok(stdout().write_all(format!("{scenes}\n{parameters}\n{hint}\n").as_bytes())?)
 }

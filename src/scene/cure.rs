@@ -8,8 +8,14 @@ impl Fault {
         Some(match self {
             Fault::Shape(_) => return None,
             Fault::UnknownScene { name } => {
-                choose(name, builtin::NAMES, "built-in scenes")
+                choose(name, builtin::ALL.iter().map(|scene| scene.name), "built-in scenes")
                     + "; a scene file is given by its path, ending in .toml or .json"
+            }
+            Fault::UnknownParameter { known, .. } if known.is_empty() => {
+                "this scene has no parameters; `radiosity scenes` lists those that have".to_owned()
+            }
+            Fault::UnknownParameter { name, known } => {
+                choose(name, known.iter().copied(), "parameters of this scene")
             }
             Fault::UnknownKey { key, known } => choose(key, known.iter().copied(), "known keys"),
             Fault::UnknownMaterial { name, known } if known.is_empty() => {
@@ -17,6 +23,9 @@ impl Fault {
             }
             Fault::UnknownMaterial { name, known } => {
                 choose(name, known.iter().map(String::as_str), "materials of this scene")
+            }
+            Fault::UnknownSurface { name, known } => {
+                choose(name, known.iter().map(String::as_str), "surfaces of this scene")
             }
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
@@ -39,6 +48,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::Unreadable { .. } => {
             "check the path and its permissions; `radiosity scenes` lists scenes that need no file"
         }
+        Fault::ParameterRange { .. } => "choose a value in that range",
+        Fault::ParameterOfFile { .. } => {
+            "change the number in the file; parameters belong to built-in scenes, see `radiosity scenes`"
+        }
         Fault::Syntax { language: "JSON", .. } => {
             "JSON wants quotes around every key and a comma between items, none after the last"
         }
@@ -57,7 +70,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NotFinite { .. } => "give a number that a computation can start from",
         Fault::NotWhole { .. } => "give 0, 1, 2, …",
         Fault::EmptyText => "write at least one letter",
-        Fault::NoAxis => "give rotate = [x, y, z, degrees] with an axis that does not vanish",
+        Fault::NoSuchPoint { .. } => "count the points from 0, the last index is one less than their number",
         Fault::BadCamera { .. } => "move the eye, the target or the up vector",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
@@ -82,8 +95,13 @@ fn example(key: &str) -> &'static str {
     match key {
         "material" => ", the name of one of [materials.…]",
         "reflectance" => ", a number or one per band, 0 ≤ ρ < 1; 0 is black",
-        "eye" | "target" | "origin" | "edge1" | "edge2" => ", three numbers in brackets",
+        "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
+        | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
+        "curve" => ", four control points, each three numbers in brackets",
+        "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
+        "patches" => ", a list of patches, each 16 indices of points, counted from 0",
+        "weights" => ", four rows of four numbers above 0",
         _ => "",
     }
 }

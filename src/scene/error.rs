@@ -38,6 +38,32 @@ pub enum Fault {
         /// What was typed.
         name: String,
     },
+    /// A setting of a parameter that the built-in scene does not have.
+    #[error("there is no parameter {name:?}")]
+    UnknownParameter {
+        /// What was typed.
+        name: String,
+        /// The parameters of the scene.
+        known: Vec<&'static str>,
+    },
+    /// A parameter set outside its range.
+    #[error("the parameter {name} is {value}, outside {least} ≤ {name} ≤ {most}")]
+    ParameterRange {
+        /// The parameter.
+        name: &'static str,
+        /// What was typed.
+        value: f64,
+        /// Least value it takes.
+        least: f64,
+        /// Largest value it takes.
+        most: f64,
+    },
+    /// A setting for a scene that is not built in.
+    #[error("a scene file has no parameters, yet {name:?} is set")]
+    ParameterOfFile {
+        /// What was typed.
+        name: String,
+    },
     /// The text is not TOML or JSON.
     #[error("syntax error: {message}")]
     Syntax {
@@ -108,7 +134,7 @@ pub enum Fault {
         value: f64,
     },
     /// A number outside its range.
-    #[error("{what} is {value}, outside {range}")]
+    #[error("{what} is {}, outside {range}", shown(*value))]
     OutOfRange {
         /// What the number gives, e.g. `the reflectance`.
         what: &'static str,
@@ -128,6 +154,14 @@ pub enum Fault {
         /// The materials of the scene.
         known: Vec<String>,
     },
+    /// A surface that was asked for and is not there.
+    #[error("unknown surface {name:?}")]
+    UnknownSurface {
+        /// What was typed.
+        name: String,
+        /// The surfaces of the scene.
+        known: Vec<String>,
+    },
     /// Two things of one name.
     #[error("the name {name:?} is given twice")]
     DuplicateName {
@@ -136,12 +170,17 @@ pub enum Fault {
         /// Line of the first use.
         first_line: usize,
     },
-    /// A shape that has no area, is folded, not planar, or has a hole outside; the message holds the cure.
+    /// A shape or transform that cannot be made, e.g. without area; the message holds the cure.
     #[error("{0}")]
     Shape(ShapeError),
-    /// A transform that cannot be applied.
-    #[error("the rotation axis has no direction")]
-    NoAxis,
+    /// An index beyond the list of points.
+    #[error("there is no point {index}: the list has {count}")]
+    NoSuchPoint {
+        /// The index, counted from 0.
+        index: u32,
+        /// How many points there are.
+        count: usize,
+    },
     /// A camera that looks nowhere.
     #[error("{problem}")]
     BadCamera {
@@ -160,6 +199,12 @@ pub enum Fault {
     /// A scene in which nothing emits, where light is asked for.
     #[error("no surface emits light")]
     NoEmitter,
+}
+
+/// A number with few zeros.
+fn shown(value: f64) -> String {
+    let plain = value == 0.0 || (1e-6..1e12).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// A fault on its way to the [`SceneError`], while the source is not at hand.

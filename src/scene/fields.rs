@@ -1,6 +1,6 @@
 //! Tree → plain values: a table's fields, numbers, points and lists, each refused at its own place.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ShapeError};
 
 use crate::scene::{
     error::{Fault, Located},
@@ -93,13 +93,39 @@ pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     }
 }
 
-/// A finite number.
+/// Numbers beyond this leave no room for areas and fourth powers of distances.
+const LARGEST: f64 = 1e30;
+
+/// A finite number of a size that can be computed with.
 pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
-    match node.value {
-        Value::Number(value) if value.is_finite() => Ok(At::new(value, &node.span)),
-        Value::Number(value) => Err(Located::at(&node.span, Fault::NotFinite { value })),
-        _ => Err(wrong(node, "a number")),
-    }
+    let Value::Number(value) = node.value else { return Err(wrong(node, "a number")) };
+    let fault = if !value.is_finite() {
+        Fault::NotFinite { value }
+    } else if value.abs() > LARGEST {
+        Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" }
+    } else {
+        return Ok(At::new(value, &node.span));
+    };
+    Err(Located::at(&node.span, fault))
+}
+
+/// The same without its place.
+pub(super) fn real(node: &Node) -> Result<f64, Located> {
+    Ok(number(node)?.value)
+}
+
+/// A range of angles, typed in degrees, at most all the way round; in radians. `key` names it in messages.
+pub(super) fn angles(node: &Node, key: &'static str) -> Result<[f64; 2], Located> {
+    let [low, high] = exactly(node, "a range of angles", "numbers, from and to in degrees", real)?;
+    let field = key.to_owned();
+    let fault = if low >= high {
+        ShapeError::OutOfOrder { field, limit: "its second number".to_owned(), low, high }
+    } else if high - low > 360.0 {
+        ShapeError::OutOfRange { field, low, high, least: low, most: low + 360.0 }
+    } else {
+        return Ok([low.to_radians(), high.to_radians()]);
+    };
+    Err(Located::at(&node.span, Fault::Shape(fault)))
 }
 
 /// A whole number from 0 to 2³² − 1.
@@ -113,7 +139,7 @@ pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
 }
 
 /// Exactly `N` items, each read by `read`; `what` and `unit` name the list and its items in messages.
-pub(super) fn exactly<const N: usize, T: Copy>(
+pub(super) fn exactly<const N: usize, T: Clone>(
     node: &Node,
     what: &'static str,
     unit: &'static str,
@@ -125,12 +151,12 @@ pub(super) fn exactly<const N: usize, T: Copy>(
         return Err(Located::at(&node.span, fault));
     }
     let values = items.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    Ok(std::array::from_fn(|k| values[k]))
+    Ok(std::array::from_fn(|k| values[k].clone()))
 }
 
 /// A point or a vector, three numbers.
 pub(super) fn point(node: &Node) -> Result<DVec3, Located> {
-    exactly::<3, f64>(node, "a point", "numbers", |item| Ok(number(item)?.value)).map(DVec3::from_array)
+    exactly(node, "a point", "numbers", real).map(DVec3::from_array)
 }
 
 /// A list of points.

@@ -1,13 +1,12 @@
 //! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is checked.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
     camera::MAX_PIXELS,
     error::{Fault, Located},
-    fields::{Fields, exactly, list, number, point, table, text, truth, whole},
-    placement::Placement,
-    shape::{KEYS, ShapeFile},
+    fields::{Fields, exactly, list, number, point, real, table, text, truth, whole},
+    shape::{ShapeFile, keys},
     source::{At, Span},
     tree::{Node, Value, entry},
 };
@@ -62,7 +61,7 @@ pub(super) struct SurfaceFile {
     pub span: Span,
     pub material: Option<At<String>>,
     pub shape: ShapeFile,
-    pub placement: Placement,
+    pub motion: Motion,
     pub order: Option<usize>,
     pub subdivide: Option<[usize; 2]>,
     pub two_sided: bool,
@@ -164,30 +163,19 @@ fn read_named_surface((index, node): (usize, &Node)) -> Result<SurfaceFile, Loca
 const SURFACE_KEYS: [&str; 7] = ["name", "material", "order", "subdivide", "two_sided", "flip", "transform"];
 
 fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
-    let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(KEYS).collect();
+    let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(keys()).collect();
     let fields = Fields::new(node, &known)?;
     Ok(SurfaceFile {
         name: fields.optional("name", text)?,
         span: fields.span().clone(),
         material: fields.optional("material", text)?,
-        shape: read_shape(&fields)?,
-        placement: fields.optional("transform", read_placement)?.unwrap_or(Placement::STAY),
+        shape: ShapeFile::read(&fields)?,
+        motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),
         order: fields.optional("order", order)?,
         subdivide: fields.optional("subdivide", |node| exactly(node, "subdivide", "numbers", parts))?,
         two_sided: fields.optional("two_sided", truth)?.unwrap_or(false),
         flip: fields.optional("flip", truth)?.unwrap_or(false),
     })
-}
-
-fn read_shape(fields: &Fields<'_>) -> Result<ShapeFile, Located> {
-    let given: Vec<&'static str> = KEYS.into_iter().filter(|key| fields.get(key).is_some()).collect();
-    match given[..] {
-        [] => Err(Located::at(fields.span(), Fault::MissingShape)),
-        [kind] => ShapeFile::read(kind, fields.node(kind)?),
-        [first, second, ..] => {
-            Err(Located::at(&fields.node(second)?.span, Fault::TwoShapes { first, second }))
-        }
-    }
 }
 
 fn order(node: &Node) -> Result<usize, Located> {
@@ -198,23 +186,17 @@ fn parts(node: &Node) -> Result<usize, Located> {
     counted(node, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256").map(|parts| parts as usize)
 }
 
-fn read_placement(node: &Node) -> Result<Placement, Located> {
+fn read_motion(node: &Node) -> Result<Motion, Located> {
     let fields = Fields::new(node, &["translate", "rotate", "scale"])?;
     let translate = fields.optional("translate", point)?.unwrap_or(DVec3::ZERO);
-    let (axis, degrees) = fields.optional("rotate", rotation)?.unwrap_or((DVec3::Z, 0.0));
-    let scale = fields.optional("scale", |node| {
-        let scale = number(node)?;
-        within(scale, |x| x > 0.0, "the scale", "scale > 0")
-    })?;
-    Ok(Placement::new(scale.unwrap_or(1.0), axis, degrees, translate))
-}
-
-/// `[x, y, z, degrees]`: a unit axis and an angle.
-fn rotation(node: &Node) -> Result<(DVec3, f64), Located> {
-    let [x, y, z, degrees] =
-        exactly(node, "rotate", "numbers, an axis and degrees", |item| Ok(number(item)?.value))?;
-    let axis = DVec3::new(x, y, z).try_normalize();
-    Ok((axis.ok_or_else(|| Located::at(&node.span, Fault::NoAxis))?, degrees))
+    let rotate =
+        fields.optional("rotate", |node| exactly(node, "rotate", "numbers, an axis and degrees", real))?;
+    let [x, y, z, degrees] = rotate.unwrap_or([0.0; 4]);
+    let scale = fields.optional("scale", real)?.unwrap_or(1.0);
+    Motion::new(translate, DVec3::new(x, y, z), degrees.to_radians(), scale).map_err(|error| {
+        let span = fields.get(error.field()).map_or(&node.span, |field| &field.span);
+        Located::at(span, Fault::Shape(error))
+    })
 }
 
 /// A whole number from `least` to `most`.

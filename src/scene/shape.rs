@@ -1,114 +1,86 @@
-//! The shapes a scene file can name: their fields as typed, and the surface they make.
+//! The shapes a scene file can name: their fields as typed, and the surfaces they make.
 
-use radiosity_geom::{
-    DVec3, ShapeError, Surface,
-    shapes::{Bilinear, Parallelogram, Polygon, Triangle, Trimmed},
-};
+mod flat;
+mod form;
+mod spline;
+mod turned;
+
+use radiosity_geom::Motion;
 
 use crate::scene::{
-    error::Located,
-    fields::{Fields, exactly, list, point, points},
-    placement::Placement,
+    error::{Fault, Located},
+    fields::{Fields, Reader},
     source::Span,
     tree::{Node, Value},
 };
+use form::{Built, Form};
 
-/// The shape keys, in the order of the manual.
-pub(super) const KEYS: [&str; 4] = ["parallelogram", "quad", "triangle", "polygon"];
+/// A shape key and what reads its value.
+type Entry = (&'static str, Reader<Box<dyn Form>>);
+
+/// Every shape, in the order of the manual.
+const SHAPES: [Entry; 14] = [
+    ("parallelogram", flat::parallelogram),
+    ("quad", flat::quad),
+    ("triangle", flat::triangle),
+    ("polygon", flat::polygon),
+    ("disk", turned::disk),
+    ("cylinder", turned::cylinder),
+    ("cone", turned::cone),
+    ("sphere", turned::sphere),
+    ("torus", turned::torus),
+    ("bezier", spline::bezier),
+    ("patches", spline::patches),
+    ("rational", spline::rational),
+    ("extrusion", spline::extrusion),
+    ("revolution", turned::revolution),
+];
+
+/// The shape keys.
+pub(super) fn keys() -> impl Iterator<Item = &'static str> {
+    SHAPES.iter().map(|(key, _)| *key)
+}
 
 /// A shape as typed.
 #[derive(Debug)]
 pub(super) struct ShapeFile {
-    /// Its key, one of [`KEYS`].
+    /// Its key.
     pub kind: &'static str,
     /// Where its value stands.
     pub span: Span,
-    outline: Outline,
-    holes: Vec<Vec<DVec3>>,
+    form: Box<dyn Form>,
     fields: Vec<(String, Span)>,
 }
 
-#[derive(Debug)]
-enum Outline {
-    Parallelogram { origin: DVec3, edge1: DVec3, edge2: DVec3 },
-    Quad([DVec3; 4]),
-    Triangle([DVec3; 3]),
-    Polygon(Vec<DVec3>),
-}
-
 impl ShapeFile {
-    /// Reads the value of the shape key `kind`.
-    pub(super) fn read(kind: &'static str, node: &Node) -> Result<Self, Located> {
-        let (outline, holes) = match kind {
-            "parallelogram" => read_parallelogram(node)?,
-            "quad" => read_quad(node)?,
-            "triangle" => read_triangle(node)?,
-            _ => read_polygon(node)?,
-        };
-        Ok(ShapeFile { kind, span: node.span.clone(), outline, holes, fields: field_spans(node) })
+    /// Reads the one shape among the fields of a surface.
+    pub(super) fn read(surface: &Fields<'_>) -> Result<Self, Located> {
+        let given = |&(key, read): &Entry| Some((key, surface.get(key)?, read));
+        match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
+            [] => Err(Located::at(surface.span(), Fault::MissingShape)),
+            [(kind, node, read)] => {
+                Ok(ShapeFile { kind, span: node.span.clone(), form: read(node)?, fields: field_spans(node) })
+            }
+            [(first, ..), (second, node, _), ..] => {
+                Err(Located::at(&node.span, Fault::TwoShapes { first, second }))
+            }
+        }
     }
 
-    /// The surface, put where `placement` says.
-    pub(super) fn build(&self, placement: &Placement) -> Result<Box<dyn Surface>, ShapeError> {
-        let holes: Vec<_> = self.holes.iter().map(|hole| placement.points(hole)).collect();
-        let outer: Box<dyn Surface> = match &self.outline {
-            Outline::Parallelogram { origin, edge1, edge2 } => Box::new(Parallelogram::new(
-                placement.point(*origin),
-                placement.vector(*edge1),
-                placement.vector(*edge2),
-            )?),
-            Outline::Quad(vertices) => {
-                Box::new(Bilinear::new(vertices.map(|vertex| placement.point(vertex)))?)
-            }
-            Outline::Triangle(vertices) => {
-                Box::new(Triangle::new(vertices.map(|vertex| placement.point(vertex)))?)
-            }
-            Outline::Polygon(outer) => return Ok(Box::new(Polygon::new(placement.points(outer), holes)?)),
-        };
-        match holes.is_empty() {
-            true => Ok(outer),
-            false => Ok(Box::new(Trimmed::new(outer, holes)?)),
-        }
+    /// The surfaces, put where `motion` says; one, but for `patches`.
+    pub(super) fn surfaces(&self, motion: &Motion) -> Built {
+        self.form.surfaces(motion)
+    }
+
+    /// Whether each surface gets a number behind its name.
+    pub(super) fn is_numbered(&self) -> bool {
+        self.kind == "patches"
     }
 
     /// Where the field a shape error names stands (`vertices`, `holes[1]`); the whole shape if it names none of ours.
     pub(super) fn span_of(&self, field: &str) -> &Span {
         self.fields.iter().find(|(name, _)| name == field).map_or(&self.span, |(_, span)| span)
     }
-}
-
-type Read = Result<(Outline, Vec<Vec<DVec3>>), Located>;
-
-fn read_parallelogram(node: &Node) -> Read {
-    let fields = Fields::new(node, &["origin", "edge1", "edge2", "holes"])?;
-    let outline = Outline::Parallelogram {
-        origin: fields.require("origin", point)?,
-        edge1: fields.require("edge1", point)?,
-        edge2: fields.require("edge2", point)?,
-    };
-    Ok((outline, read_holes(&fields)?))
-}
-
-fn read_quad(node: &Node) -> Read {
-    let fields = Fields::new(node, &["vertices", "holes"])?;
-    let vertices = fields.require("vertices", |node| exactly(node, "a quad", "vertices", point))?;
-    Ok((Outline::Quad(vertices), read_holes(&fields)?))
-}
-
-fn read_triangle(node: &Node) -> Read {
-    let fields = Fields::new(node, &["vertices"])?;
-    let vertices = fields.require("vertices", |node| exactly(node, "a triangle", "vertices", point))?;
-    Ok((Outline::Triangle(vertices), Vec::new()))
-}
-
-fn read_polygon(node: &Node) -> Read {
-    let fields = Fields::new(node, &["vertices", "holes"])?;
-    Ok((Outline::Polygon(fields.require("vertices", points)?), read_holes(&fields)?))
-}
-
-fn read_holes(fields: &Fields<'_>) -> Result<Vec<Vec<DVec3>>, Located> {
-    let holes = fields.optional("holes", |node| list(node)?.iter().map(points).collect())?;
-    Ok(holes.unwrap_or_default())
 }
 
 /// Every field of a shape and, where it is a list, every item: `holes`, `holes[0]`, …

@@ -2,11 +2,11 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::{DVec3, Flipped, Surface};
+use radiosity_geom::{DVec3, Flipped, Rect, Surface};
 
 use crate::scene::{
     camera::Camera,
-    coincident::coincide,
+    coincident::Occupied,
     error::{Fault, Located},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name, material_title, surface_title},
     material::{Material, check_emission, check_reflectance},
@@ -97,6 +97,7 @@ pub(super) fn surfaces(
     }
     let mut names = UniqueNames::default();
     let mut surfaces: Vec<SceneSurface> = Vec::with_capacity(files.len());
+    let mut occupied = Vec::new();
     for (index, file) in files.iter().enumerate() {
         let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
         let sides =
@@ -105,13 +106,15 @@ pub(super) fn surfaces(
         for side in &sides {
             names.add(&side.name, name_span, source)?;
         }
-        apart(&surfaces, &sides[0], &file.shape.span)?;
-        surfaces.extend(sides);
+        for pair in sides.chunks(if file.two_sided { 2 } else { 1 }) {
+            occupied.push(apart(&occupied, &pair[0], &file.shape.span)?);
+            surfaces.extend_from_slice(pair);
+        }
     }
     Ok(surfaces)
 }
 
-/// The surface, and its back if it is two-sided.
+/// The surfaces of one entry, the back of a two-sided one after its front.
 fn sides(
     file: &SurfaceFile,
     name: &str,
@@ -119,30 +122,53 @@ fn sides(
     bands: usize,
     source: &Source,
 ) -> Result<Vec<SceneSurface>, Located> {
-    let front = SceneSurface {
-        name: name.to_owned(),
+    let material = surface_material(file.material.as_ref(), materials, bands)?;
+    let surface = |name: String, shape: Arc<dyn Surface>| SceneSurface {
+        name,
         kind: file.shape.kind,
-        shape: shape(file, file.flip)?,
-        material: surface_material(file.material.as_ref(), materials, bands)?,
+        shape,
+        material: material.clone(),
         material_name: file.material.as_ref().map(|material| material.value.clone()),
         order: file.order,
         subdivide: file.subdivide,
         place: source.place(&file.span),
     };
+    let names =
+        |index: usize| if file.shape.is_numbered() { format!("{name}-{index}") } else { name.to_owned() };
+    let fronts = shapes(file, file.flip)?.into_iter().enumerate();
+    let fronts = fronts.map(|(index, shape)| surface(names(index), shape));
     if !file.two_sided {
-        return Ok(vec![front]);
+        return Ok(fronts.collect());
     }
-    let back =
-        SceneSurface { name: format!("{name}:back"), shape: shape(file, !file.flip)?, ..front.clone() };
-    Ok(vec![front, back])
+    let backs = shapes(file, !file.flip)?;
+    let pair = |(front, back): (SceneSurface, _)| {
+        let back = surface(format!("{}:back", front.name), back);
+        [front, back]
+    };
+    Ok(fronts.zip(backs).flat_map(pair).collect())
 }
 
-fn shape(file: &SurfaceFile, flip: bool) -> Result<Arc<dyn Surface>, Located> {
-    let shape = file.shape.build(&file.placement).map_err(|error| {
+/// The shapes of one entry, turned over if `flip`.
+fn shapes(file: &SurfaceFile, flip: bool) -> Result<Vec<Arc<dyn Surface>>, Located> {
+    let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
+    let turned = |shape: Box<dyn Surface>| -> Result<Arc<dyn Surface>, Located> {
+        check_extent(&*shape, &file.shape.span)?;
+        Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
+    };
+    shapes.into_iter().map(turned).collect()
+}
+
+/// Refuses sizes whose powers leave the range of numbers.
+fn check_extent(shape: &dyn Surface, span: &Span) -> Result<(), Located> {
+    let value = shape.bounds(&Rect::FULL).diagonal();
+    if (1e-30..=1e30).contains(&value) {
+        return Ok(());
+    }
+    let range = "1e-30 ≤ extent ≤ 1e30";
+    Err(Located::at(span, Fault::OutOfRange { what: "the extent of the surface", value, range }))
 }
 
 fn surface_material(
@@ -157,12 +183,17 @@ fn surface_material(
     })
 }
 
-/// Whether `new` coincides with none of `earlier`.
-fn apart(earlier: &[SceneSurface], new: &SceneSurface, span: &Span) -> Result<(), Located> {
-    match earlier.iter().find(|other| coincide(&*other.shape, &*new.shape)) {
-        None => Ok(()),
-        Some(other) => {
-            let fault = Fault::Coincident { other: other.name.clone() };
+/// What `new` occupies, if that is no part of what others do, each given with its name.
+fn apart(
+    others: &[(String, Occupied)],
+    new: &SceneSurface,
+    span: &Span,
+) -> Result<(String, Occupied), Located> {
+    let own = Occupied::new(&new.shape);
+    match others.iter().find(|(_, other)| other.coincides(&own)) {
+        None => Ok((new.name.clone(), own)),
+        Some((name, _)) => {
+            let fault = Fault::Coincident { other: name.clone() };
             Err(Located::at(span, fault).within(|| surface_title(&new.name)))
         }
     }

@@ -1,0 +1,27 @@
+//! What every shape of a scene file can do.
+
+use std::fmt::Debug;
+
+use radiosity_geom::{Motion, Placed, ShapeError, Surface};
+
+/// A shape as typed, before its numbers are known to make a surface.
+pub(super) trait Form: Debug {
+    /// The surfaces it makes, one but for `patches`, put where `motion` says.
+    fn surfaces(&self, motion: &Motion) -> Built;
+}
+
+/// The surfaces of one shape, or what keeps it from being built.
+pub(super) type Built = Result<Vec<Box<dyn Surface>>, ShapeError>;
+
+/// A single surface.
+pub(super) fn one(surface: impl Surface + 'static) -> Built {
+    Ok(vec![Box::new(surface)])
+}
+
+/// A single surface, moved as a whole: the angle 0 of a turned shape goes with it.
+pub(super) fn moved(surface: impl Surface + 'static, motion: &Motion) -> Built {
+    match *motion == Motion::IDENTITY {
+        true => one(surface),
+        false => one(Placed::new(Box::new(surface), *motion)),
+    }
+}
