@@ -111,11 +111,14 @@ impl Visibility {
         !blockers.iter().any(|index| self.obstacles[*index].shape.occludes(&ray))
     }
 
-    /// The surfaces that reach into the box `bounds` and can stand between two others, ascending; none without shadows.
-    pub fn reaching_into(&self, bounds: &Aabb) -> Vec<usize> {
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with `open`
+    /// those as well that may stand before a point anywhere. None without shadows.
+    pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
-        if self.shadows != Shadows::Off {
-            self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place]));
+        match (self.shadows, open) {
+            (Shadows::Off, _) => {}
+            (_, true) => return self.near(bounds),
+            (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
         }
         found.sort_unstable();
         found
