@@ -2,9 +2,12 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
+use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
 use thiserror::Error;
+
+use crate::cli::points::PointsError;
 
 /// Why a command ended early.
 #[derive(Debug, Error)]
@@ -12,6 +15,26 @@ pub(crate) enum CliError {
     /// Something is wrong with the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// Something is wrong with a solution file.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
+    /// A solution where a scene is to be solved.
+    #[error("{origin}: this is a solution already")]
+    AlreadySolved {
+        /// The file as typed.
+        origin: String,
+    },
+    /// An option of the method with a scene that is solved.
+    #[error("{option}: {origin} is a solution, how it was found cannot be changed")]
+    Fixed {
+        /// The file as typed.
+        origin: String,
+        /// The option as typed.
+        option: String,
+    },
+    /// Something is wrong with the points of a probe.
+    #[error(transparent)]
+    Points(#[from] PointsError),
     /// An output that cannot be written, found out before the work.
     #[error("{}: cannot be written: {reason}", path.display())]
     Unwritable {
@@ -61,10 +84,16 @@ impl CliError {
     /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
-            CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
-            CliError::NoPair { .. } | CliError::UnknownFormat { .. } | CliError::PairsAsArray => {
-                ExitCode::from(2)
-            }
+            CliError::Scene(_)
+            | CliError::Solution(_)
+            | CliError::Points(_)
+            | CliError::AlreadySolved { .. }
+            | CliError::Fixed { .. }
+            | CliError::Unwritable { .. }
+            | CliError::NoCamera { .. }
+            | CliError::NoPair { .. }
+            | CliError::UnknownFormat { .. }
+            | CliError::PairsAsArray => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
@@ -91,6 +120,14 @@ impl CliError {
     fn cure(&self) -> Option<String> {
         match self {
             CliError::Scene(error) => error.cure(),
+            CliError::Solution(error) => Some(error.cure().into()),
+            CliError::AlreadySolved { .. } => Some(
+                "give it to render, probe or grid; to solve again, give the scene it was made from".into(),
+            ),
+            CliError::Fixed { .. } => {
+                Some("leave the option out, or give the scene instead of its solution".into())
+            }
+            CliError::Points(error) => Some(error.cure.clone()),
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }

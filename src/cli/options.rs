@@ -3,11 +3,12 @@
 use std::{path::PathBuf, str::FromStr};
 
 use clap::{
-    Args, ValueEnum,
+    ArgMatches, Args, Command, ValueEnum,
     builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
+    parser::ValueSource,
 };
 use radiosity::kernel::paper::{Reading, Rules};
-use radiosity::scene::{MAX_ORDER, Scene, SceneError};
+use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, output_file::OutputFile};
@@ -15,7 +16,7 @@ use crate::cli::{error::CliError, output_file::OutputFile};
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
-    /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
+    /// Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
@@ -27,8 +28,13 @@ pub(crate) struct SceneArg {
 impl SceneArg {
     /// Loads the scene.
     pub(crate) fn load(&self) -> Result<Scene, SceneError> {
+        Scene::parse(&self.text()?)
+    }
+
+    /// The text of the scene, or of a solution.
+    pub(crate) fn text(&self) -> Result<Source, SceneError> {
         let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Scene::load_with(&self.scene, &settings)
+        Scene::text_of(&self.scene, &settings)
     }
 }
 
@@ -91,6 +97,10 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) shadows: Shadows,
 
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
+    #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
+    pub(crate) shadow_eps: f64,
+
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     pub(crate) threads: Option<usize>,
@@ -117,6 +127,24 @@ impl ReportArgs {
     /// Finds out, before the work, whether the report can be written.
     pub(crate) fn reserve(&self) -> Result<Option<OutputFile>, CliError> {
         self.report.as_deref().map(OutputFile::reserve).transpose()
+    }
+}
+
+/// The options that work with a solution file as well: they change no solution.
+const FREE: [&str; 1] = ["threads"];
+
+impl MethodArgs {
+    /// The options of the method that were typed and change the solution, e.g. `--order`; `typed` are those of a verb.
+    pub(crate) fn fixing(typed: &ArgMatches) -> Vec<String> {
+        let method = Self::augment_args(Command::new("method"));
+        let is_typed = |id: &str| {
+            let known = typed.try_contains_id(id).is_ok();
+            known && typed.value_source(id) == Some(ValueSource::CommandLine)
+        };
+        let ids = method.get_arguments().map(|arg| arg.get_id().as_str());
+        ids.filter(|id| !FREE.contains(id) && is_typed(id))
+            .map(|id| format!("--{}", id.replace('_', "-")))
+            .collect()
     }
 }
 

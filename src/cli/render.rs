@@ -5,15 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 use radiosity::output::render::{Read, render};
 use radiosity::scene::{Camera, Scene};
-use radiosity::solve::in_threads;
-use radiosity::visibility::Visibility;
 
 use crate::cli::{
     error::CliError,
     options::{Counts, MethodArgs, ReportArgs, SceneArg, positive},
     output_file::OutputFile,
     progress::Progress,
-    run::{Loaded, Run, shadows},
+    run::{Loaded, Run},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -57,25 +55,27 @@ pub(crate) enum ReadMode {
     Basis,
     /// Direct light and its shadows exact at every point, the rest from the polynomials
     Direct,
+    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point: slow
+    Gather,
 }
 
 /// Solves the scene and writes a picture.
-pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", scene.name).into());
+pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     let output = OutputFile::reserve(&path)?;
-    let camera = camera(args, scene)?;
+    let camera = camera(args, &loaded.scene)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, shadows(&args.method));
+    let visibility = run.solved.visibility();
     let read = match args.read {
         ReadMode::Basis => Read::Basis,
         ReadMode::Direct => Read::Direct,
+        ReadMode::Gather => Read::Gather,
     };
     let rows = |done, total| progress.show("picture", done, total);
-    let solution = &run.outcome.solution;
+    let solution = &run.solved.outcome.solution;
     let picture = || render(solution, &visibility, &camera, args.samples, read, &rows);
-    let image = in_threads(run.threads, picture)?;
+    let image = run.in_threads(picture)?;
     let exposure = args.exposure.unwrap_or_else(|| image.automatic_exposure());
     output.write(|writer| image.write_png(exposure, writer))?;
     run.finish(progress, Some(&path.display().to_string()))

@@ -108,7 +108,7 @@ impl Report {
             accuracy_reached: outcome.accuracy_reached,
             iterations: outcome.iterations,
             residual: outcome.residual,
-            converged: true,
+            converged: outcome.converged,
             checks: outcome.checks,
             warnings: warnings(options, outcome),
         }
