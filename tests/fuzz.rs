@@ -179,12 +179,11 @@ fn survives(text: &str, is_json: bool) -> bool {
     let scene = if is_json { Scene::from_json(text, "x.json") } else { Scene::from_toml(text, "x.toml") };
     match scene {
         Ok(scene) => {
-            for order in [0, 2] {
-                if is_small(&scene) {
-                    let cut = Elements::new(&scene, &Discretization::uniform(order, 1));
-                    let area = |elements: Elements| elements.list().iter().map(|e| e.area).sum::<f64>();
-                    assert!(cut.map_or(true, |elements| area(elements).is_finite()));
-                }
+            let order = if text.len().is_multiple_of(2) { 0 } else { 2 };
+            if is_small(&scene) {
+                let cut = Elements::new(&scene, &Discretization::uniform(order, 1));
+                let area = |elements: Elements| elements.list().iter().map(|e| e.area).sum::<f64>();
+                assert!(cut.map_or(true, |elements| area(elements).is_finite()));
             }
             // An inspection takes longer than all the rest.
             if text.len().is_multiple_of(16) && is_small(&scene) {
@@ -218,7 +217,6 @@ fn run(cases: u32) {
             Ok(())
         })
         .unwrap_or_else(|error| panic!("{error}"));
-    println!("{} of {cases} texts were read", read.get());
     // Were nearly all refused, little would have been tried.
     assert!(read.get() > cases / 20, "only {} of {cases} texts were read", read.get());
 }
