@@ -134,7 +134,7 @@ fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
 #[test]
 fn parallel_squares_exchange_the_closed_form() {
     for distance in [0.05, 0.1, 1.0, 3.0, 10.0] {
-        let x = 1.0 / distance;
+        let x: f64 = 1.0 / distance;
         let (square, root) = (1.0 + x * x, (1.0 + x * x).sqrt());
         let exact = 2.0 / (PI * x * x)
             * ((square * square / (1.0 + 2.0 * x * x)).sqrt().ln() + 2.0 * x * root * (x / root).atan()
@@ -144,10 +144,10 @@ fn parallel_squares_exchange_the_closed_form() {
     }
 }
 
-/// Perpendicular unit squares with a common edge: ¼ + (¼ ln ¾ − √2 atan(1/√2)) / π, from Howell's C-14.
+/// Perpendicular unit squares with a common edge: ½ + (¼ ln ¾ − √2 atan(1/√2)) / π, from Howell's C-14.
 #[test]
 fn hinged_squares_exchange_the_closed_form_and_less_the_wider_they_open() {
-    let root = 2.0f64.sqrt();
+    let root = 2f64.sqrt();
     let perpendicular = 0.5 + (0.25 * 0.75f64.ln() - root * (1.0 / root).atan()) / PI;
     let found = factor("hinge-squares", &[]);
     assert!((found - perpendicular).abs() < 1e-11, "{found} {perpendicular}");
