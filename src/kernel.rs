@@ -41,6 +41,7 @@ mod seam;
 mod sectors;
 mod separated;
 mod touch;
+mod trial;
 mod vertex;
 mod wedge;
 

@@ -22,11 +22,19 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod inspection;
 pub mod elements;
 pub mod kernel;
 pub mod system;
 pub mod solution;
+pub mod distance;
+pub mod view;
 pub mod direct;
+pub mod gather;
 pub mod checks;
 pub mod solve;
+pub mod adaptation;
+pub mod convergence;
+pub mod solved;
+pub mod view_factors;
 pub mod output;

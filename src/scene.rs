@@ -14,6 +14,7 @@ mod file;
 mod json_text;
 mod material;
 mod nearest;
+mod polygon_list;
 mod shape;
 mod source;
 mod surface;
@@ -28,13 +29,12 @@ pub use camera::Camera;
 pub use error::{Fault, SceneError};
 pub use file::MAX_ORDER;
 pub use material::Material;
-pub use source::Place;
+pub use source::{Place, Source};
 pub use surface::SceneSurface;
 
 use error::Located;
 use file::SceneFile;
-use source::Source;
-use tree::Node;
+use tree::{Node, Value};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -51,12 +51,15 @@ pub struct Scene {
     pub camera: Option<Camera>,
     /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
     pub origin: String,
+    /// The text it was read from; none for a scene built in code.
+    pub source: Option<Source>,
 }
 
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; everything else TOML.
+    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons; everything
+    /// else TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -69,8 +72,17 @@ impl Scene {
     /// # Errors
     /// As for [`Scene::load`] and [`Scene::builtin_with`]; settings for anything but a built-in scene.
     pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-        if builtin::named(source).is_some() {
-            return Scene::builtin_with(source, settings);
+        Scene::parse(&Scene::text_of(source, settings)?)
+    }
+
+    /// The text that [`Scene::load_with`] reads.
+    ///
+    /// # Errors
+    /// A file that cannot be read, an unknown name or setting; settings for anything but a built-in scene.
+    pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
+        if let Some(scene) = builtin::named(source) {
+            let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
+            return Ok(Source::new(source, &text));
         }
         let (origin, text) = match source {
             "-" => ("<stdin>", io::read_to_string(io::stdin())),
@@ -80,9 +92,21 @@ impl Scene {
         if let Some((name, _)) = settings.first() {
             return Err(whole_file(origin, Fault::ParameterOfFile { name: (*name).to_owned() }));
         }
-        match source.ends_with(".json") || text.trim_start().starts_with('{') {
-            true => Scene::from_json(&text, origin),
-            false => Scene::from_toml(&text, origin),
+        Ok(Source::new(origin, &text))
+    }
+
+    /// Reads a scene in the language that the ending of its origin, or else its first letter, tells; see [`Scene::load`].
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn parse(source: &Source) -> Result<Scene, SceneError> {
+        let Source { origin, text } = source;
+        if origin.ends_with(".csv") {
+            return Scene::from_csv(text, origin);
+        }
+        match origin.ends_with(".json") || text.trim_start().starts_with('{') {
+            true => Scene::from_json(text, origin),
+            false => Scene::from_toml(text, origin),
         }
     }
 
@@ -92,20 +116,45 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        toml_text::parse(text)
-            .and_then(|tree| assemble(&tree, &source))
-            .map_err(|located| located.in_source(&source))
+        let tree = toml_text::parse(text);
+        tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
-    /// Reads JSON, the same tree as the TOML; `origin` is its name in messages.
+    /// Reads JSON, the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
+    /// `origin` is its name in messages.
     ///
     /// # Errors
     /// The first thing wrong in the text.
     pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        json_text::parse(text)
+        let scene = |tree: Node| match &tree.value {
+            Value::List(polygons) => assemble(&polygon_list::from_list(polygons, &tree.span), &source),
+            _ => assemble(&tree, &source),
+        };
+        json_text::parse(text).and_then(scene).map_err(|located| located.in_source(&source))
+    }
+
+    /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
+        let source = Source::new(origin, text);
+        polygon_list::from_csv(text)
             .and_then(|tree| assemble(&tree, &source))
             .map_err(|located| located.in_source(&source))
+    }
+
+    /// The index of the surface of that name.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownSurface`], which lists the names there are.
+    pub fn surface_named(&self, name: &str) -> Result<usize, SceneError> {
+        let unknown = || {
+            let known = self.surfaces.iter().map(|surface| surface.name.clone()).collect();
+            whole_file(&self.origin, Fault::UnknownSurface { name: name.to_owned(), known })
+        };
+        self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
 
     /// The built-in scene `name`, its parameters at their defaults.
@@ -121,10 +170,10 @@ impl Scene {
     /// # Errors
     /// [`Fault::UnknownScene`], [`Fault::UnknownParameter`], [`Fault::ParameterRange`].
     pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-        let scene = builtin::named(name)
-            .ok_or_else(|| whole_file(name, Fault::UnknownScene { name: name.to_owned() }))?;
-        let text = scene.text(settings).map_err(|fault| whole_file(name, fault))?;
-        Scene::from_toml(&text, name)
+        if builtin::named(name).is_none() {
+            return Err(whole_file(name, Fault::UnknownScene { name: name.to_owned() }));
+        }
+        Scene::load_with(name, settings)
     }
 
     /// The built-in scenes with their parameters.
@@ -169,6 +218,7 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
         bands,
         camera: file.camera.map(validation::camera).transpose()?,
         origin: source.origin.to_string(),
+        source: Some(source.clone()),
     })
 }
 

@@ -43,7 +43,7 @@ struct Scene<'a> {
     boxes: Vec<Aabb>,
     visibility: &'a Visibility,
     accuracy: Accuracy,
-    sends: &'a (dyn Fn(usize) -> bool + Sync),
+    wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 
 /// A pair to integrate.
@@ -86,10 +86,10 @@ enum Source {
     Copy(usize, usize),
 }
 
-/// All blocks; see [`Blocks::assemble_senders`].
+/// The blocks of all pairs that are `wanted`; see [`Blocks::assemble_pairs`].
 pub(super) fn assemble(
     elements: &Elements,
-    sends: &(dyn Fn(usize) -> bool + Sync),
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     accuracy: Accuracy,
     progress: &(dyn Fn(usize, usize) + Sync),
@@ -103,7 +103,7 @@ pub(super) fn assemble(
         boxes: list.iter().map(Element::bounds).collect(),
         visibility,
         accuracy,
-        sends,
+        wanted,
     };
     let mut blocks = Blocks::empty(starts(list), true);
     let tasks = sort(&scene, &mut blocks);
@@ -136,7 +136,9 @@ fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
         pairs.skipped_black += counts.skipped_black;
     }
     if blocks.pairs.skipped_black > 0 {
-        (0..scene.list.len()).filter(|i| !(scene.sends)(*i)).for_each(|i| blocks.leave_open(i));
+        let all = 0..scene.list.len();
+        let is_open = |i: &usize| all.clone().any(|j| !(scene.wanted)(*i.min(&j), *i.max(&j)));
+        all.clone().filter(is_open).for_each(|i| blocks.leave_open(i));
     }
     tasks
 }
@@ -163,7 +165,7 @@ impl Scene<'_> {
         if let Some(skipped) = self.planes_exchange_nothing(row, column) {
             return skipped;
         }
-        if !(self.sends)(row) && !(self.sends)(column) {
+        if !(self.wanted)(row, column) {
             return Sorted::Black;
         }
         let surfaces = [receiver.surface, emitter.surface];

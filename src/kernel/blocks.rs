@@ -60,7 +60,19 @@ impl Blocks {
         accuracy: Accuracy,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Self {
-        assembly::assemble(elements, sends, visibility, accuracy, progress)
+        let wanted = |a, b| sends(a) || sends(b);
+        assembly::assemble(elements, &wanted, visibility, accuracy, progress)
+    }
+
+    /// Integrates the pairs that are `wanted`; the blocks of others are left out.
+    pub fn assemble_pairs(
+        elements: &Elements,
+        wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+        visibility: &Visibility,
+        accuracy: Accuracy,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Self {
+        assembly::assemble(elements, wanted, visibility, accuracy, progress)
     }
 
     /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end. If G is to be

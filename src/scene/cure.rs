@@ -24,6 +24,9 @@ impl Fault {
             Fault::UnknownMaterial { name, known } => {
                 choose(name, known.iter().map(String::as_str), "materials of this scene")
             }
+            Fault::UnknownSurface { name, known } => {
+                choose(name, known.iter().map(String::as_str), "surfaces of this scene")
+            }
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),

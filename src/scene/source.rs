@@ -2,6 +2,9 @@
 
 use std::{fmt, ops::Range, sync::Arc};
 
+/// Longest line that is kept for messages, bytes.
+const LONGEST_LINE: usize = 4096;
+
 /// Byte range in a source text.
 pub(super) type Span = Range<usize>;
 
@@ -22,8 +25,8 @@ impl<T> At<T> {
 }
 
 /// A scene's text with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
-#[derive(Clone, Debug)]
-pub(super) struct Source {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
     /// The whole text.
@@ -39,7 +42,7 @@ pub struct Place {
     pub line: usize,
     /// Column in characters, counted from 1.
     pub column: usize,
-    /// The line, without its end; tabs are single spaces so that columns line up.
+    /// The line, without its end; tabs are single spaces so that columns line up. Empty if it is too long to read.
     pub text: String,
     /// Characters of the line that are meant, at least 1.
     pub width: usize,
@@ -47,7 +50,7 @@ pub struct Place {
 
 impl Source {
     /// The text `text`, called `origin` in messages.
-    pub(super) fn new(origin: &str, text: &str) -> Self {
+    pub fn new(origin: &str, text: &str) -> Self {
         Source { origin: origin.into(), text: text.into() }
     }
 
@@ -57,11 +60,14 @@ impl Source {
         let line_start = self.text[..start].rfind('\n').map_or(0, |end| end + 1);
         let line_end = self.text[start..].find('\n').map_or(self.text.len(), |length| start + length);
         let end = floor_boundary(&self.text, span.end).clamp(start, line_end);
+        // Every surface keeps its place: a long line must not be copied into all of them.
+        let line =
+            &self.text[line_start..if line_end - line_start > LONGEST_LINE { line_start } else { line_end }];
         Place {
             origin: self.origin.clone(),
             line: self.text[..line_start].matches('\n').count() + 1,
             column: self.text[line_start..start].chars().count() + 1,
-            text: self.text[line_start..line_end].trim_end_matches('\r').replace('\t', " "),
+            text: line.trim_end_matches('\r').replace('\t', " "),
             width: self.text[start..end].trim_end().chars().count().max(1),
         }
     }
@@ -84,7 +90,7 @@ fn floor_boundary(text: &str, index: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::Source;
+    use super::{LONGEST_LINE, Source};
 
     #[test]
     fn columns_count_characters_not_bytes() {
@@ -94,6 +100,12 @@ mod tests {
         assert_eq!((place.line, place.column, place.width), (2, 5, 3));
         assert_eq!(place.text, "ρ = \"é\"");
         assert_eq!(place.to_string(), "s.toml:2:5");
+    }
+
+    #[test]
+    fn a_line_too_long_to_read_is_not_kept() {
+        let place = Source::new("s.json", &"é".repeat(LONGEST_LINE)).place(&(10..12));
+        assert_eq!((place.line, place.column, place.text.as_str()), (1, 6, ""));
     }
 
     #[test]

@@ -1,0 +1,232 @@
+//! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
+
+use std::io::{self, BufWriter, Write, stderr, stdout};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity::kernel::Accuracy;
+use radiosity::output::view_factors as output;
+use radiosity::scene::Scene;
+use radiosity::solve;
+use radiosity::view_factors::{Options, ViewFactors};
+
+use crate::cli::{
+    error::CliError,
+    options::{SceneArg, Shadows, Subdivide, at_least_one, fraction, subdivide},
+    output_file::OutputFile,
+    progress::Progress,
+};
+
+const NOTES: &str = "\
+Examples:
+  radiosity view-factors room.toml -o F.npy
+  radiosity view-factors room.toml --pairs floor,ceiling --eps 1e-10
+  radiosity view-factors faces.csv > F.csv
+
+Materials and emitters are not needed. Instead of a scene, SCENE may be a plain list of polygons:
+  .csv   a row name,x,y,z for each vertex; rows of one name that follow each other make a polygon
+  .json  [[[0,0,0],[1,0,0],[0,1,0]], …], a list of vertices for each polygon
+Vertices run counterclockwise as seen from the front, which alone sees; the back blocks.";
+
+/// Prints the view factors F_ij between the surfaces of a scene, and checks row sums and reciprocity
+#[derive(Debug, Args)]
+#[command(after_help = NOTES)]
+pub(crate) struct ViewFactorsArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the matrix, in the format of its ending: .csv, .json or .npy [default: CSV on standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Format of the matrix
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
+
+    /// Computes and prints F from surface A to surface B only, with 17 digits; may be repeated
+    #[arg(long, value_name = "A,B")]
+    pub(crate) pairs: Vec<String>,
+
+    /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs
+    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
+    pub(crate) subdivide: Subdivide,
+
+    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row
+    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
+    pub(crate) eps: f64,
+
+    /// Accuracy of shadows
+    #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
+    pub(crate) shadow_eps: f64,
+
+    /// How it is found out what surfaces hide from each other
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) shadows: Shadows,
+
+    /// Threads to use, all by default; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = at_least_one())]
+    pub(crate) threads: Option<usize>,
+
+    /// Prints no progress and no summary
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+/// `--format` of a matrix.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Names as header and first column
+    Csv,
+    /// Names, areas, factors, row sums and checks
+    Json,
+    /// `NumPy`: N × N numbers of 8 bytes
+    Npy,
+}
+
+/// Computes the factors and writes them.
+pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
+    let start = Instant::now();
+    let format = args.format()?;
+    let scene = args.scene.load()?;
+    let pairs: Vec<[usize; 2]> =
+        args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
+    let file = args.output.as_deref().map(OutputFile::reserve).transpose()?;
+    let progress = Progress::new(args.quiet);
+    let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
+    let show = |done, total| progress.show("pairs", done, total);
+    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
+    match &file {
+        Some(file) => file.write(|writer| write(&factors, &pairs, format, writer))?,
+        None => {
+            let mut writer = BufWriter::new(stdout().lock());
+            write(&factors, &pairs, format, &mut writer)?;
+            writer.flush()?;
+        }
+    }
+    drop(progress);
+    if !args.quiet {
+        args.tell(&scene, &factors, start);
+    }
+    Ok(())
+}
+
+fn write(
+    factors: &ViewFactors,
+    pairs: &[[usize; 2]],
+    format: Format,
+    writer: &mut impl Write,
+) -> io::Result<()> {
+    match (format, pairs.is_empty()) {
+        (Format::Csv, true) => output::csv(factors, writer),
+        (Format::Json, true) => output::json(factors, writer),
+        (Format::Npy, _) => output::npy(factors, writer),
+        (Format::Csv, false) => output::pairs_csv(factors, pairs, writer),
+        (Format::Json, false) => output::pairs_json(factors, pairs, writer),
+    }
+}
+
+/// The surfaces of `A,B`. Names may hold commas: the first comma that has names on both sides parts them.
+fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
+    let halves = || pair.match_indices(',').map(|(at, _)| (pair[..at].trim(), pair[at + 1..].trim()));
+    let Some((first, second)) = halves().next() else {
+        return Err(CliError::NoPair { text: pair.to_owned() });
+    };
+    let found = |(a, b)| Some([scene.surface_named(a).ok()?, scene.surface_named(b).ok()?]);
+    match halves().find_map(found) {
+        Some(pair) => Ok(pair),
+        None => Ok([scene.surface_named(first)?, scene.surface_named(second)?]),
+    }
+}
+
+impl ViewFactorsArgs {
+    /// The format asked for, or that of the output's ending.
+    fn format(&self) -> Result<Format, CliError> {
+        let ending = self.output.as_deref().and_then(Path::extension).and_then(|ending| ending.to_str());
+        let format = match (self.format, &self.output, ending) {
+            (Some(format), ..) => format,
+            (None, None, _) | (None, _, Some("csv")) => Format::Csv,
+            (None, _, Some("json")) => Format::Json,
+            (None, _, Some("npy")) => Format::Npy,
+            (None, Some(path), _) => return Err(CliError::UnknownFormat { path: path.clone() }),
+        };
+        if format == Format::Npy && !self.pairs.is_empty() {
+            return Err(CliError::PairsAsArray);
+        }
+        Ok(format)
+    }
+
+    fn options(&self) -> Options {
+        Options {
+            subdivide: match self.subdivide {
+                Subdivide::Auto => None,
+                Subdivide::Parts(parts) => Some(parts),
+            },
+            accuracy: Accuracy { eps: self.eps, shadow_eps: self.shadow_eps },
+            shadows: self.shadows != Shadows::Off,
+            threads: self.threads.unwrap_or(solve::Options::default().threads),
+        }
+    }
+
+    /// The summary on stderr.
+    fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant) {
+        let mut lines = vec![
+            format!("{}: {} surfaces", scene.name, factors.names.len()),
+            format!(
+                "{:.3} s, of which factors {:.3} s ({} kernel samples, {} shadow rays)",
+                start.elapsed().as_secs_f64(),
+                factors.elapsed.as_secs_f64(),
+                factors.samples,
+                factors.rays
+            ),
+        ];
+        if self.pairs.is_empty() {
+            lines.extend(self.sums(factors));
+        }
+        if factors.accuracy_reached > self.eps {
+            lines.push(format!(
+                "warning: some factors are good to about {:.0e} of their size only: subdivide the surfaces that touch \
+                 others along no common edge, come very near them, or face themselves in part",
+                factors.accuracy_reached
+            ));
+        }
+        lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
+        // Nobody is left to tell if stderr is closed.
+        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+    }
+
+    /// What row sums and reciprocity say.
+    fn sums(&self, factors: &ViewFactors) -> Vec<String> {
+        let sums = factors.row_sums();
+        let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
+        let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
+        let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
+        let tolerance = 10.0 * self.eps.max(if factors.rays > 0 { self.shadow_eps } else { 0.0 });
+        let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();
+        let mut lines = vec![
+            format!(
+                "row sums {:.9} (surface '{}') to {:.9} (surface '{}')",
+                sums[least], factors.names[least], sums[most], factors.names[most]
+            ),
+            format!("reciprocity: A_i F_ij and A_j F_ji differ by {:.1e} at the most", factors.reciprocity()),
+            match losing {
+                0 => "the scene is closed: all that leaves a surface reaches another".to_owned(),
+                count => {
+                    format!(
+                        "the scene is open: {count} of {} surfaces lose part of what leaves them",
+                        sums.len()
+                    )
+                }
+            },
+        ];
+        if sums[most] > 1.0 + tolerance {
+            let excess = 100.0 * (sums[most] - 1.0);
+            lines.push(format!(
+                "warning: surface '{}' sends {excess:.2} % more than it has: lower --eps or --shadow-eps, or look for \
+                 surfaces that pass through each other with `radiosity check`",
+                factors.names[most]
+            ));
+        }
+        lines
+    }
+}

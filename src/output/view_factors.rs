@@ -1,0 +1,132 @@
+//! View factors as CSV, JSON or NPY.
+//!
+//! The matrix is written row by row, N × N, F_ij in row i and column j. NPY is the format of NumPy, version 1.0: a magic
+//! text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the numbers as
+//! little-endian f64 in C order.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+use serde::ser::{SerializeSeq, Serializer};
+
+use crate::view_factors::ViewFactors;
+
+/// CSV with the names as header and as first column.
+///
+/// # Errors
+/// What `out` reports.
+pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    let header = ["surface"].into_iter().chain(factors.names.iter().map(String::as_str));
+    writer.write_record(header)?;
+    for (i, name) in factors.names.iter().enumerate() {
+        let numbers = factors.row(i).into_iter().map(|factor| factor.to_string());
+        writer.write_record([name.clone()].into_iter().chain(numbers))?;
+    }
+    writer.flush()
+}
+
+/// NPY, an array of shape (N, N).
+///
+/// # Errors
+/// What `out` reports.
+pub fn npy(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
+    const PREFIX: usize = 10;
+    let n = factors.names.len();
+    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({n}, {n}), }}");
+    let length = (PREFIX + header.len() + 1).next_multiple_of(64) - PREFIX;
+    out.write_all(b"\x93NUMPY\x01\x00")?;
+    out.write_all(&(length as u16).to_le_bytes())?;
+    writeln!(out, "{header:<width$}", width = length - 1)?;
+    for i in 0..n {
+        for factor in factors.row(i) {
+            out.write_all(&factor.to_le_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+/// JSON with names, areas, the matrix, its row sums and how good it is.
+///
+/// # Errors
+/// What `out` reports.
+pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
+    serde_json::to_writer(&mut out, &Document::of(factors))?;
+    writeln!(out)
+}
+
+/// Of the pairs (i, j) alone, CSV with 17 digits.
+///
+/// # Errors
+/// What `out` reports.
+pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["from", "to", "F"])?;
+    for [i, j] in pairs {
+        let factor = format!("{:.16e}", factors.factor(*i, *j));
+        writer.write_record([&factors.names[*i], &factors.names[*j], &factor])?;
+    }
+    writer.flush()
+}
+
+/// Of the pairs (i, j) alone, JSON.
+///
+/// # Errors
+/// What `out` reports.
+pub fn pairs_json(factors: &ViewFactors, pairs: &[[usize; 2]], mut out: impl Write) -> io::Result<()> {
+    let pair = |[i, j]: &[usize; 2]| Pair {
+        from: &factors.names[*i],
+        to: &factors.names[*j],
+        factor: factors.factor(*i, *j),
+    };
+    serde_json::to_writer(&mut out, &pairs.iter().map(pair).collect::<Vec<_>>())?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Pair<'a> {
+    from: &'a str,
+    to: &'a str,
+    factor: f64,
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    surfaces: &'a [String],
+    areas: &'a [f64],
+    factors: Rows<'a>,
+    row_sums: Vec<f64>,
+    reciprocity_max: f64,
+    accuracy_reached: f64,
+    kernel_samples: u64,
+    shadow_rays: u64,
+    seconds: f64,
+}
+
+impl<'a> Document<'a> {
+    fn of(factors: &'a ViewFactors) -> Self {
+        Self {
+            surfaces: &factors.names,
+            areas: &factors.areas,
+            factors: Rows(factors),
+            row_sums: factors.row_sums(),
+            reciprocity_max: factors.reciprocity(),
+            accuracy_reached: factors.accuracy_reached,
+            kernel_samples: factors.samples,
+            shadow_rays: factors.rays,
+            seconds: factors.elapsed.as_secs_f64(),
+        }
+    }
+}
+
+/// The rows of the matrix, each made when it is written.
+struct Rows<'a>(&'a ViewFactors);
+
+impl Serialize for Rows<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let count = self.0.names.len();
+        let mut rows = serializer.serialize_seq(Some(count))?;
+        (0..count).try_for_each(|i| rows.serialize_element(&self.0.row(i)))?;
+        rows.end()
+    }
+}

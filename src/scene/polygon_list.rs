@@ -1,0 +1,137 @@
+//! A plain list of polygons → the tree of a scene without materials.
+//!
+//! JSON: `[[[0,0,0],[1,0,0],[0,1,0]], …]`, a list of vertices for each polygon. CSV: a row `name,x,y,z` for each vertex,
+//! with or without that header; rows of one name that follow each other make a polygon. Lines that start with `#` are
+//! left out.
+
+use csv::{ReaderBuilder, StringRecord, Trim};
+
+use crate::scene::{
+    error::{Fault, Located},
+    source::{At, Span},
+    tree::{Node, Value},
+};
+
+const COLUMNS: [&str; 4] = ["name", "x", "y", "z"];
+
+/// The tree of a scene with one surface for each item of a JSON list.
+pub(super) fn from_list(polygons: &[Node], span: &Span) -> Node {
+    scene(polygons.iter().map(|vertices| surface(None, vertices.clone())).collect(), span)
+}
+
+/// The tree of a scene with the polygons of a CSV text.
+pub(super) fn from_csv(text: &str) -> Result<Node, Located> {
+    let mut reader = ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .comment(Some(b'#'))
+        .trim(Trim::All)
+        .from_reader(text.as_bytes());
+    let mut polygons: Vec<(At<String>, Vec<Node>)> = Vec::new();
+    for (row, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| unreadable(&error))?;
+        let fields = fields(text, &record)?;
+        if row == 0 && fields.iter().zip(COLUMNS).all(|(field, name)| field.value == name) {
+            continue;
+        }
+        let vertex = vertex(&fields)?;
+        match polygons.last_mut().filter(|(name, _)| name.value == fields[0].value) {
+            Some((_, vertices)) => vertices.push(vertex),
+            None => polygons.push((fields[0].clone(), vec![vertex])),
+        }
+    }
+    let surfaces = polygons.into_iter().map(|(name, vertices)| {
+        let span = name.span.start..vertices[vertices.len() - 1].span.end;
+        surface(Some(name), At::new(Value::List(vertices), &span))
+    });
+    Ok(scene(surfaces.collect(), &(0..text.len())))
+}
+
+/// The four fields of a row, each with its place in the text.
+fn fields(text: &str, record: &StringRecord) -> Result<Vec<At<String>>, Located> {
+    let start = record.position().map_or(0, |position| position.byte() as usize);
+    let start = start + text[start..].find(|c: char| !c.is_whitespace()).unwrap_or(0);
+    let line = start..start + text[start..].find('\n').unwrap_or(text.len() - start);
+    let mut next = start;
+    // Text with quotes in it stands differently in the file: then the whole line is meant.
+    let place = |field: &str| {
+        let Some(at) = text[next..].find(field).map(|at| next + at).filter(|at| *at <= line.end) else {
+            return At::new(field.to_owned(), &line);
+        };
+        next = at + field.len();
+        At::new(field.to_owned(), &(at..next))
+    };
+    let fields: Vec<At<String>> = record.iter().map(place).collect();
+    if fields.len() != COLUMNS.len() {
+        let expected = "four fields, name,x,y,z".to_owned();
+        let fault = Fault::WrongCount { what: "a row", expected, found: fields.len() };
+        return Err(Located::at(&line, fault));
+    }
+    Ok(fields)
+}
+
+fn vertex(fields: &[At<String>]) -> Result<Node, Located> {
+    let number = |field: &At<String>| match field.value.parse() {
+        Ok(number) => Ok(At::new(Value::Number(number), &field.span)),
+        Err(_) => Err(Located::at(&field.span, Fault::WrongType { expected: "a number", found: "a text" })),
+    };
+    let point: Vec<Node> = fields[1..].iter().map(number).collect::<Result<_, _>>()?;
+    let span = fields[1].span.start..fields[3].span.end;
+    Ok(At::new(Value::List(point), &span))
+}
+
+fn surface(name: Option<At<String>>, vertices: Node) -> Node {
+    let span = name.as_ref().map_or(&vertices.span, |name| &name.span).clone();
+    let polygon = At::new(Value::Table(vec![(key("vertices", &span), vertices)]), &span);
+    let name = name.map(|name| (key("name", &span), At::new(Value::Text(name.value), &name.span)));
+    let entries = name.into_iter().chain([(key("polygon", &span), polygon)]).collect();
+    At::new(Value::Table(entries), &span)
+}
+
+fn scene(surfaces: Vec<Node>, span: &Span) -> Node {
+    At::new(Value::Table(vec![(key("surfaces", span), At::new(Value::List(surfaces), span))]), span)
+}
+
+fn key(name: &str, span: &Span) -> At<String> {
+    At::new(name.to_owned(), span)
+}
+
+fn unreadable(error: &csv::Error) -> Located {
+    let start = error.position().map_or(0, |position| position.byte() as usize);
+    let fault = Fault::Syntax { language: "CSV", message: error.to_string() };
+    Located::at(&(start..start + 1), fault)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::{Fault, Scene};
+
+    const TRIANGLES: &str = "# two of them\nname,x,y,z\na,0,0,0\na, 1,0,0\na,0,1,0\n\"b, too\",0,0,1\n\"b, too\",0,1,1\n\"b, too\",1,0,1\n";
+
+    #[test]
+    fn rows_of_one_name_make_a_polygon() {
+        for text in [TRIANGLES, &TRIANGLES.replace("name,x,y,z\n", "")] {
+            let scene = Scene::from_csv(text, "two.csv").unwrap();
+            let names: Vec<&str> = scene.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+            assert_eq!(names, ["a", "b, too"]);
+            assert!(scene.surfaces.iter().all(|surface| (surface.shape.area() - 0.5).abs() < 1e-15));
+        }
+    }
+
+    #[test]
+    fn a_json_list_is_a_list_of_polygons() {
+        let scene = Scene::from_json("[[[0,0,0],[1,0,0],[0,1,0]]]", "one.json").unwrap();
+        assert_eq!(scene.surfaces[0].name, "surface-1");
+        let error = Scene::from_json("[[[0,0,0],[1,0,0],\n [0,1]]]", "one.json").unwrap_err();
+        assert!(error.to_string().starts_with("one.json:2:2: surface \"surface-1\": "), "{error}");
+    }
+
+    #[test]
+    fn faults_of_rows_are_placed() {
+        let error = |old, new| Scene::from_csv(&TRIANGLES.replace(old, new), "t.csv").unwrap_err();
+        assert!(error("a, 1,0,0", "a, 1,O,0").to_string().starts_with("t.csv:4:6: expected a number"));
+        assert!(error("a, 1,0,0", "a, 1,0").to_string().starts_with("t.csv:4:1: a row takes four fields"));
+        assert!(matches!(error("a, 1,0,0", "a, NaN,0,0").fault, Fault::NotFinite { .. }));
+        assert!(matches!(Scene::from_csv("name,x,y,z\n", "t.csv").unwrap_err().fault, Fault::EmptyScene));
+    }
+}

@@ -1,0 +1,220 @@
+//! View factors between the surfaces of a scene.
+//!
+//! ```text
+//! F_ij = 1/A_i ∫∫ κ(x, y) V(x, y) dA_x dA_y ,     A_i F_ij = A_j F_ji ,     Σ_j F_ij ≤ 1 ,
+//! ```
+//!
+//! the share of what leaves surface i diffusely that reaches surface j. F is what is left of G where each element
+//! carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
+//!
+//! ```text
+//! A_i F_ij = Σ_a Σ_b √(A_a A_b) G_ab .
+//! ```
+//!
+//! In a closed scene each row sums to 1. Neither materials nor emitters matter.
+
+use std::time::{Duration, Instant};
+
+use crate::elements::cells::Layers;
+use crate::elements::space::Space;
+use crate::elements::{Discretization, Elements, Subdivide};
+use crate::kernel::{Accuracy, Blocks, PairCounts};
+use crate::scene::Scene;
+use crate::solve::{Failure, in_threads};
+use crate::visibility::{Shadows, Visibility};
+
+/// How well view factors are computed.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are of whole surfaces
+    /// all the same: cuts sharpen shadows.
+    pub subdivide: Option<usize>,
+    /// Accuracy of the exchange of two elements.
+    pub accuracy: Accuracy,
+    /// Whether surfaces hide each other.
+    pub shadows: bool,
+    /// Threads; the result does not depend on it.
+    pub threads: usize,
+}
+
+/// The view factors of a scene. Only pairs that see each other take memory.
+#[derive(Debug)]
+pub struct ViewFactors {
+    /// Names of the surfaces.
+    pub names: Vec<String>,
+    /// Areas of the surfaces (scene length²).
+    pub areas: Vec<f64>,
+    /// By surface i: (j, A_i F_ij), ascending in j, both ways.
+    exchanges: Vec<Vec<(u32, f64)>>,
+    /// How many pairs of elements went which way.
+    pub pairs: PairCounts,
+    /// Kernel evaluations, or logarithms.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// The largest error that unresolved parts leave in the exchange of two elements ([`Blocks::accuracy_reached`]).
+    pub accuracy_reached: f64,
+    /// Wall time.
+    pub elapsed: Duration,
+}
+
+impl ViewFactors {
+    /// Computes the factors of all pairs of surfaces. `progress` hears (pairs done, pairs to do), from any thread.
+    ///
+    /// # Errors
+    /// A surface without area, or threads that cannot be started.
+    pub fn new(
+        scene: &Scene,
+        options: &Options,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self, Failure> {
+        Self::of_pairs(scene, &|_, _| true, options, progress)
+    }
+
+    /// Computes the factors of those pairs of surfaces that are `wanted` in either order; the others are left zero.
+    ///
+    /// # Errors
+    /// As for [`ViewFactors::new`].
+    pub fn of_pairs(
+        scene: &Scene,
+        wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+        options: &Options,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Result<Self, Failure> {
+        let start = Instant::now();
+        let (elements, blocks) =
+            in_threads(options.threads, || constants(scene, wanted, options, progress))??;
+        let areas = areas(scene, &elements);
+        Ok(Self {
+            names: scene.surfaces.iter().map(|surface| surface.name.clone()).collect(),
+            exchanges: exchanges(&elements, &blocks, areas.len()),
+            areas,
+            pairs: blocks.pairs,
+            samples: blocks.distinct,
+            rays: blocks.rays,
+            accuracy_reached: blocks.accuracy_reached,
+            elapsed: start.elapsed(),
+        })
+    }
+
+    /// F_ij.
+    pub fn factor(&self, i: usize, j: usize) -> f64 {
+        let row = &self.exchanges[i];
+        row.binary_search_by_key(&j, |(column, _)| *column as usize)
+            .map_or(0.0, |place| row[place].1 / self.areas[i])
+    }
+
+    /// All factors from surface i, zeros included.
+    pub fn row(&self, i: usize) -> Vec<f64> {
+        let mut row = vec![0.0; self.names.len()];
+        self.exchanges[i].iter().for_each(|(j, exchange)| row[*j as usize] = exchange / self.areas[i]);
+        row
+    }
+
+    /// Σ_j F_ij of each surface: 1 if nothing of what leaves it is lost.
+    pub fn row_sums(&self) -> Vec<f64> {
+        let sum = |(row, area): (&Vec<(u32, f64)>, &f64)| row.iter().map(|(_, x)| x).sum::<f64>() / area;
+        self.exchanges.iter().zip(&self.areas).map(sum).collect()
+    }
+
+    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), of the factors as rounded: each pair is integrated once.
+    pub fn reciprocity(&self) -> f64 {
+        let mut largest = 0.0f64;
+        for (i, row) in self.exchanges.iter().enumerate() {
+            for (j, _) in row {
+                let j = *j as usize;
+                let difference = self.areas[i] * self.factor(i, j) - self.areas[j] * self.factor(j, i);
+                largest = largest.max(difference.abs() / self.areas[i].min(self.areas[j]));
+            }
+        }
+        largest
+    }
+}
+
+/// Elements that carry constants, and their blocks.
+fn constants(
+    scene: &Scene,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<(Elements, Blocks), Failure> {
+    let mut scene = scene.clone();
+    scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
+    let shadows = if options.shadows { Shadows::Rays(options.accuracy.shadow_eps) } else { Shadows::Off };
+    let visibility = Visibility::new(&scene, shadows);
+    let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
+    let elements = Elements::new(&scene, &how)?;
+    let surface = |element: usize| elements.list()[element].surface;
+    let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
+    let blocks = Blocks::assemble_pairs(&elements, &wanted, &visibility, options.accuracy, progress);
+    Ok((elements, blocks))
+}
+
+fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
+    let area = |surface| elements.of_surface(surface).map(|element| elements.list()[element].area).sum();
+    (0..scene.surfaces.len()).map(area).collect()
+}
+
+/// A_i F_ij of all pairs that exchange anything.
+fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(u32, f64)>> {
+    let list = elements.list();
+    let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
+    for (a, b, values) in blocks.iter() {
+        let exchange = values[0] * (list[a].area * list[b].area).sqrt();
+        let (i, j) = (list[a].surface, list[b].surface);
+        rows[i].push((j as u32, exchange));
+        // Two different elements of one surface exchange both ways.
+        if a != b {
+            rows[j].push((i as u32, exchange));
+        }
+    }
+    for row in &mut rows {
+        row.sort_by_key(|(column, _)| *column);
+        row.dedup_by(|next, kept| {
+            let same = next.0 == kept.0;
+            kept.1 += if same { next.1 } else { 0.0 };
+            same
+        });
+        row.shrink_to_fit();
+    }
+    rows
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
+        let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, shadows: true, threads: 2 };
+        ViewFactors::new(scene, &options, &|_, _| {}).expect("all have area")
+    }
+
+    #[test]
+    fn cut_walls_of_a_box_see_what_whole_walls_see() {
+        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let (whole, cut) = (factors(&scene, 1), factors(&scene, 3));
+        for i in 0..6 {
+            assert!((cut.areas[i] - 1.0).abs() < 1e-14);
+            assert!((whole.row_sums()[i] - 1.0).abs() < 1e-13 && (cut.row_sums()[i] - 1.0).abs() < 1e-13);
+            for j in 0..6 {
+                assert!((whole.factor(i, j) - cut.factor(i, j)).abs() < 1e-14, "{i} {j}");
+            }
+        }
+        assert!(cut.reciprocity() < 1e-15);
+    }
+
+    #[test]
+    fn only_the_pairs_wanted_are_integrated() {
+        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
+        let options = Options { subdivide: Some(1), accuracy, shadows: true, threads: 1 };
+        let wanted = |i, j| (i, j) == (4, 1);
+        let some = ViewFactors::of_pairs(&scene, &wanted, &options, &|_, _| {}).expect("all have area");
+        let all = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");
+        assert_eq!([some.factor(4, 1), some.factor(1, 4)], [all.factor(4, 1), all.factor(1, 4)]);
+        assert_eq!(some.row(0), vec![0.0; 6]);
+    }
+}
