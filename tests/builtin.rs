@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::output::grid::grid;
 use radiosity::scene::{Fault, Scene};
+use radiosity::solution::Place;
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::{DVec3, Ray};
@@ -164,9 +164,14 @@ fn furnaces_have_one_radiosity() {
         let scene = with(name, &[("reflectance", reflectance)]);
         let outcome =
             solve(&scene, &Options { order: 2, ..Options::default() }, &|_| {}).expect("it is solved");
-        for cell in grid(&outcome.solution, scene.surfaces.len(), [3, 3]) {
-            let error = cell.radiosity[0] * (1.0 - reflectance) - 1.0;
-            assert!(error.abs() < 1e-2, "{name}, {reflectance}: {error}");
+        let elements = outcome.solution.elements();
+        for (index, element) in elements.list().iter().enumerate() {
+            for parameters in [[0.0, 0.0], [0.9, -0.9], [-0.5, 0.3]] {
+                let position = elements.shape(element.surface).jet(parameters[0], parameters[1]).position;
+                let place = Place { surface: element.surface, parameters, position };
+                let error = outcome.solution.radiosity(0, index, &place) * (1.0 - reflectance) - 1.0;
+                assert!(error.abs() < 1e-2, "{name}, {reflectance}: {error}");
+            }
         }
     }
 }
