@@ -67,9 +67,11 @@ fn pictures_of_solution_files_are_compared() {
     assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
     let told = done(folder.path(), &[&at[..], &["--order", "0"]].concat());
     assert!(!told.contains("rms 0.0"), "{told}");
-    let output = radiosity(folder.path(), &["render", "furnace-cube", "--difference", "s.json"]);
+    let output =
+        radiosity(folder.path(), &["render", "furnace-cube", "--size", "8x6", "--difference", "s.json"]);
     assert_eq!(output.status.code(), Some(0), "names and areas are those of the cube");
-    let output = radiosity(folder.path(), &["render", "cornell-box", "--difference", "s.json"]);
+    let output =
+        radiosity(folder.path(), &["render", "cornell-box", "--size", "8x6", "--difference", "s.json"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("s.json: it has other bands"));
 }
@@ -184,7 +186,7 @@ fn kinds_of_pictures_are_told_by_their_endings() {
 
 #[test]
 fn styles_that_cannot_be_are_refused() {
-    refused(&["render", "--false-colour", "--band", "uv"], &["no band \"uv\"", "r, g, b"]);
+    refused(&["render", "--false-colour", "--band", "uv"], &["no band \"uv\"", "R_620nm, G_540nm, B_460nm"]);
     refused(&["render", "--range", "0,1"], &["--range and --band", "--false-colour"]);
     refused(&["render", "--false-colour", "--range", "2,1"], &["two numbers that ascend"]);
     refused(&["render", "--difference", "none.exr"], &["none.exr: ", "radiosity render -o FILE.exr"]);

@@ -79,7 +79,8 @@ fn label(value: f64, step: f64) -> String {
     } else if value == 0.0 {
         "0".to_owned()
     } else {
-        let more = (value.abs() / step).log10().floor().max(0.0) as usize;
+        let leading = (value.abs() * (1.0 + 1e-9)).log10().floor();
+        let more = (leading + digits).max(0.0) as usize;
         format!("{value:.more$e}")
     }
 }
