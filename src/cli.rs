@@ -1,8 +1,10 @@
 //! Command line: the verbs, and what each does with the library.
 
 mod check;
+mod completions;
 mod error;
 mod grid;
+mod interrupt;
 mod options;
 mod output_file;
 mod progress;
@@ -49,6 +51,7 @@ enum Verb {
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
+    Completions(completions::CompletionsArgs),
 }
 
 impl Cli {
@@ -62,6 +65,7 @@ impl Cli {
 
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
+        interrupt::watch();
         match &self.verb {
             Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
             Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
@@ -69,6 +73,7 @@ impl Cli {
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),
+            Verb::Completions(args) => completions::run(args, Self::command()),
         }
     }
 }

@@ -24,6 +24,8 @@ pub enum Progress {
     Blocks(usize, usize),
     /// Band, iteration and relative residual of the solver.
     Solve(usize, usize, f64),
+    /// A stage is done and took so long; their names are those of [`Stages`].
+    Finished(&'static str, Duration),
 }
 
 /// What the solution cost and how it judges itself.
@@ -139,11 +141,15 @@ fn solve_in_pool(
     });
     let how =
         Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
+    progress(Progress::Finished("visibility", seconds.visibility));
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
+    progress(Progress::Finished("elements", seconds.elements));
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
     let blocks =
         timed(&mut seconds.blocks, || blocks(scene, &elements, &visibility, options, &report_pairs))?;
+    progress(Progress::Finished("blocks", seconds.blocks));
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
+    progress(Progress::Finished("solve", seconds.solve));
     let slowest = solved.iter().filter_map(|(_, effort)| effort.as_ref()).max_by_key(|e| e.iterations);
     let (solver, iterations) = slowest.map_or((options.method.name, 0), |e| (e.method, e.iterations));
     let converged = solved.iter().flat_map(|(_, effort)| effort).all(|effort| effort.converged);

@@ -5,6 +5,7 @@ use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
+use radiosity_solvers::SolveError;
 use thiserror::Error;
 
 /// Why a command ended early.
@@ -49,6 +50,14 @@ pub(crate) enum CliError {
     /// The scene could not be solved.
     #[error(transparent)]
     Solve(#[from] Failure),
+    /// A solution that was written all the same.
+    #[error("{}: the solver did not converge, the relative residual is {residual:.2e}; what is written is marked so", path.display())]
+    Partial {
+        /// The output as typed.
+        path: PathBuf,
+        /// Relative residual, the largest of any band.
+        residual: f64,
+    },
     /// A picture was asked of a scene without a camera.
     #[error("{origin}: there is no camera to take a picture with")]
     NoCamera {
@@ -90,7 +99,10 @@ impl CliError {
             | CliError::PairsAsArray => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
+            CliError::Partial { .. }
+            | CliError::Unwritten { .. }
+            | CliError::Solve(_)
+            | CliError::Stdout(_) => ExitCode::from(1),
         }
     }
 
@@ -132,7 +144,13 @@ impl CliError {
                 Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
             }
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => None,
+            CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
+                Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
+            }
+            CliError::Partial { .. }
+            | CliError::Unwritten { .. }
+            | CliError::Solve(_)
+            | CliError::Stdout(_) => None,
         }
     }
 }

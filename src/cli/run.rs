@@ -91,12 +91,23 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
+        Self::with_options(loaded, options(method), report, progress)
+    }
+
+    /// The same with options that no longer follow from the command line alone.
+    pub(crate) fn with_options(
+        loaded: Loaded,
+        asked: Options,
+        report: &ReportArgs,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
         let report_file = report.reserve()?;
-        let asked = options(method);
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, bands),
+            Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
+            Stage::Finished(..) => {}
         };
         let saved = loaded.saved.is_some();
         let solved = match loaded.saved {
@@ -185,7 +196,8 @@ impl Run {
     }
 }
 
-fn options(method: &MethodArgs) -> Options {
+/// The options that were typed.
+pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
         order: method.order,
