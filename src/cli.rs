@@ -7,7 +7,10 @@ mod grid;
 mod interrupt;
 mod options;
 mod output_file;
+mod points;
+mod probe;
 mod progress;
+mod read;
 mod render;
 mod run;
 mod scenes;
@@ -25,6 +28,7 @@ const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
+  radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity check room.toml                   what is in a scene, and what looks wrong
@@ -47,6 +51,7 @@ pub(crate) struct Cli {
 enum Verb {
     Solve(solve::SolveArgs),
     Render(render::RenderArgs),
+    Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
@@ -69,6 +74,10 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
             Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Probe(args) => {
+                let points = args.load_points()?;
+                probe::run(args, &points, Loaded::readable(&args.scene, &self.fixing)?)
+            }
             Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),

@@ -232,9 +232,26 @@ impl Elements {
         if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
     }
 
+    /// Number of surfaces, those without elements included.
+    pub fn surfaces(&self) -> usize {
+        self.surfaces.len()
+    }
+
     /// The shape of a surface.
     pub fn shape(&self, surface: usize) -> &dyn Surface {
         self.surfaces[surface].shape.as_ref()
+    }
+
+    /// A cover of the part of element `element` over the parameters `rect` by patches that do not overlap.
+    pub fn patches_over(&self, element: usize, rect: &Rect) -> Vec<Patch> {
+        let element = &self.list[element];
+        let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
+        let Some((_, normal)) = element.plane else {
+            return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
+        };
+        let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
+        let parts = clip_to_cell(self.shape(element.surface), &pieces, rect);
+        parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
     }
 
     /// Coefficients c of the constant 1, element by element.
@@ -269,6 +286,12 @@ pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -
         parts = parts.iter().map(|part| clip_polygon(part, start, inward)).filter(|p| p.len() > 2).collect();
     }
     parts
+}
+
+fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
+    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
+    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
 fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {

@@ -39,6 +39,7 @@ mod same;
 mod seam;
 mod separated;
 mod touch;
+mod trial;
 mod vertex;
 mod wedge;
 

@@ -22,11 +22,14 @@
 
 pub mod scene;
 pub mod visibility;
+pub mod inspection;
 pub mod elements;
 pub mod kernel;
 pub mod system;
 pub mod solution;
+pub mod view;
 pub mod direct;
+pub mod gather;
 pub mod checks;
 pub mod solve;
 pub mod solved;

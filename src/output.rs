@@ -1,7 +1,9 @@
-//! What leaves the library: pictures, grids of means, reports, view factors.
+//! What leaves the library: pictures, grids of means, values at points, view factors, reports.
 
-pub mod grid;
 pub mod image;
+pub mod reader;
+pub mod grid;
+pub mod probe;
 pub mod render;
 pub mod report;
 pub mod solution_file;

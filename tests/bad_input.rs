@@ -172,6 +172,10 @@ fn not_finite() {
         &room("[1,1,0]", "[1,inf,0]"),
         &["room.toml:11:41: surface \"floor\": inf is not a finite number"],
     );
+    refused(
+        &room("[1,1,0]", "[1,1e31,0]"),
+        &["room.toml:11:41: surface \"floor\": the number is 1e31, outside −1e30 ≤ x ≤ 1e30", "help: choose"],
+    );
     let scene = "{\"camera\": {\"eye\": [0, 0, 1e999], \"target\": [0, 0, 0]}}";
     refused_file("room.json", scene, &["room.json:1:27: camera: inf is not a finite number"]);
 }
@@ -300,6 +304,48 @@ fn bad_transform() {
     refused(
         &room("name", "transform = { scale = 0 }\nname"),
         &["room.toml:9:23:", "`scale` is 0; it must be greater than zero"],
+    );
+}
+
+#[test]
+fn coincident_curved_surfaces() {
+    let ball = "sphere = { center = [5,0,0], radius = 1 }";
+    let part = "disk = { center = [0.5,0.5,0], normal = [0,0,-1], radius = 0.2 }";
+    let zone = "sphere = { center = [5,0,0], radius = 1, axis = [1,1,0], z = [0, 0.5] }";
+    let with = |shapes: [&str; 2]| {
+        let entry = |shape| format!("[[surfaces]]\nmaterial = \"white\"\n{shape}\n");
+        format!("{ROOM}{}{}", entry(shapes[0]), entry(shapes[1]))
+    };
+    let parts =
+        ["room.toml:17:10: surface \"surface-3\": coincides with surface \"surface-2\"", "help: remove one"];
+    refused(&with([ball, zone]), &parts);
+    let parts =
+        ["room.toml:14:8: surface \"surface-2\": coincides with surface \"floor\"", "help: remove one"];
+    refused(&with([part, ball]), &parts);
+}
+
+#[test]
+fn sheets_that_turn_back() {
+    let scene = format!(
+        "{ROOM}[[surfaces]]\nmaterial = \"white\"\nextrusion = {{ curve = [[0,5,0],[3,5,0],[-1,5,0],[2,5,0]], direction = [0,0,1] }}\n"
+    );
+    let parts = [
+        "room.toml:14:23: surface \"surface-2\": `curve` turns back on itself; give control points that advance",
+    ];
+    refused(&scene, &parts);
+}
+
+#[test]
+fn sizes_beyond_computing() {
+    let parts = [
+        "room.toml:12:8: surface \"floor\": the extent of the surface is 1",
+        "outside 1e-30 ≤ extent ≤ 1e30",
+    ];
+    refused(
+        &room("quad = {", "transform = { scale = 1e-30 }\nquad = {")
+            .replace("[1,", "[0.1,")
+            .replace(",1,", ",0.1,"),
+        &parts,
     );
 }
 

@@ -8,9 +8,11 @@
 
 use std::path::Path;
 
-use radiosity::output::grid::{Cell, grid};
+use radiosity::output::grid::{Cell, Rates, grid};
+use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, solve};
+use radiosity::visibility::{Shadows, Visibility};
 use serde_json::Value;
 
 /// Emission of the scene file over unit exitance, per band: π × the published values.
@@ -22,7 +24,9 @@ fn cells(order: usize, subdivide: usize, surface: &str) -> Vec<Cell> {
     scene.surfaces[index].subdivide = Some([subdivide; 2]);
     let options = Options { order, subdivide: Some(1), threads: 2, ..Options::default() };
     let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
-    let all = grid(&outcome.solution, scene.surfaces.len(), [16, 16]);
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let reader = Reader::new(&outcome.solution, &visibility, Read::Basis, 1e-3);
+    let all = grid(&reader, [16, 16], Rates::default(), &|_, _| {});
     all.into_iter().filter(|cell| cell.surface == index).collect()
 }
 

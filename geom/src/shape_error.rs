@@ -163,6 +163,12 @@ pub enum ShapeError {
         /// The field at fault.
         field: String,
     },
+    /// A flat sheet or straight profile lies in itself.
+    #[error("`{field}` turns back on itself; give control points that advance from one end to the other")]
+    TurnsBack {
+        /// The field at fault.
+        field: String,
+    },
 }
 
 impl ShapeError {
@@ -186,7 +192,8 @@ impl ShapeError {
             | ShapeError::NoArea { field }
             | ShapeError::OffMeridian { field, .. }
             | ShapeError::CrossesAxis { field, .. }
-            | ShapeError::Folded { field } => field,
+            | ShapeError::Folded { field }
+            | ShapeError::TurnsBack { field } => field,
         }
     }
 }

@@ -8,6 +8,7 @@ mod cone;
 mod cylinder;
 mod disk;
 mod extrusion;
+mod fold;
 mod net;
 mod parallelogram;
 mod polygon;

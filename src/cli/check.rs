@@ -5,59 +5,170 @@ use std::{
     io::{Write as _, stdout},
 };
 
-use clap::Args;
+use clap::{Args, ValueEnum};
+use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Touch};
 use radiosity::scene::{Camera, Scene, SceneSurface};
+use serde_json::{Value, json};
 
 use crate::cli::{error::CliError, options::SceneArg, table::Table};
 
-/// Says what is in a scene, and what looks wrong
+/// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
 #[command(after_help = "Example:\n  radiosity check room.toml")]
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
+
+    /// Text for people, or JSON with the same content
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: Format,
 }
 
-/// Prints the scene's bands, surfaces and camera, then the warnings.
-pub(crate) fn run(_: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
-    let mut text = String::new();
-    describe(scene, &mut text).expect("a String takes all text");
+/// How the findings are written.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Format {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+}
+
+/// Prints the scene's bands, surfaces, contacts and camera, then the warnings.
+pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
+    let inspection = Inspection::of(scene);
+    let text = match args.format {
+        Format::Text => {
+            let mut text = String::new();
+            describe(scene, &inspection, &mut text).expect("a String takes all text");
+            text
+        }
+        Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
+    };
     Ok(stdout().write_all(text.as_bytes())?)
 }
 
-fn describe(scene: &Scene, text: &mut String) -> fmt::Result {
+fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::Result {
     writeln!(text, "{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)"))?;
     writeln!(text, "bands: {}", scene.bands.join(", "))?;
-    let area: f64 = scene.surfaces.iter().map(|surface| surface.shape.area()).sum();
+    let area: f64 = inspection.areas.iter().sum();
     let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
     writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
-    writeln!(text, "{}", surface_table(&scene.surfaces))?;
+    writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
+    if !inspection.contacts.is_empty() {
+        writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
+    }
+    for shell in &inspection.shells {
+        writeln!(text, "closed: {}", shell_line(scene, shell))?;
+    }
     match &scene.camera {
         Some(camera) => writeln!(text, "camera: {}", camera_line(camera))?,
         None => writeln!(text, "camera: none")?,
     }
-    let warnings = warnings(scene);
-    for warning in &warnings {
-        writeln!(text, "warning: {warning}")?;
+    for warning in &inspection.warnings {
+        writeln!(text, "warning: {}", warning.message)?;
     }
-    if warnings.is_empty() { writeln!(text, "nothing looks wrong") } else { Ok(()) }
+    if inspection.warnings.is_empty() { writeln!(text, "nothing looks wrong") } else { Ok(()) }
 }
 
-fn surface_table(surfaces: &[SceneSurface]) -> Table<6> {
+fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<6> {
     let mut table = Table::new(["surface", "shape", "area", "normal", "material", "reflectance"]);
-    for surface in surfaces {
+    for (surface, area) in surfaces.iter().zip(areas) {
         let center = surface.shape.jet(0.0, 0.0).normal;
         let curved = if surface.shape.region().is_some() { "" } else { " at its centre" };
         table.row([
             surface.name.clone(),
             surface.kind.to_owned(),
-            format!("{:.6}", surface.shape.area()),
+            format!("{area:.6}"),
             vector(center.to_array()) + curved,
             surface.material_name.clone().unwrap_or_else(|| "none".to_owned()),
             numbers(&surface.material.reflectance),
         ]);
     }
     table
+}
+
+/// One row for each surface and way of touching, each contact named once.
+fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table<3> {
+    let mut table = Table::new(["surface", "touches", "of"]);
+    let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
+    for Contact { surfaces: [own, other], touch } in contacts {
+        let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
+        match rows.iter_mut().rev().find(|row| (row.0, row.1) == (*own, way)) {
+            Some(row) => row.2.push(name),
+            None => rows.push((*own, way, vec![name])),
+        }
+    }
+    for (own, way, others) in rows {
+        table.row([scene.surfaces[own].name.clone(), way.to_owned(), others.join(", ")]);
+    }
+    table
+}
+
+fn way(touch: Touch) -> &'static str {
+    match touch {
+        Touch::Edge => "edge",
+        Touch::Tee => "side or face",
+        Touch::Vertex => "corner",
+        Touch::Crossing { .. } => "inside",
+        Touch::Overlap => "area",
+    }
+}
+
+fn shell_line(scene: &Scene, shell: &Shell) -> String {
+    let names: Vec<&str> = shell.surfaces.iter().map(|k| scene.surfaces[*k].name.as_str()).collect();
+    let Shell { volume, fronts, .. } = shell;
+    format!("{}; volume {volume:.6}, fronts {}", names.join(", "), side(*fronts))
+}
+
+fn side(fronts: Fronts) -> &'static str {
+    match fronts {
+        Fronts::Inside => "inside",
+        Fronts::Outside => "outside",
+        Fronts::Mixed => "on both sides",
+    }
+}
+
+/// The same content as the text, numbers in full.
+fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
+    let name = |index: &usize| scene.surfaces[*index].name.as_str();
+    let surfaces = scene.surfaces.iter().zip(&inspection.areas).map(|(surface, area)| {
+        json!({
+            "name": surface.name, "shape": surface.kind, "area": area,
+            "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
+            "material": surface.material_name, "reflectance": surface.material.reflectance,
+            "emission": surface.material.emission,
+        })
+    });
+    let contacts = inspection.contacts.iter().map(|contact| {
+        let at = if let Touch::Crossing { at } = contact.touch { Some(at.to_array()) } else { None };
+        json!({ "surfaces": contact.surfaces.each_ref().map(name), "touch": touch_key(contact.touch), "at": at })
+    });
+    let shells = inspection.shells.iter().map(|shell| {
+        let surfaces: Vec<&str> = shell.surfaces.iter().map(name).collect();
+        json!({ "surfaces": surfaces, "volume": shell.volume, "fronts": side(shell.fronts) })
+    });
+    let camera = scene.camera.as_ref().map(|camera| {
+        json!({
+            "eye": camera.eye.to_array(), "target": camera.target.to_array(), "up": camera.up.to_array(),
+            "fov": camera.fov, "width": camera.width, "height": camera.height,
+        })
+    });
+    json!({
+        "scene": scene.name, "title": scene.title, "bands": scene.bands,
+        "area": inspection.areas.iter().sum::<f64>(),
+        "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
+        "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
+    })
+}
+
+fn touch_key(touch: Touch) -> &'static str {
+    match touch {
+        Touch::Edge => "edge",
+        Touch::Tee => "tee",
+        Touch::Vertex => "vertex",
+        Touch::Crossing { .. } => "crossing",
+        Touch::Overlap => "overlap",
+    }
 }
 
 /// Three decimals, without the −0 of rounding.
@@ -76,27 +187,4 @@ fn camera_line(camera: &Camera) -> String {
     let Camera { eye, target, fov, width, height, .. } = camera;
     let (eye, target) = (vector(eye.to_array()), vector(target.to_array()));
     format!("at {eye}, looking at {target}, {fov:.1} degrees high, {width}x{height} pixels")
-}
-
-/// Reflectances above this make light bounce so often that a small error in them is a large one in the result.
-const BRIGHT: f64 = 0.95;
-
-fn warnings(scene: &Scene) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if !scene.surfaces.iter().any(|surface| surface.material.emits()) {
-        warnings.push("no surface emits light: give a material an emission above 0".to_owned());
-    }
-    for surface in &scene.surfaces {
-        let name = &surface.name;
-        let bright = surface.material.reflectance.iter().copied().fold(0.0, f64::max);
-        if surface.material_name.is_none() {
-            warnings.push(format!("surface {name:?} has no material, it counts as black"));
-        } else if bright > BRIGHT {
-            warnings.push(format!("surface {name:?} reflects {bright}, few real materials exceed {BRIGHT}"));
-        }
-    }
-    if scene.camera.is_none() {
-        warnings.push("there is no camera for a picture: add a [camera] with eye and target".to_owned());
-    }
-    warnings
 }

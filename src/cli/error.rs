@@ -8,6 +8,8 @@ use radiosity::solve::Failure;
 use radiosity_solvers::SolveError;
 use thiserror::Error;
 
+use crate::cli::points::PointsError;
+
 /// Why a command ended early.
 #[derive(Debug, Error)]
 pub(crate) enum CliError {
@@ -31,6 +33,9 @@ pub(crate) enum CliError {
         /// The option as typed.
         option: String,
     },
+    /// Something is wrong with the points of a probe.
+    #[error(transparent)]
+    Points(#[from] PointsError),
     /// An output that cannot be written, found out before the work.
     #[error("{}: cannot be written: {reason}", path.display())]
     Unwritable {
@@ -90,6 +95,7 @@ impl CliError {
         match self {
             CliError::Scene(_)
             | CliError::Solution(_)
+            | CliError::Points(_)
             | CliError::AlreadySolved { .. }
             | CliError::Fixed { .. }
             | CliError::Unwritable { .. }
@@ -133,6 +139,7 @@ impl CliError {
             CliError::Fixed { .. } => {
                 Some("leave the option out, or give the scene instead of its solution".into())
             }
+            CliError::Points(error) => Some(error.cure.clone()),
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }

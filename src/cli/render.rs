@@ -55,6 +55,8 @@ pub(crate) enum ReadMode {
     Basis,
     /// Direct light and its shadows exact at every point, the rest from the polynomials
     Direct,
+    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point: slow
+    Gather,
 }
 
 /// Solves the scene and writes a picture.
@@ -68,6 +70,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let read = match args.read {
         ReadMode::Basis => Read::Basis,
         ReadMode::Direct => Read::Direct,
+        ReadMode::Gather => Read::Gather,
     };
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.solved.outcome.solution;

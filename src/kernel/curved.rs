@@ -34,7 +34,7 @@ use super::moments::Moments;
 use super::pair::gap;
 use super::separated::{self, SMALLEST_RATIO};
 use super::touch::{Touch, collapsed, cut, touch};
-use super::{same, seam, vertex};
+use super::{same, seam, trial, vertex};
 
 /// Points closer than this part of the pair's size coincide.
 const COINCIDENT: f64 = 1e-9;
@@ -323,7 +323,7 @@ impl<'a> Job<'a> {
     fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
         let reach = longest(outer).1;
         let mut open: VecDeque<Patch> = inner.into();
-        let (mut clipped, mut near) = (Vec::new(), Vec::new());
+        let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
             let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
             let share = area(p).min(area(q)) / self.unit;
@@ -350,18 +350,29 @@ impl<'a> Job<'a> {
                     open.extend(part.halves(longest(&part).0));
                 }
             } else if facing == Facing::Wholly {
-                let points = self.points(p, q, gap);
-                self.moments.tensor(p, q, points, None);
+                whole.push((part, gap));
             } else {
                 clipped.push((part, gap));
             }
         }
+        if near.is_empty() && clipped.is_empty() {
+            return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
+        }
+        // Beside horizons those seen wholly go the same way: the sum of all is smoother than any of them.
+        clipped.extend(whole);
         if near.is_empty() {
             return self.horizon(outer, &clipped);
         }
         near.extend(clipped.into_iter().map(|(part, _)| part));
         let halves = outer.halves(longest(outer).0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// An inner part that the outer one sees wholly, by a tensor rule.
+    fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
+        let (p, q) = if self.swapped { (inner, outer) } else { (outer, inner) };
+        let points = self.points(p, q, gap);
+        self.moments.tensor(p, q, points, None);
     }
 
     fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
@@ -415,7 +426,7 @@ impl<'a> Job<'a> {
 
     /// A pair that sees each other wholly, or whose horizons are left to rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
-        let (visibility, blockers, eps) = (self.visibility, state.blockers.clone(), self.part_eps(p, q));
+        let (visibility, blockers) = (self.visibility, state.blockers.clone());
         let free = |x, y| visibility.free(&blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
@@ -425,9 +436,7 @@ impl<'a> Job<'a> {
                 if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let [_, _, angular] = edge::counts(a, b, &wedge, self.degrees, eps);
-                let exact = self.exact_degree() + contact_chart(a, b, eps);
-                let points = [exact, exact, angular + 1];
+                let points = self.edge_points(a, b, *matched, &wedge);
                 self.unresolved |= points[2] > MOST_POINTS;
                 let rule = if *matched { edge::integrate } else { seam::integrate };
                 rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
@@ -437,10 +446,7 @@ impl<'a> Job<'a> {
                 if vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let [_, angular] = vertex::counts(a, b, self.degrees, eps);
-                let degree = self.degrees[0].max(self.degrees[1]);
-                let angular = angular.max(separated::points(degree, eps, corner_rate(a, b))) + 1;
-                let points = [self.exact_degree() + contact_chart(a, b, eps), angular];
+                let points = self.corner_points(a, b);
                 self.unresolved |= points[1] > MOST_CORNER_POINTS;
                 vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
             }
@@ -464,6 +470,39 @@ impl<'a> Job<'a> {
         let counts = separated::counts(p, q, self.degrees, gap, eps);
         let charts = [fineness::points(p, eps), fineness::points(q, eps)].concat();
         [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
+    }
+
+    /// Points [x, y, angular] of the rule of a common edge.
+    fn edge_points(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> [usize; 3] {
+        let (eps, exact) = (self.part_eps(p, q), self.exact_degree());
+        if eps > trial::COARSEST {
+            let [_, _, angular] = edge::counts(p, q, wedge, self.degrees, eps);
+            let radial = exact + contact_chart(p, q, eps);
+            return [radial, radial, angular + 1];
+        }
+        let [radial, along, angular] = if matched {
+            trial::edge(p, &|u, v| q.node(u, v), eps)
+        } else {
+            let seam = seam::Seam::new(p, q);
+            trial::edge(p, &|u, v| seam.node(u, v), eps)
+        };
+        [exact + radial - 1, exact + along - 1, angular + self.largest_degree().div_ceil(2)]
+    }
+
+    /// Points [x, angular] of the rule of a common corner.
+    fn corner_points(&self, p: &Patch, q: &Patch) -> [usize; 2] {
+        let (eps, exact, degree) = (self.part_eps(p, q), self.exact_degree(), self.largest_degree());
+        if eps > trial::COARSEST {
+            let [_, angular] = vertex::counts(p, q, self.degrees, eps);
+            let angular = angular.max(separated::points(degree, eps, corner_rate(p, q))) + 1;
+            return [exact + contact_chart(p, q, eps), angular];
+        }
+        let [radial, angular] = trial::vertex(p, q, MOST_CORNER_POINTS, eps);
+        [exact + radial - 1, angular + degree.div_ceil(2)]
+    }
+
+    fn largest_degree(&self) -> usize {
+        self.degrees[0].max(self.degrees[1])
     }
 
     /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
@@ -536,7 +575,7 @@ impl<'a> Job<'a> {
         if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
             return false;
         }
-        let n = FEWEST_POINTS + self.degrees[0].max(self.degrees[1]) / 2;
+        let n = FEWEST_POINTS + self.largest_degree() / 2;
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
         let error = 4.0 * fine.difference(&coarse) / self.unit;
         let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;

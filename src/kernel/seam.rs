@@ -40,7 +40,7 @@ pub(super) fn integrate(moments: &mut Moments, p: &Patch, q: &Patch, points: [us
 }
 
 /// The emitter with its chart rewound along the edge.
-struct Seam<'a> {
+pub(super) struct Seam<'a> {
     p: &'a Patch,
     q: &'a Patch,
     /// σ at the Chebyshev points ½(1 − cos(πk/(n − 1))).
@@ -48,7 +48,8 @@ struct Seam<'a> {
 }
 
 impl<'a> Seam<'a> {
-    fn new(p: &'a Patch, q: &'a Patch) -> Self {
+    /// Of an emitter whose edge t = 0 is that of `p`.
+    pub(super) fn new(p: &'a Patch, q: &'a Patch) -> Self {
         let edges = sides(q);
         let value = |k: usize| match k {
             0 => 0.0,
@@ -58,7 +59,8 @@ impl<'a> Seam<'a> {
         Self { p, q, values: (0..POINTS).map(value).collect() }
     }
 
-    fn node(&self, s: f64, v: f64) -> Node {
+    /// The node at (s, v), s in the chart of the receiver.
+    pub(super) fn node(&self, s: f64, v: f64) -> Node {
         let u = self.sigma(s);
         let node = self.q.node(u, v);
         let speed = tangent(self.p, s).length() / tangent(self.q, u).length();

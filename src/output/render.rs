@@ -9,19 +9,14 @@ use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
 
 use super::image::Image;
-use crate::direct::DirectLight;
+pub use super::reader::Read;
+use super::reader::{Light, Reader};
 use crate::scene::Camera;
-use crate::solution::{Band, Place, Solution};
+use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// What a picture is read from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Read {
-    /// The polynomials alone.
-    Basis,
-    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
-    Direct,
-}
+/// Accuracy of gathered light in pictures, relative: finer than eight bits of colour show.
+const GATHERED: f64 = 3e-3;
 
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
 ///
@@ -36,13 +31,12 @@ pub fn render(
 ) -> Image {
     let view = View::new(camera);
     let balance = white_balance(solution);
-    let direct = (read == Read::Direct).then(|| DirectLight::new(solution, visibility));
-    let reader = Reader { solution, visibility, direct };
+    let eye = Eye { reader: Reader::new(solution, visibility, read, GATHERED) };
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<[f64; 3]>> = (0..camera.height)
         .into_par_iter()
         .map(|row| {
-            let pixel = |column| pixel(&reader, &view, [column, row], samples, balance);
+            let pixel = |column| pixel(&eye, &view, [column, row], samples, balance);
             let pixels = (0..camera.width).map(pixel).collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, camera.height as usize);
             pixels
@@ -83,13 +77,13 @@ impl View {
     }
 }
 
-fn pixel(reader: &Reader, view: &View, [column, row]: [u32; 2], samples: u32, balance: [f64; 3]) -> [f64; 3] {
+fn pixel(eye: &Eye, view: &View, [column, row]: [u32; 2], samples: u32, balance: [f64; 3]) -> [f64; 3] {
     let mut sum = [0.0; 3];
     for index in 0..samples * samples {
         let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let x = f64::from(column) + offset(index % samples);
         let y = f64::from(row) + offset(index / samples);
-        let colour = reader.colour(&view.ray(x, y));
+        let colour = eye.colour(&view.ray(x, y));
         sum.iter_mut().zip(colour).for_each(|(sum, value)| *sum += value);
     }
     let scale = 1.0 / f64::from(samples * samples);
@@ -97,16 +91,14 @@ fn pixel(reader: &Reader, view: &View, [column, row]: [u32; 2], samples: u32, ba
 }
 
 /// What a camera ray needs to become a colour.
-struct Reader<'a> {
-    solution: &'a Solution,
-    visibility: &'a Visibility,
-    direct: Option<DirectLight<'a>>,
+struct Eye<'a> {
+    reader: Reader<'a>,
 }
 
-impl Reader<'_> {
+impl Eye<'_> {
     fn colour(&self, ray: &Ray) -> [f64; 3] {
-        let Some((surface, hit)) = self.visibility.nearest(ray) else { return [0.0; 3] };
-        let elements = self.solution.elements();
+        let Some((surface, hit)) = self.reader.visibility().nearest(ray) else { return [0.0; 3] };
+        let elements = self.reader.solution().elements();
         let jet = elements.shape(surface).jet(hit.u, hit.v);
         let parameters = [hit.u, hit.v];
         let seen = jet.normal.dot(ray.direction) < 0.0;
@@ -121,20 +113,16 @@ impl Reader<'_> {
 
     /// Radiosity per band; what polynomials undershoot is cut off at zero.
     fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
-        let bands = self.solution.bands();
-        let Some(direct) = &self.direct else {
-            return (0..bands.len())
-                .map(|band| self.solution.radiosity(band, element, place).max(0.0))
-                .collect();
+        let irradiance = match self.reader.light() {
+            Light::Direct(direct) => {
+                let lit = direct.at(element, place.position, normal);
+                let rest = self.reader.indirect_polynomials(element, place);
+                lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
+            }
+            Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),
         };
-        let sources: Vec<(usize, f64)> = direct.at(element, place.position, normal).collect();
-        let value = |(index, band): (usize, &Band)| {
-            let lit: f64 =
-                sources.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum();
-            let irradiance = lit + self.solution.indirect(index, element, place).max(0.0);
-            band.coating.radiosity(element, irradiance)
-        };
-        bands.iter().enumerate().map(value).collect()
+        let bands = self.reader.solution().bands().iter();
+        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()
     }
 }
 

@@ -134,7 +134,7 @@ pub enum Fault {
         value: f64,
     },
     /// A number outside its range.
-    #[error("{what} is {value}, outside {range}")]
+    #[error("{what} is {}, outside {range}", shown(*value))]
     OutOfRange {
         /// What the number gives, e.g. `the reflectance`.
         what: &'static str,
@@ -199,6 +199,12 @@ pub enum Fault {
     /// A scene in which nothing emits, where light is asked for.
     #[error("no surface emits light")]
     NoEmitter,
+}
+
+/// A number with few zeros.
+fn shown(value: f64) -> String {
+    let plain = value == 0.0 || (1e-6..1e12).contains(&value.abs());
+    if plain { value.to_string() } else { format!("{value:e}") }
 }
 
 /// A fault on its way to the [`SceneError`], while the source is not at hand.

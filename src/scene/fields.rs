@@ -93,16 +93,23 @@ pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     }
 }
 
-/// A finite number.
+/// Numbers beyond this leave no room for areas and fourth powers of distances.
+const LARGEST: f64 = 1e30;
+
+/// A finite number of a size that can be computed with.
 pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
-    match node.value {
-        Value::Number(value) if value.is_finite() => Ok(At::new(value, &node.span)),
-        Value::Number(value) => Err(Located::at(&node.span, Fault::NotFinite { value })),
-        _ => Err(wrong(node, "a number")),
-    }
+    let Value::Number(value) = node.value else { return Err(wrong(node, "a number")) };
+    let fault = if !value.is_finite() {
+        Fault::NotFinite { value }
+    } else if value.abs() > LARGEST {
+        Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" }
+    } else {
+        return Ok(At::new(value, &node.span));
+    };
+    Err(Located::at(&node.span, fault))
 }
 
-/// A finite number, wherever it stands.
+/// The same without its place.
 pub(super) fn real(node: &Node) -> Result<f64, Located> {
     Ok(number(node)?.value)
 }

@@ -2,7 +2,7 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::{DVec3, Flipped, Surface};
+use radiosity_geom::{DVec3, Flipped, Rect, Surface};
 
 use crate::scene::{
     camera::Camera,
@@ -154,10 +154,21 @@ fn shapes(file: &SurfaceFile, flip: bool) -> Result<Vec<Arc<dyn Surface>>, Locat
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    let turned = |shape: Box<dyn Surface>| -> Arc<dyn Surface> {
-        if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) }
+    let turned = |shape: Box<dyn Surface>| -> Result<Arc<dyn Surface>, Located> {
+        check_extent(&*shape, &file.shape.span)?;
+        Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
     };
-    Ok(shapes.into_iter().map(turned).collect())
+    shapes.into_iter().map(turned).collect()
+}
+
+/// Refuses sizes whose powers leave the range of numbers.
+fn check_extent(shape: &dyn Surface, span: &Span) -> Result<(), Located> {
+    let value = shape.bounds(&Rect::FULL).diagonal();
+    if (1e-30..=1e30).contains(&value) {
+        return Ok(());
+    }
+    let range = "1e-30 ≤ extent ≤ 1e30";
+    Err(Located::at(span, Fault::OutOfRange { what: "the extent of the surface", value, range }))
 }
 
 fn surface_material(

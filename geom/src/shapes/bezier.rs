@@ -24,7 +24,7 @@ impl Bezier {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, points that span no area.
+    /// Numbers that are not finite, points that span no area or turn back in a plane.
     pub fn new(points: [[DVec3; 4]; 4]) -> Result<Bezier, ShapeError> {
         for x in points.as_flattened() {
             check_finite("points", *x)?;

@@ -6,6 +6,7 @@
 //! Ray o + t w: (C(s) − o) · (w × d) = 0, a cubic in s; then t and v where the ray passes the ruling.
 
 use super::check_edge;
+use super::fold::{places, turns_back};
 use crate::bernstein::{evaluate, restrict};
 use crate::roots::bernstein;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
@@ -23,7 +24,8 @@ impl Extrusion {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, a direction of no length, a curve that runs along the direction only.
+    /// Numbers that are not finite, a direction of no length, a curve that runs along the direction only or
+    /// turns back within a plane.
     pub fn new(curve: [DVec3; 4], direction: DVec3) -> Result<Extrusion, ShapeError> {
         for x in curve {
             super::check_finite("curve", x)?;
@@ -33,6 +35,10 @@ impl Extrusion {
         let spread = curve.map(|x| (x - curve[0]).cross(direction).length());
         if spread.iter().all(|x| *x <= 1e-9 * extent * direction.length()) {
             return Err(ShapeError::NoArea { field: "curve".into() });
+        }
+        let across: Vec<DVec3> = places().map(|s| evaluate(&curve, s).1.cross(direction)).collect();
+        if turns_back(&across) {
+            return Err(ShapeError::TurnsBack { field: "curve".into() });
         }
         Ok(Extrusion { curve, direction })
     }

@@ -1,6 +1,7 @@
 //! What bicubic patches share: values of 4 × 4 control nets, normals at collapsed edges, and rays cast at
 //! them tile by tile.
 
+use super::fold::{places, turns_back};
 use crate::bernstein::{Coefficient, combine, restrict, weights};
 use crate::slabs::Slabs;
 use crate::zeros::zeros;
@@ -124,13 +125,16 @@ pub(super) fn cast<T: Coefficient>(
     best
 }
 
-/// Refuses a patch whose normals all vanish.
+/// Refuses a patch whose normals all vanish, and a flat one that turns back on itself.
 pub(super) fn check_area(field: &str, at: impl Fn(f64, f64) -> Sample<DVec3>) -> Result<(), ShapeError> {
-    let grid = (1..8).flat_map(|i| (1..8).map(move |j| (f64::from(i) / 8.0, f64::from(j) / 8.0)));
-    let spans = grid.into_iter().any(|(s, t)| {
-        let here = at(s, t);
-        let size = here.by_s.length_squared() + here.by_t.length_squared();
-        here.by_s.cross(here.by_t).length() > 1e-9 * size
-    });
-    if spans { Ok(()) } else { Err(ShapeError::NoArea { field: field.into() }) }
+    let samples = places().flat_map(|s| places().map(move |t| (s, t)));
+    let samples: Vec<_> = samples.map(|(s, t)| at(s, t)).collect();
+    let normals: Vec<DVec3> = samples.iter().map(|here| here.by_s.cross(here.by_t)).collect();
+    let spans = |(here, normal): (&Sample<DVec3>, &DVec3)| {
+        normal.length() > 1e-9 * (here.by_s.length_squared() + here.by_t.length_squared())
+    };
+    if !samples.iter().zip(&normals).any(spans) {
+        return Err(ShapeError::NoArea { field: field.into() });
+    }
+    if turns_back(&normals) { Err(ShapeError::TurnsBack { field: field.into() }) } else { Ok(()) }
 }

@@ -24,7 +24,8 @@ impl Rational {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, weights not above zero, points that span no area.
+    /// Numbers that are not finite, weights not above zero, points that span no area or turn
+    /// back in a plane.
     pub fn new(points: [[DVec3; 4]; 4], weights: [[f64; 4]; 4]) -> Result<Rational, ShapeError> {
         for (x, w) in points.as_flattened().iter().zip(weights.as_flattened()) {
             check_finite("points", *x)?;

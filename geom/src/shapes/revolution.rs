@@ -12,6 +12,7 @@
 //! x(s) − ρ(t) restore them.
 
 use super::check_finite;
+use super::fold::{places, turns_back};
 use super::turn::{Profile, Turn};
 use crate::bernstein::{evaluate, from_powers, restrict};
 use crate::roots::quadratic;
@@ -49,7 +50,7 @@ impl Revolution {
     /// # Errors
     ///
     /// Numbers that are not finite, an axis of no length, a wrong range of angles, a curve that leaves its
-    /// half-plane, crosses the axis, or spans no area.
+    /// half-plane, crosses the axis, spans no area or turns back on a straight line.
     pub fn new(
         curve: [DVec3; 4],
         center: DVec3,
@@ -218,6 +219,10 @@ fn profile_of(curve: &[DVec3; 4], turn: &Turn) -> Result<[DVec2; 4], ShapeError>
     }
     if profile.iter().all(|p| p.distance(profile[0]) <= 1e-9 * extent) {
         return Err(ShapeError::NoArea { field: field() });
+    }
+    let slopes: Vec<DVec3> = places().map(|s| evaluate(&profile, s).1.extend(0.0)).collect();
+    if turns_back(&slopes) {
+        return Err(ShapeError::TurnsBack { field: field() });
     }
     Ok(profile)
 }

@@ -106,10 +106,14 @@ impl Form for BezierFile {
 
 impl Form for PatchesFile {
     fn surfaces(&self, motion: &Motion) -> Built {
-        let patch = |(index, net): (usize, &Net<DVec3>)| match Bezier::new(forth(net, motion)) {
-            Ok(patch) => Ok(Box::new(patch) as Box<dyn Surface>),
-            Err(ShapeError::NoArea { .. }) => Err(ShapeError::NoArea { field: format!("patches[{index}]") }),
-            Err(error) => Err(error),
+        let patch = |(index, net): (usize, &Net<DVec3>)| {
+            let field = format!("patches[{index}]");
+            match Bezier::new(forth(net, motion)) {
+                Ok(patch) => Ok(Box::new(patch) as Box<dyn Surface>),
+                Err(ShapeError::NoArea { .. }) => Err(ShapeError::NoArea { field }),
+                Err(ShapeError::TurnsBack { .. }) => Err(ShapeError::TurnsBack { field }),
+                Err(error) => Err(error),
+            }
         };
         self.nets.iter().enumerate().map(patch).collect()
     }

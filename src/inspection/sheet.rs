@@ -1,0 +1,132 @@
+//! The sheets of a scene: its surfaces, each but once where it has two sides.
+
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, Border, Bvh, DVec3, Patch, Surface};
+
+use crate::scene::{Scene, SceneSurface};
+
+/// Borders closer than this part of the smaller extent, but not touching, leave a gap.
+pub(super) const GAP: f64 = 1e-2;
+
+/// Below this part of the smaller extent lengths count as zero.
+pub(super) const TOUCH: f64 = 1e-6;
+
+/// A surface as a sheet in space.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// Its index in the scene; its front's if it has two sides.
+    pub(super) surface: usize,
+    pub(super) name: String,
+    pub(super) shape: Arc<dyn Surface>,
+    pub(super) two_sided: bool,
+    pub(super) emits: bool,
+    pub(super) bounds: Aabb,
+    pub(super) extent: f64,
+}
+
+/// All sheets of a scene.
+#[derive(Debug)]
+pub(super) struct Sheets {
+    pub(super) list: Vec<Sheet>,
+    tree: Bvh,
+}
+
+impl Sheets {
+    pub(super) fn of(scene: &Scene) -> Self {
+        let is_back = |k: usize| {
+            k > 0 && k < scene.surfaces.len() && belongs(&scene.surfaces[k - 1], &scene.surfaces[k])
+        };
+        let fronts = (0..scene.surfaces.len()).filter(|k| !is_back(*k));
+        let list: Vec<Sheet> = fronts.map(|k| Sheet::new(k, &scene.surfaces[k], is_back(k + 1))).collect();
+        let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds.inflate(GAP * sheet.extent)).collect();
+        Sheets { tree: Bvh::build(&boxes), list }
+    }
+
+    /// The other sheets that may touch sheet `index` or leave a gap to it, ascending.
+    pub(super) fn near(&self, index: usize) -> Vec<usize> {
+        let mut near = Vec::new();
+        self.tree.overlapping(&self.list[index].bounds, |other| near.push(other));
+        near.retain(|other| *other != index);
+        near.sort_unstable();
+        near
+    }
+}
+
+/// Whether `back` is the other side of `front`.
+fn belongs(front: &SceneSurface, back: &SceneSurface) -> bool {
+    front.place == back.place && back.name.strip_suffix(":back") == Some(front.name.as_str())
+}
+
+impl Sheet {
+    fn new(index: usize, surface: &SceneSurface, two_sided: bool) -> Self {
+        let shape = Arc::clone(&surface.shape);
+        let bounds = Patch::whole(&*shape).bounds();
+        let (name, emits) = (surface.name.clone(), surface.material.emits());
+        Sheet { surface: index, name, shape, two_sided, emits, bounds, extent: bounds.diagonal() }
+    }
+
+    pub(super) fn patch(&self) -> Patch<'_> {
+        Patch::whole(&*self.shape)
+    }
+
+    /// The borders that are more than a point, with the front to their left where the sign is 1.
+    pub(super) fn rims(&self) -> Vec<(Border<'_>, f64)> {
+        // Tangents stay when a surface is turned over, the vertices of a region do not.
+        let middle = self.shape.jet(0.0, 0.0);
+        let against = self.shape.region().is_none() && middle.du.cross(middle.dv).dot(middle.normal) < 0.0;
+        let long = |border: &Border<'_>| {
+            let points = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|w| border.point(w));
+            points.iter().any(|point| point.distance(points[0]) > TOUCH * self.extent)
+        };
+        let sign = if against { -1.0 } else { 1.0 };
+        self.patch().borders().into_iter().filter(long).map(|border| (border, sign)).collect()
+    }
+
+    /// The front's normal at a place of one of its borders.
+    pub(super) fn normal_at(&self, border: &Border<'_>, w: f64) -> DVec3 {
+        match border {
+            Border::Segment(..) => self.shape.jet(0.0, 0.0).normal,
+            Border::Side(..) => {
+                let [u, v] = border.parameters(w);
+                self.shape.jet(u, v).normal
+            }
+        }
+    }
+
+    /// The point of its face above or below which `point` lies, and how far.
+    pub(super) fn drop(&self, point: DVec3) -> Option<(DVec3, f64)> {
+        let foot = match self.shape.region() {
+            Some(region) => {
+                let foot = point - (point - region.origin()).dot(region.normal()) * region.normal();
+                region.contains(foot).then_some(foot)?
+            }
+            None => {
+                let foot = self.shape.project(point);
+                self.shape.jet(foot.u, foot.v).position
+            }
+        };
+        Some((foot, foot.distance(point)))
+    }
+
+    /// Points all over the sheet with the front's normal there, some close to its corners.
+    pub(super) fn samples(&self) -> Vec<(DVec3, DVec3)> {
+        const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
+        match self.shape.region() {
+            Some(region) => {
+                let inward = |piece: &Vec<DVec3>| {
+                    let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
+                    let corners = piece.iter().map(move |corner| middle.lerp(*corner, 0.97));
+                    std::iter::once(middle).chain(corners).collect::<Vec<_>>()
+                };
+                let points = region.convex_pieces().iter().flat_map(inward).collect::<Vec<_>>();
+                points.into_iter().map(|point| (point, region.normal())).collect()
+            }
+            None => {
+                let places = STEPS.into_iter().flat_map(|u| STEPS.map(|v| [u, v]));
+                let jets = places.map(|[u, v]| self.shape.jet(u, v));
+                jets.map(|jet| (jet.position, jet.normal)).collect()
+            }
+        }
+    }
+}

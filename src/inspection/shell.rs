@@ -1,0 +1,187 @@
+//! Shells: sheets that hang together along their borders, and the volume of those that are closed.
+//!
+//! A shell is closed where every place of every border meets exactly one other border. Its volume follows from
+//! Gauss' theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts agree along a
+//! common border if they run along it in opposite directions.
+
+use radiosity_core::gauss::{Legendre, Rule};
+use radiosity_geom::{Aabb, DVec3, Ray, Rect};
+
+use crate::inspection::{
+    rim::{Meeting, Rim},
+    sheet::{Sheet, Sheets},
+};
+
+/// A closed surface made of one or more surfaces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Shell {
+    /// Indices in the scene, ascending.
+    pub surfaces: Vec<usize>,
+    /// What it encloses (scene length³).
+    pub volume: f64,
+    /// Where its fronts are.
+    pub fronts: Fronts,
+    /// Indices among the sheets.
+    pub(super) sheets: Vec<usize>,
+}
+
+/// Where the fronts of a closed surface are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fronts {
+    /// They face what is enclosed, as those of a room.
+    Inside,
+    /// They face away from it, as those of a solid.
+    Outside,
+    /// Some do, some do not.
+    Mixed,
+}
+
+/// Sheets that hang together.
+#[derive(Debug)]
+pub(super) struct Group {
+    pub(super) sheets: Vec<usize>,
+    /// Sheets whose front disagrees with the larger part, each with a neighbour it disagrees with.
+    pub(super) turned: Vec<(usize, usize)>,
+    /// 1 for fronts that agree with the first sheet's, −1 for others, in the order of the sheets.
+    signs: Vec<f64>,
+    is_closed: bool,
+}
+
+/// All groups, by their first sheets.
+pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
+    let joints = joints(sheets, rims);
+    let mut is_open = vec![false; sheets.list.len()];
+    for rim in rims {
+        let single = |meeting: &Meeting| matches!(meeting, Meeting::Rims(others) if others.len() == 1);
+        is_open[rim.sheet] |= !rim.places.iter().all(|(_, meeting)| single(meeting));
+    }
+    let mut sign = vec![0.0; sheets.list.len()];
+    let mut groups = Vec::new();
+    for first in 0..sheets.list.len() {
+        if sign[first] == 0.0 {
+            groups.push(spread(sheets, first, &joints, &mut sign, &is_open));
+        }
+    }
+    groups
+}
+
+/// For each sheet its neighbours across a border: 1 where the fronts agree, −1 where not, 0 where that means nothing.
+fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
+    let mut joints = vec![Vec::new(); sheets.list.len()];
+    for rim in rims {
+        for (_, meeting) in &rim.places {
+            let Meeting::Rims(others) = meeting else { continue };
+            for (other, cosine) in others.iter().filter(|(other, _)| *other != rim.sheet) {
+                let is_clear =
+                    others.len() == 1 && !sheets.list[rim.sheet].two_sided && !sheets.list[*other].two_sided;
+                let agree = if is_clear { -cosine.signum() } else { 0.0 };
+                if !joints[rim.sheet].contains(&(*other, agree)) {
+                    joints[rim.sheet].push((*other, agree));
+                }
+            }
+        }
+    }
+    joints
+}
+
+/// The group of `first`, its signs spread from neighbour to neighbour.
+fn spread(
+    sheets: &Sheets,
+    first: usize,
+    joints: &[Vec<(usize, f64)>],
+    sign: &mut [f64],
+    is_open: &[bool],
+) -> Group {
+    sign[first] = 1.0;
+    let mut members = vec![first];
+    let mut next = 0;
+    while next < members.len() {
+        let own = members[next];
+        for (other, agree) in &joints[own] {
+            if sign[*other] == 0.0 {
+                sign[*other] = if *agree == 0.0 { sign[own] } else { agree * sign[own] };
+                members.push(*other);
+            }
+        }
+        next += 1;
+    }
+    members.sort_unstable();
+    let area = |side: f64| -> f64 {
+        members.iter().filter(|k| sign[**k] == side).map(|k| sheets.list[*k].shape.area()).sum()
+    };
+    let minority = if area(-1.0) <= area(1.0) { -1.0 } else { 1.0 };
+    let against = |own: &usize| {
+        let other = joints[*own].iter().find(|(_, agree)| *agree == -1.0);
+        other.filter(|_| sign[*own] == minority).map(|(other, _)| (*own, *other))
+    };
+    Group {
+        turned: members.iter().filter_map(against).collect(),
+        signs: members.iter().map(|k| sign[*k]).collect(),
+        is_closed: members.iter().all(|k| !is_open[*k]),
+        sheets: members,
+    }
+}
+
+/// The shell a group is, if it is closed.
+pub(super) fn shell(sheets: &Sheets, group: &Group) -> Option<Shell> {
+    if !group.is_closed {
+        return None;
+    }
+    let members = || group.sheets.iter().map(|k| &sheets.list[*k]);
+    let bounds = members().fold(Aabb::EMPTY, |bounds, sheet| bounds.union(sheet.bounds));
+    let center = bounds.center();
+    let flux: f64 = members().zip(&group.signs).map(|(sheet, sign)| sign * flux(sheet, center)).sum();
+    let fronts = match (group.turned.is_empty(), flux > 0.0) {
+        (false, _) => Fronts::Mixed,
+        (true, true) => Fronts::Outside,
+        (true, false) => Fronts::Inside,
+    };
+    let surfaces = members().map(|sheet| sheet.surface).collect();
+    Some(Shell { surfaces, volume: flux.abs() / 3.0, fronts, sheets: group.sheets.clone() })
+}
+
+/// ∫ (x − c) · n dA: constant over a plane, else by the ten-point Gauss rule over 8 × 8 parts.
+fn flux(sheet: &Sheet, center: DVec3) -> f64 {
+    if let Some(region) = sheet.shape.region() {
+        return (region.origin() - center).dot(region.normal()) * region.area();
+    }
+    let quarters = |rects: Vec<Rect>| rects.iter().flat_map(Rect::quarters).collect::<Vec<_>>();
+    let parts = quarters(quarters(Rect::FULL.quarters().to_vec()));
+    parts.iter().map(|rect| flux_over(sheet, rect, center)).sum()
+}
+
+fn flux_over(sheet: &Sheet, rect: &Rect, center: DVec3) -> f64 {
+    let Rule { nodes, weights } = Legendre::<10>::RULE;
+    let at = |s: f64, t: f64| {
+        let [u, v] = rect.at(s, t);
+        let jet = sheet.shape.jet(u, v);
+        jet.area * (jet.position - center).dot(jet.normal)
+    };
+    let row = |s: f64| nodes.iter().zip(weights).map(|(t, w)| w * at(s, *t)).sum::<f64>();
+    let [du, dv] = rect.half_extent();
+    du * dv * nodes.iter().zip(weights).map(|(s, w)| w * row(*s)).sum::<f64>()
+}
+
+impl Shell {
+    /// Whether `point` lies inside: most of three rays from it cross the shell an odd number of times.
+    pub(super) fn encloses(&self, sheets: &Sheets, point: DVec3) -> bool {
+        let directions =
+            [DVec3::new(0.31, 0.57, 0.76), DVec3::new(-0.69, 0.41, -0.6), DVec3::new(0.17, -0.83, 0.53)];
+        let odd = directions.iter().filter(|direction| {
+            let ray = Ray::new(point, **direction);
+            self.sheets.iter().map(|k| crossings(&sheets.list[*k], ray)).sum::<usize>() % 2 == 1
+        });
+        odd.count() > 1
+    }
+}
+
+/// How often a ray crosses a sheet.
+fn crossings(sheet: &Sheet, mut ray: Ray) -> usize {
+    let hair = 1e-9 * sheet.extent / ray.direction.length();
+    let mut count = 0;
+    while let Some(hit) = sheet.shape.intersect(&ray) {
+        count += 1;
+        ray.range[0] = hit.t + hair.max(1e-12 * hit.t.abs());
+    }
+    count
+}

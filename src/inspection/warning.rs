@@ -1,0 +1,26 @@
+//! What looks wrong, in words.
+
+use serde::Serialize;
+
+/// Something that is allowed and yet seldom meant.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Warning {
+    /// Stable name of the kind of warning, e.g. `gap`.
+    pub code: &'static str,
+    /// What looks wrong and what to do about it.
+    pub message: String,
+    /// The surface it belongs to, if it is one.
+    pub surface: Option<String>,
+}
+
+impl Warning {
+    /// A warning about the surface `name`.
+    pub(super) fn about(code: &'static str, name: &str, message: String) -> Self {
+        Warning { code, message: format!("surface {name:?} {message}"), surface: Some(name.to_owned()) }
+    }
+
+    /// A warning about the scene.
+    pub(super) fn general(code: &'static str, message: &str) -> Self {
+        Warning { code, message: message.to_owned(), surface: None }
+    }
+}
