@@ -5,6 +5,7 @@ mod completions;
 mod error;
 mod grid;
 mod interrupt;
+mod memory;
 mod options;
 mod output_file;
 mod points;

@@ -103,7 +103,9 @@ impl CliError {
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
             | CliError::PairsAsArray => ExitCode::from(2),
-            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
+            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
+                ExitCode::from(2)
+            }
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Partial { .. }
             | CliError::Unwritten { .. }
@@ -151,6 +153,9 @@ impl CliError {
                 Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
             }
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
+            CliError::Solve(Failure::Memory { .. }) => {
+                Some("ask for one of these, or allow more with --memory".into())
+            }
             CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }

@@ -12,6 +12,7 @@ use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
+use crate::cli::memory;
 use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
@@ -215,6 +216,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,
+        memory: method.memory.or_else(memory::usable),
         threads: method.threads.unwrap_or(defaults.threads),
         ..defaults
     }
