@@ -2,6 +2,7 @@
 
 mod check;
 mod completions;
+mod convergence;
 mod error;
 mod grid;
 mod interrupt;
@@ -12,10 +13,12 @@ mod points;
 mod probe;
 mod progress;
 mod read;
+mod reference;
 mod render;
 mod run;
 mod scenes;
 mod solve;
+mod style;
 mod table;
 mod view_factors;
 
@@ -54,6 +57,7 @@ enum Verb {
     Render(render::RenderArgs),
     Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
+    Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
@@ -80,6 +84,7 @@ impl Cli {
                 probe::run(args, &points, Loaded::readable(&args.scene, &self.fixing)?)
             }
             Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),

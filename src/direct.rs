@@ -20,7 +20,7 @@ use crate::view::vantage::Vantage;
 use crate::view::walk::Walk;
 use crate::visibility::Visibility;
 
-/// Error of the sampled light of an emitter, about, relative to what it would send with nothing between.
+/// Error of the sampled light, about, relative to what all emitters would send with nothing between.
 pub const ACCURACY: f64 = 1e-3;
 
 /// Error allowed a cell of that.
@@ -36,22 +36,30 @@ pub struct DirectLight<'a> {
     trees: Vec<Tree>,
     /// Per receiving element.
     surroundings: Vec<Surroundings>,
+    eps: f64,
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of a solution's scene.
+    /// The direct light of a solution's scene, good to [`ACCURACY`] where it is sampled.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
+        Self::within(solution, visibility, ACCURACY)
+    }
+
+    /// The same, good to `eps` where it is sampled.
+    pub fn within(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let list = solution.elements().list();
         let emits = |i: &usize| solution.bands().iter().any(|band| band.coating.exitance[*i] > 0.0);
         let emitters: Vec<usize> = (0..list.len()).filter(emits).collect();
-        let trees: Vec<Tree> = emitters.iter().map(|emitter| Tree::uniform(&list[*emitter])).collect();
+        let power = |i: &usize| solution.bands().iter().map(|band| band.coating.exitance[*i]).sum::<f64>();
+        let trees: Vec<Tree> =
+            emitters.iter().map(|emitter| Tree::uniform(&list[*emitter], power(emitter))).collect();
         let around = |element: &Element| {
             let horizon = element.plane.map(|(_, normal)| normal);
             let site = Site { points: &element.hull, horizon, surface: Some(element.surface) };
             Surroundings::new(visibility, &trees, &site)
         };
         let surroundings = list.iter().map(around).collect();
-        Self { solution, visibility, emitters, trees, surroundings }
+        Self { solution, visibility, emitters, trees, surroundings, eps }
     }
 
     /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
@@ -78,13 +86,16 @@ impl<'a> DirectLight<'a> {
 
     fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<(usize, f64)> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        let factor = |(index, tree): (usize, &Tree)| {
-            let tolerance = PER_CELL * ACCURACY * walk.bound(index, tree);
-            let mut factor = [0.0];
-            walk.add(index, tree, tolerance, &mut factor);
-            (self.emitters[index], factor[0])
-        };
-        self.trees.iter().enumerate().map(factor).collect()
+        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, |walk, tolerance| {
+            let (mut factors, mut level) = (Vec::with_capacity(self.trees.len()), 0.0);
+            for (index, tree) in self.trees.iter().enumerate() {
+                let mut factor = [0.0];
+                walk.add(index, tree, tolerance, &mut factor);
+                level += factor[0] / tree.scale()[0];
+                factors.push((self.emitters[index], factor[0]));
+            }
+            (factors, level)
+        })
     }
 
     fn per_band(&self, factors: &[(usize, f64)]) -> Vec<f64> {

@@ -23,10 +23,7 @@ use crate::view::walk::Walk;
 use crate::visibility::Visibility;
 
 /// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
-const PER_CELL: f64 = 0.3;
-
-/// Part of the bound of the irradiance below which the sum is taken again, finer.
-const DARK: f64 = 0.4;
+const PER_CELL: f64 = 1.0;
 
 /// The reflected light of a solution, ready to be gathered.
 #[derive(Debug)]
@@ -50,7 +47,7 @@ pub struct Company {
 impl<'a> Gather<'a> {
     /// The light of `solution`, to be gathered to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
-        let direct = DirectLight::new(solution, visibility);
+        let direct = DirectLight::within(solution, visibility, eps);
         let scale = scale(solution);
         let list = solution.elements().list();
         let reflects = |i: &usize| solution.bands().iter().any(|band| band.coating.reflectance[*i] > 0.0);
@@ -90,17 +87,14 @@ impl<'a> Gather<'a> {
     /// as well, and errors are judged against both.
     pub fn indirect(&self, vantage: &Vantage, surroundings: &Surroundings, direct: &[f64]) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        let trees = || self.trees.iter().enumerate();
-        let lit = self.relative(direct);
-        let bound: f64 = trees().map(|(index, tree)| walk.bound(index, tree)).sum();
-        let mut sum = |level: f64| {
+        walk.to_share(&self.trees, PER_CELL * self.eps, self.relative(direct), |walk, tolerance| {
             let mut sum = vec![0.0; self.solution.bands().len()];
-            trees().for_each(|(index, tree)| walk.add(index, tree, PER_CELL * self.eps * level, &mut sum));
-            sum
-        };
-        let first = sum(lit + bound);
-        let level = lit + self.relative(&first);
-        if level < DARK * (lit + bound) { sum(level.max(1e-3 * bound)) } else { first }
+            for (index, tree) in self.trees.iter().enumerate() {
+                walk.add(index, tree, tolerance, &mut sum);
+            }
+            let level = self.relative(&sum);
+            (sum, level)
+        })
     }
 
     /// The least of the bands, in multiples of its scale.

@@ -6,6 +6,7 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
+mod ball;
 pub mod exact;
 
 use std::sync::Arc;
@@ -13,6 +14,7 @@ use std::sync::Arc;
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Ray, Rect, Surface, separated};
 
 use crate::scene::Scene;
+use ball::Ball;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
@@ -53,6 +55,8 @@ pub enum Shadows {
 struct Obstacle {
     shape: Arc<dyn Surface>,
     hull: Vec<DVec3>,
+    /// Around the hull.
+    ball: Ball,
     /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
     pieces: Option<Vec<Vec<DVec3>>>,
     /// Whether it may stand between a point and itself.
@@ -92,7 +96,11 @@ impl Visibility {
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
         let size = breadth(a).min(breadth(b));
-        let reaches = |index: &usize| !separated(a, b, &self.obstacles[*index].hull, tolerance * size);
+        let (around_a, around_b) = (Ball::around(a), Ball::around(b));
+        let reaches = |index: &usize| {
+            let Obstacle { ball, hull, .. } = &self.obstacles[*index];
+            !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
+        };
         blockers.iter().copied().filter(reaches).collect()
     }
 
@@ -108,14 +116,20 @@ impl Visibility {
     /// Whether the open segment from `x` to `y` misses all of `blockers`.
     pub fn free(&self, blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         let ray = segment(x, y);
-        !blockers.iter().any(|index| self.obstacles[*index].shape.occludes(&ray))
+        !blockers.iter().any(|index| {
+            let Obstacle { ball, shape, .. } = &self.obstacles[*index];
+            !ball.misses(x, y) && shape.occludes(&ray)
+        })
     }
 
-    /// The surfaces that reach into the box `bounds` and can stand between two others, ascending; none without shadows.
-    pub fn reaching_into(&self, bounds: &Aabb) -> Vec<usize> {
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with `open`
+    /// those as well that may stand before a point anywhere. None without shadows.
+    pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
-        if self.shadows != Shadows::Off {
-            self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place]));
+        match (self.shadows, open) {
+            (Shadows::Off, _) => {}
+            (_, true) => return self.near(bounds),
+            (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
         }
         found.sort_unstable();
         found
@@ -192,7 +206,7 @@ impl Obstacle {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let pieces = shape.region().map(|region| region.convex_pieces());
         let curled = pieces.is_none() && is_curled(shape.as_ref());
-        Self { shape: Arc::clone(shape), hull, pieces, curled }
+        Self { shape: Arc::clone(shape), ball: Ball::around(&hull), hull, pieces, curled }
     }
 
     fn is_convex(&self) -> bool {

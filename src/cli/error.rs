@@ -2,6 +2,7 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
+use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
@@ -68,7 +69,20 @@ pub(crate) enum CliError {
     NoCamera {
         /// The scene as named in messages.
         origin: String,
+        /// A camera that sees the scene, as one would write it.
+        proposal: String,
     },
+    /// What was asked for cannot be done.
+    #[error("{message}")]
+    Refused {
+        /// What is wrong.
+        message: String,
+        /// How to mend it.
+        cure: String,
+    },
+    /// A chart could not be drawn.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
     /// A value of `--pairs` without two names.
     #[error("--pairs {text}: two names are needed")]
     NoPair {
@@ -102,7 +116,8 @@ impl CliError {
             | CliError::NoCamera { .. }
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
-            | CliError::PairsAsArray => ExitCode::from(2),
+            | CliError::PairsAsArray
+            | CliError::Refused { .. } => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
                 ExitCode::from(2)
             }
@@ -110,6 +125,7 @@ impl CliError {
             CliError::Partial { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
+            | CliError::Chart(_)
             | CliError::Stdout(_) => ExitCode::from(1),
         }
     }
@@ -145,7 +161,10 @@ impl CliError {
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
-            CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
+            CliError::NoCamera { proposal, .. } => {
+                Some(format!("add a [camera] with eye and target to the scene, such as {proposal}"))
+            }
+            CliError::Refused { cure, .. } => Some(cure.clone()),
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
             }
@@ -162,6 +181,7 @@ impl CliError {
             CliError::Partial { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
+            | CliError::Chart(_)
             | CliError::Stdout(_) => None,
         }
     }

@@ -49,9 +49,13 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Degree of the polynomials on each element; 0 is classical radiosity
-    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
-    pub(crate) order: usize,
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3]
+    #[arg(long, value_name = "N|auto")]
+    pub(crate) order: Option<Order>,
+
+    /// Wanted relative error of the radiosity: raises order, layers, cuts and accuracies until it is reached
+    #[arg(long, value_name = "A", value_parser = fraction)]
+    pub(crate) accuracy: Option<f64>,
 
     /// Polynomials of that degree in each coordinate, not in both together
     #[arg(long)]
@@ -110,6 +114,16 @@ pub(crate) struct MethodArgs {
     pub(crate) threads: Option<usize>,
 }
 
+impl MethodArgs {
+    /// The relative error wanted, if one is.
+    pub(crate) fn wanted_accuracy(&self) -> Option<f64> {
+        self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))
+    }
+}
+
+/// What `--order auto` means.
+const AUTO_ACCURACY: f64 = 1e-2;
+
 /// What is told while the work is done, and after it.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Messages")]
@@ -131,6 +145,25 @@ impl ReportArgs {
     /// Finds out, before the work, whether the report can be written.
     pub(crate) fn reserve(&self) -> Result<Option<OutputFile>, CliError> {
         self.report.as_deref().map(OutputFile::reserve).transpose()
+    }
+}
+
+/// `--order`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// As the accuracy needs.
+    Auto,
+    /// This one; with `--accuracy`, at least this one.
+    Degree(usize),
+}
+
+impl FromStr for Order {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
+        let order = if text == "auto" { Some(Order::Auto) } else { degree() };
+        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}"))
     }
 }
 
@@ -222,10 +255,6 @@ pub(crate) fn fraction(text: &str) -> Result<f64, String> {
 
 fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
     text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
-}
-
-fn order() -> RangedU64ValueParser<usize> {
-    RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
 }
 
 fn layers() -> RangedU64ValueParser<usize> {

@@ -3,6 +3,7 @@
 use std::io::{Write, stderr};
 use std::time::Instant;
 
+use radiosity::adaptation::{Adapted, Goal, adapt};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
@@ -13,7 +14,7 @@ use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
 use crate::cli::memory;
-use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -92,12 +93,13 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        Self::with_options(loaded, options(method), report, progress)
+        Self::with_options(loaded, method, options(method), report, progress)
     }
 
     /// The same with options that no longer follow from the command line alone.
     pub(crate) fn with_options(
         loaded: Loaded,
+        method: &MethodArgs,
         asked: Options,
         report: &ReportArgs,
         progress: &Progress,
@@ -111,11 +113,22 @@ impl Run {
             Stage::Finished(..) => {}
         };
         let saved = loaded.saved.is_some();
-        let solved = match loaded.saved {
-            Some((options, outcome)) => Solved { scene: loaded.scene, options, outcome },
-            None => Solved::new(loaded.scene, asked, &observe)?,
+        let (solved, mut summary) = match (loaded.saved, method.wanted_accuracy()) {
+            (None, Some(accuracy)) => {
+                let adapted = adapt(&loaded.scene, &asked, Goal::new(accuracy), &observe)?;
+                let summary = Report::adapted(&loaded.scene, &adapted);
+                let Adapted { options, outcome, .. } = adapted;
+                (Solved { scene: loaded.scene, options, outcome }, summary)
+            }
+            (read, _) => {
+                let solved = match read {
+                    Some((options, outcome)) => Solved { scene: loaded.scene, options, outcome },
+                    None => Solved::new(loaded.scene, asked, &observe)?,
+                };
+                let summary = Report::new(&solved.scene, &solved.options, &solved.outcome);
+                (solved, summary)
+            }
         };
-        let mut summary = Report::new(&solved.scene, &solved.options, &solved.outcome);
         summary.seconds.load = loaded.seconds;
         summary.threads = asked.threads;
         Ok(Self {
@@ -183,6 +196,9 @@ impl Run {
                 checks.row_sum_max
             ),
         ];
+        lines.extend(self.report.accuracy_estimate.map(|estimate| {
+            format!("estimated relative error of the radiosity {estimate:.1e}, that of the next coarser run")
+        }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(
@@ -197,11 +213,15 @@ impl Run {
     }
 }
 
-/// The options that were typed.
+/// The library's options of a method as typed.
 pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
-        order: method.order,
+        order: match method.order {
+            Some(Order::Degree(order)) => order,
+            None if method.wanted_accuracy().is_none() => defaults.order,
+            Some(Order::Auto) | None => 0,
+        },
         space: if method.tensor { Space::Tensor } else { Space::Total },
         subdivide: match method.subdivide {
             Subdivide::Auto => None,

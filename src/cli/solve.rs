@@ -44,7 +44,7 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let output = OutputFile::reserve(&path)?;
     let progress = Progress::new(args.report.quiet);
     let options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
-    let run = Run::with_options(loaded, options, &args.report, &progress)?;
+    let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
     let Outcome { converged, residual, .. } = run.solved.outcome;
     let file = SolutionFile::new(&run.solved);
     output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;

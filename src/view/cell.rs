@@ -22,6 +22,8 @@ pub struct Cell {
     pub nodes: [Node; POINTS],
     /// The field at each point, channel after channel.
     pub values: Vec<f64>,
+    /// Places and normals at the corners of a curved cell and at its Gauss points.
+    pub facets: Vec<(DVec3, DVec3)>,
     /// Middle of the hull.
     pub center: DVec3,
     /// Radius of the ball around the middle that holds the hull.
@@ -48,15 +50,20 @@ impl Cell {
             Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
-        let pairs = (0..POINTS).flat_map(|k| (0..k).map(move |l| (k, l)));
-        let bend = match patch.is_flat() {
-            true => 1.0,
-            false => pairs.map(|(k, l)| nodes[k].normal.dot(nodes[l].normal)).fold(1.0, f64::min),
-        };
+        let mut facets = Vec::new();
+        if !patch.is_flat() {
+            facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
+            facets.extend(corners.iter().map(|node| (node.position, node.normal)));
+        }
+        let pairs =
+            facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
+        let bend = pairs.fold(1.0, f64::min);
         Self {
             patch,
             hull,
             nodes,
+            facets,
             values: Vec::new(),
             center,
             radius,

@@ -98,12 +98,11 @@ impl<'a> Shadows<'a> {
 
     /// The part of a convex planar polygon that planar blockers leave, as convex polygons.
     pub fn visible_parts(&self, before: Before, polygon: &[DVec3]) -> Vec<Vec<DVec3>> {
-        let pyramid = |blocker: &'_ Blocker| match blocker {
-            Blocker::Flat(pyramid) => Some(pyramid.clone()),
+        let pyramids = self.of(before).filter_map(|blocker| match blocker {
+            Blocker::Flat(pyramid) => Some(pyramid),
             Blocker::Curved(_) => None,
-        };
-        let pyramids: Vec<Pyramid> = self.of(before).filter_map(pyramid).collect();
-        outside_all(polygon, pyramids.iter())
+        });
+        outside_all(polygon, pyramids)
     }
 
     /// Whether a point of `surface` is hidden.
@@ -127,10 +126,21 @@ impl<'a> Shadows<'a> {
         let hull = self.visibility.hull(surface);
         let eye = [self.vantage.position];
         let shaft = Aabb::around(cell.hull.iter().copied().chain(eye));
-        let apart = || separated(&eye, &cell.hull, hull, 0.0);
-        match !shaft.overlaps(&self.visibility.bounds_of(surface)) || apart() {
+        let bounds = self.visibility.bounds_of(surface);
+        let far = || {
+            let reach = 0.5 * bounds.diagonal() + cell.radius;
+            distance_squared(bounds.center(), eye[0], cell.center) > reach * reach
+        };
+        match !shaft.overlaps(&bounds) || far() || separated(&eye, &cell.hull, hull, 0.0) {
             true => Cover::Clear,
             false => Cover::Mixed,
         }
     }
+}
+
+/// Squared distance of a point from a segment.
+fn distance_squared(x: DVec3, start: DVec3, end: DVec3) -> f64 {
+    let along = end - start;
+    let t = ((x - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    x.distance_squared(start + along * t)
 }

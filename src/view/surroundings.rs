@@ -40,7 +40,7 @@ impl Surroundings {
         let around = Aabb::around(site.iter().copied());
         let rises = |hull: &[DVec3]| horizon.is_none_or(|normal| reaches_above(hull, site, normal));
         let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
-        let mut obstacles = visibility.reaching_into(&everywhere);
+        let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
         let is_ground = |other: usize| surface.is_some_and(|surface| own(other, surface));
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));

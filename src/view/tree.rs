@@ -12,7 +12,7 @@ use crate::view::cell::{Cell, POINTS};
 const DEEPEST: usize = 4;
 
 /// Variation of the field, relative to its scale, below which a cell is not divided, in multiples of the accuracy asked.
-const FINE: f64 = 10.0;
+const FINE: f64 = 30.0;
 
 /// An element as an emitter.
 #[derive(Debug)]
@@ -34,9 +34,14 @@ pub struct Tree {
 pub type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 impl Tree {
-    /// An element with the constant 1 in a single channel.
-    pub fn uniform(element: &Element) -> Self {
-        Self::new(element, &[1.0], 1.0, &|_, out| out.fill(1.0))
+    /// An element with the constant 1 in a single channel, that counts as `brightness` (positive) times the scale.
+    pub fn uniform(element: &Element, brightness: f64) -> Self {
+        let mut tree = Self::bare(element, &[1.0 / brightness]);
+        for patch in &element.patches {
+            tree.push(Cell::bare(patch.clone()), &|_, out| out.fill(1.0));
+        }
+        tree.roots = tree.cells.len();
+        tree
     }
 
     /// An element with `field`, whose channels are measured by `scale` (positive), kept so finely that differences of `eps`
@@ -44,7 +49,7 @@ impl Tree {
     pub fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
         let mut tree = Self::bare(element, scale);
         // So many quarterings that 2 × 2 points a cell see every polynomial of the element.
-        let least = if eps >= 1.0 { 0 } else { element.basis.total_degree().div_ceil(4) };
+        let least = element.basis.total_degree().div_ceil(4);
         for patch in &element.patches {
             tree.push(Cell::bare(patch.clone()), field);
         }

@@ -1,5 +1,7 @@
 //! The walk from a point over the cells of elements.
 
+use std::f64::consts::PI;
+
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::Node;
@@ -23,14 +25,23 @@ const OWN_DEPTH: usize = 8;
 
 /// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of
 /// it: when some are seen and some not, and when all agree.
-const DISPUTED: f64 = 3.0;
-const AGREED: f64 = 60.0;
+const DISPUTED: f64 = 1.0;
+const AGREED: f64 = 12.0;
+
+/// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
+const RIM: f64 = 0.1;
+
+/// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
+const DARK: f64 = 0.4;
+const LEAST: f64 = 1e-3;
 
 /// What a vantage point sees of elements.
 pub struct Walk<'a> {
     vantage: &'a Vantage,
     surroundings: &'a Surroundings,
     shadows: Shadows<'a>,
+    /// Largest error of a cell so far, in multiples of the scales.
+    coarsest: f64,
 }
 
 /// The walk over one element.
@@ -52,11 +63,37 @@ struct Estimate {
 impl<'a> Walk<'a> {
     /// From `vantage`, a point of the site that `surroundings` belong to.
     pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
-        Self { vantage, surroundings, shadows: Shadows::new(vantage, visibility, surroundings) }
+        Self {
+            vantage,
+            surroundings,
+            shadows: Shadows::new(vantage, visibility, surroundings),
+            coarsest: 0.0,
+        }
+    }
+
+    /// The irradiance from all of `trees`, those of the surroundings, as `sum` takes it from [`Walk::add`] with a given
+    /// tolerance: `share` of the irradiance, about which `other` comes on top, in multiples of the scales.
+    ///
+    /// The irradiance is not known beforehand. A sum is taken again, finer, where it turns out to be much less than it might
+    /// have been and cells were taken too coarsely for that.
+    pub fn to_share<T>(
+        &mut self,
+        trees: &[Tree],
+        share: f64,
+        other: f64,
+        sum: impl Fn(&mut Self, f64) -> (T, f64),
+    ) -> T {
+        let bound: f64 = trees.iter().enumerate().map(|(index, tree)| self.bound(index, tree)).sum();
+        let (first, found) = sum(self, share * (other + bound));
+        let level = (other + found).max(LEAST * bound);
+        if level < DARK * (other + bound) && self.coarsest > share * level {
+            return sum(self, share * level).0;
+        }
+        first
     }
 
     /// About the most that can arrive from element `index`, in multiples of the scales.
-    pub fn bound(&self, index: usize, tree: &Tree) -> f64 {
+    fn bound(&self, index: usize, tree: &Tree) -> f64 {
         if self.is_out_of_sight(index, tree) {
             return 0.0;
         }
@@ -95,6 +132,7 @@ impl<'a> Walk<'a> {
         let Some(before) = self.shadows.narrow(above, cell) else { return };
         let estimate = self.estimate(pass, cell, before);
         if estimate.error <= pass.tolerance || depth == pass.deepest {
+            self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
             pass.take(cell, &estimate.weights);
             return;
         }
@@ -173,7 +211,7 @@ impl<'a> Walk<'a> {
         let sum: f64 = seen.iter().sum();
         // Flat cells have Lambert's form for what nothing hides, and the points say how much of it is seen.
         let factor = if cell.is_flat() { self.vantage.factor(&cell.hull) } else { whole };
-        let share = if whole > 0.0 { sum / whole } else { 1.0 };
+        let share = if whole > 0.0 { sum / whole } else { 0.0 };
         let agreed = self.agrees(pass, cell, &weights, &seen, before);
         let doubt = match (before.is_nothing(), agreed) {
             (true, _) => 0.0,
@@ -182,13 +220,13 @@ impl<'a> Walk<'a> {
         };
         let form = match cell.is_flat() {
             true => factor * (cell.spread * (0.3 * width * width).min(1.0) + cell.detail),
-            false => factor * (gauss_error(cell, width) + self.rim(cell)),
+            false => factor * gauss_error(cell, width) + self.rim(cell),
         };
         let weights = if cell.is_flat() { scaled(cell, seen, factor * share) } else { seen };
         Estimate { weights, error: form.max(doubt) }
     }
 
-    /// Whether all points of a cell are seen, or none; the corners of a flat one are asked as well.
+    /// Whether all points of a cell are seen, or none; the corners and the middle of a flat one are asked as well.
     fn agrees(
         &self,
         pass: &Pass,
@@ -198,19 +236,25 @@ impl<'a> Walk<'a> {
         before: Before,
     ) -> bool {
         let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
-        let corners = || if cell.is_flat() { &cell.hull[..] } else { &[] };
+        let others = if cell.is_flat() { &cell.hull[..] } else { &[] };
+        let mut others = others.iter().chain(cell.is_flat().then_some(&cell.center));
         match seen.iter().any(|weight| *weight > 0.0) {
-            true => weights == seen && !corners().iter().any(hides),
-            false => corners().iter().all(hides),
+            true => weights == seen && !others.any(hides),
+            false => others.all(hides),
         }
     }
 
-    /// What a curved cell that is seen in part, at its silhouette or the horizon, may miss of its brightness.
+    /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
     fn rim(&self, cell: &Cell) -> f64 {
-        let facing = |node: &Node| (self.vantage.position - node.position).dot(node.normal) > 0.0;
-        let fronts = cell.nodes.iter().filter(|node| facing(node)).count();
-        let whole = (fronts == 0 || fronts == POINTS) && self.vantage.overlooks(&cell.hull);
-        if whole { 0.0 } else { 0.2 * cell.brightness }
+        let facing =
+            |place: &(DVec3, DVec3)| (self.vantage.position - place.0).normalize_or_zero().dot(place.1);
+        let cosines = || cell.facets.iter().map(facing);
+        let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
+        if high <= 0.0 || (low >= 0.0 && self.vantage.overlooks(&cell.hull)) {
+            return 0.0;
+        }
+        let distance = self.distance(cell);
+        RIM * cell.brightness * high * cell.area() / (PI * distance * distance)
     }
 
     /// Weights of the Gauss rule with the kernel, whatever stands between.
