@@ -1,9 +1,12 @@
 //! Command line: the verbs, and what each does with the library.
 
 mod check;
+mod completions;
 mod convergence;
 mod error;
 mod grid;
+mod interrupt;
+mod memory;
 mod options;
 mod output_file;
 mod points;
@@ -58,6 +61,7 @@ enum Verb {
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
+    Completions(completions::CompletionsArgs),
 }
 
 impl Cli {
@@ -71,6 +75,7 @@ impl Cli {
 
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
+        interrupt::watch();
         match &self.verb {
             Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
             Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
@@ -83,6 +88,7 @@ impl Cli {
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),
+            Verb::Completions(args) => completions::run(args, Self::command()),
         }
     }
 }

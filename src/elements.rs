@@ -294,6 +294,27 @@ fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
+/// What becomes of one surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CutSize {
+    /// Number of elements, those in holes included.
+    pub elements: u64,
+    /// Number of functions on each.
+    pub functions: u64,
+}
+
+/// How many elements and functions [`Elements::new`] makes of each surface at the most; makes none.
+pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
+    let extent = scene_extent(scene);
+    let size = |surface: &SceneSurface| {
+        let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
+        let [along, across] = parts.map(|parts| (parts + 2 * how.layers.count) as u64);
+        let order = surface.order.unwrap_or(how.order);
+        CutSize { elements: along * across, functions: how.space.count(order) as u64 }
+    };
+    scene.surfaces.iter().map(size).collect()
+}
+
 fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {
     match subdivide {
         Subdivide::Uniform(n) => [n, n],

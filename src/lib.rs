@@ -24,6 +24,7 @@ pub mod scene;
 pub mod visibility;
 pub mod inspection;
 pub mod elements;
+pub mod footprint;
 pub mod kernel;
 pub mod system;
 pub mod solution;

@@ -4,11 +4,13 @@ mod options;
 
 use std::time::{Duration, Instant};
 
-use radiosity_solvers::{Report, Settings, SolveError, Step};
+use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
+use crate::elements::cells::Layers;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
+use crate::footprint::Footprint;
 use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
@@ -24,6 +26,8 @@ pub enum Progress {
     Blocks(usize, usize),
     /// Band, iteration and relative residual of the solver.
     Solve(usize, usize, f64),
+    /// A stage is done and took so long; their names are those of [`Stages`].
+    Finished(&'static str, Duration),
 }
 
 /// What the solution cost and how it judges itself.
@@ -92,6 +96,19 @@ pub enum Failure {
         /// What the solver says.
         source: SolveError,
     },
+    /// It would need more memory than is allowed.
+    #[error(
+        "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; what would fit: {fits}",
+        *needed as f64 / 1e6, *allowed as f64 / 1e6
+    )]
+    Memory {
+        /// Bytes needed, estimated.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+        /// What to ask for instead.
+        fits: String,
+    },
     /// No threads could be started.
     #[error("cannot start {threads} threads: {source}; ask for fewer with --threads")]
     Threads {
@@ -139,11 +156,16 @@ fn solve_in_pool(
     });
     let how =
         Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
+    progress(Progress::Finished("visibility", seconds.visibility));
+    require_memory(scene, &how, options)?;
     let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
+    progress(Progress::Finished("elements", seconds.elements));
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
     let blocks =
         timed(&mut seconds.blocks, || blocks(scene, &elements, &visibility, options, &report_pairs))?;
+    progress(Progress::Finished("blocks", seconds.blocks));
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
+    progress(Progress::Finished("solve", seconds.solve));
     let slowest = solved.iter().filter_map(|(_, effort)| effort.as_ref()).max_by_key(|e| e.iterations);
     let (solver, iterations) = slowest.map_or((options.method.name, 0), |e| (e.method, e.iterations));
     let converged = solved.iter().flat_map(|(_, effort)| effort).all(|effort| effort.converged);
@@ -166,6 +188,31 @@ fn solve_in_pool(
         converged,
         seconds,
     })
+}
+
+/// Refuses what needs more memory than is allowed.
+fn require_memory(scene: &Scene, how: &Discretization, options: &Options) -> Result<(), Failure> {
+    let Some(allowed) = options.memory else { return Ok(()) };
+    let peak = |how: &Discretization, method| Footprint::of(scene, how, method).peak();
+    let needed = peak(how, options.method);
+    if needed <= allowed {
+        return Ok(());
+    }
+    let mut fits = Vec::new();
+    let cg = Method::named("cg").expect("cg is always listed");
+    if peak(how, cg) <= allowed {
+        fits.push("the solver cg".to_owned());
+    }
+    let lower = (0..how.order)
+        .rev()
+        .find(|order| peak(&Discretization { order: *order, ..*how }, options.method) <= allowed);
+    fits.extend(lower.map(|order| format!("order {order}")));
+    let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..*how };
+    if peak(&whole, options.method) <= allowed {
+        fits.push("one element a surface".to_owned());
+    }
+    let fits = if fits.is_empty() { "nothing less".to_owned() } else { fits.join(", or ") };
+    Err(Failure::Memory { needed, allowed, fits })
 }
 
 fn blocks(

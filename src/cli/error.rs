@@ -6,6 +6,7 @@ use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
+use radiosity_solvers::SolveError;
 use thiserror::Error;
 
 use crate::cli::points::PointsError;
@@ -55,6 +56,14 @@ pub(crate) enum CliError {
     /// The scene could not be solved.
     #[error(transparent)]
     Solve(#[from] Failure),
+    /// A solution that was written all the same.
+    #[error("{}: the solver did not converge, the relative residual is {residual:.2e}; what is written is marked so", path.display())]
+    Partial {
+        /// The output as typed.
+        path: PathBuf,
+        /// Relative residual, the largest of any band.
+        residual: f64,
+    },
     /// A picture was asked of a scene without a camera.
     #[error("{origin}: there is no camera to take a picture with")]
     NoCamera {
@@ -109,11 +118,15 @@ impl CliError {
             | CliError::UnknownFormat { .. }
             | CliError::PairsAsArray
             | CliError::Refused { .. } => ExitCode::from(2),
-            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
-            CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
-                ExitCode::from(1)
+            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
+                ExitCode::from(2)
             }
+            CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            CliError::Partial { .. }
+            | CliError::Unwritten { .. }
+            | CliError::Solve(_)
+            | CliError::Chart(_)
+            | CliError::Stdout(_) => ExitCode::from(1),
         }
     }
 
@@ -159,9 +172,17 @@ impl CliError {
                 Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
             }
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
-                None
+            CliError::Solve(Failure::Memory { .. }) => {
+                Some("ask for one of these, or allow more with --memory".into())
             }
+            CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
+                Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
+            }
+            CliError::Partial { .. }
+            | CliError::Unwritten { .. }
+            | CliError::Solve(_)
+            | CliError::Chart(_)
+            | CliError::Stdout(_) => None,
         }
     }
 }

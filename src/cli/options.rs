@@ -11,7 +11,7 @@ use radiosity::kernel::paper::{Reading, Rules};
 use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity_solvers::method::Method;
 
-use crate::cli::{error::CliError, output_file::OutputFile};
+use crate::cli::{error::CliError, memory, output_file::OutputFile};
 
 /// The scene a verb works on.
 #[derive(Debug, Args)]
@@ -105,6 +105,10 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
     pub(crate) shadow_eps: f64,
 
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
+    #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
+    pub(crate) memory: Option<u64>,
+
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     pub(crate) threads: Option<usize>,
@@ -164,7 +168,7 @@ impl FromStr for Order {
 }
 
 /// The options that work with a solution file as well: they change no solution.
-const FREE: [&str; 1] = ["threads"];
+const FREE: [&str; 2] = ["memory", "threads"];
 
 impl MethodArgs {
     /// The options of the method that were typed and change the solution, e.g. `--order`; `typed` are those of a verb.

@@ -9,6 +9,7 @@ use std::{
 use tempfile::{Builder, NamedTempFile};
 
 use crate::cli::error::CliError;
+use crate::cli::interrupt::temporary_files;
 
 /// A file that will be written. It comes into being only when all of it is there: the text goes to a temporary file in the
 /// same folder, which then takes the name.
@@ -56,9 +57,9 @@ impl OutputFile {
         match &self.target {
             Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?),
             Target::Regular(path) => {
-                let temporary = temporary_beside(path)?;
-                fill(temporary.as_file())?;
-                temporary.persist(path).map(drop).map_err(|error| error.error)
+                let temporary = Temporary::beside(path)?;
+                fill(temporary.file.as_file())?;
+                temporary.take_name(path)
             }
         }
     }
@@ -72,9 +73,33 @@ fn target(path: &Path) -> io::Result<Target> {
         }
         found => {
             let path = if found.is_ok() { path.canonicalize()? } else { path.to_owned() };
-            temporary_beside(&path)?.close()?;
+            drop(Temporary::beside(&path)?);
             Ok(Target::Regular(path))
         }
+    }
+}
+
+/// A temporary file that Ctrl-C removes.
+struct Temporary {
+    file: NamedTempFile,
+}
+
+impl Temporary {
+    /// In the folder of `path`.
+    fn beside(path: &Path) -> io::Result<Self> {
+        let mut files = temporary_files();
+        let file = temporary_beside(path)?;
+        files.insert(file.path().to_owned());
+        Ok(Self { file })
+    }
+
+    /// Takes the place of `path`.
+    fn take_name(self, path: &Path) -> io::Result<()> {
+        let mut files = temporary_files();
+        let own = self.file.path().to_owned();
+        let named = self.file.persist(path).map(drop).map_err(|error| error.error);
+        files.remove(&own);
+        named
     }
 }
 

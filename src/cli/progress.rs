@@ -1,6 +1,7 @@
-//! A bar on stderr for long work: stage, done and total, time left.
+//! A bar on stderr for long work: stage, done and total, rate, time left.
 
-use std::io::{IsTerminal, stderr};
+use std::io::{IsTerminal, Write, stderr};
+use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
@@ -17,9 +18,10 @@ impl Progress {
         let shown = !quiet && stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
-        let style = ProgressStyle::with_template("{msg:12} [{bar:30}] {human_pos}/{human_len} {eta} left")
-            .expect("the template is correct")
-            .progress_chars("=> ");
+        let style =
+            ProgressStyle::with_template("{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left")
+                .expect("the template is correct")
+                .progress_chars("=> ");
         Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style) }
     }
 
@@ -31,6 +33,13 @@ impl Progress {
         }
         self.bar.set_length(total as u64);
         self.bar.set_position(done as u64);
+    }
+
+    /// Writes a line about a stage that is done, terminal or not.
+    pub(crate) fn tell(&self, stage: &str, took: Duration) {
+        let line = format!("{stage}: {:.3} s\n", took.as_secs_f64());
+        // Nobody is left to tell if stderr is closed.
+        self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
     }
 }
 

@@ -13,6 +13,7 @@ use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
+use crate::cli::memory;
 use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
@@ -92,12 +93,24 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
+        Self::with_options(loaded, method, options(method), report, progress)
+    }
+
+    /// The same with options that no longer follow from the command line alone.
+    pub(crate) fn with_options(
+        loaded: Loaded,
+        method: &MethodArgs,
+        asked: Options,
+        report: &ReportArgs,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
         let report_file = report.reserve()?;
-        let asked = options(method);
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, bands),
+            Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
+            Stage::Finished(..) => {}
         };
         let saved = loaded.saved.is_some();
         let (solved, mut summary) = match (loaded.saved, method.wanted_accuracy()) {
@@ -223,6 +236,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,
+        memory: method.memory.or_else(memory::usable),
         threads: method.threads.unwrap_or(defaults.threads),
         ..defaults
     }

@@ -4,13 +4,14 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity::output::solution_file::SolutionFile;
+use radiosity::solve::{Options, Outcome};
 
 use crate::cli::{
     error::CliError,
     options::{MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
-    run::{Loaded, Run},
+    run::{Loaded, Run, options},
 };
 
 /// Solves a scene and writes the coefficients of its radiosity
@@ -26,6 +27,10 @@ pub(crate) struct SolveArgs {
     #[arg(short, long, value_name = "FILE.json")]
     pub(crate) output: Option<PathBuf>,
 
+    /// Writes the best there is where the solver does not converge, and still fails
+    #[arg(long)]
+    pub(crate) keep_partial: bool,
+
     #[command(flatten)]
     pub(crate) method: MethodArgs,
 
@@ -38,8 +43,11 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let output = OutputFile::reserve(&path)?;
     let progress = Progress::new(args.report.quiet);
-    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
+    let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
+    let Outcome { converged, residual, .. } = run.solved.outcome;
     let file = SolutionFile::new(&run.solved);
     output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
-    run.finish(progress, Some(&path.display().to_string()))
+    run.finish(progress, Some(&path.display().to_string()))?;
+    if converged { Ok(()) } else { Err(CliError::Partial { path, residual }) }
 }

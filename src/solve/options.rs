@@ -41,6 +41,9 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best there is counts as a solution where the solver does not converge.
     pub keep_partial: bool,
+    /// Most bytes to use ([`Footprint`](crate::footprint::Footprint)); what needs more is refused before it begins.
+    #[serde(skip)]
+    pub memory: Option<u64>,
     /// Threads; the result does not depend on it.
     #[serde(skip, default = "all_threads")]
     pub threads: usize,
@@ -63,6 +66,7 @@ impl Default for Options {
             tolerance: 1e-8,
             max_iterations: 1000,
             keep_partial: false,
+            memory: None,
             threads: all_threads(),
         }
     }

@@ -1,0 +1,48 @@
+//! How much memory there is to use.
+
+use std::fs::read_to_string;
+use std::path::Path;
+
+/// The part of what is free that is used unless the user says otherwise.
+const SHARE: f64 = 0.8;
+
+/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
+pub(crate) fn bytes(text: &str) -> Result<u64, String> {
+    let parsed = text.parse::<bytesize::ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
+    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
+}
+
+/// 80 % of the free memory, of the machine or of the group of processes this one is confined to, whichever is less; None where
+/// the system does not tell.
+pub(crate) fn usable() -> Option<u64> {
+    let free = [machine(), confined()].into_iter().flatten().min()?;
+    Some((SHARE * free as f64) as u64)
+}
+
+/// What Linux calls available.
+fn machine() -> Option<u64> {
+    let info = read_to_string("/proc/meminfo").ok()?;
+    let line = info.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
+    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
+    Some(1024 * kibibytes)
+}
+
+/// The least that a control group (version 2) of this process, or one around it, leaves.
+fn confined() -> Option<u64> {
+    let groups = read_to_string("/proc/self/cgroup").ok()?;
+    let own = groups.lines().find_map(|line| line.strip_prefix("0::/"))?;
+    let root = Path::new("/sys/fs/cgroup");
+    let folder = root.join(own);
+    folder.ancestors().take_while(|folder| folder.starts_with(root)).filter_map(left_in).min()
+}
+
+fn left_in(group: &Path) -> Option<u64> {
+    let number = |file| read_to_string(group.join(file)).ok()?.trim().parse::<u64>().ok();
+    // A group without a limit says "max".
+    let (limit, used) = (number("memory.max")?, number("memory.current")?);
+    let statistics = read_to_string(group.join("memory.stat")).unwrap_or_default();
+    let cached = statistics.lines().find_map(|line| line.strip_prefix("inactive_file "));
+    // Pages of files that nobody uses are given back when asked for.
+    let cached = cached.and_then(|bytes| bytes.parse().ok()).unwrap_or(0);
+    Some(limit.saturating_sub(used.saturating_sub(cached)))
+}

@@ -1,0 +1,111 @@
+//! How much memory a solution will take, told before anything is allocated.
+//!
+//! With m_i functions on element i, n unknowns in the band that has most, and P the pairs of elements that see each other
+//! as far as the planes of their surfaces tell,
+//!
+//! ```text
+//! elements   8 Σ m_i²                      (the bases)
+//! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; what is known of each pair)
+//! system     8 n² , twice for a method that factors the matrix
+//! ```
+//!
+//! Blocks as integrated are gone before the system is set up, so the peak is the larger of the two sums. Pairs that repeat
+//! or are hidden make it less, which is not known beforehand.
+
+use radiosity_geom::{Rect, Surface};
+use radiosity_solvers::method::Method;
+
+use crate::elements::{CutSize, Discretization, cut_sizes};
+use crate::scene::{Scene, SceneSurface};
+
+/// Bytes of a number.
+const NUMBER: u64 = 8;
+
+/// Bytes of an element beside its basis: patches, hull, coefficients of all bands.
+const ELEMENT: u64 = 3000;
+
+/// Bytes of what is known of a pair beside its block.
+const PAIR: u64 = 300;
+
+/// Bytes of the program itself.
+const PROGRAM: u64 = 10_000_000;
+
+/// Unknowns up to which `auto` factors the matrix.
+const FACTORED: u64 = 500;
+
+/// Heights below this part of the pair's size are none.
+const FLAT: f64 = 1e-9;
+
+/// Bytes that a solution takes at each of its stages.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Footprint {
+    /// The elements with their bases.
+    pub elements: u64,
+    /// The blocks of G as stored.
+    pub blocks: u64,
+    /// What is known of the pairs while their blocks are integrated.
+    pub pairs: u64,
+    /// The matrix of one band, and its factors if the method makes some.
+    pub system: u64,
+}
+
+impl Footprint {
+    /// That of `scene` cut as `how` says and solved by `method`.
+    pub fn of(scene: &Scene, how: &Discretization, method: &Method) -> Self {
+        let sizes = cut_sizes(scene, how);
+        let elements =
+            sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
+        let (mut blocks, mut pairs) = (0, 0);
+        for (i, cut) in sizes.iter().enumerate() {
+            for (j, other) in sizes.iter().enumerate().take(i + 1) {
+                if exchanging(&scene.surfaces[i], &scene.surfaces[j]) {
+                    let count = if i == j {
+                        cut.elements * (cut.elements + 1) / 2
+                    } else {
+                        cut.elements * other.elements
+                    };
+                    pairs += PAIR * count;
+                    blocks += NUMBER * cut.functions * other.functions * count;
+                }
+            }
+        }
+        let unknowns = most_unknowns(scene, &sizes);
+        let system = NUMBER * unknowns * unknowns * copies(method, unknowns);
+        Self { elements: elements.sum(), blocks, pairs, system }
+    }
+
+    /// The most that is needed at any time.
+    pub fn peak(&self) -> u64 {
+        PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)
+    }
+}
+
+fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
+    let of_band = |band: usize| {
+        let reflecting = scene.surfaces.iter().zip(sizes).filter(|(s, _)| s.material.reflectance[band] > 0.0);
+        reflecting.map(|(_, cut)| cut.elements * cut.functions).sum()
+    };
+    (0..scene.bands.len()).map(of_band).max().unwrap_or(0)
+}
+
+/// The matrix itself, and a copy that becomes its factors.
+fn copies(method: &Method, unknowns: u64) -> u64 {
+    let factors = match method.name {
+        "auto" => unknowns <= FACTORED,
+        name => matches!(name, "lu" | "lu-small" | "cholesky"),
+    };
+    if factors { 2 } else { 1 }
+}
+
+/// Whether neither surface lies wholly behind the plane of the other, or in it.
+fn exchanging(a: &SceneSurface, b: &SceneSurface) -> bool {
+    reaches_before(a.shape.as_ref(), b.shape.as_ref()) && reaches_before(b.shape.as_ref(), a.shape.as_ref())
+}
+
+/// Whether some of `other` lies before the plane of `shape`, where that has one.
+fn reaches_before(shape: &dyn Surface, other: &dyn Surface) -> bool {
+    let Some(region) = shape.region() else { return true };
+    let normal = shape.jet(0.0, 0.0).normal;
+    let tolerance = FLAT * region.extent();
+    other.hull(&Rect::FULL).iter().any(|point| (*point - region.origin()).dot(normal) > tolerance)
+}
