@@ -12,7 +12,7 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
 use crate::kernel::Blocks;
@@ -20,7 +20,7 @@ use crate::solution::{Place, Solution};
 use crate::system::Coating;
 
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checks {
     /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums,
     /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]).
@@ -28,7 +28,7 @@ pub struct Checks {
     /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j); 0 where each pair is integrated once, that is by all rules but those
     /// of 1993.
     pub reciprocity_max: f64,
-    /// Smallest row sum Σ_j F_ij.
+    /// Smallest row sum Σ_j F_ij; 0 if no element counts.
     pub row_sum_min: f64,
     /// Largest row sum.
     pub row_sum_max: f64,
@@ -60,7 +60,7 @@ impl Checks {
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
             reciprocity_max: reciprocity(list, blocks),
-            row_sum_min: sums.iter().copied().fold(f64::INFINITY, f64::min),
+            row_sum_min: sums.iter().copied().reduce(f64::min).unwrap_or(0.0),
             row_sum_max: sums.iter().copied().fold(0.0, f64::max),
             energy_in,
             energy_absorbed,

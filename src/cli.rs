@@ -1,27 +1,35 @@
 //! Command line: the verbs, and what each does with the library.
 
 mod check;
+mod convergence;
 mod error;
 mod grid;
 mod options;
 mod output_file;
+mod points;
+mod probe;
 mod progress;
+mod read;
+mod reference;
 mod render;
 mod run;
 mod scenes;
 mod solve;
+mod style;
 mod table;
 mod view_factors;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use error::CliError;
+use options::MethodArgs;
 use run::Loaded;
 
 const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
+  radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity check room.toml                   what is in a scene, and what looks wrong
@@ -34,25 +42,44 @@ SCENE is a path (.toml or .json), the name of a built-in scene, or - for standar
 pub(crate) struct Cli {
     #[command(subcommand)]
     verb: Verb,
+
+    /// Options of the method that were typed: a solution file has fixed them.
+    #[arg(skip)]
+    fixing: Vec<String>,
 }
 
 #[derive(Debug, Subcommand)]
 enum Verb {
     Solve(solve::SolveArgs),
     Render(render::RenderArgs),
+    Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
+    Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
 }
 
 impl Cli {
+    /// What was typed; ends the program with a message where that makes no sense.
+    pub(crate) fn typed() -> Self {
+        let matches = Self::command().get_matches();
+        let mut cli = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+        cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli
+    }
+
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, &Loaded::lit(&args.scene)?),
-            Verb::Render(args) => render::run(args, &Loaded::lit(&args.scene)?),
-            Verb::Grid(args) => grid::run(args, &Loaded::lit(&args.scene)?),
+            Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
+            Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Probe(args) => {
+                let points = args.load_points()?;
+                probe::run(args, &points, Loaded::readable(&args.scene, &self.fixing)?)
+            }
+            Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),

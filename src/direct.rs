@@ -8,93 +8,100 @@
 //!
 //! recomputes the light D that comes straight from the emitters with its exact shadows, and takes only the rest
 //! from the polynomials. D is exact ([`crate::visibility::exact`]) for planar emitters behind planar blockers; where a
-//! blocker or the emitter is curved, the emitter is sampled by a Gauss rule of 8 × 8 points a patch.
+//! blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good to [`ACCURACY`].
 
 use radiosity_geom::DVec3;
 
-use crate::elements::patch::{Node, Patch};
-use crate::elements::rule::UnitRule;
-use crate::elements::{Element, Elements};
-use crate::kernel::kernel;
-use crate::solution::Solution;
+use crate::elements::Element;
+use crate::solution::{Band, Solution};
+use crate::view::surroundings::{Site, Surroundings};
+use crate::view::tree::Tree;
+use crate::view::vantage::Vantage;
+use crate::view::walk::Walk;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{irradiance, visible_parts};
 
-/// Points per direction where an emitter has to be sampled.
-const SAMPLES: usize = 8;
+/// Error of the sampled light, about, relative to what all emitters would send with nothing between.
+pub const ACCURACY: f64 = 1e-3;
 
-/// Who emits towards each element, and what may stand between.
+/// Error allowed a cell of that.
+const PER_CELL: f64 = 0.3;
+
+/// Who emits, and what may stand between an emitter and each element.
 #[derive(Debug)]
 pub struct DirectLight<'a> {
-    elements: &'a Elements,
+    solution: &'a Solution,
     visibility: &'a Visibility,
-    /// Per receiving element: emitters with the surfaces that may block them.
-    sources: Vec<Vec<Source>>,
-}
-
-#[derive(Debug)]
-struct Source {
-    emitter: usize,
-    blockers: Vec<usize>,
+    /// Indices of the emitting elements.
+    emitters: Vec<usize>,
+    trees: Vec<Tree>,
+    /// Per receiving element.
+    surroundings: Vec<Surroundings>,
+    eps: f64,
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of a solution's scene.
+    /// The direct light of a solution's scene, good to [`ACCURACY`] where it is sampled.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
-        let elements = solution.elements();
-        let emits = |i: usize| solution.bands().iter().any(|band| band.coating.exitance[i] > 0.0);
-        let emitters: Vec<usize> = (0..elements.list().len()).filter(|i| emits(*i)).collect();
-        let source = |receiver: &Element, emitter: usize| {
-            let other = &elements.list()[emitter];
-            let surfaces = [receiver.surface, other.surface];
-            Source { emitter, blockers: visibility.candidates(&receiver.hull, &other.hull, surfaces) }
+        Self::within(solution, visibility, ACCURACY)
+    }
+
+    /// The same, good to `eps` where it is sampled.
+    pub fn within(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        let list = solution.elements().list();
+        let emits = |i: &usize| solution.bands().iter().any(|band| band.coating.exitance[*i] > 0.0);
+        let emitters: Vec<usize> = (0..list.len()).filter(emits).collect();
+        let power = |i: &usize| solution.bands().iter().map(|band| band.coating.exitance[*i]).sum::<f64>();
+        let trees: Vec<Tree> =
+            emitters.iter().map(|emitter| Tree::uniform(&list[*emitter], power(emitter))).collect();
+        let around = |element: &Element| {
+            let horizon = element.plane.map(|(_, normal)| normal);
+            let site = Site { points: &element.hull, horizon, surface: Some(element.surface) };
+            Surroundings::new(visibility, &trees, &site)
         };
-        let sources = elements.list().iter().enumerate().map(|(i, receiver)| {
-            emitters
-                .iter()
-                .filter(|emitter| **emitter != i)
-                .map(|emitter| source(receiver, *emitter))
-                .collect()
-        });
-        Self { elements, visibility, sources: sources.collect() }
+        let surroundings = list.iter().map(around).collect();
+        Self { solution, visibility, emitters, trees, surroundings, eps }
     }
 
-    /// For each emitter of element `receiver`: its index, and the irradiance at `x` with unit normal `n` per unit
-    /// of its exitance.
-    pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> impl Iterator<Item = (usize, f64)> {
-        self.sources[receiver].iter().map(move |source| (source.emitter, self.from(source, x, n)))
+    /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
+    /// exitance.
+    pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
+        let vantage = Vantage::on(self.solution.elements().list()[receiver].surface, x, n);
+        self.from(&vantage, &self.surroundings[receiver])
     }
 
-    fn from(&self, source: &Source, x: DVec3, n: DVec3) -> f64 {
-        let emitter = &self.elements.list()[source.emitter];
-        let flat = source.blockers.iter().all(|blocker| self.visibility.pieces(*blocker).is_some());
-        match emitter.plane {
-            Some((point, normal)) if (x - point).dot(normal) <= 0.0 => 0.0,
-            Some(_) if flat => emitter.patches.iter().map(|patch| self.exact(patch, source, x, n)).sum(),
-            _ => emitter.patches.iter().map(|patch| self.sampled(patch, source, x, n)).sum(),
-        }
+    /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
+    pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
+        self.per_band(&self.factors(receiver, x, n))
     }
 
-    fn exact(&self, patch: &Patch, source: &Source, x: DVec3, n: DVec3) -> f64 {
-        let polygon = patch.polygon();
-        // A piece wholly behind the horizon cannot stand before anything above it.
-        let stands = |piece: &&[DVec3]| piece.iter().any(|corner| (corner - x).dot(n) > 0.0);
-        let pieces = source.blockers.iter().filter_map(|blocker| self.visibility.pieces(*blocker)).flatten();
-        let parts = visible_parts(x, &polygon, pieces.map(Vec::as_slice).filter(stands));
-        parts.iter().map(|part| irradiance(x, n, part)).sum()
+    /// What may stand between the emitters and a site.
+    pub fn around(&self, site: &Site) -> Surroundings {
+        Surroundings::new(self.visibility, &self.trees, site)
     }
 
-    fn sampled(&self, patch: &Patch, source: &Source, x: DVec3, n: DVec3) -> f64 {
-        let here = Node { position: x, normal: n, area: 1.0, parameters: Default::default() };
-        let rule = UnitRule::of(SAMPLES);
-        let points = rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t)));
-        points
-            .map(|((s, ws), (t, wt))| {
-                let there = patch.node(s, t);
-                let free = || self.visibility.free(&source.blockers, x, there.position);
-                let value = kernel(&here, &there);
-                if value > 0.0 && free() { ws * wt * there.area * value } else { 0.0 }
-            })
-            .sum()
+    /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
+    pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+        self.per_band(&self.from(vantage, surroundings))
+    }
+
+    fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<(usize, f64)> {
+        let mut walk = Walk::new(vantage, self.visibility, surroundings);
+        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, |walk, tolerance| {
+            let (mut factors, mut level) = (Vec::with_capacity(self.trees.len()), 0.0);
+            for (index, tree) in self.trees.iter().enumerate() {
+                let mut factor = [0.0];
+                walk.add(index, tree, tolerance, &mut factor);
+                level += factor[0] / tree.scale()[0];
+                factors.push((self.emitters[index], factor[0]));
+            }
+            (factors, level)
+        })
+    }
+
+    fn per_band(&self, factors: &[(usize, f64)]) -> Vec<f64> {
+        let lit = |band: &Band| {
+            factors.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum()
+        };
+        self.solution.bands().iter().map(lit).collect()
     }
 }

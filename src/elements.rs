@@ -21,6 +21,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
+use serde::{Deserialize, Serialize};
 
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, HIGHEST_ORDER};
@@ -32,7 +33,7 @@ use rule::UnitRule;
 use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Discretization {
     /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`].
     pub order: usize,
@@ -53,7 +54,8 @@ impl Discretization {
 }
 
 /// Cuts along u and v of a surface that does not state its own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Subdivide {
     /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise.
     Auto {
@@ -157,6 +159,7 @@ impl Element {
 pub struct Elements {
     list: Vec<Element>,
     surfaces: Vec<Cut>,
+    how: Discretization,
 }
 
 /// How one surface was cut: ends of the cells along u and v, and the element of each cell.
@@ -177,7 +180,7 @@ impl Elements {
             return Err(ElementError::Layers { layers: how.layers });
         }
         let extent = scene_extent(scene);
-        let mut elements = Self { list: Vec::new(), surfaces: Vec::new() };
+        let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
         for (index, surface) in scene.surfaces.iter().enumerate() {
             let order = surface.order.unwrap_or(how.order);
             if order > HIGHEST_ORDER {
@@ -194,6 +197,11 @@ impl Elements {
             elements.surfaces.push(cut);
         }
         Ok(elements)
+    }
+
+    /// How the scene was cut.
+    pub fn discretization(&self) -> &Discretization {
+        &self.how
     }
 
     /// The elements, in the order of their surfaces.
@@ -224,9 +232,26 @@ impl Elements {
         if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
     }
 
+    /// Number of surfaces, those without elements included.
+    pub fn surfaces(&self) -> usize {
+        self.surfaces.len()
+    }
+
     /// The shape of a surface.
     pub fn shape(&self, surface: usize) -> &dyn Surface {
         self.surfaces[surface].shape.as_ref()
+    }
+
+    /// A cover of the part of element `element` over the parameters `rect` by patches that do not overlap.
+    pub fn patches_over(&self, element: usize, rect: &Rect) -> Vec<Patch> {
+        let element = &self.list[element];
+        let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
+        let Some((_, normal)) = element.plane else {
+            return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
+        };
+        let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
+        let parts = clip_to_cell(self.shape(element.surface), &pieces, rect);
+        parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
     }
 
     /// Coefficients c of the constant 1, element by element.
@@ -261,6 +286,12 @@ pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -
         parts = parts.iter().map(|part| clip_polygon(part, start, inward)).filter(|p| p.len() > 2).collect();
     }
     parts
+}
+
+fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
+    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
+    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
 fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {

@@ -29,12 +29,11 @@ pub use camera::Camera;
 pub use error::{Fault, SceneError};
 pub use file::MAX_ORDER;
 pub use material::Material;
-pub use source::Place;
+pub use source::{Place, Source};
 pub use surface::SceneSurface;
 
 use error::Located;
 use file::SceneFile;
-use source::Source;
 use tree::{Node, Value};
 
 /// A valid scene.
@@ -52,6 +51,8 @@ pub struct Scene {
     pub camera: Option<Camera>,
     /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
     pub origin: String,
+    /// The text it was read from; none for a scene built in code.
+    pub source: Option<Source>,
 }
 
 impl Scene {
@@ -71,8 +72,17 @@ impl Scene {
     /// # Errors
     /// As for [`Scene::load`] and [`Scene::builtin_with`]; settings for anything but a built-in scene.
     pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-        if builtin::named(source).is_some() {
-            return Scene::builtin_with(source, settings);
+        Scene::parse(&Scene::text_of(source, settings)?)
+    }
+
+    /// The text that [`Scene::load_with`] reads.
+    ///
+    /// # Errors
+    /// A file that cannot be read, an unknown name or setting; settings for anything but a built-in scene.
+    pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
+        if let Some(scene) = builtin::named(source) {
+            let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
+            return Ok(Source::new(source, &text));
         }
         let (origin, text) = match source {
             "-" => ("<stdin>", io::read_to_string(io::stdin())),
@@ -82,12 +92,21 @@ impl Scene {
         if let Some((name, _)) = settings.first() {
             return Err(whole_file(origin, Fault::ParameterOfFile { name: (*name).to_owned() }));
         }
-        if source.ends_with(".csv") {
-            return Scene::from_csv(&text, origin);
+        Ok(Source::new(origin, &text))
+    }
+
+    /// Reads a scene in the language that the ending of its origin, or else its first letter, tells; see [`Scene::load`].
+    ///
+    /// # Errors
+    /// The first thing wrong in the text.
+    pub fn parse(source: &Source) -> Result<Scene, SceneError> {
+        let Source { origin, text } = source;
+        if origin.ends_with(".csv") {
+            return Scene::from_csv(text, origin);
         }
-        match source.ends_with(".json") || text.trim_start().starts_with('{') {
-            true => Scene::from_json(&text, origin),
-            false => Scene::from_toml(&text, origin),
+        match origin.ends_with(".json") || text.trim_start().starts_with('{') {
+            true => Scene::from_json(text, origin),
+            false => Scene::from_toml(text, origin),
         }
     }
 
@@ -97,9 +116,8 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        toml_text::parse(text)
-            .and_then(|tree| assemble(&tree, &source))
-            .map_err(|located| located.in_source(&source))
+        let tree = toml_text::parse(text);
+        tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
     /// Reads JSON, the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
@@ -152,10 +170,10 @@ impl Scene {
     /// # Errors
     /// [`Fault::UnknownScene`], [`Fault::UnknownParameter`], [`Fault::ParameterRange`].
     pub fn builtin_with(name: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-        let scene = builtin::named(name)
-            .ok_or_else(|| whole_file(name, Fault::UnknownScene { name: name.to_owned() }))?;
-        let text = scene.text(settings).map_err(|fault| whole_file(name, fault))?;
-        Scene::from_toml(&text, name)
+        if builtin::named(name).is_none() {
+            return Err(whole_file(name, Fault::UnknownScene { name: name.to_owned() }));
+        }
+        Scene::load_with(name, settings)
     }
 
     /// The built-in scenes with their parameters.
@@ -200,6 +218,7 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
         bands,
         camera: file.camera.map(validation::camera).transpose()?,
         origin: source.origin.to_string(),
+        source: Some(source.clone()),
     })
 }
 

@@ -1,73 +1,21 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
-use std::num::NonZero;
+mod options;
+
 use std::time::{Duration, Instant};
 
-use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
+use radiosity_solvers::{Report, Settings, SolveError, Step};
 use rayon::ThreadPoolBuildError;
 
 use crate::checks::Checks;
-use crate::elements::cells::Layers;
-use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coating, System};
-use crate::visibility::{Shadows, Visibility};
+use crate::visibility::Visibility;
 
-/// What to solve and how well.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Order of the basis where a surface does not state its own.
-    pub order: usize,
-    /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
-    pub space: Space,
-    /// Cuts along u and v of surfaces that do not state their own; None chooses.
-    pub subdivide: Option<usize>,
-    /// Further cuts of the outermost cells of every surface, towards its sides.
-    pub layers: Layers,
-    /// Accuracy of the kernel blocks.
-    pub eps: f64,
-    /// The rules of 1993 instead of those that keep `eps`.
-    pub kernel: Option<paper::Rules>,
-    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`]): right for closed scenes
-    /// without shadows only.
-    pub closure: bool,
-    /// Accuracy of visibility within a block.
-    pub shadow_eps: f64,
-    /// Whether surfaces hide each other.
-    pub shadows: bool,
-    /// The solver.
-    pub method: &'static Method,
-    /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
-    pub tolerance: f64,
-    /// Most iterations of the linear solve.
-    pub max_iterations: usize,
-    /// Threads; the result does not depend on it.
-    pub threads: usize,
-}
-
-impl Default for Options {
-    /// Order 3, blocks to 1e-3, shadows to 3e-3, the solver chosen by the system, all threads.
-    fn default() -> Self {
-        Self {
-            order: 3,
-            space: Space::Total,
-            subdivide: None,
-            layers: Layers::NONE,
-            eps: 1e-3,
-            kernel: None,
-            closure: false,
-            shadow_eps: 3e-3,
-            shadows: true,
-            method: Method::named("auto").expect("auto is always listed"),
-            tolerance: 1e-8,
-            max_iterations: 1000,
-            threads: std::thread::available_parallelism().map_or(1, NonZero::get),
-        }
-    }
-}
+pub use options::Options;
 
 /// Where the work stands.
 #[derive(Clone, Copy, Debug)]
@@ -102,6 +50,8 @@ pub struct Outcome {
     pub iterations: usize,
     /// Relative residual of the original system, the largest of any band.
     pub residual: f64,
+    /// Whether the solver reached its tolerance in every band; if not, the solution is the best it had.
+    pub converged: bool,
     /// Wall time of each stage.
     pub seconds: Stages,
 }
@@ -181,9 +131,8 @@ fn solve_in_pool(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
     let mut seconds = Stages::default();
-    let shadows = if options.shadows { Shadows::Rays(options.shadow_eps) } else { Shadows::Off };
     let (visibility, subdivide) = timed(&mut seconds.visibility, || {
-        let visibility = Visibility::new(scene, shadows);
+        let visibility = Visibility::new(scene, options.into());
         let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
         let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
         (visibility, subdivide)
@@ -195,9 +144,9 @@ fn solve_in_pool(
     let blocks =
         timed(&mut seconds.blocks, || blocks(scene, &elements, &visibility, options, &report_pairs))?;
     let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
-    let slowest =
-        solved.iter().filter_map(|(_, report)| report.as_ref()).max_by_key(|report| report.iterations);
-    let (solver, iterations) = slowest.map_or((options.method.name, 0), |r| (r.method, r.iterations));
+    let slowest = solved.iter().filter_map(|(_, effort)| effort.as_ref()).max_by_key(|e| e.iterations);
+    let (solver, iterations) = slowest.map_or((options.method.name, 0), |e| (e.method, e.iterations));
+    let converged = solved.iter().flat_map(|(_, effort)| effort).all(|effort| effort.converged);
     let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands);
@@ -214,6 +163,7 @@ fn solve_in_pool(
         solver,
         iterations,
         residual,
+        converged,
         seconds,
     })
 }
@@ -244,13 +194,31 @@ fn solve_bands(
     blocks: &Blocks,
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Vec<(Band, Option<Report>)>, Failure> {
+) -> Result<Vec<(Band, Option<Effort>)>, Failure> {
     let solve = |(index, name): (usize, &String)| {
         let mut observe = |step: &Step<'_>| progress(Progress::Solve(index, step.iteration, step.residual));
-        solve_band(coating(scene, elements, index), name, elements, blocks, options, &mut observe)
+        solve_band(Coating::of(scene, elements.list(), index), name, elements, blocks, options, &mut observe)
             .map_err(|source| Failure::Solver { band: name.clone(), source })
     };
     scene.bands.iter().enumerate().map(solve).collect()
+}
+
+/// What a band's linear system took.
+struct Effort {
+    method: &'static str,
+    iterations: usize,
+    converged: bool,
+}
+
+/// The effort of a solver that ended so; the best iterate of one that did not converge may count as well.
+fn effort(ended: Result<Report, SolveError>, keep_partial: bool) -> Result<Effort, SolveError> {
+    match ended {
+        Ok(Report { method, iterations, .. }) => Ok(Effort { method, iterations, converged: true }),
+        Err(SolveError::NotConverged { method, iterations, .. }) if keep_partial => {
+            Ok(Effort { method, iterations, converged: false })
+        }
+        Err(error) => Err(error),
+    }
 }
 
 fn solve_band(
@@ -260,13 +228,13 @@ fn solve_band(
     blocks: &Blocks,
     options: &Options,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Band, Option<Report>), SolveError> {
+) -> Result<(Band, Option<Effort>), SolveError> {
     let system = System::new(elements.list(), blocks, &coating);
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     // Only shooting asks for it, and it costs as much as a basis.
     let measure = (options.method.name == "southwell").then(|| system.shooting_measure());
-    let mut report = None;
+    let mut needed = None;
     if right.iter().any(|value| *value != 0.0) {
         let settings = Settings {
             tolerance: options.tolerance,
@@ -276,19 +244,11 @@ fn solve_band(
             ..Settings::default()
         };
         let solver = options.method.solver;
-        report = Some(solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe)?);
+        let ended = solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe);
+        needed = Some(effort(ended, options.keep_partial)?);
     }
     let coefficients = system.coefficients(&unknowns);
-    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), report))
-}
-
-fn coating(scene: &Scene, elements: &Elements, band: usize) -> Coating {
-    let material = |surface: usize| &scene.surfaces[surface].material;
-    let list = elements.list();
-    Coating {
-        reflectance: list.iter().map(|element| material(element.surface).reflectance[band]).collect(),
-        exitance: list.iter().map(|element| material(element.surface).emission[band]).collect(),
-    }
+    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), needed))
 }
 
 fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {

@@ -16,6 +16,7 @@ use radiosity_solvers::{Dense, Partition, SolveError};
 
 use crate::elements::Element;
 use crate::kernel::Blocks;
+use crate::scene::Scene;
 
 /// What the elements are made of in one band.
 #[derive(Clone, Debug)]
@@ -27,6 +28,15 @@ pub struct Coating {
 }
 
 impl Coating {
+    /// That of a scene's elements in band `band`.
+    pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
+        let material = |element: &Element| &scene.surfaces[element.surface].material;
+        Self {
+            reflectance: elements.iter().map(|element| material(element).reflectance[band]).collect(),
+            exitance: elements.iter().map(|element| material(element).emission[band]).collect(),
+        }
+    }
+
     /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).
     pub fn radiosity(&self, element: usize, irradiance: f64) -> f64 {
         self.exitance[element] + self.reflectance[element] * irradiance
@@ -58,13 +68,25 @@ pub struct Coefficients {
     pub residual: f64,
 }
 
+impl Coefficients {
+    /// Those of a known irradiance h and its direct part G e, both element by element; b = e + ρ h.
+    pub fn of_irradiance(
+        elements: &[Element],
+        coating: &Coating,
+        irradiance: Vec<f64>,
+        direct: Vec<f64>,
+        residual: f64,
+    ) -> Self {
+        let radiosity = radiosity(elements, coating, &irradiance);
+        Self { irradiance, direct, radiosity, residual }
+    }
+}
+
 impl<'a> System<'a> {
     /// The system of `coating` over `elements` with transport `blocks`.
     pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
         let reflecting = (0..elements.len()).filter(|i| coating.reflectance[*i] > 0.0).collect();
-        let emitted = per_element(elements, |i, out| {
-            out.extend(elements[i].constant.iter().map(|c| c * coating.exitance[i]));
-        });
+        let emitted = emitted(elements, coating);
         let direct = blocks.apply(&emitted);
         Self { elements, blocks, coating, reflecting, emitted, direct }
     }
@@ -119,13 +141,7 @@ impl<'a> System<'a> {
             }
         }
         let irradiance = self.blocks.apply(&solved);
-        let mut radiosity = self.emitted.clone();
-        for i in 0..self.elements.len() {
-            let reflectance = self.coating.reflectance[i];
-            for k in self.range(i) {
-                radiosity[k] += reflectance * irradiance[k];
-            }
-        }
+        let radiosity = radiosity(self.elements, self.coating, &irradiance);
         let (difference, scale) = (distance(&solved, &radiosity), norm(&self.emitted));
         let residual = if scale > 0.0 { difference / scale } else { 0.0 };
         Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
@@ -147,6 +163,26 @@ impl<'a> System<'a> {
             .flat_map(|i| self.range(*i).map(|k| value(*i, k)).collect::<Vec<_>>())
             .collect()
     }
+}
+
+/// e, the coefficients of the emitted exitance.
+fn emitted(elements: &[Element], coating: &Coating) -> Vec<f64> {
+    per_element(elements, |i, out| {
+        out.extend(elements[i].constant.iter().map(|c| c * coating.exitance[i]));
+    })
+}
+
+/// b = e + ρ h.
+fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec<f64> {
+    let mut radiosity = emitted(elements, coating);
+    let mut start = 0;
+    for (element, reflectance) in elements.iter().zip(&coating.reflectance) {
+        let range = start..start + element.basis.len();
+        start = range.end;
+        let own = radiosity[range.clone()].iter_mut().zip(&irradiance[range]);
+        own.for_each(|(b, h)| *b += reflectance * h);
+    }
+    radiosity
 }
 
 fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {

@@ -6,6 +6,7 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
+mod ball;
 pub mod exact;
 
 use std::sync::Arc;
@@ -13,14 +14,23 @@ use std::sync::Arc;
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Ray, Rect, Surface, separated};
 
 use crate::scene::Scene;
+use ball::Ball;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
+
+/// Points in each parameter at which a curved surface is looked at.
+const LOOKS: usize = 5;
+
+/// Cosine between any two normals of a surface that is taken for flat when it may hide itself.
+const ALIKE: f64 = 0.9;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
 pub struct Visibility {
     obstacles: Vec<Obstacle>,
+    /// Bounding boxes of the surfaces.
+    boxes: Vec<Aabb>,
     /// Of all surfaces.
     tree: Bvh,
     /// The surfaces that can stand between two others, ascending.
@@ -45,8 +55,12 @@ pub enum Shadows {
 struct Obstacle {
     shape: Arc<dyn Surface>,
     hull: Vec<DVec3>,
+    /// Around the hull.
+    ball: Ball,
     /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
     pieces: Option<Vec<Vec<DVec3>>>,
+    /// Whether it may stand between a point and itself.
+    curled: bool,
 }
 
 impl Visibility {
@@ -57,7 +71,8 @@ impl Visibility {
         let standing = standing(&obstacles, &boxes);
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
-        Self { obstacles, tree: Bvh::build(&boxes), standing, standing_tree, shadows }
+        let tree = Bvh::build(&boxes);
+        Self { obstacles, boxes, tree, standing, standing_tree, shadows }
     }
 
     /// Surfaces other than the two named that may stand between the hulls of points `a` and `b`, ascending.
@@ -81,7 +96,11 @@ impl Visibility {
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
         let size = breadth(a).min(breadth(b));
-        let reaches = |index: &usize| !separated(a, b, &self.obstacles[*index].hull, tolerance * size);
+        let (around_a, around_b) = (Ball::around(a), Ball::around(b));
+        let reaches = |index: &usize| {
+            let Obstacle { ball, hull, .. } = &self.obstacles[*index];
+            !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
+        };
         blockers.iter().copied().filter(reaches).collect()
     }
 
@@ -97,7 +116,58 @@ impl Visibility {
     /// Whether the open segment from `x` to `y` misses all of `blockers`.
     pub fn free(&self, blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         let ray = segment(x, y);
-        !blockers.iter().any(|index| self.obstacles[*index].shape.occludes(&ray))
+        !blockers.iter().any(|index| {
+            let Obstacle { ball, shape, .. } = &self.obstacles[*index];
+            !ball.misses(x, y) && shape.occludes(&ray)
+        })
+    }
+
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with `open`
+    /// those as well that may stand before a point anywhere. None without shadows.
+    pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
+        let mut found = Vec::new();
+        match (self.shadows, open) {
+            (Shadows::Off, _) => {}
+            (_, true) => return self.near(bounds),
+            (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
+        }
+        found.sort_unstable();
+        found
+    }
+
+    /// The surfaces whose boxes overlap `bounds`, ascending.
+    pub fn near(&self, bounds: &Aabb) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.tree.overlapping(bounds, |index| found.push(index));
+        found.sort_unstable();
+        found
+    }
+
+    /// Bounding box of all surfaces.
+    pub fn bounds(&self) -> Aabb {
+        self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
+    }
+
+    /// Bounding box of a surface.
+    pub fn bounds_of(&self, surface: usize) -> Aabb {
+        self.boxes[surface]
+    }
+
+    /// Whether a point may see a place of a surface through another place of it. Not where the surface lies behind the plane
+    /// of each of its points, as the outside of a ball; and not to speak of where all its normals are much the same.
+    pub fn hides_itself(&self, surface: usize) -> bool {
+        self.obstacles[surface].curled
+    }
+
+    /// Points whose convex hull contains a surface.
+    pub fn hull(&self, surface: usize) -> &[DVec3] {
+        &self.obstacles[surface].hull
+    }
+
+    /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
+    pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
+        let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
+        self.obstacles[surface].shape.occludes(&ray)
     }
 
     /// Whether `blocker` may reach, however little, between the hulls of `a` and `b`.
@@ -146,7 +216,8 @@ impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let pieces = shape.region().map(|region| region.convex_pieces());
-        Self { shape: Arc::clone(shape), hull, pieces }
+        let curled = pieces.is_none() && is_curled(shape.as_ref());
+        Self { shape: Arc::clone(shape), ball: Ball::around(&hull), hull, pieces, curled }
     }
 
     fn is_convex(&self) -> bool {
@@ -177,6 +248,17 @@ fn breadth(points: &[DVec3]) -> f64 {
     let Some(far) = points.iter().max_by(farther) else { return 0.0 };
     let along = (far - points[0]).normalize_or_zero();
     points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
+}
+
+/// Whether a curved surface may stand between a point and itself, judged by a net of its points.
+fn is_curled(shape: &dyn Surface) -> bool {
+    let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
+    let jets: Vec<_> = (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect();
+    let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
+    let bulges =
+        jets.iter().all(|x| jets.iter().all(|y| (y.position - x.position).dot(x.normal) <= END * size));
+    let is_flat = jets.iter().all(|x| jets.iter().all(|y| y.normal.dot(x.normal) >= ALIKE));
+    !bulges && !is_flat
 }
 
 fn segment(x: DVec3, y: DVec3) -> Ray {

@@ -35,6 +35,7 @@ fn scene(shapes: Shapes) -> Scene {
         surfaces: shapes.into_iter().enumerate().map(surface).collect(),
         camera: None,
         origin: "test".to_owned(),
+        source: None,
     }
 }
 

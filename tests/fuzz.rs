@@ -1,8 +1,10 @@
-//! Broken scene files: whatever is done to a text, it is read or refused, and what is read can be cut into elements.
+//! Broken scene files: whatever is done to a text, it is read or refused, and what is read can be inspected and cut into
+//! elements.
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use radiosity::elements::{Discretization, Elements};
+use radiosity::inspection::Inspection;
 use radiosity::scene::Scene;
 
 const TEXTS: [&str; 4] = [
@@ -156,13 +158,14 @@ fn mutate(text: &str, mutation: &Mutation) -> String {
     }
 }
 
-/// The texts in both languages; JSON with one item on a line.
+/// The texts in both languages, their parameters set; JSON with one item on a line.
 fn texts() -> Vec<(String, bool)> {
     let json = |text: &str| {
         let tree: toml::Value = toml::from_str(text).unwrap();
         serde_json::to_string_pretty(&tree).unwrap()
     };
-    TEXTS.iter().flat_map(|text| [(text.to_string(), false), (json(text), true)]).collect()
+    let texts = TEXTS.map(|text| text.replace("$reflectance", "0.5"));
+    texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()
 }
 
 /// Surfaces cut finer, or of higher order, are left out: they cost time and nothing else.
@@ -171,17 +174,20 @@ fn is_small(scene: &Scene) -> bool {
     scene.surfaces.iter().all(|surface| surface.order.unwrap_or(0) <= 4 && cells(surface.subdivide) <= 16)
 }
 
-/// Reads and cuts a text; whether it was read.
+/// Reads, cuts and inspects a text; whether it was read.
 fn survives(text: &str, is_json: bool) -> bool {
     let scene = if is_json { Scene::from_json(text, "x.json") } else { Scene::from_toml(text, "x.toml") };
     match scene {
         Ok(scene) => {
-            for order in [0, 2] {
-                if is_small(&scene) {
-                    let cut = Elements::new(&scene, &Discretization::uniform(order, 1));
-                    let area = |elements: Elements| elements.list().iter().map(|e| e.area).sum::<f64>();
-                    assert!(cut.map_or(true, |elements| area(elements).is_finite()));
-                }
+            let order = if text.len().is_multiple_of(2) { 0 } else { 2 };
+            if is_small(&scene) {
+                let cut = Elements::new(&scene, &Discretization::uniform(order, 1));
+                let area = |elements: Elements| elements.list().iter().map(|e| e.area).sum::<f64>();
+                assert!(cut.map_or(true, |elements| area(elements).is_finite()));
+            }
+            // An inspection takes longer than all the rest.
+            if text.len().is_multiple_of(16) && is_small(&scene) {
+                Inspection::of(&scene);
             }
             true
         }
@@ -211,7 +217,6 @@ fn run(cases: u32) {
             Ok(())
         })
         .unwrap_or_else(|error| panic!("{error}"));
-    println!("{} of {cases} texts were read", read.get());
     // Were nearly all refused, little would have been tried.
     assert!(read.get() > cases / 20, "only {} of {cases} texts were read", read.get());
 }

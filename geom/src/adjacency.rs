@@ -170,7 +170,8 @@ fn common_part(a: &[DVec3], b: &[DVec3], normal: DVec3) -> Vec<DVec3> {
 
 /// A point where a line of `a` passes through `b` away from b's border.
 fn crossing(a: &Patch, b: &Patch, tolerance: f64) -> Option<DVec3> {
-    const STEPS: usize = 16;
+    // Odd, so that no step ends in the middle, where things like to cross.
+    const STEPS: usize = 17;
     let around = b.bounds().inflate(tolerance);
     let borders = b.borders();
     let margin = 5e-3 * around.diagonal();

@@ -2,9 +2,13 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
+use radiosity::output::chart::ChartError;
+use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
 use thiserror::Error;
+
+use crate::cli::points::PointsError;
 
 /// Why a command ended early.
 #[derive(Debug, Error)]
@@ -12,6 +16,26 @@ pub(crate) enum CliError {
     /// Something is wrong with the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// Something is wrong with a solution file.
+    #[error(transparent)]
+    Solution(#[from] SolutionError),
+    /// A solution where a scene is to be solved.
+    #[error("{origin}: this is a solution already")]
+    AlreadySolved {
+        /// The file as typed.
+        origin: String,
+    },
+    /// An option of the method with a scene that is solved.
+    #[error("{option}: {origin} is a solution, how it was found cannot be changed")]
+    Fixed {
+        /// The file as typed.
+        origin: String,
+        /// The option as typed.
+        option: String,
+    },
+    /// Something is wrong with the points of a probe.
+    #[error(transparent)]
+    Points(#[from] PointsError),
     /// An output that cannot be written, found out before the work.
     #[error("{}: cannot be written: {reason}", path.display())]
     Unwritable {
@@ -36,7 +60,20 @@ pub(crate) enum CliError {
     NoCamera {
         /// The scene as named in messages.
         origin: String,
+        /// A camera that sees the scene, as one would write it.
+        proposal: String,
     },
+    /// What was asked for cannot be done.
+    #[error("{message}")]
+    Refused {
+        /// What is wrong.
+        message: String,
+        /// How to mend it.
+        cure: String,
+    },
+    /// A chart could not be drawn.
+    #[error(transparent)]
+    Chart(#[from] ChartError),
     /// A value of `--pairs` without two names.
     #[error("--pairs {text}: two names are needed")]
     NoPair {
@@ -61,13 +98,22 @@ impl CliError {
     /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
-            CliError::Scene(_) | CliError::Unwritable { .. } | CliError::NoCamera { .. } => ExitCode::from(2),
-            CliError::NoPair { .. } | CliError::UnknownFormat { .. } | CliError::PairsAsArray => {
-                ExitCode::from(2)
-            }
+            CliError::Scene(_)
+            | CliError::Solution(_)
+            | CliError::Points(_)
+            | CliError::AlreadySolved { .. }
+            | CliError::Fixed { .. }
+            | CliError::Unwritable { .. }
+            | CliError::NoCamera { .. }
+            | CliError::NoPair { .. }
+            | CliError::UnknownFormat { .. }
+            | CliError::PairsAsArray
+            | CliError::Refused { .. } => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. }) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => ExitCode::from(1),
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
+                ExitCode::from(1)
+            }
         }
     }
 
@@ -91,10 +137,21 @@ impl CliError {
     fn cure(&self) -> Option<String> {
         match self {
             CliError::Scene(error) => error.cure(),
+            CliError::Solution(error) => Some(error.cure().into()),
+            CliError::AlreadySolved { .. } => Some(
+                "give it to render, probe or grid; to solve again, give the scene it was made from".into(),
+            ),
+            CliError::Fixed { .. } => {
+                Some("leave the option out, or give the scene instead of its solution".into())
+            }
+            CliError::Points(error) => Some(error.cure.clone()),
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
-            CliError::NoCamera { .. } => Some("add a [camera] with eye and target to the scene".into()),
+            CliError::NoCamera { proposal, .. } => {
+                Some(format!("add a [camera] with eye and target to the scene, such as {proposal}"))
+            }
+            CliError::Refused { cure, .. } => Some(cure.clone()),
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
             }
@@ -102,7 +159,9 @@ impl CliError {
                 Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
             }
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
-            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Stdout(_) => None,
+            CliError::Unwritten { .. } | CliError::Solve(_) | CliError::Chart(_) | CliError::Stdout(_) => {
+                None
+            }
         }
     }
 }

@@ -1,23 +1,30 @@
 //! `radiosity grid`: mean irradiance and radiosity over the cells of every surface.
 
-use std::io::{Write, stdout};
+use std::io::{self, Write, stdout};
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use radiosity::output::grid::{Cell, grid};
+use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
+use radiosity::solved::Solved;
+use serde::Serialize;
 
 use crate::cli::{
     error::CliError,
     options::{Counts, MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
+    read::{ReadArgs, Samples},
     run::{Loaded, Run},
 };
 
-/// Solves a scene and prints means over the cells of every surface, as CSV
+/// Solves a scene and prints means over the cells of every surface
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  radiosity grid cornell-box --cells 16x16 > cells.csv")]
+#[command(after_help = "\
+Examples:
+  radiosity grid cornell-box --cells 16x16 > cells.csv
+  radiosity grid cornell-box --read basis --format json -o cells.json")]
 pub(crate) struct GridArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
@@ -26,12 +33,19 @@ pub(crate) struct GridArgs {
     #[arg(long, value_name = "NxM", default_value = "16x16")]
     pub(crate) cells: Counts,
 
-    /// What the means are read from
-    #[arg(long, value_name = "MODE", default_value = "basis")]
-    pub(crate) read: ReadMode,
+    #[command(flatten)]
+    pub(crate) read: ReadArgs,
+
+    /// Points along each side of a cell at which direct and gathered light are computed
+    #[arg(long, value_name = "D,I", default_value = "8,2")]
+    pub(crate) read_samples: Samples,
+
+    /// Form of the table
+    #[arg(long, value_name = "FORMAT", default_value = "csv")]
+    pub(crate) format: Format,
 
     /// File of the table [default: standard output]
-    #[arg(short, long, value_name = "FILE.csv")]
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     #[command(flatten)]
@@ -41,47 +55,83 @@ pub(crate) struct GridArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// `--read` of a grid.
+/// `--format` of a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReadMode {
-    /// The polynomials of the elements alone
-    Basis,
+pub(crate) enum Format {
+    /// Comma-separated values with a header
+    Csv,
+    /// An object with the bands and a list
+    Json,
 }
 
 /// Solves the scene and prints the means.
-pub(crate) fn run(args: &GridArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
+pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let cells = args.cells.0.map(|count| count as usize);
-    let table = csv(scene, &grid(&run.outcome.solution, scene.surfaces.len(), cells));
+    let visibility = run.solved.visibility();
+    let Solved { scene, outcome, .. } = &run.solved;
+    let sides = args.cells.0.map(|count| count as usize);
+    let observe = |done, total| progress.show("cells", done, total);
+    let cells = run.in_threads(|| {
+        let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
+        grid(&reader, sides, args.read_samples.0, &observe)
+    })?;
+    let table = match args.format {
+        Format::Csv => csv(scene, &cells)?,
+        Format::Json => json(scene, &cells)?,
+    };
     match &output {
-        Some(file) => file.write(|writer| writer.write_all(table.as_bytes()))?,
-        None => stdout().write_all(table.as_bytes())?,
+        Some(file) => file.write(|writer| writer.write_all(&table))?,
+        None => stdout().write_all(&table)?,
     }
     run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
 }
 
 /// `surface,i,j,E_<band>…,B_<band>…,area`, a row per cell.
-fn csv(scene: &Scene, cells: &[Cell]) -> String {
-    let columns = |letter: char| scene.bands.iter().map(move |band| quoted(&format!("{letter}_{band}")));
-    let header = ["surface", "i", "j"].map(str::to_owned).into_iter().chain(columns('E')).chain(columns('B'));
-    let mut table = header.chain(["area".to_owned()]).collect::<Vec<_>>().join(",") + "\n";
+fn csv(scene: &Scene, cells: &[Cell]) -> io::Result<Vec<u8>> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let bands = |letter: char| scene.bands.iter().map(move |band| format!("{letter}_{band}"));
+    let header = ["surface", "i", "j"].map(str::to_owned).into_iter().chain(bands('E')).chain(bands('B'));
+    writer.write_record(header.chain(["area".to_owned()]))?;
     for cell in cells {
-        let name = quoted(&scene.surfaces[cell.surface].name);
+        let place = [scene.surfaces[cell.surface].name.clone()];
+        let place = place.into_iter().chain(cell.index.map(|index| index.to_string()));
         let numbers = cell.irradiance.iter().chain(&cell.radiosity).chain([&cell.area]);
-        let numbers: Vec<String> = numbers.map(f64::to_string).collect();
-        table += &format!("{name},{},{},{}\n", cell.index[0], cell.index[1], numbers.join(","));
+        writer.write_record(place.chain(numbers.map(f64::to_string)))?;
     }
-    table
+    writer.into_inner().map_err(|error| error.into_error())
 }
 
-/// A CSV field (RFC 4180): in quotes if it has to be.
-fn quoted(field: &str) -> String {
-    if field.contains([',', '"', '\n', '\r']) {
-        format!("\"{}\"", field.replace('"', "\"\""))
-    } else {
-        field.to_owned()
+#[derive(Serialize)]
+struct Document<'a> {
+    bands: &'a [String],
+    cells: Vec<Row<'a>>,
+}
+
+/// A cell; bands in the order of the document's.
+#[derive(Serialize)]
+struct Row<'a> {
+    surface: &'a str,
+    i: usize,
+    j: usize,
+    irradiance: &'a [f64],
+    radiosity: &'a [f64],
+    area: f64,
+}
+
+impl<'a> Row<'a> {
+    fn new(scene: &'a Scene, cell: &'a Cell) -> Self {
+        let [i, j] = cell.index;
+        let surface = &scene.surfaces[cell.surface].name;
+        Self { surface, i, j, irradiance: &cell.irradiance, radiosity: &cell.radiosity, area: cell.area }
     }
+}
+
+fn json(scene: &Scene, cells: &[Cell]) -> io::Result<Vec<u8>> {
+    let rows = cells.iter().map(|cell| Row::new(scene, cell));
+    let document = Document { bands: &scene.bands, cells: rows.collect() };
+    let mut text = serde_json::to_vec_pretty(&document)?;
+    text.push(b'\n');
+    Ok(text)
 }

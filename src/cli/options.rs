@@ -3,11 +3,12 @@
 use std::{path::PathBuf, str::FromStr};
 
 use clap::{
-    Args, ValueEnum,
+    ArgMatches, Args, Command, ValueEnum,
     builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
+    parser::ValueSource,
 };
 use radiosity::kernel::paper::{Reading, Rules};
-use radiosity::scene::{MAX_ORDER, Scene, SceneError};
+use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, output_file::OutputFile};
@@ -15,7 +16,7 @@ use crate::cli::{error::CliError, output_file::OutputFile};
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
-    /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
+    /// Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
@@ -27,8 +28,13 @@ pub(crate) struct SceneArg {
 impl SceneArg {
     /// Loads the scene.
     pub(crate) fn load(&self) -> Result<Scene, SceneError> {
+        Scene::parse(&self.text()?)
+    }
+
+    /// The text of the scene, or of a solution.
+    pub(crate) fn text(&self) -> Result<Source, SceneError> {
         let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Scene::load_with(&self.scene, &settings)
+        Scene::text_of(&self.scene, &settings)
     }
 }
 
@@ -43,9 +49,13 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Degree of the polynomials on each element; 0 is classical radiosity
-    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
-    pub(crate) order: usize,
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3]
+    #[arg(long, value_name = "N|auto")]
+    pub(crate) order: Option<Order>,
+
+    /// Wanted relative error of the radiosity: raises order, layers, cuts and accuracies until it is reached
+    #[arg(long, value_name = "A", value_parser = fraction)]
+    pub(crate) accuracy: Option<f64>,
 
     /// Polynomials of that degree in each coordinate, not in both together
     #[arg(long)]
@@ -91,10 +101,24 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) shadows: Shadows,
 
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
+    #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
+    pub(crate) shadow_eps: f64,
+
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = at_least_one())]
     pub(crate) threads: Option<usize>,
 }
+
+impl MethodArgs {
+    /// The relative error wanted, if one is.
+    pub(crate) fn wanted_accuracy(&self) -> Option<f64> {
+        self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))
+    }
+}
+
+/// What `--order auto` means.
+const AUTO_ACCURACY: f64 = 1e-2;
 
 /// What is told while the work is done, and after it.
 #[derive(Debug, Args)]
@@ -117,6 +141,43 @@ impl ReportArgs {
     /// Finds out, before the work, whether the report can be written.
     pub(crate) fn reserve(&self) -> Result<Option<OutputFile>, CliError> {
         self.report.as_deref().map(OutputFile::reserve).transpose()
+    }
+}
+
+/// `--order`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// As the accuracy needs.
+    Auto,
+    /// This one; with `--accuracy`, at least this one.
+    Degree(usize),
+}
+
+impl FromStr for Order {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
+        let order = if text == "auto" { Some(Order::Auto) } else { degree() };
+        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}"))
+    }
+}
+
+/// The options that work with a solution file as well: they change no solution.
+const FREE: [&str; 1] = ["threads"];
+
+impl MethodArgs {
+    /// The options of the method that were typed and change the solution, e.g. `--order`; `typed` are those of a verb.
+    pub(crate) fn fixing(typed: &ArgMatches) -> Vec<String> {
+        let method = Self::augment_args(Command::new("method"));
+        let is_typed = |id: &str| {
+            let known = typed.try_contains_id(id).is_ok();
+            known && typed.value_source(id) == Some(ValueSource::CommandLine)
+        };
+        let ids = method.get_arguments().map(|arg| arg.get_id().as_str());
+        ids.filter(|id| !FREE.contains(id) && is_typed(id))
+            .map(|id| format!("--{}", id.replace('_', "-")))
+            .collect()
     }
 }
 
@@ -190,10 +251,6 @@ pub(crate) fn fraction(text: &str) -> Result<f64, String> {
 
 fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
     text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
-}
-
-fn order() -> RangedU64ValueParser<usize> {
-    RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
 }
 
 fn layers() -> RangedU64ValueParser<usize> {

@@ -3,17 +3,21 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use radiosity::output::render::{Read, render};
+use radiosity::output::exr_file::write_exr;
+use radiosity::output::render::{Read, render, white_balance};
+use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
-use radiosity::solve::in_threads;
+use radiosity::solved::Solved;
 use radiosity::visibility::Visibility;
+use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SceneArg, positive},
+    options::{Counts, MethodArgs, ReportArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
-    run::{Loaded, Run, shadows},
+    run::{Loaded, Run},
+    style::{Kind, StyleArgs},
 };
 
 /// Solves a scene and takes a picture through its camera
@@ -23,8 +27,8 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture [default: SCENE.png]
-    #[arg(short, long, value_name = "FILE.png")]
+    /// File of the picture: .png, or .exr for radiosities in W/m² as they are [default: SCENE.png]
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Pixels across and down [default: as the scene's camera says]
@@ -39,9 +43,8 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "MODE", default_value = "direct")]
     pub(crate) read: ReadMode,
 
-    /// Factor on the radiosities before they become colours [default: chosen for the picture]
-    #[arg(long, value_name = "X", value_parser = positive)]
-    pub(crate) exposure: Option<f64>,
+    #[command(flatten)]
+    pub(crate) style: StyleArgs,
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
@@ -57,35 +60,78 @@ pub(crate) enum ReadMode {
     Basis,
     /// Direct light and its shadows exact at every point, the rest from the polynomials
     Direct,
+    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point: slow
+    Gather,
 }
 
 /// Solves the scene and writes a picture.
-pub(crate) fn run(args: &RenderArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", scene.name).into());
+pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
+    let kind = args.style.kind(&path)?;
     let output = OutputFile::reserve(&path)?;
-    let camera = camera(args, scene)?;
+    let camera = camera(args, &loaded.scene)?;
+    let mut style = args.style.prepare(&loaded.scene, &camera)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let visibility = Visibility::new(scene, shadows(&args.method));
+    let visibility = run.solved.visibility();
     let read = match args.read {
         ReadMode::Basis => Read::Basis,
         ReadMode::Direct => Read::Direct,
+        ReadMode::Gather => Read::Gather,
     };
     let rows = |done, total| progress.show("picture", done, total);
-    let solution = &run.outcome.solution;
-    let picture = || render(solution, &visibility, &camera, args.samples, read, &rows);
-    let image = in_threads(run.threads, picture)?;
-    let exposure = args.exposure.unwrap_or_else(|| image.automatic_exposure());
-    output.write(|writer| image.write_png(exposure, writer))?;
-    run.finish(progress, Some(&path.display().to_string()))
+    let solution = &run.solved.outcome.solution;
+    let take = |solved: &Solved, visibility: &Visibility| {
+        render(&solved.outcome.solution, visibility, &camera, args.samples, read, &rows)
+    };
+    let (raster, borders) = run.in_threads(|| {
+        style.take_other(|other| take(other, &other.visibility()));
+        let borders = || wireframe(solution.elements(), &visibility, &camera, args.samples);
+        (take(&run.solved, &visibility), args.style.wireframe.then(borders))
+    })?;
+    let mut written = path.display().to_string();
+    match kind {
+        Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
+        Kind::Png => {
+            let (picture, figures) = style.picture(&raster, white_balance(solution), borders.as_deref())?;
+            written += &figures;
+            output.write(|writer| picture.write_png(writer))?;
+        }
+    }
+    run.finish(progress, Some(&written))
 }
 
 fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {
-    let no_camera = || CliError::NoCamera { origin: scene.origin.clone() };
+    let no_camera = || CliError::NoCamera { origin: scene.origin.clone(), proposal: proposal(scene) };
     let camera = scene.camera.clone().ok_or_else(no_camera)?;
     Ok(match args.size {
         Some(Counts([width, height])) => Camera { width, height, ..camera },
         None => camera,
     })
+}
+
+/// A camera for a scene without one, in one line: inside what looks like a room, before what does not.
+///
+/// It is a room if a ray from the middle along every axis meets a surface.
+fn proposal(scene: &Scene) -> String {
+    let shapes = || scene.surfaces.iter().map(|surface| &surface.shape);
+    let bounds = shapes().fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL)));
+    let (middle, size) = (bounds.center(), bounds.max - bounds.min);
+    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
+    let meets =
+        |direction: DVec3| shapes().any(|shape| shape.intersect(&Ray::new(middle, direction)).is_some());
+    let room = axes.into_iter().all(|axis| meets(axis) && meets(-axis));
+    let (eye, fov) = if room {
+        (middle + size * DVec3::new(0.3, -0.45, 0.1), 75)
+    } else {
+        (middle + bounds.diagonal() * DVec3::new(0.5, -1.2, 0.5), 50)
+    };
+    // Three digits of the scene's size.
+    let step = 10f64.powf((1e-3 * bounds.diagonal()).log10().ceil());
+    let decimals = (-step.log10()).max(0.0).round() as usize;
+    let point = |p: DVec3| {
+        let [x, y, z] = p.to_array().map(|x| (x / step).round() * step + 0.0);
+        format!("[{x:.decimals$}, {y:.decimals$}, {z:.decimals$}]")
+    };
+    format!("[camera] eye = {}, target = {}, up = [0, 0, 1], fov = {fov}", point(eye), point(middle))
 }

@@ -3,24 +3,30 @@
 use std::io::{Write, stderr};
 use std::time::Instant;
 
+use radiosity::adaptation::{Adapted, Goal, adapt};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
+use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::Scene;
-use radiosity::solve::{self, Options, Outcome, Progress as Stage};
+use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
+use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
-use radiosity::visibility;
-
-use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
-/// A scene just read.
+/// What a verb works on, just read: a scene, solved or not.
+///
+/// A verb that solves takes [`Loaded::lit`], one that reads a solution off [`Loaded::readable`]. It looks at
+/// [`Loaded::scene`] for what may be wrong with its own arguments, and then gives all of it to [`Run::solve`].
 #[derive(Debug)]
 pub(crate) struct Loaded {
     /// The scene.
     pub(crate) scene: Scene,
+    /// Its solution, where a solution file was read.
+    saved: Option<(Options, Outcome)>,
     /// When its reading began.
     started: Instant,
     seconds: f64,
@@ -30,59 +36,109 @@ impl Loaded {
     /// Reads a scene that light can be asked of.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        let scene = source.load()?;
+        let text = source.text()?;
+        if is_solution(&text.text) {
+            return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
+        }
+        Self::new(Scene::parse(&text)?, None, started)
+    }
+
+    /// Reads a scene that light can be asked of, or a solution file: then the options in `fixed`, those of the method that
+    /// were typed, are refused.
+    pub(crate) fn readable(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
+        let started = Instant::now();
+        let text = source.text()?;
+        if !is_solution(&text.text) {
+            return Self::new(Scene::parse(&text)?, None, started);
+        }
+        if let Some(option) = fixed.first() {
+            return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
+        }
+        let Solved { scene, options, outcome } = read(&text)?;
+        Self::new(scene, Some((options, outcome)), started)
+    }
+
+    fn new(scene: Scene, saved: Option<(Options, Outcome)>, started: Instant) -> Result<Self, CliError> {
         scene.require_light()?;
-        Ok(Self { scene, started, seconds: started.elapsed().as_secs_f64() })
+        Ok(Self { scene, saved, started, seconds: started.elapsed().as_secs_f64() })
     }
 }
 
 /// A solved scene with its report under way.
+///
+/// A verb reads what it wants off [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with
+/// [`Run::finish`].
 #[derive(Debug)]
 pub(crate) struct Run {
-    /// The solution and its figures.
-    pub(crate) outcome: Outcome,
-    /// Threads it was computed with.
+    /// The scene, its solution and its figures.
+    pub(crate) solved: Solved,
+    /// Threads to work with.
     pub(crate) threads: usize,
     report: Report,
     report_file: Option<OutputFile>,
     quiet: bool,
     verbose: bool,
+    /// Whether the solution was read from a file.
+    saved: bool,
     started: Instant,
-    solved: Instant,
+    ready: Instant,
 }
 
 impl Run {
-    /// Solves the scene; the bar shows how far it is.
+    /// Solves the scene, unless its solution was read; the bar shows how far it is.
     pub(crate) fn solve(
-        loaded: &Loaded,
+        loaded: Loaded,
         method: &MethodArgs,
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
         let report_file = report.reserve()?;
-        let options = options(method);
+        let asked = options(method);
+        let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
-            Stage::Solve(band, _, _) => progress.show("solve", band, loaded.scene.bands.len()),
+            Stage::Solve(band, _, _) => progress.show("solve", band, bands),
         };
-        let outcome = solve::solve(&loaded.scene, &options, &observe)?;
-        let mut summary = Report::new(&loaded.scene, &options, &outcome);
+        let saved = loaded.saved.is_some();
+        let (solved, mut summary) = match (loaded.saved, method.wanted_accuracy()) {
+            (None, Some(accuracy)) => {
+                let adapted = adapt(&loaded.scene, &asked, Goal::new(accuracy), &observe)?;
+                let summary = Report::adapted(&loaded.scene, &adapted);
+                let Adapted { options, outcome, .. } = adapted;
+                (Solved { scene: loaded.scene, options, outcome }, summary)
+            }
+            (read, _) => {
+                let solved = match read {
+                    Some((options, outcome)) => Solved { scene: loaded.scene, options, outcome },
+                    None => Solved::new(loaded.scene, asked, &observe)?,
+                };
+                let summary = Report::new(&solved.scene, &solved.options, &solved.outcome);
+                (solved, summary)
+            }
+        };
         summary.seconds.load = loaded.seconds;
+        summary.threads = asked.threads;
         Ok(Self {
-            outcome,
-            threads: options.threads,
+            solved,
+            threads: asked.threads,
+            saved,
             report: summary,
             report_file,
             quiet: report.quiet,
             verbose: report.verbose,
             started: loaded.started,
-            solved: Instant::now(),
+            ready: Instant::now(),
         })
+    }
+
+    /// Does long work with as many threads as were asked for.
+    pub(crate) fn in_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, CliError> {
+        Ok(in_threads(self.threads, work)?)
     }
 
     /// Ends the run: times the output, tells the summary on stderr, writes the report.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
-        self.report.seconds.output = self.solved.elapsed().as_secs_f64();
+        self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
         drop(progress);
         if let Some(file) = &self.report_file {
@@ -94,24 +150,31 @@ impl Run {
         Ok(())
     }
 
+    /// The line about time.
+    fn costs(&self) -> String {
+        let Report { seconds, solver, residual, .. } = &self.report;
+        let (output, total) = (seconds.output, seconds.total);
+        if self.saved {
+            return format!(
+                "solution read in {:.3} s ({solver}, residual {residual:.1e}), output {output:.3} s, all {total:.3} s",
+                seconds.load
+            );
+        }
+        format!(
+            "blocks {:.3} s ({} kernel samples, {} shadow rays), {solver} {:.3} s (residual {residual:.1e}), \
+             output {output:.3} s, all {total:.3} s",
+            seconds.blocks, self.report.kernel_samples, self.report.shadow_rays, seconds.solve
+        )
+    }
+
     fn tell(&self, written: Option<&str>) {
-        let Report { surfaces, elements, unknowns, order, seconds, checks, .. } = &self.report;
+        let Report { surfaces, elements, unknowns, order, checks, .. } = &self.report;
         let mut lines = vec![
             format!(
                 "{}: {surfaces} surfaces, {elements} elements, order {order}, {unknowns} unknowns a band",
                 self.report.scene
             ),
-            format!(
-                "blocks {:.3} s ({} kernel samples, {} shadow rays), {} {:.3} s (residual {:.1e}), output {:.3} s, all {:.3} s",
-                seconds.blocks,
-                self.report.kernel_samples,
-                self.report.shadow_rays,
-                self.report.solver,
-                seconds.solve,
-                self.report.residual,
-                seconds.output,
-                seconds.total
-            ),
+            self.costs(),
             format!(
                 "of the emitted power {:.2} % is absorbed, {:.2} % lost; row sums {:.4} to {:.4}",
                 100.0 * checks.energy_absorbed / checks.energy_in,
@@ -120,6 +183,9 @@ impl Run {
                 checks.row_sum_max
             ),
         ];
+        lines.extend(self.report.accuracy_estimate.map(|estimate| {
+            format!("estimated relative error of the radiosity {estimate:.1e}, that of the next coarser run")
+        }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(
@@ -134,18 +200,15 @@ impl Run {
     }
 }
 
-/// Whether surfaces hide each other, as the solution was asked to see it.
-pub(crate) fn shadows(method: &MethodArgs) -> visibility::Shadows {
-    match method.shadows {
-        Shadows::Off => visibility::Shadows::Off,
-        Shadows::Auto | Shadows::Rays => visibility::Shadows::Rays(Options::default().shadow_eps),
-    }
-}
-
-fn options(method: &MethodArgs) -> Options {
+/// The library's options of a method as typed.
+pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = Options::default();
     Options {
-        order: method.order,
+        order: match method.order {
+            Some(Order::Degree(order)) => order,
+            None if method.wanted_accuracy().is_none() => defaults.order,
+            Some(Order::Auto) | None => 0,
+        },
         space: if method.tensor { Space::Tensor } else { Space::Total },
         subdivide: match method.subdivide {
             Subdivide::Auto => None,
@@ -155,6 +218,7 @@ fn options(method: &MethodArgs) -> Options {
         eps: method.eps,
         kernel: method.kernel.rules(),
         closure: method.closure_correction,
+        shadow_eps: method.shadow_eps,
         shadows: method.shadows != Shadows::Off,
         method: method.solver,
         tolerance: method.tolerance,

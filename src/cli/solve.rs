@@ -34,13 +34,12 @@ pub(crate) struct SolveArgs {
 }
 
 /// Solves the scene and writes the coefficients.
-pub(crate) fn run(args: &SolveArgs, loaded: &Loaded) -> Result<(), CliError> {
-    let scene = &loaded.scene;
-    let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", scene.name).into());
+pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let output = OutputFile::reserve(&path)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
-    let file = SolutionFile::new(scene, &run.outcome.solution);
+    let file = SolutionFile::new(&run.solved);
     output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
     run.finish(progress, Some(&path.display().to_string()))
 }

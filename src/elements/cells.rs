@@ -11,12 +11,13 @@
 //! polynomials on cells whose size is a fixed part of their distance from it converge exponentially there.
 
 use radiosity_geom::Rect;
+use serde::{Deserialize, Serialize};
 
 /// Smallest cell that layers may make, as part of [−1, 1].
 const SMALLEST_CELL: f64 = 1e-7;
 
 /// Cells graded towards the sides of a surface.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Layers {
     /// Number of layers L at each side; 0 is none.
     pub count: usize,

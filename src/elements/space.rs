@@ -8,12 +8,14 @@
 //! The first space does not depend on the affine coordinates (a, b), the second does.
 
 use radiosity_core::basis::{tensor, total};
+use serde::{Deserialize, Serialize};
 
 use super::patch::Patch;
 use super::recurrence::Levels;
 
 /// Total degree ≤ N, or degree ≤ N in each coordinate.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Space {
     /// i + j ≤ N; products in the order of `radiosity_core::basis::total`.
     #[default]

@@ -1,8 +1,13 @@
 //! Which surfaces touch, and how.
 
 use radiosity_geom::{Adjacency, DVec3};
+use rayon::prelude::*;
 
-use crate::inspection::sheet::{Sheets, TOUCH};
+use crate::inspection::{
+    sheet::{Sheets, TOUCH},
+    warning::{Warning, place},
+};
+use crate::scene::Scene;
 
 /// Two surfaces that touch.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,11 +38,12 @@ pub enum Touch {
 
 /// Every contact, by the surfaces' indices.
 pub(super) fn contacts(sheets: &Sheets) -> Vec<Contact> {
-    let pairs = (0..sheets.list.len()).flat_map(|a| {
-        let later = sheets.near(a).into_iter().filter(move |b| *b > a);
-        later.map(move |b| [a, b])
-    });
-    pairs.filter_map(|pair| contact(sheets, pair)).collect()
+    let of_sheet = |a: usize| -> Vec<Contact> {
+        let later = sheets.near(a).into_iter().filter(|b| *b > a);
+        later.filter_map(|b| contact(sheets, [a, b])).collect()
+    };
+    let found: Vec<Vec<Contact>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
+    found.into_iter().flatten().collect()
 }
 
 fn contact(sheets: &Sheets, pair: [usize; 2]) -> Option<Contact> {
@@ -55,4 +61,21 @@ fn contact(sheets: &Sheets, pair: [usize; 2]) -> Option<Contact> {
         Adjacency::Near { .. } | Adjacency::Apart => return None,
     };
     Some(Contact { surfaces: [a.surface, b.surface], touch })
+}
+
+/// Surfaces that pass through each other or share area.
+pub(super) fn intrusion(scene: &Scene, contact: &Contact) -> Option<Warning> {
+    let [own, other] = contact.surfaces.map(|index| &scene.surfaces[index].name);
+    match contact.touch {
+        Touch::Crossing { at } => {
+            let place = place(at);
+            let message = format!("passes through {other:?} near {place}: end one where it meets the other");
+            Some(Warning::about("crossing", own, message))
+        }
+        Touch::Overlap => {
+            let message = format!("lies partly in {other:?}: move them apart, or remove one");
+            Some(Warning::about("overlap", own, message))
+        }
+        Touch::Edge | Touch::Tee | Touch::Vertex => None,
+    }
 }

@@ -1,15 +1,14 @@
 //! Fronts that face the wrong way.
 
 use radiosity_geom::DVec3;
+use rayon::prelude::*;
 
-use crate::{
-    inspection::{
-        sheet::{Sheet, Sheets},
-        shell::{Fronts, Group, Shell},
-        warning::Warning,
-    },
-    scene::Camera,
+use crate::inspection::{
+    sheet::{Sheet, Sheets},
+    shell::{Fronts, Group, Shell},
+    warning::Warning,
 };
+use crate::scene::Camera;
 
 /// Fronts that disagree with their neighbours'.
 pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
@@ -75,9 +74,12 @@ pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
     if sheets.list.len() < 2 {
         return Vec::new();
     }
-    let blind = (0..sheets.list.len()).filter(|own| is_blind(*own));
+    let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
     let message = "faces no other front, it neither lights nor is lit: flip = true turns it over";
-    blind.map(|own| Warning::about("front-blind", &sheets.list[own].name, message.to_owned())).collect()
+    blind
+        .into_iter()
+        .map(|own| Warning::about("front-blind", &sheets.list[own].name, message.to_owned()))
+        .collect()
 }
 
 /// Whether the fronts at two points face each other; the second's back counts too if it emits and receives.

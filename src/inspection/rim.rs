@@ -1,6 +1,7 @@
 //! Rims: what the borders of sheets meet, tried at places along them.
 
 use radiosity_geom::{Aabb, Border, DVec3};
+use rayon::prelude::*;
 
 use crate::inspection::sheet::{GAP, Sheet, Sheets, TOUCH};
 
@@ -46,16 +47,17 @@ struct Line<'a> {
 pub(super) fn rims(sheets: &Sheets) -> Vec<Rim> {
     let lines: Vec<Vec<Line<'_>>> =
         sheets.list.iter().enumerate().map(|(k, sheet)| lines(k, sheet)).collect();
-    let of_sheet = |own: usize| {
+    let of_sheet = |own: usize| -> Vec<Rim> {
         let near = sheets.near(own);
         let neighbours: Vec<&Line<'_>> = near.iter().chain([&own]).flat_map(|sheet| &lines[*sheet]).collect();
         let rim = |line: &Line<'_>| {
             let place = |w: f64| (line.border.point(w), meeting(sheets, line, w, &neighbours, &near));
             Rim { sheet: own, places: PLACES.map(place).to_vec() }
         };
-        lines[own].iter().map(rim).collect::<Vec<_>>()
+        lines[own].iter().map(rim).collect()
     };
-    (0..sheets.list.len()).flat_map(of_sheet).collect()
+    let found: Vec<Vec<Rim>> = (0..sheets.list.len()).into_par_iter().map(of_sheet).collect();
+    found.into_iter().flatten().collect()
 }
 
 fn lines(sheet: usize, of: &Sheet) -> Vec<Line<'_>> {
@@ -72,54 +74,83 @@ fn around(border: &Border<'_>) -> Aabb {
     bounds.inflate(bulge)
 }
 
+/// A place of a border, on its way to other sheets.
+struct Place<'a> {
+    sheets: &'a Sheets,
+    sheet: usize,
+    point: DVec3,
+    normal: DVec3,
+    direction: DVec3,
+}
+
+/// A border or face close to a place.
+struct Reach {
+    sheet: usize,
+    distance: f64,
+    /// Closer than what counts as zero.
+    touches: bool,
+    /// The border would have to grow sideways to touch.
+    is_gap: bool,
+    /// Cosine between the directions of two borders.
+    cosine: f64,
+}
+
 fn meeting(sheets: &Sheets, own: &Line<'_>, w: f64, lines: &[&Line<'_>], near: &[usize]) -> Meeting {
-    let (x, sheet) = (own.border.point(w), &sheets.list[own.sheet]);
-    let normal = sheet.normal_at(&own.border, w);
-    let mut touched = Vec::new();
-    let mut gap: Option<(usize, f64)> = None;
-    let mut note_gap = |other: usize, distance: f64| {
-        if gap.is_none_or(|(_, least)| distance < least) {
-            gap = Some((other, distance));
-        }
-    };
-    for line in lines.iter().filter(|line| !std::ptr::eq(**line, own)) {
-        let other = &sheets.list[line.sheet];
-        let size = sheet.extent.min(other.extent);
-        if !line.bounds.inflate(GAP * size).contains(x) {
-            continue;
-        }
-        let z = line.border.nearest(x);
-        let offset = line.border.point(z) - x;
-        if offset.length() <= TOUCH * size {
-            touched.push((line.sheet, direction(own, w).dot(direction(line, z))));
-        } else if offset.length() <= GAP * size
-            && line.sheet != own.sheet
-            && (is_sideways(offset, normal) || is_sideways(offset, other.normal_at(&line.border, z)))
-        {
-            note_gap(line.sheet, offset.length());
-        }
-    }
+    let (sheet, normal) = (own.sheet, sheets.list[own.sheet].normal_at(&own.border, w));
+    let place = Place { sheets, sheet, point: own.border.point(w), normal, direction: direction(own, w) };
+    let others = lines.iter().filter(|line| !std::ptr::eq(**line, own));
+    let rims: Vec<Reach> = others.filter_map(|line| place.reach_rim(line)).collect();
+    let touched: Vec<_> = rims.iter().filter(|rim| rim.touches).map(|rim| (rim.sheet, rim.cosine)).collect();
     if !touched.is_empty() {
         return Meeting::Rims(touched);
     }
-    for (index, other) in near.iter().map(|index| (*index, &sheets.list[*index])) {
-        let size = sheet.extent.min(other.extent);
-        if !other.bounds.inflate(GAP * size).contains(x) {
-            continue;
-        }
-        match other.drop(x) {
-            Some((_, distance)) if distance <= TOUCH * size => return Meeting::Face,
-            Some((foot, distance)) if distance <= GAP * size && is_sideways(foot - x, normal) => {
-                note_gap(index, distance);
-            }
-            _ => {}
-        }
+    let faces: Vec<Reach> = near.iter().filter_map(|other| place.reach_face(*other)).collect();
+    if faces.iter().any(|face| face.touches) {
+        return Meeting::Face;
     }
-    gap.map_or(Meeting::Open, |(sheet, distance)| Meeting::Gap { sheet, distance })
+    let gaps = rims.iter().chain(&faces).filter(|reach| reach.is_gap && reach.sheet != own.sheet);
+    let nearest = gaps.min_by(|a, b| a.distance.total_cmp(&b.distance));
+    nearest.map_or(Meeting::Open, |reach| Meeting::Gap { sheet: reach.sheet, distance: reach.distance })
+}
+
+impl Place<'_> {
+    fn reach_rim(&self, line: &Line<'_>) -> Option<Reach> {
+        let room = GAP * self.size(line.sheet);
+        if !line.bounds.inflate(room).contains(self.point) {
+            return None;
+        }
+        let z = line.border.nearest(self.point);
+        let offset = line.border.point(z) - self.point;
+        let theirs = self.sheets.list[line.sheet].normal_at(&line.border, z);
+        let reach = self.reach(line.sheet, offset, is_across(offset, theirs))?;
+        Some(Reach { cosine: self.direction.dot(direction(line, z)), ..reach })
+    }
+
+    fn reach_face(&self, sheet: usize) -> Option<Reach> {
+        let other = &self.sheets.list[sheet];
+        if !other.bounds.inflate(GAP * self.size(sheet)).contains(self.point) {
+            return None;
+        }
+        self.reach(sheet, other.drop(self.point)? - self.point, false)
+    }
+
+    /// What lies at `offset`, if it is close; `grows` if that sheet would grow this way.
+    fn reach(&self, sheet: usize, offset: DVec3, grows: bool) -> Option<Reach> {
+        let (distance, size) = (offset.length(), self.size(sheet));
+        let is_sideways = offset.dot(self.direction).abs() <= 0.5 * distance;
+        let is_gap = is_sideways && (grows || is_across(offset, self.normal));
+        let reach = Reach { sheet, distance, touches: distance <= TOUCH * size, is_gap, cosine: 0.0 };
+        (distance <= GAP * size).then_some(reach)
+    }
+
+    /// The smaller extent of the two sheets.
+    fn size(&self, other: usize) -> f64 {
+        self.sheets.list[self.sheet].extent.min(self.sheets.list[other].extent)
+    }
 }
 
 /// Whether a sheet of this `normal` would grow along `offset`: parallel sheets close to each other leave no gap.
-fn is_sideways(offset: DVec3, normal: DVec3) -> bool {
+fn is_across(offset: DVec3, normal: DVec3) -> bool {
     offset.dot(normal).abs() <= 0.9 * offset.length()
 }
 

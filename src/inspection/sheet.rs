@@ -94,19 +94,18 @@ impl Sheet {
         }
     }
 
-    /// The point of its face above or below which `point` lies, and how far.
-    pub(super) fn drop(&self, point: DVec3) -> Option<(DVec3, f64)> {
-        let foot = match self.shape.region() {
+    /// The point of its face above or below which `point` lies.
+    pub(super) fn drop(&self, point: DVec3) -> Option<DVec3> {
+        match self.shape.region() {
             Some(region) => {
                 let foot = point - (point - region.origin()).dot(region.normal()) * region.normal();
-                region.contains(foot).then_some(foot)?
+                region.contains(foot).then_some(foot)
             }
             None => {
                 let foot = self.shape.project(point);
-                self.shape.jet(foot.u, foot.v).position
+                Some(self.shape.jet(foot.u, foot.v).position)
             }
-        };
-        Some((foot, foot.distance(point)))
+        }
     }
 
     /// Points all over the sheet with the front's normal there, some close to its corners.

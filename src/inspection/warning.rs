@@ -1,5 +1,6 @@
 //! What looks wrong, in words.
 
+use radiosity_geom::DVec3;
 use serde::Serialize;
 
 /// Something that is allowed and yet seldom meant.
@@ -23,4 +24,12 @@ impl Warning {
     pub(super) fn general(code: &'static str, message: &str) -> Self {
         Warning { code, message: message.to_owned(), surface: None }
     }
+}
+
+/// A point to four digits.
+pub(super) fn place(point: DVec3) -> String {
+    let digits = (3.0 - point.abs().max_element().max(1e-9).log10().floor()).max(0.0);
+    let scale = 10_f64.powf(digits);
+    let [x, y, z] = (point * scale).to_array().map(|x| x.round() / scale + 0.0);
+    format!("({x}, {y}, {z})")
 }

@@ -22,6 +22,7 @@ use super::counts::PairCounts;
 use super::curved;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
+use super::rough::Rough;
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -29,11 +30,16 @@ const ESTIMATE_SHARE: f64 = 0.5;
 /// What part of a pair is taken to be visible where blockers may stand in between.
 const VISIBLE_SHARE: f64 = 0.1;
 
+/// A block that something may stand in may be wrong by the accuracy of shadows times this part of the largest entry of
+/// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
+const SHADOWED_ROW_SHARE: f64 = 0.25;
+
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
     list: &'a [Element],
     panels: Vec<Option<Panel>>,
     reaches: Vec<Reach>,
+    roughs: Vec<Rough>,
     boxes: Vec<Aabb>,
     visibility: &'a Visibility,
     accuracy: Accuracy,
@@ -46,6 +52,8 @@ struct Task {
     column: u32,
     /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
     entries: [f64; 2],
+    /// About its first entry, were nothing in between.
+    rough: f64,
     /// Hash of its pose where it may be equal to others.
     hash: Option<u64>,
     /// Surfaces that may stand between.
@@ -55,8 +63,8 @@ struct Task {
 /// What the block of a task has to reach.
 #[derive(Clone, Copy)]
 struct Goal {
-    /// Accuracy relative to its own largest entry.
-    eps: f64,
+    /// Relative to its own largest entry.
+    accuracy: Accuracy,
     /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
     least: f64,
 }
@@ -91,6 +99,7 @@ pub(super) fn assemble(
         list,
         panels: list.iter().map(Panel::of).collect(),
         reaches: list.iter().map(Reach::of).collect(),
+        roughs: list.par_iter().map(Rough::of).collect(),
         boxes: list.iter().map(Element::bounds).collect(),
         visibility,
         accuracy,
@@ -161,8 +170,9 @@ impl Scene<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        let rough = if row == column { 0.0 } else { self.roughs[row].entry(&self.roughs[column]) };
         let task = |entries, hash, blockers| {
-            Sorted::Task(Task { row: row as u32, column: column as u32, entries, hash, blockers })
+            Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers })
         };
         if row == column {
             return task([0.0, f64::INFINITY], None, blockers);
@@ -172,9 +182,7 @@ impl Scene<'_> {
         }
         let [mut least, most] = self.reaches[row].entries(&self.reaches[column]);
         if receiver.plane.is_none() || emitter.plane.is_none() {
-            // ∫κ dA ≤ 1 on either side.
-            let most = (receiver.area.min(emitter.area) / receiver.area.max(emitter.area)).sqrt();
-            least = ESTIMATE_SHARE * curved::estimate(receiver, emitter).min(most);
+            least = ESTIMATE_SHARE * rough;
         }
         if !blockers.is_empty() {
             return task([VISIBLE_SHARE * least, most], None, blockers);
@@ -240,17 +248,33 @@ impl Scene<'_> {
 
     /// What each task has to reach.
     fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
-        let mut rows = vec![0.0f64; self.list.len()];
-        for Task { row, column, entries, .. } in tasks {
-            for element in [*row, *column] {
-                rows[element as usize] = rows[element as usize].max(entries[0]);
-            }
-        }
+        let least = self.largest(tasks, |task| task.entries[0]);
+        let rough = self.largest(tasks, |task| task.rough);
         let goal = |task: &Task| {
-            let row = rows[task.row as usize].min(rows[task.column as usize]);
-            Goal { eps: relaxed(self.accuracy.eps, row, task.entries[1]), least: ROW_SHARE * row }
+            let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
+            let least = ROW_SHARE * of_rows(&least);
+            let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
+            let accuracy = Accuracy { eps, ..self.accuracy };
+            if task.blockers.is_empty()
+                || self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize])
+            {
+                return Goal { accuracy, least };
+            }
+            let shadowed = SHADOWED_ROW_SHARE * of_rows(&rough);
+            Goal { accuracy: accuracy.loosened(shadowed / task.rough), least }
         };
         tasks.iter().map(goal).collect()
+    }
+
+    /// The largest `entry` of the tasks in each row.
+    fn largest(&self, tasks: &[Task], entry: impl Fn(&Task) -> f64) -> Vec<f64> {
+        let mut rows = vec![0.0f64; self.list.len()];
+        for task in tasks {
+            for element in [task.row, task.column] {
+                rows[element as usize] = rows[element as usize].max(entry(task));
+            }
+        }
+        rows
     }
 
     /// Finds the tasks that are equal to an earlier one and need the same accuracy.
@@ -261,7 +285,7 @@ impl Scene<'_> {
             .zip(goals)
             .enumerate()
             .map(|(index, (task, goal))| {
-                let found = *first.entry((task.hash?, goal.eps.to_bits())).or_insert(index);
+                let found = *first.entry((task.hash?, goal.accuracy.eps.to_bits())).or_insert(index);
                 (found != index).then_some(found)
             })
             .collect();
@@ -306,7 +330,7 @@ impl Scene<'_> {
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
-        let accuracy = Accuracy { eps: goal.eps, ..self.accuracy };
+        let accuracy = goal.accuracy;
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
         let blockers = &task.blockers;
         if task.row == task.column {

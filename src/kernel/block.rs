@@ -54,6 +54,12 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
+    /// Looser by `factor`, where that is above 1: for a block whose shadows weigh little beside its row.
+    pub(super) fn loosened(&self, factor: f64) -> Self {
+        let eps = (self.eps * factor).min(self.shadow_eps.sqrt()).max(self.eps);
+        Self { eps, shadow_eps: self.shadow_eps * factor.max(1.0).powi(2) }
+    }
+
     /// How often a partly hidden pair is halved: ½ log₂(1/ε).
     ///
     /// Each halving takes part of the pair out of doubt, and the n⁴ samples in what is left do the rest.

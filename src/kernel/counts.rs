@@ -1,11 +1,11 @@
 //! How many pairs of elements went which way.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 use super::block::{Block, Kind};
 
 /// How many pairs of elements went which way.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PairCounts {
     /// Unordered pairs, curved elements with themselves included.
     pub total: usize,

@@ -20,7 +20,7 @@ use std::sync::Arc;
 use radiosity_geom::DVec3;
 
 use crate::elements::Element;
-use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::{MOST_POINTS, UnitRule};
 use crate::visibility::Visibility;
 
@@ -32,28 +32,28 @@ use super::horizon::{self, Ball, Side};
 use super::integrand::{Sees, kernel};
 use super::moments::Moments;
 use super::pair::gap;
+use super::rough::{nodes, scale};
+use super::sectors::sectors;
 use super::separated::{self, SMALLEST_RATIO};
 use super::touch::{Touch, collapsed, cut, touch};
 use super::{same, seam, trial, vertex};
 
 /// Points closer than this part of the pair's size coincide.
 const COINCIDENT: f64 = 1e-9;
-/// Most that lines and normals of a part may turn, radians.
-const LARGEST_TURN: f64 = 1.6;
-/// Most sectors: a crease turns by as much however short the line across it.
-const MOST_SECTORS: usize = 256;
 /// Parts that carry less than this times ε of the block are left out.
 const NEGLIGIBLE: f64 = 1e-3;
 /// Samples of one block after which contacts are refined no more, per squared digit of 1/ε.
 const CONTACT_SAMPLES: f64 = 5e5;
 /// The same for horizons, whose samples are cheaper.
-const HORIZON_SAMPLES: f64 = 2e6;
+const HORIZON_SAMPLES: f64 = 1e6;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
 const FEWEST_POINTS: usize = 4;
 /// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
 const LARGEST_ATTEMPT: f64 = 0.25;
+/// Parts up to this size are attempted before they are halved for nearness, or cut at their horizons.
+const SMALL_PART: f64 = 0.02;
 /// Part of the block's error that one attempt may make.
 const ATTEMPT_SHARE: f64 = 0.03;
 /// By how much more than by a rough rule a block may carry.
@@ -64,11 +64,6 @@ const LARGEST_AREA_RATIO: f64 = 100.0;
 const SMALLEST_SCALE: f64 = 1e-5;
 /// The same for what a surface sends to itself: beside it stands what the surface loses to others.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
-
-/// The block's first entry by a rough rule, without blockers.
-pub(super) fn estimate(receiver: &Element, emitter: &Element) -> f64 {
-    scale(&sectors(receiver), &sectors(emitter), (receiver.area * emitter.area).sqrt())
-}
 
 /// The block between two elements; `blockers` are the surfaces that may stand between them. The error is measured
 /// against the block's first entry or `least`, whichever is larger.
@@ -284,8 +279,15 @@ impl<'a> Job<'a> {
         self.moments.distinct - self.horizons > self.most(CONTACT_SAMPLES)
     }
 
+    /// Whether horizons may be cut no more.
+    fn horizons_spent(&self) -> bool {
+        self.horizons > self.most(HORIZON_SAMPLES)
+    }
+
+    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked.
     fn most(&self, per_digit: f64) -> u64 {
-        (per_digit * self.accuracy.eps.log10().powi(2).max(4.0)) as u64
+        let digits = -self.accuracy.eps.log10().min(-2.0);
+        (per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
     }
 
     fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
@@ -368,16 +370,24 @@ impl<'a> Job<'a> {
             if !blockers.is_empty() && constant(p, q).is_some() {
                 // Nothing becomes singular, whether they touch or not.
                 clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
-            } else if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
+                continue;
+            }
+            if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
                 let state = State { touching: true, levels: self.accuracy.shadow_levels(), blockers };
                 self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
-            } else if gap < SMALLEST_RATIO * reach.max(longest(&part).1) {
-                if self.spent() {
-                    let (p, q) = (p.clone(), q.clone());
-                    let state = State { touching: false, levels: 0, blockers };
-                    self.attempt(&p, &q, Some(&Touch::Apart(gap)), &state);
+                continue;
+            }
+            let close = gap < SMALLEST_RATIO * reach.max(longest(&part).1);
+            if close || facing != Facing::Wholly {
+                let state = State { touching: false, levels: 0, blockers: blockers.clone() };
+                let spent = if close { self.spent() } else { self.horizons_spent() };
+                if (spent || share <= SMALL_PART * self.scale)
+                    && self.attempt(p, q, Some(&Touch::Apart(gap)), &state)
+                {
                     continue;
                 }
+            }
+            if close {
                 self.kind = self.kind.max(Kind::Split);
                 if reach > longest(&part).1 {
                     near.push(part);
@@ -440,6 +450,11 @@ impl<'a> Job<'a> {
         } else if let Some(value) = constant(p, q) {
             return self.constant(p, q, value);
         }
+        let small = gap > 0.0 && share <= SMALL_PART * self.scale;
+        let near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+        if small && (near || facing == Facing::Partly) && self.attempt(p, q, Some(&contact), &state) {
+            return;
+        }
         match facing {
             Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
             _ => self.smooth(p, q, &contact, gap, &state),
@@ -450,6 +465,9 @@ impl<'a> Job<'a> {
     fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let longest = longest(p).1.max(longest(q).1);
         if gap >= SMALLEST_RATIO * longest {
+            if self.horizons_spent() && self.attempt(p, q, Some(contact), state) {
+                return;
+            }
             let (outer, inner) = if self.swapped { (q, p) } else { (p, q) };
             return self.horizon(outer, &[(inner.clone(), gap)]);
         }
@@ -717,62 +735,6 @@ fn corner_rate(p: &Patch, q: &Patch) -> f64 {
     let angles = a.iter().flat_map(|d| b.iter().map(move |e| d.angle_between(*e)));
     let sigma = 1.0 + 2.0 * (0.5 * angles.fold(std::f64::consts::PI, f64::min)).sin().max(0.01);
     sigma + (sigma * sigma - 1.0).sqrt()
-}
-
-/// The patches of an element, each cut until it turns by a quarter circle at the most.
-fn sectors(element: &Element) -> Vec<Patch> {
-    let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
-    let mut done = Vec::new();
-    while let Some(patch) = open.pop_front() {
-        let turns = if patch.is_flat() { [0.0; 2] } else { turns(&patch) };
-        if turns[0].max(turns[1]) <= LARGEST_TURN || open.len() + done.len() >= MOST_SECTORS {
-            done.push(patch);
-        } else {
-            let direction = if turns[0] >= turns[1] { Direction::Along } else { Direction::Across };
-            open.extend(patch.halves(direction));
-        }
-    }
-    done
-}
-
-/// Largest angles by which lines and normals turn along s and along t.
-fn turns(patch: &Patch) -> [f64; 2] {
-    const STEPS: usize = 8;
-    let place = |k: usize| k as f64 / STEPS as f64;
-    let turn = |node: &dyn Fn(f64) -> Node| {
-        let line: Vec<Node> = (0..=STEPS).map(|k| node(place(k))).collect();
-        let normals = line.windows(2).map(|w| w[0].normal.angle_between(w[1].normal)).sum::<f64>();
-        let steps: Vec<DVec3> = line.windows(2).map(|w| w[1].position - w[0].position).collect();
-        let total: f64 = steps.iter().map(|d| d.length()).sum();
-        if total <= 1e-9 * patch.hull()[0].distance(patch.node(0.5, 0.5).position) {
-            return 0.0;
-        }
-        let bends = steps.windows(2).map(|w| w[0].angle_between(w[1])).sum::<f64>();
-        normals.max(bends * STEPS as f64 / (STEPS - 1) as f64)
-    };
-    let most = |turn: &dyn Fn(f64) -> f64| [0.0, 0.5, 1.0].map(turn).into_iter().fold(0.0, f64::max);
-    [most(&|t| turn(&|s| patch.node(s, t))), most(&|s| turn(&|t| patch.node(s, t)))]
-}
-
-/// About ∫∫κ over `unit`, not below [`SMALLEST_SCALE`].
-fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
-    let sum = |patches: &[Patch], n: usize| -> Vec<(Node, f64)> {
-        let weighted = |patch: &Patch| {
-            let nodes = nodes(patch, n);
-            nodes.into_iter().map(|x| (x, x.area / (n * n) as f64)).collect::<Vec<_>>()
-        };
-        patches.iter().flat_map(weighted).collect()
-    };
-    let (a, b) = (sum(receivers, 4), sum(emitters, 5));
-    let total: f64 =
-        a.iter().map(|(x, wx)| b.iter().map(|(y, wy)| wx * wy * kernel(x, y)).sum::<f64>()).sum();
-    (total / unit).min(1.0)
-}
-
-/// n × n nodes at the middles of as many cells.
-fn nodes(patch: &Patch, n: usize) -> Vec<Node> {
-    let place = |k: usize| (k as f64 + 0.5) / n as f64;
-    (0..n * n).map(|k| patch.node(place(k / n), place(k % n))).collect()
 }
 
 /// The kernel's value if it is the same for all pairs of points: both on the inside of one sphere.

@@ -41,6 +41,13 @@ impl Reach {
         Self { center, radius, area: element.area, plane: element.plane }
     }
 
+    /// Whether the balls are nearer than half the radius of the larger: the kernel may vary too much to be told by a few
+    /// points.
+    pub(super) fn is_near(&self, other: &Self) -> bool {
+        let gap = self.center.distance(other.center) - self.radius - other.radius;
+        gap < 0.5 * self.radius.max(other.radius)
+    }
+
     /// Lower bound of the largest entry and upper bound of all entries of the block of two elements.
     pub(super) fn entries(&self, other: &Self) -> [f64; 2] {
         let d = other.center - self.center;
@@ -66,9 +73,10 @@ impl Reach {
 
 /// The accuracy a block needs relative to its own largest entry, in steps of powers of two.
 ///
-/// `row` is a lower bound of the largest entry of both rows of the block, `entry` an upper bound of its own.
-pub(super) fn relaxed(eps: f64, row: f64, entry: f64) -> f64 {
-    let factor = ROW_SHARE * row / entry;
+/// `least` is the part of the largest entry of both rows of the block, from below, that its error is measured against;
+/// `entry` an upper bound of its own.
+pub(super) fn relaxed(eps: f64, least: f64, entry: f64) -> f64 {
+    let factor = least / entry;
     if factor >= 2.0 { (eps * factor.log2().floor().min(60.0).exp2()).min(LOOSEST).max(eps) } else { eps }
 }
 
@@ -107,9 +115,9 @@ mod tests {
 
     #[test]
     fn only_small_blocks_are_relaxed() {
-        assert_eq!(relaxed(1e-4, 0.2, 0.1), 1e-4);
-        assert_eq!(relaxed(1e-4, 0.2, f64::INFINITY), 1e-4);
-        assert_eq!(relaxed(1e-4, 0.2, 2e-4), 8e-4);
-        assert_eq!(relaxed(1e-4, 0.2, 0.0), LOOSEST);
+        assert_eq!(relaxed(1e-4, 2e-3, 0.1), 1e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, f64::INFINITY), 1e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, 2e-4), 8e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, 0.0), LOOSEST);
     }
 }

@@ -7,16 +7,24 @@
 //! ```
 //!
 //! with A_cell the area of the cell within the surface's outer outline, holes included: where something
-//! else stands in a hole of the surface nothing arrives, and the mean says so. The integrals are exact
-//! for the polynomials on flat surfaces.
+//! else stands in a hole of the surface nothing arrives, and the mean says so. Integrals of polynomials are exact
+//! on flat surfaces. Light that is recomputed is integrated by Gauss rules over the pieces of the cell, direct light, which
+//! is cheap and has shadow edges, by more points than gathered light.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect, polygon_area};
+use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_area};
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::direct::DirectLight;
 use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::solution::{Place, Solution};
+use crate::gather::Gather;
+use crate::output::reader::{Light, Reader};
+use crate::solution::Place;
+use crate::view::surroundings::Site;
+use crate::view::vantage::Vantage;
 
 /// Means over one cell of one surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,79 +41,167 @@ pub struct Cell {
     pub area: f64,
 }
 
-/// The means over `cells` = [along u, along v] of every surface of `solution`, v running fastest.
+/// Points along each side of a cell at which light is recomputed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Rates {
+    /// Direct light.
+    pub direct: usize,
+    /// Gathered light.
+    pub indirect: usize,
+}
+
+impl Default for Rates {
+    /// 8 and 2: on the Cornell box both then leave errors of about the same size.
+    fn default() -> Self {
+        Self { direct: 8, indirect: 2 }
+    }
+}
+
+/// The means over `cells` = [along u, along v] of every surface, v running fastest; `progress` hears (cells done, cells in
+/// all), from any thread.
 ///
 /// Cells without area are left out.
-pub fn grid(solution: &Solution, surfaces: usize, cells: [usize; 2]) -> Vec<Cell> {
-    let of_surface = |surface| {
-        let rects = cells_of(cells).enumerate();
-        rects.map(move |(k, rect)| cell(solution, surface, [k / cells[1], k % cells[1]], &rect))
-    };
-    (0..surfaces).flat_map(of_surface).filter(|cell| cell.area > 0.0).collect()
+pub fn grid(
+    reader: &Reader,
+    cells: [usize; 2],
+    rates: Rates,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Cell> {
+    let surfaces = reader.solution().elements().surfaces();
+    let outlines: Vec<Option<Vec<Vec<DVec3>>>> =
+        (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
+    let rects: Vec<Rect> = cells_of(cells).collect();
+    let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
+    let all = (0..total).into_par_iter().map(|place| {
+        let (surface, k) = (place / rects.len(), place % rects.len());
+        let integrals = Integrals::over(reader, surface, &rects[k], rates);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+        let area = outlines[surface].as_ref().map(|pieces| {
+            let shape = reader.solution().elements().shape(surface);
+            clip_to_cell(shape, pieces, &rects[k]).iter().map(|part| polygon_area(part)).sum()
+        });
+        integrals.cell(surface, [k / cells[1], k % cells[1]], area)
+    });
+    all.filter(|cell| cell.area > 0.0).collect()
 }
 
-fn cell(solution: &Solution, surface: usize, index: [usize; 2], rect: &Rect) -> Cell {
-    let bands = solution.bands();
-    let mut sums = vec![0.0; bands.len()];
-    let mut radiated = vec![0.0; bands.len()];
-    let mut covered = 0.0;
-    for element in solution.elements().of_surface(surface) {
-        let degree = solution.elements().list()[element].basis.total_degree();
-        for patch in patches_in(solution, element, rect) {
-            for_each_point(&patch, degree, |node, weight| {
-                let place =
-                    Place { surface, parameters: node.parameters.to_array(), position: node.position };
-                covered += weight;
-                for (band, (sum, out)) in sums.iter_mut().zip(&mut radiated).enumerate() {
-                    let irradiance = solution.irradiance(band, element, &place);
-                    *sum += weight * irradiance;
-                    *out += weight * bands[band].coating.radiosity(element, irradiance);
-                }
-            });
-        }
-    }
-    let area = outer_area(solution, surface, rect).unwrap_or(covered);
-    let mean = |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
-    Cell { surface, index, irradiance: mean(sums), radiosity: mean(radiated), area }
-}
-
-/// The part of an element over a parameter rectangle.
-fn patches_in(solution: &Solution, element: usize, rect: &Rect) -> Vec<Patch> {
-    let element = &solution.elements().list()[element];
-    let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
-    let Some((_, normal)) = element.plane else {
-        return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
-    };
-    let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
-    let parts = clip_to_cell(solution.elements().shape(element.surface), &pieces, rect);
-    parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
-}
-
-fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
-    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
-    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
-}
-
-fn for_each_point(patch: &Patch, degree: usize, mut visit: impl FnMut(&Node, f64)) {
-    let rule = UnitRule::of(if patch.is_flat() { degree / 2 + 2 } else { degree + 4 });
-    for (s, ws) in rule.iter() {
-        for (t, wt) in rule.iter() {
-            let node = patch.node(s, t);
-            visit(&node, ws * wt * node.area);
-        }
-    }
-}
-
-/// Area of a cell within the outer outline of a planar surface; None for curved ones.
-fn outer_area(solution: &Solution, surface: usize, rect: &Rect) -> Option<f64> {
-    let shape = solution.elements().shape(surface);
+/// Convex pieces of the outer outline of a planar surface; None for curved ones.
+fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
     let region = shape.region()?;
-    let outer = if region.holes().is_empty() {
-        region.convex_pieces()
-    } else {
-        let whole = PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok()?;
-        whole.convex_pieces()
+    if region.holes().is_empty() {
+        return Some(region.convex_pieces());
+    }
+    PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces())
+}
+
+/// ∫ E dA, ∫ B dA per band and ∫ dA over the part of a surface over a rectangle of parameters.
+struct Integrals {
+    irradiance: Vec<f64>,
+    radiosity: Vec<f64>,
+    covered: f64,
+}
+
+impl Integrals {
+    fn over(reader: &Reader, surface: usize, rect: &Rect, rates: Rates) -> Self {
+        let bands = reader.solution().bands();
+        let mut sums =
+            Self { irradiance: vec![0.0; bands.len()], radiosity: vec![0.0; bands.len()], covered: 0.0 };
+        for element in reader.solution().elements().of_surface(surface) {
+            for patch in reader.solution().elements().patches_over(element, rect) {
+                let (irradiance, area) = over_patch(reader, element, &patch, rates);
+                sums.covered += area;
+                for (index, band) in bands.iter().enumerate() {
+                    let emitted = band.coating.exitance[element] * area;
+                    sums.irradiance[index] += irradiance[index];
+                    sums.radiosity[index] += emitted + band.coating.reflectance[element] * irradiance[index];
+                }
+            }
+        }
+        sums
+    }
+
+    /// The means; `area` is that of the cell where it is more than what is covered.
+    fn cell(self, surface: usize, index: [usize; 2], area: Option<f64>) -> Cell {
+        let area = area.unwrap_or(self.covered);
+        let mean =
+            |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
+        Cell { surface, index, irradiance: mean(self.irradiance), radiosity: mean(self.radiosity), area }
+    }
+}
+
+/// ∫ E dA per band over a patch of an element, and its area.
+fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (Vec<f64>, f64) {
+    let owner = &reader.solution().elements().list()[element];
+    let degree = owner.basis.total_degree();
+    let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
+    let place = |node: &Node| Place {
+        surface: owner.surface,
+        parameters: node.parameters.to_array(),
+        position: node.position,
     };
-    Some(clip_to_cell(shape, &outer, rect).iter().map(|part| polygon_area(part)).sum())
+    let horizon = owner.plane.map(|(_, normal)| normal);
+    let polynomials = |node: &Node| reader.polynomials(element, &place(node));
+    let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
+    match reader.light() {
+        Light::Basis => integral(patch, exact, polynomials),
+        Light::Direct(direct) => {
+            let lit = lit(direct, owner.surface, patch, horizon, rates.direct);
+            let (rest, area) = integral(patch, exact, indirect);
+            (sum(lit, &rest), area)
+        }
+        Light::Gather(gather) => {
+            let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
+            let (rest, area) = gathered(gather, owner.surface, patch, horizon, rates.indirect);
+            (sum(lit, &rest), area)
+        }
+    }
+}
+
+/// ∫ D dA per band over a patch.
+fn lit(
+    direct: &DirectLight,
+    surface: usize,
+    patch: &Patch,
+    horizon: Option<DVec3>,
+    points: usize,
+) -> Vec<f64> {
+    let surroundings = direct.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    let value =
+        |node: &Node| direct.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings);
+    integral(patch, points, value).0
+}
+
+/// ∫ (E − D) dA per band over a patch, and its area.
+fn gathered(
+    gather: &Gather,
+    surface: usize,
+    patch: &Patch,
+    horizon: Option<DVec3>,
+    points: usize,
+) -> (Vec<f64>, f64) {
+    let company = gather.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    integral(patch, points, |node| {
+        let vantage = Vantage::on(surface, node.position, node.normal);
+        let direct = gather.direct().irradiance(&vantage, &company.direct);
+        gather.indirect(&vantage, &company.indirect, &direct)
+    })
+}
+
+/// ∫ value dA over a patch by a Gauss rule, and the patch's area by the same.
+fn integral(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> (Vec<f64>, f64) {
+    let rule = UnitRule::of(points);
+    let (mut total, mut area) = (Vec::new(), 0.0);
+    for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+        let node = patch.node(s, t);
+        let weight = ws * wt * node.area;
+        area += weight;
+        let weighted = value(&node).into_iter().map(|value| weight * value);
+        total = if total.is_empty() { weighted.collect() } else { sum(total, &weighted.collect::<Vec<_>>()) };
+    }
+    (total, area)
+}
+
+fn sum(mut a: Vec<f64>, b: &[f64]) -> Vec<f64> {
+    a.iter_mut().zip(b).for_each(|(a, b)| *a += b);
+    a
 }

@@ -1,8 +1,9 @@
-//! Pictures: linear pixels, exposure, sRGB, PNG.
+//! Photographs: linear light in three channels, exposed to sRGB.
 
-use std::io::{self, Write};
+use super::picture::Picture;
+use super::raster::Raster;
 
-/// A picture in linear light, three channels per pixel, rows from the top.
+/// A picture in linear light, red, green and blue per pixel, rows from the top.
 #[derive(Clone, Debug)]
 pub struct Image {
     width: u32,
@@ -11,18 +12,15 @@ pub struct Image {
 }
 
 impl Image {
-    /// A picture of `width × height` pixels in row order from the top left.
-    ///
-    /// # Panics
-    /// If the number of pixels is not `width · height`.
-    pub fn new(width: u32, height: u32, pixels: Vec<[f64; 3]>) -> Self {
-        assert_eq!(pixels.len(), width as usize * height as usize, "one entry per pixel");
-        Self { width, height, pixels }
-    }
-
-    /// Linear pixels in row order.
-    pub fn pixels(&self) -> &[[f64; 3]] {
-        &self.pixels
+    /// The colours of radiosities times `balance`: three bands are red, green and blue; any other number is averaged to
+    /// grey.
+    pub fn new(raster: &Raster, balance: [f64; 3]) -> Self {
+        let colour = |values: &[f64]| match *values {
+            [red, green, blue] => [red * balance[0], green * balance[1], blue * balance[2]],
+            _ => [values.iter().sum::<f64>() / values.len() as f64; 3],
+        };
+        let [width, height] = raster.size();
+        Self { width, height, pixels: raster.pixels().map(colour).collect() }
     }
 
     /// Exposure that brings the brightest fiftieth of the pixels that are not black to white: 1 over the
@@ -37,20 +35,10 @@ impl Image {
         1.0 / levels[(levels.len() - 1) * 98 / 100]
     }
 
-    /// Writes an 8-bit sRGB PNG of the pixels times `exposure`, clipped at white.
-    ///
-    /// # Errors
-    /// Whatever the writer reports.
-    pub fn write_png(&self, exposure: f64, writer: impl Write) -> io::Result<()> {
-        let mut encoder = png::Encoder::new(writer, self.width, self.height);
-        encoder.set_color(png::ColorType::Rgb);
-        encoder.set_depth(png::BitDepth::Eight);
-        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
-        let bytes: Vec<u8> = self.pixels.iter().flatten().map(|x| quantise(x * exposure)).collect();
-        let mut stream = encoder.write_header()?;
-        stream.write_image_data(&bytes)?;
-        stream.finish()?;
-        Ok(())
+    /// The pixels times `exposure` as sRGB, clipped at white.
+    pub fn exposed(&self, exposure: f64) -> Picture {
+        let pixels = self.pixels.iter().map(|pixel| pixel.map(|x| quantise(x * exposure))).collect();
+        Picture::new(self.width, self.height, pixels)
     }
 }
 
@@ -73,14 +61,5 @@ mod tests {
         assert_eq!(quantise(7.0), 255);
         assert_eq!(quantise(0.5), 188);
         assert_eq!(quantise(0.003), 10);
-    }
-
-    #[test]
-    fn png_starts_with_its_signature_and_size() {
-        let image = Image::new(2, 1, vec![[0.0; 3], [1.0; 3]]);
-        let mut bytes = Vec::new();
-        image.write_png(1.0, &mut bytes).expect("a vector takes everything");
-        assert_eq!(&bytes[..8], b"\x89PNG\r\n\x1a\n");
-        assert_eq!(&bytes[16..24], &[0, 0, 0, 2, 0, 0, 0, 1]);
     }
 }

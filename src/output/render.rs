@@ -1,31 +1,25 @@
 //! Pictures of a solution: camera rays against the true surfaces, radiosity read off where they arrive.
 //!
 //! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular
-//! grid; a ray that meets the back of a surface, or nothing, is black. Bands become colours thus: three
-//! bands are red, green and blue; any other number is averaged to grey. Three bands that all emit are
-//! white-balanced on the light that the scene emits, as a camera would do: the lamps' own colour is taken away.
+//! grid; a ray that meets the back of a surface, or nothing, is black.
 
 use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
 
-use super::image::Image;
-use crate::direct::DirectLight;
+use super::pinhole::Pinhole;
+use super::raster::Raster;
+pub use super::reader::Read;
+use super::reader::{Light, Reader};
 use crate::scene::Camera;
-use crate::solution::{Band, Place, Solution};
+use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// What a picture is read from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Read {
-    /// The polynomials alone.
-    Basis,
-    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
-    Direct,
-}
+/// Accuracy of gathered light in pictures, relative: finer than eight bits of colour show.
+const GATHERED: f64 = 3e-3;
 
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
 ///
-/// The pixels hold radiosity, W m⁻² (radiance times π).
+/// The pixels hold radiosity, W m⁻² (radiance times π), in the bands of the solution.
 pub fn render(
     solution: &Solution,
     visibility: &Visibility,
@@ -33,113 +27,87 @@ pub fn render(
     samples: u32,
     read: Read,
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Image {
-    let view = View::new(camera);
-    let balance = white_balance(solution);
-    let direct = (read == Read::Direct).then(|| DirectLight::new(solution, visibility));
-    let reader = Reader { solution, visibility, direct };
+) -> Raster {
+    let view = Pinhole::new(camera);
+    let eye = Eye { reader: Reader::new(solution, visibility, read, GATHERED) };
     let done = std::sync::atomic::AtomicUsize::new(0);
-    let rows: Vec<Vec<[f64; 3]>> = (0..camera.height)
+    let rows: Vec<Vec<Seen>> = (0..camera.height)
         .into_par_iter()
         .map(|row| {
-            let pixel = |column| pixel(&reader, &view, [column, row], samples, balance);
-            let pixels = (0..camera.width).map(pixel).collect();
+            let pixels = (0..camera.width).map(|column| pixel(&eye, &view, [column, row], samples));
+            let pixels = pixels.collect();
             progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, camera.height as usize);
             pixels
         })
         .collect();
-    Image::new(camera.width, camera.height, rows.concat())
+    let pixels = || rows.iter().flatten();
+    let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
+    let values = pixels().flat_map(|seen| &seen.radiosity).copied().collect();
+    let coverage = pixels().map(|seen| seen.coverage).collect();
+    Raster::new([camera.width, camera.height], bands, values, coverage)
 }
 
-/// A camera ready to cast rays.
-struct View {
-    eye: DVec3,
-    /// Direction through the left upper corner of the picture.
-    corner: DVec3,
-    /// Steps by one pixel to the right and down.
-    right: DVec3,
-    down: DVec3,
+/// What is seen through a pixel.
+struct Seen {
+    /// Mean over the pixel, per band.
+    radiosity: Vec<f64>,
+    /// Part of the pixel in which a front is seen.
+    coverage: f64,
 }
 
-impl View {
-    fn new(camera: &Camera) -> Self {
-        let forward = (camera.target - camera.eye).normalize();
-        let right = forward.cross(camera.up).normalize();
-        let down = forward.cross(right);
-        let half_height = f64::tan(0.5 * camera.fov.to_radians());
-        let pixel = 2.0 * half_height / f64::from(camera.height);
-        let half_width = 0.5 * pixel * f64::from(camera.width);
-        Self {
-            eye: camera.eye,
-            corner: forward - right * half_width - down * half_height,
-            right: right * pixel,
-            down: down * pixel,
-        }
-    }
-
-    fn ray(&self, x: f64, y: f64) -> Ray {
-        let direction = self.corner + self.right * x + self.down * y;
-        Ray { origin: self.eye, direction, range: [0.0, f64::INFINITY] }
-    }
-}
-
-fn pixel(reader: &Reader, view: &View, [column, row]: [u32; 2], samples: u32, balance: [f64; 3]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
+fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Seen {
+    let mut radiosity = vec![0.0; eye.reader.solution().bands().len()];
+    let mut count = 0u32;
     for index in 0..samples * samples {
         let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
         let x = f64::from(column) + offset(index % samples);
         let y = f64::from(row) + offset(index / samples);
-        let colour = reader.colour(&view.ray(x, y));
-        sum.iter_mut().zip(colour).for_each(|(sum, value)| *sum += value);
+        if let Some(values) = eye.along(&view.ray(x, y)) {
+            radiosity.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
+            count += 1;
+        }
     }
     let scale = 1.0 / f64::from(samples * samples);
-    std::array::from_fn(|k| sum[k] * scale * balance[k])
+    radiosity.iter_mut().for_each(|sum| *sum *= scale);
+    Seen { radiosity, coverage: f64::from(count) * scale }
 }
 
-/// What a camera ray needs to become a colour.
-struct Reader<'a> {
-    solution: &'a Solution,
-    visibility: &'a Visibility,
-    direct: Option<DirectLight<'a>>,
+/// What a camera ray needs to become radiosities.
+struct Eye<'a> {
+    reader: Reader<'a>,
 }
 
-impl Reader<'_> {
-    fn colour(&self, ray: &Ray) -> [f64; 3] {
-        let Some((surface, hit)) = self.visibility.nearest(ray) else { return [0.0; 3] };
-        let elements = self.solution.elements();
+impl Eye<'_> {
+    /// Radiosity per band of the front that a ray meets first, if it is a front.
+    fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
+        let (surface, hit) = self.reader.visibility().nearest(ray)?;
+        let elements = self.reader.solution().elements();
         let jet = elements.shape(surface).jet(hit.u, hit.v);
         let parameters = [hit.u, hit.v];
         let seen = jet.normal.dot(ray.direction) < 0.0;
-        let Some(element) = elements.at(surface, parameters).filter(|_| seen) else { return [0.0; 3] };
+        let element = elements.at(surface, parameters).filter(|_| seen)?;
         let place = Place { surface, parameters, position: jet.position };
-        let values = self.radiosity(element, &place, jet.normal);
-        match values[..] {
-            [red, green, blue] => [red, green, blue],
-            _ => [values.iter().sum::<f64>() / values.len() as f64; 3],
-        }
+        Some(self.radiosity(element, &place, jet.normal))
     }
 
     /// Radiosity per band; what polynomials undershoot is cut off at zero.
     fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
-        let bands = self.solution.bands();
-        let Some(direct) = &self.direct else {
-            return (0..bands.len())
-                .map(|band| self.solution.radiosity(band, element, place).max(0.0))
-                .collect();
+        let irradiance = match self.reader.light() {
+            Light::Direct(direct) => {
+                let lit = direct.at(element, place.position, normal);
+                let rest = self.reader.indirect_polynomials(element, place);
+                lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
+            }
+            Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),
         };
-        let sources: Vec<(usize, f64)> = direct.at(element, place.position, normal).collect();
-        let value = |(index, band): (usize, &Band)| {
-            let lit: f64 =
-                sources.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum();
-            let irradiance = lit + self.solution.indirect(index, element, place).max(0.0);
-            band.coating.radiosity(element, irradiance)
-        };
-        bands.iter().enumerate().map(value).collect()
+        let bands = self.reader.solution().bands().iter();
+        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()
     }
 }
 
-/// Factors that make the emitted light of a three-band scene white; all 1 if any band emits nothing.
-fn white_balance(solution: &Solution) -> [f64; 3] {
+/// Factors that make the emitted light of a three-band scene white, as a camera would: the lamps' own colour is taken
+/// away. All are 1 if a band emits nothing, and for any other number of bands.
+pub fn white_balance(solution: &Solution) -> [f64; 3] {
     if solution.bands().len() != 3 {
         return [1.0; 3];
     }

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use crate::adaptation::Adapted;
 use crate::checks::Checks;
 use crate::kernel::PairCounts;
 use crate::scene::Scene;
@@ -43,6 +44,8 @@ pub struct Report {
     /// The largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
     /// hundredth of its row's; zero where every part was resolved.
     pub accuracy_reached: f64,
+    /// Estimated relative error of the radiosity, where an accuracy was asked for.
+    pub accuracy_estimate: Option<f64>,
     /// Iterations of the solver, the most of any band.
     pub iterations: usize,
     /// ‖b − e − ρ G b‖₂ / ‖e‖₂, the largest of any band.
@@ -86,6 +89,26 @@ pub struct Warning {
 }
 
 impl Report {
+    /// The report of a scene solved to a wanted accuracy.
+    pub fn adapted(scene: &Scene, adapted: &Adapted) -> Self {
+        let mut report = Self::new(scene, &adapted.options, &adapted.outcome);
+        report.accuracy_estimate = Some(adapted.estimate);
+        if !adapted.reached {
+            let message = format!(
+                "the estimated error is {:.1e}, more than asked for, and the next finer elements would be too many: give                  surfaces with shadows or small details a subdivide of their own, or ask for less",
+                adapted.estimate
+            );
+            report.warnings.push(Warning { code: "accuracy-not-reached".to_owned(), message, surface: None });
+        }
+        if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
+            let message = "some surfaces state their own order or subdivide and keep it: what they miss is not in the \
+                           estimated error";
+            let code = "accuracy-unseen".to_owned();
+            report.warnings.push(Warning { code, message: message.to_owned(), surface: None });
+        }
+        report
+    }
+
     /// The report of a solved scene; times of loading and output, and the total, are the caller's.
     pub fn new(scene: &Scene, options: &Options, outcome: &Outcome) -> Self {
         let elements = outcome.solution.elements();
@@ -106,9 +129,10 @@ impl Report {
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
+            accuracy_estimate: None,
             iterations: outcome.iterations,
             residual: outcome.residual,
-            converged: true,
+            converged: outcome.converged,
             checks: outcome.checks,
             warnings: warnings(options, outcome),
         }

@@ -17,7 +17,7 @@ const SAME: f64 = 1e-9;
 const SHARED: f64 = 1e-9;
 
 /// Where along each parameter a surface is tried, no two symmetric and none where shapes like to touch.
-const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.318, 0.582, 0.864];
+const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0.864];
 
 /// How far to the side of a place the surface is tried again.
 const ASIDE: f64 = 0.02;

@@ -25,8 +25,8 @@ impl<T> At<T> {
 }
 
 /// A scene's text with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
-#[derive(Clone, Debug)]
-pub(super) struct Source {
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
     /// The whole text.
@@ -50,7 +50,7 @@ pub struct Place {
 
 impl Source {
     /// The text `text`, called `origin` in messages.
-    pub(super) fn new(origin: &str, text: &str) -> Self {
+    pub fn new(origin: &str, text: &str) -> Self {
         Source { origin: origin.into(), text: text.into() }
     }
 

@@ -14,10 +14,20 @@ use core::f64::consts::TAU;
 
 use radiosity_geom::{DVec3, clip_polygon};
 
+/// Points within this part of their distance from a bounding plane count as touching it.
+const TOUCHING: f64 = 1e-9;
+
 /// Irradiance at `x` with unit normal `n` from a polygon of exitance 1, wholly visible; what lies behind the
 /// horizon is left out.
 pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
-    let above = clip_polygon(polygon, x, n);
+    match polygon.iter().all(|corner| (corner - x).dot(n) >= 0.0) {
+        true => around(x, n, polygon),
+        false => around(x, n, &clip_polygon(polygon, x, n)),
+    }
+}
+
+/// Lambert's sum along the sides of a polygon above the horizon.
+fn around(x: DVec3, n: DVec3, above: &[DVec3]) -> f64 {
     let term = |(v, w): (&DVec3, &DVec3)| {
         let (a, b) = (v - x, w - x);
         let cross = a.cross(b);
@@ -35,9 +45,14 @@ pub fn visible_parts<'a>(
     polygon: &[DVec3],
     blockers: impl Iterator<Item = &'a [DVec3]>,
 ) -> Vec<Vec<DVec3>> {
+    let pyramids: Vec<Pyramid> = blockers.filter_map(|blocker| Pyramid::over(blocker, x)).collect();
+    outside_all(polygon, pyramids.iter())
+}
+
+/// What is left of the convex `polygon` outside all `pyramids`, as convex polygons.
+pub fn outside_all<'a>(polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> Vec<Vec<DVec3>> {
     let mut parts = vec![polygon.to_vec()];
-    for blocker in blockers {
-        let Some(pyramid) = Pyramid::over(blocker, x) else { continue };
+    for pyramid in pyramids {
         parts = parts.into_iter().flat_map(|part| pyramid.outside(part)).collect();
         if parts.is_empty() {
             break;
@@ -46,15 +61,27 @@ pub fn visible_parts<'a>(
     parts
 }
 
+/// How a set of points stands to what a blocker hides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cover {
+    /// Nothing of its convex hull is hidden.
+    Clear,
+    /// All of it is hidden.
+    Hidden,
+    /// Some of it may be.
+    Mixed,
+}
+
 /// The region that a convex polygon hides from a point: inside all of these half-spaces.
-struct Pyramid {
-    /// A point of each bounding plane and its inward normal.
+#[derive(Clone, Debug)]
+pub struct Pyramid {
+    /// A point of each bounding plane and its inward unit normal.
     planes: Vec<(DVec3, DVec3)>,
 }
 
 impl Pyramid {
-    /// None where the point lies in the polygon's plane and the pyramid has no inside.
-    fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
+    /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
+    pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let normal: DVec3 =
             polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
@@ -64,12 +91,38 @@ impl Pyramid {
             return None;
         }
         let side = |k: usize| {
-            let inward = (polygon[k] - x).cross(polygon[(k + 1) % polygon.len()] - x);
+            let inward = (polygon[k] - x).cross(polygon[(k + 1) % polygon.len()] - x).normalize_or_zero();
             (x, if inward.dot(middle - x) < 0.0 { -inward } else { inward })
         };
         let beyond = (middle, normal * height.signum());
         let planes = (0..polygon.len()).map(side).chain([beyond]).filter(|plane| plane.1 != DVec3::ZERO);
         Some(Self { planes: planes.collect() })
+    }
+
+    /// Whether it hides the convex hull of `points`; what merely touches a bounding plane lies outside it.
+    pub fn cover(&self, points: &[DVec3]) -> Cover {
+        let mut cover = Cover::Hidden;
+        for (point, inward) in &self.planes {
+            let (mut low, mut high, mut reach) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
+            for x in points {
+                let offset = x - point;
+                let height = offset.dot(*inward);
+                (low, high, reach) = (low.min(height), high.max(height), reach.max(offset.length_squared()));
+            }
+            let tolerance = TOUCHING * reach.sqrt();
+            if high <= tolerance {
+                return Cover::Clear;
+            }
+            if low < -tolerance {
+                cover = Cover::Mixed;
+            }
+        }
+        cover
+    }
+
+    /// Whether it hides the point `y`.
+    pub fn hides(&self, y: DVec3) -> bool {
+        self.planes.iter().all(|(point, inward)| (y - point).dot(*inward) > 0.0)
     }
 
     /// The parts of a convex polygon outside the pyramid.

@@ -1,6 +1,7 @@
 //! K between two patches: the points of the rules chosen, the sum, and back to Legendre functions.
 
 use radiosity_core::{basis::total, convert};
+use serde::{Deserialize, Serialize};
 
 use super::axis::Axis;
 use super::border::{self, Border};
@@ -8,7 +9,8 @@ use super::party::Party;
 use super::sum::{Sees, Sum};
 
 /// Which of the paper's rules.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Rules {
     /// Gauss–Legendre points for every pair (eq. 26).
     Legendre,
@@ -17,7 +19,8 @@ pub enum Rules {
 }
 
 /// How eq. 27 is read; see [`paper`](super).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Reading {
     /// Weight (1 − s²)² (1 + t)², Gauss–Legendre points on the emitter: nearest to the paper's numbers.
     H1,

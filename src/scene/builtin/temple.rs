@@ -164,29 +164,8 @@ impl Temple {
     /// The end walls with the half disks above them, and the vault.
     fn ends(&mut self) {
         let length = self.length;
-        // Outline of the wall for x > 0, from the floor up; what mouldings hide is part of it.
-        let upper = [
-            [WALL, UPPER],
-            [WALL, CORNICE],
-            [COLUMN + BEAM, CORNICE],
-            [COLUMN + BEAM, SOFFIT],
-            [COLUMN - BEAM, SOFFIT],
-            [COLUMN - BEAM, SPRINGING],
-        ];
-        let second = STEP + TREAD;
-        let steps = [[STEP, 0.0], [STEP, 0.5 * UPPER], [second, 0.5 * UPPER], [second, UPPER]];
-        let outline = |half: &[[f64; 2]], y: f64| {
-            let mirrored = half.iter().rev().map(|[x, z]| [-x, y, *z]);
-            half.iter().map(|[x, z]| [*x, y, *z]).chain(mirrored).collect::<Vec<Point>>()
-        };
-        let mut front = outline(&[&steps[..], &upper[..]].concat(), 0.0);
-        front.reverse();
-        let back = outline(&upper, length);
-        for (name, vertices, y, normal, angle) in
-            [("front", front, 0.0, 1.0, [180, 360]), ("back", back, length, -1.0, [0, 180])]
-        {
-            let wall = format!("order = 7\npolygon = {{ vertices = {vertices:?} }}");
-            self.surface(&format!("wall-{name}"), "stone", Put::Here, &wall);
+        for (name, y, normal, angle) in [("front", 0.0, 1.0, [180, 360]), ("back", length, -1.0, [0, 180])] {
+            self.end_wall(name, y, normal);
             let disk = format!(
                 "order = 7\ndisk = {{ center = [0, {y}, {SPRINGING}], normal = [0, {normal}, 0], radius = {SPAN}, angle = {angle:?} }}"
             );
@@ -196,6 +175,31 @@ impl Temple {
             "order = 7\nflip = true\ncylinder = {{ base = [0, 0, {SPRINGING}], axis = [0, {length}, 0], radius = {SPAN}, angle = [180, 360] }}"
         );
         self.surface("vault", "plaster", Put::Here, &vault);
+    }
+
+    /// The wall at y with its front towards `normal` y: one piece behind the nave, others behind the aisles and steps.
+    fn end_wall(&mut self, name: &str, y: f64, normal: f64) {
+        let [inner, outer, second] = [COLUMN - BEAM, COLUMN + BEAM, STEP + TREAD];
+        let mut pieces = vec![("nave", [-inner, inner], [UPPER, SPRINGING])];
+        if normal > 0.0 {
+            pieces.push(("foot", [-STEP, STEP], [0.0, 0.5 * UPPER]));
+            pieces.push(("step", [-second, second], [0.5 * UPPER, UPPER]));
+        }
+        pieces.push(("right-jamb", [inner, outer], [UPPER, SOFFIT]));
+        pieces.push(("left-jamb", [-outer, -inner], [UPPER, SOFFIT]));
+        // What mouldings hide is part of the wall.
+        pieces.push(("right", [outer, WALL], [UPPER, CORNICE]));
+        pieces.push(("left", [-WALL, -outer], [UPPER, CORNICE]));
+        for (piece, [x0, x1], [z0, z1]) in pieces {
+            let (across, up) = ([x1 - x0, 0.0, 0.0], [0.0, 0.0, z1 - z0]);
+            let edges = if normal > 0.0 { [up, across] } else { [across, up] };
+            let order = if piece == "nave" { "order = 7\n" } else { "" };
+            let shape = format!(
+                "{order}parallelogram = {{ origin = [{x0}, {y}, {z0}], edge1 = {:?}, edge2 = {:?} }}",
+                edges[0], edges[1]
+            );
+            self.surface(&format!("wall-{name}-{piece}"), "stone", Put::Here, &shape);
+        }
     }
 
     /// What runs along a whole side: the floor before the columns, the floor and the ceiling of the aisle, the wall's top.

@@ -1,0 +1,201 @@
+//! `radiosity convergence`: how the error of a scene's radiosity falls with order, layers, unknowns and time.
+
+use std::io::{Write, stderr, stdout};
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use radiosity::convergence::{Reference, Run, convergence};
+use radiosity::distance::distance;
+use radiosity::output::chart::Chart;
+use radiosity::scene::Scene;
+use radiosity::solution::Solution;
+use radiosity::solved::Solved;
+
+use crate::cli::{
+    error::CliError,
+    options::{MethodArgs, SceneArg},
+    output_file::OutputFile,
+    progress::Progress,
+    reference,
+    run::{Loaded, options},
+    table::Table,
+};
+
+/// Solves a scene at orders 0 to --max-order, prints the errors and draws them
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Example:\n  radiosity convergence empty-box --max-order 6 --layers 2 -o empty-box.svg",
+    mut_arg("order", |order| order.long("max-order").value_name("N").default_value("6")
+        .help("Highest degree of the polynomials: the scene is solved at 0, 1, … N")),
+    mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them")),
+    mut_arg("accuracy", |accuracy| accuracy.hide(true)),
+)]
+pub(crate) struct ConvergenceArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the drawing, .svg or .png [default: SCENE.svg]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Solution file that errors are measured against [default: the finest run]
+    #[arg(long, value_name = "FILE.json")]
+    pub(crate) reference: Option<PathBuf>,
+
+    /// How the table on standard output is written
+    #[arg(long, value_name = "FORMAT", default_value = "text")]
+    pub(crate) format: Format,
+
+    /// Prints no progress
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+
+    #[command(flatten)]
+    pub(crate) method: MethodArgs,
+}
+
+/// `--format` of the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// Columns for eyes
+    Text,
+    /// Comma-separated values with every digit
+    Csv,
+}
+
+/// Solves the scene again and again, prints the table and draws the errors.
+pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliError> {
+    let scene = &loaded.scene;
+    if args.method.wanted_accuracy().is_some() {
+        return Err(CliError::Refused {
+            message: "convergence runs every order and chooses none".to_owned(),
+            cure: "leave out --accuracy, and give --max-order a number".to_owned(),
+        });
+    }
+    let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
+    let kind = kind(&path)?;
+    let output = OutputFile::reserve(&path)?;
+    let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
+    let progress = Progress::new(args.quiet);
+    let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
+    let options = options(&args.method);
+    let runs = match &reference {
+        None => convergence(scene, &options, &Reference::FinestRun, &advance)?,
+        Some(Solved { outcome, .. }) => {
+            let error = |solution: &Solution| {
+                distance(solution, &outcome.solution).expect("surfaces and bands were compared")
+            };
+            convergence(scene, &options, &Reference::Given(&error), &advance)?
+        }
+    };
+    drop(progress);
+    let table = match args.format {
+        Format::Text => text(&runs),
+        Format::Csv => csv(&runs),
+    };
+    stdout().write_all(table.as_bytes())?;
+    draw(&chart(args, scene, &runs), kind, &output)?;
+    if !args.quiet {
+        // Nobody is left to tell if stderr is closed.
+        let _ = writeln!(stderr(), "wrote {}", path.display());
+    }
+    Ok(())
+}
+
+/// What kind of file a chart is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    Svg,
+    Png,
+}
+
+fn kind(path: &Path) -> Result<Kind, CliError> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("svg") => Ok(Kind::Svg),
+        Some("png") => Ok(Kind::Png),
+        _ => Err(CliError::Refused {
+            message: format!("{}: the ending names no kind of drawing", path.display()),
+            cure: "choose a file ending in .svg or .png".to_owned(),
+        }),
+    }
+}
+
+/// The reference solution, of the same surfaces, bands and materials.
+fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
+    let solved = reference::solution(path, scene)?;
+    if reference::same_materials(&solved.scene, scene) {
+        return Ok(solved);
+    }
+    Err(CliError::Refused {
+        message: format!("{}: it has other materials than the scene", path.display()),
+        cure: "give a solution of the scene as it is".to_owned(),
+    })
+}
+
+fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
+    let title = scene.title.as_ref().unwrap_or(&scene.name);
+    let finest = runs.last().map_or_else(String::new, |run| match run.layers {
+        0 => format!("order {}", run.order),
+        layers => format!("order {} on {layers} layers", run.order),
+    });
+    let against = match &args.reference {
+        None => format!("the finest run, {finest}"),
+        Some(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+    };
+    let accuracy = match args.method.kernel.rules() {
+        Some(_) => "the rules of 1993".to_owned(),
+        None => format!("transfers to {:e}", args.method.eps),
+    };
+    Chart {
+        title: format!("{title}: error by order"),
+        caption: format!("L² difference from {against}; {accuracy}; numbers are orders"),
+        runs,
+    }
+}
+
+fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> {
+    match kind {
+        Kind::Svg => {
+            let svg = chart.svg()?;
+            output.write(|writer| writer.write_all(svg.as_bytes()))
+        }
+        Kind::Png => {
+            let picture = chart.picture()?;
+            output.write(|writer| picture.write_png(writer))
+        }
+    }
+}
+
+const HEADER: [&str; 9] =
+    ["order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate"];
+
+fn text(runs: &[Run]) -> String {
+    let mut table = Table::new(HEADER);
+    for run in runs {
+        let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
+        table.row([
+            run.order.to_string(),
+            run.layers.to_string(),
+            run.elements.to_string(),
+            run.unknowns.to_string(),
+            run.samples.to_string(),
+            run.rays.to_string(),
+            format!("{:.4}", run.seconds),
+            number(run.error, |error| format!("{error:.3e}")),
+            number(run.rate, |rate| format!("{rate:.2}")),
+        ]);
+    }
+    table.to_string()
+}
+
+fn csv(runs: &[Run]) -> String {
+    let mut table = HEADER.join(",") + "\n";
+    for run in runs {
+        let Run { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
+        let [error, rate] = [run.error, run.rate].map(|x| x.map_or_else(String::new, |x| x.to_string()));
+        table +=
+            &format!("{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate}\n");
+    }
+    table
+}

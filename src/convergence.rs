@@ -1,0 +1,132 @@
+//! Convergence: one scene solved at rising orders, and on meshes with more and more layers; how its error falls.
+//!
+//! The error of a run is its [distance](crate::distance) from a reference; without one, from the finest run, whose own
+//! error is then unknown and, as long as errors fall, part of what every other run is said to miss. Between two runs of
+//! n and n′ unknowns on the same number of layers the rate is
+//!
+//! ```text
+//! log(error / error′) / log(n′ / n) .
+//! ```
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::distance::distance;
+use crate::elements::cells::Layers;
+use crate::scene::Scene;
+use crate::solution::Solution;
+use crate::solve::{Failure, Options, Outcome, Progress, solve};
+
+/// One solved discretisation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Order of the basis.
+    pub order: usize,
+    /// Layers of graded elements.
+    pub layers: usize,
+    /// Number of elements.
+    pub elements: usize,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// Terms of the kernel's quadrature rules.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Wall time from elements to coefficients (s).
+    pub seconds: f64,
+    /// Relative error; None for the run that is itself the reference.
+    pub error: Option<f64>,
+    /// Order of convergence in the unknowns against the run before; None where there is none to compare with.
+    pub rate: Option<f64>,
+}
+
+/// What errors are measured against.
+pub enum Reference<'a> {
+    /// The last and finest run.
+    FinestRun,
+    /// Whatever gives the error of a solution.
+    Given(&'a dyn Fn(&Solution) -> f64),
+}
+
+/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest.
+///
+/// `progress` hears the part of the work that is done, rising from 0 to 1; from any thread.
+///
+/// # Errors
+/// The first run that fails.
+pub fn convergence(
+    scene: &Scene,
+    options: &Options,
+    reference: &Reference,
+    progress: &(dyn Fn(f64) + Sync),
+) -> Result<Vec<Run>, Failure> {
+    let plan = plan(options);
+    let work: Vec<f64> = plan.iter().map(work).collect();
+    let all: f64 = work.iter().sum();
+    let mut outcomes = Vec::with_capacity(plan.len());
+    let mut before = 0.0;
+    for (options, work) in plan.iter().zip(work) {
+        let furthest = AtomicUsize::new(0);
+        let hear = |stage| {
+            if let Progress::Blocks(done, total) = stage {
+                let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
+                progress((before + work * done as f64 / total.max(1) as f64) / all);
+            }
+        };
+        outcomes.push(solve(scene, options, &hear)?);
+        before += work;
+    }
+    Ok(runs(&plan, &outcomes, reference))
+}
+
+fn plan(options: &Options) -> Vec<Options> {
+    let layers = |count| Layers { count, ..options.layers };
+    let of_layers =
+        |count| (0..=options.order).map(move |order| Options { order, layers: layers(count), ..*options });
+    (0..=options.layers.count).flat_map(of_layers).collect()
+}
+
+/// About the number of pairs of basis functions.
+fn work(options: &Options) -> f64 {
+    let cells = (1 + 2 * options.layers.count).pow(2);
+    ((cells * options.space.count(options.order)) as f64).powi(2)
+}
+
+fn runs(plan: &[Options], outcomes: &[Outcome], reference: &Reference) -> Vec<Run> {
+    let finest = &outcomes[outcomes.len() - 1].solution;
+    let error = |k: usize| match reference {
+        Reference::Given(error) => Some(error(&outcomes[k].solution)),
+        Reference::FinestRun if k + 1 == outcomes.len() => None,
+        Reference::FinestRun => {
+            Some(distance(&outcomes[k].solution, finest).expect("the runs are of one scene"))
+        }
+    };
+    let mut runs: Vec<Run> = Vec::with_capacity(plan.len());
+    for (k, (options, outcome)) in plan.iter().zip(outcomes).enumerate() {
+        let run = run(options, outcome, error(k));
+        let rate = runs.last().and_then(|before| rate(before, &run));
+        runs.push(Run { rate, ..run });
+    }
+    runs
+}
+
+fn run(options: &Options, outcome: &Outcome, error: Option<f64>) -> Run {
+    let elements = outcome.solution.elements();
+    let stages = outcome.seconds;
+    Run {
+        order: options.order,
+        layers: options.layers.count,
+        elements: elements.list().len(),
+        unknowns: elements.coefficients(),
+        samples: outcome.samples,
+        rays: outcome.rays,
+        seconds: (stages.elements + stages.visibility + stages.blocks + stages.solve).as_secs_f64(),
+        error,
+        rate: None,
+    }
+}
+
+fn rate(before: &Run, run: &Run) -> Option<f64> {
+    let (old, new) = (before.error?, run.error?);
+    let comparable = before.layers == run.layers && old > 0.0 && new > 0.0;
+    comparable.then(|| (old / new).ln() / (run.unknowns as f64 / before.unknowns as f64).ln())
+}

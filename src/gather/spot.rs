@@ -1,0 +1,91 @@
+//! Where a point stands: on which surface and which side of it.
+//!
+//! A point within a tolerance of a surface whose front it faces lies on that surface. Typed points are rounded, and may lie
+//! a trifle behind it or beyond its edge, where something else begins: they are moved onto the surface and a trifle
+//! inwards, so that light is the limit from within the surface.
+
+use radiosity_geom::{Aabb, DVec3, Rect, Surface};
+
+use crate::elements::Elements;
+use crate::solution::Place;
+use crate::view::vantage::Vantage;
+use crate::visibility::Visibility;
+
+/// How far from a surface a point counts as lying on it, in multiples of the scene's diagonal.
+pub const ON_SURFACE: f64 = 1e-6;
+
+/// How far points are moved inwards, in multiples of the scene's diagonal, and at most of the way to the middle.
+const INWARDS: f64 = 1e-7;
+const AT_MOST: f64 = 1e-3;
+
+/// A point of a surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Spot {
+    /// Where it is.
+    pub place: Place,
+    /// Index of the element that holds it.
+    pub element: usize,
+    /// Unit normal of the surface there.
+    pub normal: DVec3,
+}
+
+impl Spot {
+    /// The point of a surface that `x` stands for, if it lies on one with its normal `n` on the front's side; the surface that
+    /// the normal fits best where there are several.
+    pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
+        let diagonal = visibility.bounds().diagonal();
+        let tolerance = ON_SURFACE * diagonal;
+        let around = Aabb { min: x, max: x }.inflate(tolerance);
+        let spots = visibility.near(&around).into_iter().filter_map(|surface| {
+            let shape = elements.shape(surface);
+            let foot = shape.project(x);
+            let jet = shape.jet(foot.u, foot.v);
+            let inside = shape.region().is_none_or(|region| region.contains(jet.position));
+            let on = foot.distance <= tolerance && inside && jet.normal.dot(n) > 0.0;
+            on.then(|| Self::within(elements, surface, [foot.u, foot.v], INWARDS * diagonal)).flatten()
+        });
+        spots.fold(None, |best: Option<Self>, spot| match best {
+            Some(best) if best.normal.dot(n) >= spot.normal.dot(n) => Some(best),
+            _ => Some(spot),
+        })
+    }
+
+    /// As a receiver along the unit normal `n`.
+    pub fn vantage(&self, n: DVec3) -> Vantage {
+        let ground = (n != self.normal).then_some(self.normal);
+        Vantage { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
+    }
+
+    /// The spot at these parameters, moved inwards by `step`.
+    fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64) -> Option<Self> {
+        let shape = elements.shape(surface);
+        let start = shape.jet(at[0], at[1]).position;
+        let parameters = match middle_of_piece(shape, start) {
+            Some(middle) => {
+                let share = (step / middle.distance(start)).min(AT_MOST);
+                let foot = shape.project(start.lerp(middle, share));
+                [foot.u, foot.v]
+            }
+            None => at.map(|x| x * (1.0 - (step / shape.bounds(&Rect::FULL).diagonal()).min(AT_MOST))),
+        };
+        let jet = shape.jet(parameters[0], parameters[1]);
+        let element = elements.at(surface, parameters)?;
+        let place = Place { surface, parameters, position: jet.position };
+        Some(Self { place, element, normal: jet.normal })
+    }
+}
+
+/// Middle of the convex piece of a planar surface that holds `x`, or comes nearest to it.
+fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
+    let region = shape.region()?;
+    let overhang = |piece: &[DVec3]| {
+        let outside = |k: usize| {
+            let side = piece[(k + 1) % piece.len()] - piece[k];
+            (x - piece[k]).dot(side.cross(region.normal()).normalize_or_zero())
+        };
+        (0..piece.len()).map(outside).fold(f64::NEG_INFINITY, f64::max)
+    };
+    let pieces = region.convex_pieces();
+    let piece = pieces.iter().min_by(|a, b| overhang(a).total_cmp(&overhang(b)))?;
+    Some(piece.iter().sum::<DVec3>() / piece.len() as f64)
+}

@@ -1,0 +1,50 @@
+//! Gaps: borders that nearly meet another sheet.
+
+use radiosity_geom::DVec3;
+
+use crate::inspection::{
+    contact::{Contact, Touch},
+    rim::{Meeting, Rim},
+    sheet::Sheets,
+    warning::{Warning, place},
+};
+
+/// Borders that nearly reach another sheet, once for each pair, where the gap is widest; surfaces that pass through each
+/// other have other worries.
+pub(super) fn gaps(sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
+    let cross = |pair: [usize; 2]| {
+        let pair = pair.map(|k| sheets.list[k].surface);
+        contacts.iter().any(|c| c.surfaces == pair && matches!(c.touch, Touch::Crossing { .. }))
+    };
+    let mut widest: Vec<([usize; 2], f64, DVec3)> = Vec::new();
+    for (pair, distance, point) in rims.iter().filter_map(widest_gap).filter(|(pair, ..)| !cross(*pair)) {
+        match widest.iter_mut().find(|(known, ..)| *known == pair) {
+            Some(found) if found.1 < distance => *found = (pair, distance, point),
+            Some(_) => {}
+            None => widest.push((pair, distance, point)),
+        }
+    }
+    let warning = |([own, other], distance, point): ([usize; 2], f64, DVec3)| {
+        let [own, other] = [own, other].map(|k| &sheets.list[k].name);
+        let place = place(point);
+        let message =
+            format!("leaves a gap of {distance:.2e} to {other:?} near {place}: move their borders together");
+        Warning::about("gap", own, message)
+    };
+    widest.into_iter().map(warning).collect()
+}
+
+/// The widest gap of a border that has one along half of it, with its two sheets and its place.
+fn widest_gap(rim: &Rim) -> Option<([usize; 2], f64, DVec3)> {
+    let gap = |(point, meeting): &(DVec3, Meeting)| match *meeting {
+        Meeting::Gap { sheet, distance } => {
+            Some(([rim.sheet.min(sheet), rim.sheet.max(sheet)], distance, *point))
+        }
+        _ => None,
+    };
+    let found: Vec<_> = rim.places.iter().filter_map(gap).collect();
+    if 2 * found.len() < rim.places.len() {
+        return None;
+    }
+    found.into_iter().max_by(|a, b| a.1.total_cmp(&b.1))
+}

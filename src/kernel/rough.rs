@@ -1,0 +1,71 @@
+//! About what two elements exchange, by few points: how large blocks are is known before they are integrated.
+//!
+//! ```text
+//! G_00 ≈ Σ_a Σ_b w_a w_b κ(x_a, y_b) / √(A_i A_j) ,
+//! ```
+//!
+//! with the nodes at the middles of the cells of uniform grids, other numbers of them on either side so that points of
+//! contact do not meet.
+
+use crate::elements::Element;
+use crate::elements::patch::{Node, Patch};
+
+use super::integrand::kernel;
+use super::sectors::sectors;
+
+/// Points a direction on either side.
+const POINTS: [usize; 2] = [4, 5];
+/// The same for elements of more than so many parts.
+const FEWER_POINTS: [usize; 2] = [2, 3];
+const MANY_PARTS: usize = 4;
+
+/// An element ready to be set against others.
+#[derive(Debug)]
+pub(super) struct Rough {
+    /// Nodes with weights for the part of the receiver and that of the emitter.
+    nodes: [Vec<(Node, f64)>; 2],
+    area: f64,
+}
+
+impl Rough {
+    /// Of one element.
+    pub(super) fn of(element: &Element) -> Self {
+        let parts = sectors(element);
+        let points = if parts.len() > MANY_PARTS { FEWER_POINTS } else { POINTS };
+        Self { nodes: points.map(|n| weighted(&parts, n)), area: element.area }
+    }
+
+    /// About the first entry of the block of this receiver and another emitter, with nothing in between; no more than
+    /// ∫κ dA ≤ 1 on either side allows.
+    pub(super) fn entry(&self, emitter: &Self) -> f64 {
+        let unit = (self.area * emitter.area).sqrt();
+        let most = self.area.min(emitter.area) / unit;
+        (sum(&self.nodes[0], &emitter.nodes[1]) / unit).min(most)
+    }
+}
+
+/// About ∫∫κ over `unit`.
+pub(super) fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
+    let [few, more] = POINTS;
+    (sum(&weighted(receivers, few), &weighted(emitters, more)) / unit).min(1.0)
+}
+
+fn sum(receivers: &[(Node, f64)], emitters: &[(Node, f64)]) -> f64 {
+    let row = |x: &Node| emitters.iter().map(|(y, wy)| wy * kernel(x, y)).sum::<f64>();
+    receivers.iter().map(|(x, wx)| wx * row(x)).sum()
+}
+
+/// n × n nodes a patch, each with the area of its cell.
+fn weighted(patches: &[Patch], n: usize) -> Vec<(Node, f64)> {
+    let cell = |x: Node| {
+        let area = x.area / (n * n) as f64;
+        (x, area)
+    };
+    patches.iter().flat_map(|patch| nodes(patch, n).into_iter().map(cell)).collect()
+}
+
+/// n × n nodes at the middles of as many cells.
+pub(super) fn nodes(patch: &Patch, n: usize) -> Vec<Node> {
+    let place = |k: usize| (k as f64 + 0.5) / n as f64;
+    (0..n * n).map(|k| patch.node(place(k / n), place(k % n))).collect()
+}

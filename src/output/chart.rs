@@ -1,0 +1,254 @@
+//! The chart of a convergence study: error against unknowns and against time, on logarithmic axes.
+
+use std::ops::Range;
+
+use plotters::coord::Shift;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+
+use super::canvas::Canvas;
+use super::picture::Picture;
+use crate::convergence::Run;
+
+/// A chart that could not be drawn.
+#[derive(Debug, thiserror::Error)]
+#[error("the chart could not be drawn: {0}")]
+pub struct ChartError(String);
+
+/// Width and height of the chart in SVG units; the PNG has twice as many pixels.
+const SIZE: (u32, u32) = (980, 470);
+
+/// Colours told apart by most eyes, in grey too (Okabe and Ito).
+const COLOURS: [RGBColor; 6] = [
+    RGBColor(0, 114, 178),
+    RGBColor(213, 94, 0),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(86, 180, 233),
+    RGBColor(230, 159, 0),
+];
+
+/// What a chart shows.
+#[derive(Clone, Debug)]
+pub struct Chart<'a> {
+    /// The line above it.
+    pub title: String,
+    /// The line below the title: what the errors are measured against.
+    pub caption: String,
+    /// Runs, those of the same number of layers in a row; those without an error above 0 are not shown.
+    pub runs: &'a [Run],
+}
+
+impl Chart<'_> {
+    /// The chart as SVG.
+    ///
+    /// # Errors
+    /// What the drawing library reports.
+    pub fn svg(&self) -> Result<String, ChartError> {
+        let mut text = String::new();
+        let root = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+        self.draw(&root, 1).map_err(|error| ChartError(error.to_string()))?;
+        drop(root);
+        Ok(text)
+    }
+
+    /// The chart as a picture.
+    ///
+    /// # Errors
+    /// What the drawing library reports.
+    pub fn picture(&self) -> Result<Picture, ChartError> {
+        let mut picture = Picture::filled(2 * SIZE.0, 2 * SIZE.1, [255; 3]);
+        let root = Canvas::new(&mut picture).into_drawing_area();
+        self.draw(&root, 2).map_err(|error| ChartError(error.to_string()))?;
+        drop(root);
+        Ok(picture)
+    }
+
+    /// Draws at `zoom` pixels a unit.
+    fn draw<B: DrawingBackend>(&self, root: &DrawingArea<B, Shift>, zoom: i32) -> Result<(), DrawError<B>> {
+        root.fill(&WHITE)?;
+        let (width, _) = root.dim_in_pixel();
+        let centered = |size: i32| text(size * zoom).pos(Pos::new(HPos::Center, VPos::Top));
+        root.draw_text(&self.title, &centered(16), (width as i32 / 2, 10 * zoom))?;
+        let grey = centered(12).color(&RGBColor(90, 90, 90));
+        root.draw_text(&self.caption, &grey, (width as i32 / 2, 32 * zoom))?;
+        let panels = root.margin(54 * zoom, 8 * zoom, 8 * zoom, 8 * zoom).split_evenly((1, 2));
+        let unknowns = |run: &Run| run.unknowns as f64;
+        self.panel(&panels[0], zoom, "unknowns per band", unknowns, true)?;
+        self.panel(&panels[1], zoom, "time, s", |run| run.seconds, false)?;
+        root.present()
+    }
+
+    fn panel<B: DrawingBackend>(
+        &self,
+        area: &DrawingArea<B, Shift>,
+        zoom: i32,
+        label: &str,
+        abscissa: impl Fn(&Run) -> f64,
+        with_legend: bool,
+    ) -> Result<(), DrawError<B>> {
+        let series = self.series(&abscissa);
+        let points = || series.iter().flat_map(|(_, points)| points);
+        let x = Decades::around(points().map(|p| p.place.0));
+        let y = Decades::around(points().map(|p| p.place.1));
+        let mut chart = ChartBuilder::on(area)
+            .margin(6 * zoom)
+            .margin_right(22 * zoom)
+            .x_label_area_size(44 * zoom)
+            .y_label_area_size(62 * zoom)
+            .build_cartesian_2d(x, y)?;
+        chart
+            .configure_mesh()
+            .x_desc(label)
+            .y_desc("relative error of the radiosity")
+            .label_style(text(12 * zoom))
+            .axis_desc_style(text(12 * zoom))
+            .axis_style(BLACK.stroke_width(zoom as u32))
+            .bold_line_style(RGBColor(190, 190, 190).stroke_width(zoom as u32))
+            .light_line_style(RGBColor(235, 235, 235).stroke_width(zoom as u32))
+            .set_all_tick_mark_size(4 * zoom)
+            .draw()?;
+        for (k, (layers, points)) in series.iter().enumerate() {
+            let colour = COLOURS[k % COLOURS.len()];
+            let line = colour.stroke_width(2 * zoom as u32);
+            let drawn = chart.draw_series(LineSeries::new(points.iter().map(|p| p.place), line))?;
+            drawn.label(layer_label(*layers)).legend(move |(x, y)| {
+                PathElement::new(vec![(x, y), (x + 18 * zoom, y)], colour.stroke_width(2 * zoom as u32))
+            });
+            // A dot with the order beside it.
+            let letters = text(11 * zoom).color(&colour);
+            chart.draw_series(points.iter().map(|point| {
+                EmptyElement::at(point.place)
+                    + Circle::new((0, 0), 3 * zoom, colour.filled())
+                    + Text::new(point.order.to_string(), (6 * zoom, -13 * zoom), letters.clone())
+            }))?;
+        }
+        if with_legend {
+            chart
+                .configure_series_labels()
+                .position(SeriesLabelPosition::LowerLeft)
+                .margin(10 * zoom)
+                .legend_area_size(24 * zoom)
+                .label_font(text(12 * zoom))
+                .background_style(WHITE.mix(0.9))
+                .border_style(RGBColor(190, 190, 190).stroke_width(zoom as u32))
+                .draw()?;
+        }
+        Ok(())
+    }
+
+    /// Points per number of layers.
+    fn series(&self, abscissa: &impl Fn(&Run) -> f64) -> Vec<(usize, Vec<Point>)> {
+        let groups = self.runs.chunk_by(|a, b| a.layers == b.layers);
+        let point = |run: &Run| {
+            let error = run.error.filter(|error| *error > 0.0)?;
+            Some(Point { place: (abscissa(run).max(1e-6), error), order: run.order })
+        };
+        groups.map(|runs| (runs[0].layers, runs.iter().filter_map(point).collect())).collect()
+    }
+}
+
+type DrawError<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
+
+/// A run's place in a panel.
+struct Point {
+    place: (f64, f64),
+    order: usize,
+}
+
+fn layer_label(layers: usize) -> String {
+    match layers {
+        0 => "whole elements".to_owned(),
+        1 => "1 layer".to_owned(),
+        layers => format!("{layers} layers"),
+    }
+}
+
+fn text(size: i32) -> TextStyle<'static> {
+    ("sans-serif", size).into_font().color(&BLACK)
+}
+
+/// A logarithmic axis over whole decades, labelled 10ᵏ at each.
+#[derive(Clone, Debug)]
+struct Decades {
+    lowest: i32,
+    highest: i32,
+}
+
+impl Decades {
+    /// The decades that hold `values`, at least one.
+    fn around(values: impl Iterator<Item = f64>) -> Self {
+        let (low, high) = values
+            .map(f64::log10)
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)));
+        let [lowest, highest] = if low <= high { [low.floor() as i32, high.ceil() as i32] } else { [0, 1] };
+        Self { lowest, highest: highest.max(lowest + 1) }
+    }
+}
+
+impl Ranged for Decades {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let part = (value.log10() - f64::from(self.lowest)) / f64::from(self.highest - self.lowest);
+        limit.0 + (f64::from(limit.1 - limit.0) * part).round() as i32
+    }
+
+    /// The powers of ten are the labelled points, their multiples the light ones.
+    fn key_points<H: KeyPointHint>(&self, hint: H) -> Vec<f64> {
+        let decades = self.lowest..=self.highest;
+        if hint.weight().allow_light_points() {
+            let multiples = |k: i32| (1..10).map(move |m| f64::from(m) * 10f64.powi(k));
+            let highest = 10f64.powi(self.highest);
+            decades.flat_map(multiples).filter(|x| *x <= highest).collect()
+        } else {
+            decades.map(|k| 10f64.powi(k)).collect()
+        }
+    }
+
+    fn range(&self) -> Range<f64> {
+        10f64.powi(self.lowest)..10f64.powi(self.highest)
+    }
+}
+
+impl ValueFormatter<f64> for Decades {
+    fn format_ext(&self, value: &f64) -> String {
+        const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+        let exponent = (value.log10().round() as i32).to_string();
+        let raise = |c: char| c.to_digit(10).map_or('⁻', |digit| RAISED[digit as usize]);
+        "10".chars().chain(exponent.chars().map(raise)).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(order: usize, unknowns: usize, error: Option<f64>) -> Run {
+        let seconds = 1e-4 * unknowns as f64;
+        Run { order, layers: 0, elements: 1, unknowns, samples: 1, rays: 0, seconds, error, rate: None }
+    }
+
+    #[test]
+    fn axes_span_whole_decades_with_raised_exponents() {
+        let axis = Decades::around([0.02, 3.0, 0.5].into_iter());
+        assert_eq!(axis.range(), 0.01..10.0);
+        assert_eq!(axis.format_ext(&0.01), "10⁻²");
+        assert_eq!(axis.map(&0.1, (0, 300)), 100);
+        assert_eq!(Decades::around(std::iter::empty()).range(), 1.0..10.0);
+    }
+
+    #[test]
+    fn both_kinds_show_the_runs_that_have_errors() {
+        let runs = [run(0, 6, Some(0.3)), run(1, 18, Some(0.1)), run(2, 36, None)];
+        let chart = |runs| Chart { title: "room".into(), caption: "against the finest".into(), runs };
+        let svg = chart(&runs).svg().expect("it is drawn");
+        let circles = svg.matches("<circle").count();
+        assert_eq!(circles, 4, "two runs in two panels");
+        assert!(svg.contains("room") && svg.contains("10⁻¹"));
+        let blank = chart(&[]).picture().expect("no runs are no error");
+        assert_ne!(chart(&runs).picture().expect("it is drawn"), blank);
+    }
+}

@@ -1,0 +1,44 @@
+//! A field: one number per pixel, and how much of the pixel it speaks of.
+
+/// Numbers in rows from the top.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Field {
+    size: [u32; 2],
+    values: Vec<f64>,
+    coverage: Vec<f64>,
+}
+
+impl Field {
+    /// `values` in row order, each over the part `coverage` in [0, 1] of its pixel; where that is 0 the value is
+    /// without meaning.
+    ///
+    /// # Panics
+    /// If the numbers of values and coverages are not that of the pixels.
+    pub fn new(size: [u32; 2], values: Vec<f64>, coverage: Vec<f64>) -> Self {
+        let pixels = size[0] as usize * size[1] as usize;
+        assert!(values.len() == pixels && coverage.len() == pixels, "one value and one coverage per pixel");
+        Self { size, values, coverage }
+    }
+
+    /// Pixels across and down.
+    pub fn size(&self) -> [u32; 2] {
+        self.size
+    }
+
+    /// The numbers with their coverages, in row order.
+    pub fn pixels(&self) -> impl Iterator<Item = (f64, f64)> {
+        self.values.iter().copied().zip(self.coverage.iter().copied())
+    }
+
+    /// The numbers of pixels in which something is seen.
+    pub fn seen(&self) -> impl Iterator<Item = f64> {
+        self.pixels().filter(|(_, coverage)| *coverage > 0.0).map(|(value, _)| value)
+    }
+
+    /// The size that all but the largest fiftieth of the numbers keep below; 0 where nothing is seen.
+    pub fn usual_size(&self) -> f64 {
+        let mut sizes: Vec<f64> = self.seen().map(f64::abs).collect();
+        sizes.sort_by(f64::total_cmp);
+        sizes.get(sizes.len().saturating_sub(1) * 98 / 100).copied().unwrap_or(0.0)
+    }
+}

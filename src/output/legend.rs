@@ -1,0 +1,76 @@
+//! A legend: a bar of a scale's colours with its numbers, title and a note, at the right of a picture.
+
+use super::lettering::Lettering;
+use super::picture::{Colour, Picture};
+use super::scale::Scale;
+
+const PAPER: Colour = [255; 3];
+const INK: Colour = [0; 3];
+/// Space around the bar, and its breadth (pixels at the smallest letters).
+const MARGIN: i32 = 12;
+const BAR: i32 = 18;
+/// Length of a tick.
+const TICK: i32 = 5;
+
+/// What stands beside a picture in false colours.
+#[derive(Clone, Debug)]
+pub struct Legend<'a> {
+    /// The colours and their numbers.
+    pub scale: &'a Scale,
+    /// Lines above the bar: the quantity, its unit.
+    pub title: Vec<String>,
+    /// Lines below the bar.
+    pub note: Vec<String>,
+}
+
+impl Legend<'_> {
+    /// `picture` with the legend at its right.
+    pub fn beside(&self, picture: &Picture) -> Picture {
+        let [width, height] = picture.size().map(|x| x as i32);
+        let letters = if height >= 900 { 24 } else { 16 };
+        let ticks = self.scale.ticks();
+        let broad = |text: &String| line(text, letters).extent()[0];
+        let labels = ticks.iter().map(|(_, label)| BAR + TICK + 4 + broad(label)).max().unwrap_or(0);
+        let texts = self.title.iter().chain(&self.note).map(broad).max().unwrap_or(0);
+        let mut whole =
+            Picture::filled((width + 2 * MARGIN + labels.max(texts)) as u32, height as u32, PAPER);
+        whole.paste(picture);
+        let x = width + MARGIN;
+        let step = line("", letters).extent()[1] + 2;
+        let mut write = |lines: &[String], top: i32| {
+            for (k, text) in lines.iter().enumerate() {
+                line(text, letters).draw(&mut whole, [x, top + k as i32 * step]);
+            }
+        };
+        write(&self.title, MARGIN);
+        let foot = height - MARGIN - self.note.len() as i32 * step;
+        write(&self.note, foot);
+        let top = MARGIN + self.title.len() as i32 * step + step / 2 + 2;
+        let ends = [top, (foot - step / 2 - 2).max(top + 2)];
+        self.bar(&mut whole, x, ends);
+        for (value, label) in &ticks {
+            let (y, label) = (self.row(*value, ends), line(label, letters));
+            whole.fill([x + BAR, x + BAR + TICK], [y, y + 1], INK);
+            label.draw(&mut whole, [x + BAR + TICK + 4, y - step / 2 + 1]);
+        }
+        whole
+    }
+
+    fn bar(&self, picture: &mut Picture, x: i32, [top, foot]: [i32; 2]) {
+        let [low, high] = self.scale.range();
+        picture.fill([x - 1, x + BAR + 1], [top - 1, foot + 1], INK);
+        for y in top..foot {
+            let part = (f64::from(foot - y) - 0.5) / f64::from(foot - top);
+            picture.fill([x, x + BAR], [y, y + 1], self.scale.colour(low + part * (high - low)));
+        }
+    }
+
+    fn row(&self, value: f64, [top, foot]: [i32; 2]) -> i32 {
+        let [low, high] = self.scale.range();
+        (f64::from(foot - 1) - (value - low) / (high - low) * f64::from(foot - 1 - top)).round() as i32
+    }
+}
+
+fn line(text: &str, size: u32) -> Lettering<'_> {
+    Lettering { text, size, colour: INK, upright: false }
+}

@@ -1,0 +1,169 @@
+//! A picture of 8-bit sRGB pixels, to draw on and to write as PNG.
+//!
+//! Pixel (x, y) covers [x, x + 1] × [y, y + 1], y down. Lines and disks are anti-aliased: a pixel takes the colour by the
+//! part c ≈ clamp(½ + r − d, 0, 1) that a shape of half width r covers, d the distance of the pixel's middle from the
+//! shape's. Colours are mixed as they are encoded, which keeps thin dark letters on white dark.
+
+use std::io::{self, Write};
+
+/// An sRGB colour.
+pub type Colour = [u8; 3];
+
+/// Pixels in rows from the top.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    width: u32,
+    height: u32,
+    pixels: Vec<Colour>,
+}
+
+impl Picture {
+    /// `width × height` pixels of one colour.
+    pub fn filled(width: u32, height: u32, colour: Colour) -> Self {
+        Self { width, height, pixels: vec![colour; width as usize * height as usize] }
+    }
+
+    /// The pixels in row order from the top left.
+    ///
+    /// # Panics
+    /// If the number of pixels is not `width · height`.
+    pub fn new(width: u32, height: u32, pixels: Vec<Colour>) -> Self {
+        assert_eq!(pixels.len(), width as usize * height as usize, "one entry per pixel");
+        Self { width, height, pixels }
+    }
+
+    /// Pixels across and down.
+    pub fn size(&self) -> [u32; 2] {
+        [self.width, self.height]
+    }
+
+    /// The colour of pixel (x, y), or None outside.
+    pub fn at(&self, x: i32, y: i32) -> Option<Colour> {
+        self.index(x, y).map(|index| self.pixels[index])
+    }
+
+    /// Lets pixel (x, y) take `colour` by the part `coverage` in [0, 1]; outside the picture nothing happens.
+    pub fn blend(&mut self, x: i32, y: i32, colour: Colour, coverage: f64) {
+        let Some(index) = self.index(x, y) else { return };
+        for (old, new) in self.pixels[index].iter_mut().zip(colour) {
+            *old = (f64::from(*old) + (f64::from(new) - f64::from(*old)) * coverage).round() as u8;
+        }
+    }
+
+    /// Fills the pixels x0 ≤ x < x1, y0 ≤ y < y1.
+    pub fn fill(&mut self, [x0, x1]: [i32; 2], [y0, y1]: [i32; 2], colour: Colour) {
+        for (y, x) in (y0..y1).flat_map(|y| (x0..x1).map(move |x| (y, x))) {
+            self.blend(x, y, colour, 1.0);
+        }
+    }
+
+    /// A line of the given width between two points; `opacity` in [0, 1].
+    pub fn line(&mut self, from: [f64; 2], to: [f64; 2], width: f64, colour: Colour, opacity: f64) {
+        let along = [to[0] - from[0], to[1] - from[1]];
+        let length2 = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
+        let reach = 0.5 * width + 1.0;
+        let bounds = |k: usize| [from[k].min(to[k]) - reach, from[k].max(to[k]) + reach];
+        self.cover([bounds(0), bounds(1)], colour, |x, y| {
+            let [dx, dy] = [x - from[0], y - from[1]];
+            let t = ((dx * along[0] + dy * along[1]) / length2).clamp(0.0, 1.0);
+            let distance = (dx - t * along[0]).hypot(dy - t * along[1]);
+            opacity * (0.5 + 0.5 * width - distance).clamp(0.0, 1.0)
+        });
+    }
+
+    /// A disk.
+    pub fn disk(&mut self, center: [f64; 2], radius: f64, colour: Colour) {
+        let bounds = center.map(|c| [c - radius - 1.0, c + radius + 1.0]);
+        self.cover(bounds, colour, |x, y| {
+            (0.5 + radius - (x - center[0]).hypot(y - center[1])).clamp(0.0, 1.0)
+        });
+    }
+
+    /// Lets the pixels of the left upper corner take `colour` by the parts `coverage`, in rows of `width`.
+    pub fn overlay(&mut self, coverage: &[f64], width: u32, colour: Colour) {
+        for (row, parts) in coverage.chunks(width as usize).enumerate() {
+            for (column, part) in parts.iter().enumerate() {
+                self.blend(column as i32, row as i32, colour, *part);
+            }
+        }
+    }
+
+    /// Copies `other` into the left upper corner.
+    pub fn paste(&mut self, other: &Self) {
+        for (index, colour) in other.pixels.iter().enumerate() {
+            let (x, y) = (index % other.width as usize, index / other.width as usize);
+            self.blend(x as i32, y as i32, *colour, 1.0);
+        }
+    }
+
+    /// Writes an 8-bit sRGB PNG.
+    ///
+    /// # Errors
+    /// Whatever the writer reports.
+    pub fn write_png(&self, writer: impl Write) -> io::Result<()> {
+        let mut encoder = png::Encoder::new(writer, self.width, self.height);
+        encoder.set_color(png::ColorType::Rgb);
+        encoder.set_depth(png::BitDepth::Eight);
+        encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+        let mut stream = encoder.write_header()?;
+        stream.write_image_data(self.pixels.as_flattened())?;
+        stream.finish()?;
+        Ok(())
+    }
+
+    fn cover(&mut self, [x, y]: [[f64; 2]; 2], colour: Colour, part: impl Fn(f64, f64) -> f64) {
+        let range = |[low, high]: [f64; 2], end: u32| {
+            (low.max(0.0) as i32)..(high.ceil().clamp(0.0, f64::from(end)) as i32)
+        };
+        for row in range(y, self.height) {
+            for column in range(x, self.width) {
+                let coverage = part(f64::from(column) + 0.5, f64::from(row) + 0.5);
+                if coverage > 0.0 {
+                    self.blend(column, row, colour, coverage);
+                }
+            }
+        }
+    }
+
+    fn index(&self, x: i32, y: i32) -> Option<usize> {
+        let (x, y) = (u32::try_from(x).ok()?, u32::try_from(y).ok()?);
+        (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn png_holds_its_pixels() {
+        let picture = Picture::new(2, 1, vec![[0, 7, 255], [1, 2, 3]]);
+        let mut bytes = Vec::new();
+        picture.write_png(&mut bytes).expect("a vector takes everything");
+        let mut reader = png::Decoder::new(io::Cursor::new(bytes)).read_info().expect("a PNG");
+        let mut pixels = [0; 6];
+        let info = reader.next_frame(&mut pixels).expect("a frame");
+        assert_eq!((info.width, info.height), (2, 1));
+        assert_eq!(pixels, [0, 7, 255, 1, 2, 3]);
+    }
+
+    #[test]
+    fn shapes_cover_their_area() {
+        let darkness =
+            |picture: &Picture| -> f64 { picture.pixels.iter().map(|p| 1.0 - f64::from(p[0]) / 255.0).sum() };
+        let mut disk = Picture::filled(64, 64, [255; 3]);
+        disk.disk([31.3, 32.9], 20.0, [0; 3]);
+        assert!((darkness(&disk) / (std::f64::consts::PI * 400.0) - 1.0).abs() < 0.01);
+        let mut line = Picture::filled(64, 64, [255; 3]);
+        line.line([-9.0, 20.0], [80.0, 20.0], 3.0, [0; 3], 1.0);
+        assert!((darkness(&line) - 64.0 * 3.0).abs() < 0.5);
+    }
+
+    #[test]
+    fn what_lies_outside_is_left_out() {
+        let mut picture = Picture::filled(2, 2, [9; 3]);
+        picture.blend(-1, 0, [0; 3], 1.0);
+        picture.fill([2, 40], [-3, 0], [0; 3]);
+        assert_eq!(picture, Picture::filled(2, 2, [9; 3]));
+    }
+}

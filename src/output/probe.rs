@@ -1,0 +1,102 @@
+//! Irradiance at single points, and radiosity where they lie on a surface.
+
+use radiosity_geom::DVec3;
+use rayon::prelude::*;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use crate::gather::spot::Spot;
+use crate::output::reader::{Light, Reader};
+use crate::view::vantage::Vantage;
+
+/// Cosine between a probe's normal and its surface's from which on they count as the same for reading polynomials.
+const SAME_NORMAL: f64 = 0.9999;
+
+/// A point with the direction it receives along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Probe {
+    /// The point.
+    pub position: DVec3,
+    /// Unit normal.
+    pub normal: DVec3,
+}
+
+/// What a probe shows.
+#[derive(Clone, Debug)]
+pub struct Reading {
+    /// Where and along which normal.
+    pub probe: Probe,
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// The surface the probe lies on, if any.
+    pub on: Option<OnSurface>,
+}
+
+/// The surface under a probe.
+#[derive(Clone, Debug)]
+pub struct OnSurface {
+    /// Index of the surface.
+    pub surface: usize,
+    /// Its parameters there, in [−1, 1]².
+    pub parameters: [f64; 2],
+    /// Radiosity per band (W m⁻²), by the irradiance along the surface's own normal.
+    pub radiosity: Vec<f64>,
+}
+
+/// Why a probe cannot be read: polynomials are known on surfaces alone, along their normals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ProbeFault {
+    /// The probe lies on no surface.
+    #[error("the point lies on no surface that its normal leaves")]
+    OffSurface,
+    /// The probe looks another way than its surface.
+    #[error("the normal is not that of the surface under the point")]
+    Tilted,
+}
+
+/// Reads every probe; `progress` hears (probes done, probes in all), from any thread.
+///
+/// # Errors
+/// The index of the first probe that polynomials say nothing of, unless all light is gathered.
+pub fn probe(
+    reader: &Reader,
+    probes: &[Probe],
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Vec<Reading>, (usize, ProbeFault)> {
+    let done = AtomicUsize::new(0);
+    let readings: Vec<Result<Reading, ProbeFault>> = probes
+        .par_iter()
+        .map(|probe| {
+            let reading = read(reader, probe);
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
+            reading
+        })
+        .collect();
+    readings.into_iter().enumerate().map(|(k, reading)| reading.map_err(|fault| (k, fault))).collect()
+}
+
+fn read(reader: &Reader, probe: &Probe) -> Result<Reading, ProbeFault> {
+    let Probe { position, normal } = *probe;
+    let elements = reader.solution().elements();
+    let spot = Spot::find(elements, reader.visibility(), position, normal);
+    let along_surface = |spot: &Spot| reader.irradiance(spot.element, &spot.place, spot.normal);
+    let (irradiance, on) = match (reader.light(), spot) {
+        (Light::Gather(gather), None) => (gather.at(&Vantage::free(position, normal)), None),
+        (_, None) => return Err(ProbeFault::OffSurface),
+        (Light::Gather(gather), Some(spot)) if spot.normal.dot(normal) < SAME_NORMAL => {
+            (gather.at(&spot.vantage(normal)), Some(on(reader, &spot, &along_surface(&spot))))
+        }
+        (_, Some(spot)) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
+        (_, Some(spot)) => {
+            let irradiance = along_surface(&spot);
+            let on = on(reader, &spot, &irradiance);
+            (irradiance, Some(on))
+        }
+    };
+    Ok(Reading { probe: *probe, irradiance, on })
+}
+
+fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {
+    let bands = reader.solution().bands().iter();
+    let radiosity = bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(spot.element, *e)).collect();
+    OnSurface { surface: spot.place.surface, parameters: spot.place.parameters, radiosity }
+}

@@ -1,0 +1,91 @@
+//! What values at points and means over cells are read from.
+
+use radiosity_geom::DVec3;
+
+use crate::direct::DirectLight;
+use crate::gather::Gather;
+use crate::solution::{Place, Solution};
+use crate::view::vantage::Vantage;
+use crate::visibility::Visibility;
+
+/// What irradiance is read from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Read {
+    /// The polynomials alone.
+    Basis,
+    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
+    Direct,
+    /// Direct light recomputed at every point, and the reflected light gathered there from all surfaces.
+    Gather,
+}
+
+/// A solution ready to be read.
+#[derive(Debug)]
+pub struct Reader<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+    light: Light<'a>,
+}
+
+/// What a [`Reader`] recomputes.
+#[derive(Debug)]
+pub enum Light<'a> {
+    /// Nothing.
+    Basis,
+    /// Direct light.
+    Direct(DirectLight<'a>),
+    /// All light.
+    Gather(Gather<'a>),
+}
+
+impl<'a> Reader<'a> {
+    /// Prepares to read `solution`; gathered light is good to about the relative accuracy `eps`.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        let light = match read {
+            Read::Basis => Light::Basis,
+            Read::Direct => Light::Direct(DirectLight::new(solution, visibility)),
+            Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
+        };
+        Self { solution, visibility, light }
+    }
+
+    /// The solution that is read.
+    pub fn solution(&self) -> &'a Solution {
+        self.solution
+    }
+
+    /// What stands in the scene.
+    pub fn visibility(&self) -> &'a Visibility {
+        self.visibility
+    }
+
+    /// What is recomputed.
+    pub fn light(&self) -> &Light<'a> {
+        &self.light
+    }
+
+    /// The polynomials of irradiance (W m⁻²) per band at a place of an element.
+    pub fn polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        bands.map(|band| self.solution.irradiance(band, element, place)).collect()
+    }
+
+    /// The polynomials of the irradiance (W m⁻²) that was reflected at least once, per band.
+    pub fn indirect_polynomials(&self, element: usize, place: &Place) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        bands.map(|band| self.solution.indirect(band, element, place)).collect()
+    }
+
+    /// Irradiance (W m⁻²) per band at a place of an element with unit normal `normal`, on its front.
+    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+        match &self.light {
+            Light::Basis => self.polynomials(element, place),
+            Light::Direct(direct) => {
+                let lit = direct.at(element, place.position, normal);
+                let rest = self.indirect_polynomials(element, place);
+                lit.iter().zip(rest).map(|(d, s)| d + s).collect()
+            }
+            Light::Gather(gather) => gather.at(&Vantage::on(place.surface, place.position, normal)),
+        }
+    }
+}

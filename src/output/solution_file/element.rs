@@ -1,0 +1,146 @@
+//! One element in the file, and whether it is the element of its scene.
+
+use std::ops::Range;
+
+use serde::{Deserialize, Serialize};
+
+use super::error::Mismatch;
+use crate::elements::Element;
+use crate::elements::basis::Frame;
+use crate::elements::space::Space;
+use crate::scene::Scene;
+use crate::solution::{Band, Solution};
+
+/// Difference of the two forms of a polynomial that is still rounding, relative to the largest coefficient. Conversion
+/// to products amplifies rounding on elements that fill their frame badly.
+const SAME: f64 = 1e-6;
+
+/// An element with its polynomials.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SavedElement {
+    surface: String,
+    /// Parameter rectangle [[u0, u1], [v0, v1]].
+    rectangle: [[f64; 2]; 2],
+    order: usize,
+    basis: Basis,
+    frame: SavedFrame,
+    area: f64,
+    /// Per band.
+    reflectance: Vec<f64>,
+    /// Per band.
+    exitance: Vec<f64>,
+    /// Per band, in products of Legendre polynomials.
+    irradiance: Vec<Vec<f64>>,
+    /// In the orthonormal basis.
+    pub(super) orthonormal: Orthonormal,
+}
+
+/// Coefficients h and G e per band, in the orthonormal basis.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Orthonormal {
+    pub(super) irradiance: Vec<Vec<f64>>,
+    pub(super) direct: Vec<Vec<f64>>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+enum Basis {
+    #[serde(rename = "total-degree-legendre")]
+    Total,
+    #[serde(rename = "tensor-legendre")]
+    Tensor,
+}
+
+#[derive(Debug, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum SavedFrame {
+    Plane { origin: [f64; 3], first: [f64; 3], second: [f64; 3] },
+    Parameters { center: [f64; 2], half: [f64; 2] },
+}
+
+/// Every element of a solution.
+pub(super) fn all(scene: &Scene, solution: &Solution) -> Vec<SavedElement> {
+    let mut start = 0;
+    let saved = |(index, element): (usize, &Element)| {
+        let range = start..start + element.basis.len();
+        start = range.end;
+        saved(scene, solution, index, element, &range)
+    };
+    solution.elements().list().iter().enumerate().map(saved).collect()
+}
+
+fn saved(
+    scene: &Scene,
+    solution: &Solution,
+    index: usize,
+    element: &Element,
+    range: &Range<usize>,
+) -> SavedElement {
+    let bands = solution.bands();
+    let own = |all: &[f64]| all[range.clone()].to_vec();
+    let irradiance: Vec<Vec<f64>> = bands.iter().map(|band| own(&band.coefficients.irradiance)).collect();
+    let per_band = |value: fn(&Band) -> &[f64]| bands.iter().map(|band| value(band)[index]).collect();
+    SavedElement {
+        surface: scene.surfaces[element.surface].name.clone(),
+        rectangle: [element.rect.u, element.rect.v],
+        order: element.basis.order(),
+        basis: element.basis.space().into(),
+        frame: element.basis.frame().into(),
+        area: element.area,
+        reflectance: per_band(|band| &band.coating.reflectance),
+        exitance: per_band(|band| &band.coating.exitance),
+        irradiance: irradiance.iter().map(|own| element.basis.to_products(own)).collect(),
+        orthonormal: Orthonormal {
+            irradiance,
+            direct: bands.iter().map(|band| own(&band.coefficients.direct)).collect(),
+        },
+    }
+}
+
+impl SavedElement {
+    /// Whether this is `element` of `scene`, with coefficients for it.
+    pub(super) fn check(&self, scene: &Scene, element: &Element) -> Result<(), Mismatch> {
+        let surface = &scene.surfaces[element.surface];
+        let fits = |holds: bool, what| if holds { Ok(()) } else { Err(Mismatch(what)) };
+        fits(self.surface == surface.name, "the surface")?;
+        fits(self.rectangle == [element.rect.u, element.rect.v], "the rectangle")?;
+        fits(self.order == element.basis.order(), "the order")?;
+        fits(self.basis == element.basis.space().into(), "the basis")?;
+        fits(self.reflectance == surface.material.reflectance, "the reflectance")?;
+        fits(self.exitance == surface.material.emission, "the exitance")?;
+        let Orthonormal { irradiance, direct } = &self.orthonormal;
+        let full = |coefficients: &[Vec<f64>]| {
+            let bands = scene.bands.len();
+            coefficients.len() == bands && coefficients.iter().all(|own| own.len() == element.basis.len())
+        };
+        fits(full(&self.irradiance) && full(irradiance) && full(direct), "the number of coefficients")?;
+        let mut forms = self.irradiance.iter().zip(irradiance);
+        fits(forms.all(|(products, own)| same(products, &element.basis.to_products(own))), "the irradiance")
+    }
+}
+
+fn same(a: &[f64], b: &[f64]) -> bool {
+    let largest = a.iter().chain(b).map(|x| x.abs()).fold(0.0, f64::max);
+    a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
+}
+
+impl From<Space> for Basis {
+    fn from(space: Space) -> Self {
+        match space {
+            Space::Total => Self::Total,
+            Space::Tensor => Self::Tensor,
+        }
+    }
+}
+
+impl From<&Frame> for SavedFrame {
+    fn from(frame: &Frame) -> Self {
+        match frame {
+            Frame::Plane { origin, first, second } => {
+                Self::Plane { origin: origin.to_array(), first: first.to_array(), second: second.to_array() }
+            }
+            Frame::Parameters { center, half } => {
+                Self::Parameters { center: center.to_array(), half: half.to_array() }
+            }
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! What a solution cost and how it judges itself, as the file keeps it; times and threads are left out, so that the
+//! same input makes the same file.
+
+use radiosity_solvers::method::Method;
+use serde::{Deserialize, Serialize};
+
+use crate::checks::Checks;
+use crate::kernel::PairCounts;
+use crate::solution::Solution;
+use crate::solve::{Outcome, Stages};
+
+/// The figures of an [`Outcome`].
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Figures {
+    solver: String,
+    converged: bool,
+    iterations: usize,
+    residual: f64,
+    /// Relative residual of each band.
+    pub(super) residuals: Vec<f64>,
+    kernel_samples: u64,
+    kernel_samples_distinct: u64,
+    shadow_rays: u64,
+    accuracy_reached: f64,
+    pairs: PairCounts,
+    checks: Checks,
+}
+
+impl Figures {
+    /// Those of `outcome`.
+    pub(super) fn of(outcome: &Outcome) -> Self {
+        let bands = outcome.solution.bands();
+        Self {
+            solver: outcome.solver.to_owned(),
+            converged: outcome.converged,
+            iterations: outcome.iterations,
+            residual: outcome.residual,
+            residuals: bands.iter().map(|band| band.coefficients.residual).collect(),
+            kernel_samples: outcome.samples,
+            kernel_samples_distinct: outcome.distinct,
+            shadow_rays: outcome.rays,
+            accuracy_reached: outcome.accuracy_reached,
+            pairs: outcome.pairs,
+            checks: outcome.checks,
+        }
+    }
+
+    /// The outcome again; no time was spent on it. None if there is no such solver.
+    pub(super) fn outcome(self, solution: Solution) -> Option<Outcome> {
+        Some(Outcome {
+            solution,
+            checks: self.checks,
+            pairs: self.pairs,
+            samples: self.kernel_samples,
+            distinct: self.kernel_samples_distinct,
+            rays: self.shadow_rays,
+            accuracy_reached: self.accuracy_reached,
+            solver: Method::named(&self.solver).ok()?.name,
+            iterations: self.iterations,
+            residual: self.residual,
+            converged: self.converged,
+            seconds: Stages::default(),
+        })
+    }
+}

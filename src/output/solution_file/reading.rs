@@ -1,0 +1,127 @@
+//! From the file back to the solved scene.
+//!
+//! The scene is read and cut again, and every element of the file is held against it, so that a file which was damaged or
+//! changed is refused. The coefficients are taken as they are.
+
+use serde::Deserialize;
+
+use super::element::SavedElement;
+use super::error::{Mismatch, SolutionError, SolutionFault};
+use super::tree::{FORMAT, SavedScene, SolutionFile, VERSION};
+use crate::elements::{Discretization, Elements, Subdivide};
+use crate::scene::{Scene, Source};
+use crate::solution::{Band, Solution};
+use crate::solved::Solved;
+use crate::system::{Coating, Coefficients};
+
+/// Most parts a surface is cut into along one parameter: more would be no file of ours.
+const MAX_PARTS: usize = 256;
+
+/// What tells a solution file of any version.
+#[derive(Deserialize)]
+struct Header {
+    #[serde(default)]
+    format: serde_json::Value,
+    #[serde(default)]
+    format_version: u32,
+}
+
+/// Whether a text is meant as a solution file rather than a scene.
+pub fn is_solution(text: &str) -> bool {
+    let quoted = format!("\"{FORMAT}\"");
+    let likely = text.trim_start().starts_with('{') && text.contains(&quoted);
+    // One that cannot be parsed holds the word and is JSON: its faults are better told as a solution's.
+    likely && serde_json::from_str(text).map_or(true, |header: Header| header.format == FORMAT)
+}
+
+/// Reads a solution file: the scene, the options and the solution that it was written from, bit by bit.
+///
+/// # Errors
+/// A text that is damaged, of another version, or does not fit the scene in it.
+pub fn read(source: &Source) -> Result<Solved, SolutionError> {
+    parse(&source.text)
+        .and_then(SolutionFile::solved)
+        .map_err(|fault| SolutionError { origin: source.origin.to_string(), fault })
+}
+
+fn parse(text: &str) -> Result<SolutionFile, SolutionFault> {
+    let header: Header = serde_json::from_str(text).map_err(|error| syntax(&error))?;
+    if header.format_version != VERSION {
+        return Err(SolutionFault::Version { found: header.format_version });
+    }
+    serde_json::from_str(text).map_err(|error| syntax(&error))
+}
+
+/// The parser's message without the place, which it puts at the end.
+fn syntax(error: &serde_json::Error) -> SolutionFault {
+    let (line, column) = (error.line(), error.column());
+    let message = error.to_string();
+    let place = format!(" at line {line} column {column}");
+    SolutionFault::Syntax { line, column, message: message.trim_end_matches(&place).to_owned() }
+}
+
+impl SolutionFile {
+    fn solved(self) -> Result<Solved, SolutionFault> {
+        let scene = self.scene.read()?;
+        if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
+            return Err(SolutionFault::Whole(Mismatch("the list of bands")));
+        }
+        let elements = Elements::new(&scene, checked(&self.discretization)?)?;
+        check_elements(&self.elements, &scene, &elements)?;
+        let bands = (0..scene.bands.len())
+            .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))
+            .collect();
+        let solution = Solution::new(elements, bands);
+        let outcome = self.figures.outcome(solution);
+        let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
+        Ok(Solved { scene, options: self.options, outcome })
+    }
+}
+
+impl SavedScene {
+    fn read(&self) -> Result<Scene, SolutionFault> {
+        let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
+        let scene = Scene::parse(&Source::new(&self.origin, text))
+            .map_err(|error| SolutionFault::Scene(Box::new(error)))?;
+        if scene.name == self.name {
+            Ok(scene)
+        } else {
+            Err(SolutionFault::Whole(Mismatch("the scene's name")))
+        }
+    }
+}
+
+fn checked(how: &Discretization) -> Result<&Discretization, SolutionFault> {
+    match how.subdivide {
+        Subdivide::Uniform(parts) if !(1..=MAX_PARTS).contains(&parts) => {
+            Err(SolutionFault::Whole(Mismatch("the subdivision")))
+        }
+        _ => Ok(how),
+    }
+}
+
+fn check_elements(saved: &[SavedElement], scene: &Scene, elements: &Elements) -> Result<(), SolutionFault> {
+    if saved.len() != elements.list().len() {
+        return Err(SolutionFault::Whole(Mismatch("the number of elements")));
+    }
+    for (index, (saved, element)) in saved.iter().zip(elements.list()).enumerate() {
+        saved.check(scene, element).map_err(|what| SolutionFault::Element { index, what })?;
+    }
+    Ok(())
+}
+
+fn band(scene: &Scene, elements: &Elements, saved: &[SavedElement], index: usize, residual: f64) -> Band {
+    let list = elements.list();
+    let coating = Coating::of(scene, list, index);
+    let together = |own: fn(&SavedElement) -> &[Vec<f64>]| -> Vec<f64> {
+        saved.iter().flat_map(|element| own(element)[index].iter().copied()).collect()
+    };
+    let coefficients = Coefficients::of_irradiance(
+        list,
+        &coating,
+        together(|element| &element.orthonormal.irradiance),
+        together(|element| &element.orthonormal.direct),
+        residual,
+    );
+    Band::new(scene.bands[index].clone(), elements, coating, coefficients)
+}

@@ -1,0 +1,74 @@
+//! The tree of the file.
+
+use serde::{Deserialize, Serialize};
+
+use super::element::{self, SavedElement};
+use super::figures::Figures;
+use crate::elements::Discretization;
+use crate::solve::Options;
+use crate::solved::Solved;
+
+/// What the key `format` says.
+pub(super) const FORMAT: &str = "radiosity-solution";
+
+/// What the key `format_version` says: the one version that is written and read.
+pub const VERSION: u32 = 2;
+
+/// How to read the numbers, for whoever opens the file.
+const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
+     irradiance[band][k] p_i(a) p_j(b), with p_n(x) = sqrt(n + 1/2) P_n(x) (Legendre) and k running over total degree \
+     d = 0..N ascending, within d over j = 0..d with i = d - j (basis total-degree-legendre), or k = i (N + 1) + j with \
+     i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
+     b = (x - origin).second for a point x; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
+     radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2). \
+     orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
+     orthonormal on the element with respect to area: the program reads these back.";
+
+/// The file's tree.
+#[derive(Debug, Serialize, Deserialize)]
+pub struct SolutionFile {
+    format: String,
+    format_version: u32,
+    /// Version of the program that wrote it.
+    program: String,
+    pub(super) scene: SavedScene,
+    pub(super) bands: Vec<String>,
+    evaluation: String,
+    pub(super) options: Options,
+    pub(super) discretization: Discretization,
+    pub(super) figures: Figures,
+    pub(super) elements: Vec<SavedElement>,
+}
+
+/// The scene as it was read.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SavedScene {
+    pub(super) name: String,
+    /// The name shown in messages.
+    pub(super) origin: String,
+    /// TOML or JSON; null for a scene built in code, which cannot be read back.
+    pub(super) text: Option<String>,
+}
+
+impl SolutionFile {
+    /// The file of a solved scene.
+    pub fn new(solved: &Solved) -> Self {
+        let Solved { scene, options, outcome } = solved;
+        Self {
+            format: FORMAT.to_owned(),
+            format_version: VERSION,
+            program: env!("CARGO_PKG_VERSION").to_owned(),
+            scene: SavedScene {
+                name: scene.name.clone(),
+                origin: scene.origin.clone(),
+                text: scene.source.as_ref().map(|source| source.text.to_string()),
+            },
+            bands: scene.bands.clone(),
+            evaluation: EVALUATION.to_owned(),
+            options: *options,
+            discretization: *outcome.solution.elements().discretization(),
+            figures: Figures::of(outcome),
+            elements: element::all(scene, &outcome.solution),
+        }
+    }
+}

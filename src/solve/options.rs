@@ -1,0 +1,94 @@
+//! What to solve and how well.
+
+use std::num::NonZero;
+
+use radiosity_solvers::method::Method;
+use serde::{Deserialize, Serialize};
+
+use crate::elements::cells::Layers;
+use crate::elements::space::Space;
+use crate::kernel::paper;
+use crate::visibility::Shadows;
+
+/// What to solve and how well.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Options {
+    /// Order of the basis where a surface does not state its own.
+    pub order: usize,
+    /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
+    pub space: Space,
+    /// Cuts along u and v of surfaces that do not state their own; None chooses.
+    pub subdivide: Option<usize>,
+    /// Further cuts of the outermost cells of every surface, towards its sides.
+    pub layers: Layers,
+    /// Accuracy of the kernel blocks.
+    pub eps: f64,
+    /// The rules of 1993 instead of those that keep `eps`.
+    pub kernel: Option<paper::Rules>,
+    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::kernel::Blocks::close)): right for closed scenes
+    /// without shadows only.
+    pub closure: bool,
+    /// Accuracy of visibility within a block.
+    pub shadow_eps: f64,
+    /// Whether surfaces hide each other.
+    pub shadows: bool,
+    /// The solver.
+    #[serde(with = "method_name")]
+    pub method: &'static Method,
+    /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
+    pub tolerance: f64,
+    /// Most iterations of the linear solve.
+    pub max_iterations: usize,
+    /// Whether the best there is counts as a solution where the solver does not converge.
+    pub keep_partial: bool,
+    /// Threads; the result does not depend on it.
+    #[serde(skip, default = "all_threads")]
+    pub threads: usize,
+}
+
+impl Default for Options {
+    /// Order 3, blocks to 1e-3, shadows to 3e-3, the solver chosen by the system, all threads.
+    fn default() -> Self {
+        Self {
+            order: 3,
+            space: Space::Total,
+            subdivide: None,
+            layers: Layers::NONE,
+            eps: 1e-3,
+            kernel: None,
+            closure: false,
+            shadow_eps: 3e-3,
+            shadows: true,
+            method: Method::named("auto").expect("auto is always listed"),
+            tolerance: 1e-8,
+            max_iterations: 1000,
+            keep_partial: false,
+            threads: all_threads(),
+        }
+    }
+}
+
+impl From<&Options> for Shadows {
+    /// How surfaces hide each other in a solution of these options, and where it is read.
+    fn from(options: &Options) -> Self {
+        if options.shadows { Self::Rays(options.shadow_eps) } else { Self::Off }
+    }
+}
+
+fn all_threads() -> usize {
+    std::thread::available_parallelism().map_or(1, NonZero::get)
+}
+
+/// A solver as its name.
+mod method_name {
+    use radiosity_solvers::method::Method;
+    use serde::{Deserialize, Deserializer, Serializer, de::Error};
+
+    pub(super) fn serialize<S: Serializer>(method: &Method, to: S) -> Result<S::Ok, S::Error> {
+        to.serialize_str(method.name)
+    }
+
+    pub(super) fn deserialize<'de, D: Deserializer<'de>>(from: D) -> Result<&'static Method, D::Error> {
+        Method::named(&String::deserialize(from)?).map_err(D::Error::custom)
+    }
+}

@@ -1,0 +1,154 @@
+//! A cell: a patch with a field at its 2 × 2 Gauss points.
+//!
+//! The field is kept per channel (a band, or the constant 1). What decides about division is kept in multiples of a scale
+//! per channel, the largest over the channels: how bright the cell is, how much the field varies over it, and how far its
+//! mean is off that of its quarters. Quarters that are made on the way take the bilinear interpolant of the four points.
+
+use radiosity_geom::DVec3;
+
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+
+/// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
+pub const POINTS: usize = 4;
+
+/// A patch with a field at its Gauss points.
+#[derive(Clone, Debug)]
+pub struct Cell {
+    patch: Patch,
+    /// Points whose convex hull contains it: its corners if it is flat.
+    pub hull: Vec<DVec3>,
+    /// The Gauss points; the area of each is its part of the cell's.
+    pub nodes: [Node; POINTS],
+    /// The field at each point, channel after channel.
+    pub values: Vec<f64>,
+    /// Places and normals at the corners of a curved cell and at its Gauss points.
+    pub facets: Vec<(DVec3, DVec3)>,
+    /// Middle of the hull.
+    pub center: DVec3,
+    /// Radius of the ball around the middle that holds the hull.
+    pub radius: f64,
+    /// Largest mean over the scale.
+    pub brightness: f64,
+    /// Largest difference from the mean over the scale.
+    pub spread: f64,
+    /// Largest difference of the mean from that of the quarters, over the scale.
+    pub detail: f64,
+    /// Smallest cosine between two normals.
+    pub bend: f64,
+}
+
+impl Cell {
+    /// A cell without a field.
+    pub fn bare(patch: Patch) -> Self {
+        let hull = patch.hull();
+        let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
+        let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
+        let (places, weights) = UnitRule::of(2).line();
+        let node = |k: usize| {
+            let node = patch.node(places[k / 2], places[k % 2]);
+            Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
+        };
+        let nodes: [Node; POINTS] = std::array::from_fn(node);
+        let mut facets = Vec::new();
+        if !patch.is_flat() {
+            facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
+            let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]].map(|[s, t]| patch.node(s, t));
+            facets.extend(corners.iter().map(|node| (node.position, node.normal)));
+        }
+        let pairs =
+            facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
+        let bend = pairs.fold(1.0, f64::min);
+        Self {
+            patch,
+            hull,
+            nodes,
+            facets,
+            values: Vec::new(),
+            center,
+            radius,
+            brightness: 0.0,
+            spread: 0.0,
+            detail: 0.0,
+            bend,
+        }
+    }
+
+    /// The same cell with a field at its points.
+    pub fn with_values(mut self, values: Vec<f64>, scale: &[f64]) -> Self {
+        self.values = values;
+        for (channel, scale) in scale.iter().enumerate() {
+            let mean = self.mean(channel);
+            let difference = |k: usize| (self.value(k, channel) - mean).abs();
+            let spread = (0..POINTS).map(difference).fold(0.0, f64::max);
+            self.brightness = self.brightness.max(mean.abs() / scale);
+            self.spread = self.spread.max(spread / scale);
+        }
+        self
+    }
+
+    /// The field at a point.
+    pub fn value(&self, point: usize, channel: usize) -> f64 {
+        self.values[point * (self.values.len() / POINTS) + channel]
+    }
+
+    /// Mean of the field over the cell's area.
+    pub fn mean(&self, channel: usize) -> f64 {
+        let area = self.area();
+        let sum: f64 = (0..POINTS).map(|k| self.nodes[k].area * self.value(k, channel)).sum();
+        if area > 0.0 { sum / area } else { 0.0 }
+    }
+
+    /// Area by the Gauss rule.
+    pub fn area(&self) -> f64 {
+        self.nodes.iter().map(|node| node.area).sum()
+    }
+
+    /// Whether it lies in a plane.
+    pub fn is_flat(&self) -> bool {
+        self.patch.is_flat()
+    }
+
+    /// Takes over what its quarters, which carry the same field, show of it.
+    pub fn look_at(&mut self, quarters: &[Cell], scale: &[f64]) {
+        let whole: f64 = quarters.iter().map(Cell::area).sum();
+        for (channel, scale) in scale.iter().enumerate() {
+            let mean = self.mean(channel);
+            let parts = quarters.iter().map(|quarter| quarter.area() * quarter.mean(channel)).sum::<f64>();
+            let points = quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.value(k, channel)));
+            let spread = points.map(|value| (value - mean).abs()).fold(0.0, f64::max);
+            self.spread = self.spread.max(spread / scale);
+            if whole > 0.0 {
+                self.detail = self.detail.max((parts / whole - mean).abs() / scale);
+            }
+        }
+    }
+
+    /// The four quarters without a field, index 2 a + b like the points.
+    pub fn bare_quarters(&self) -> [Cell; 4] {
+        let halves = self.patch.halves(Direction::Along).map(|half| half.halves(Direction::Across));
+        let [[a, b], [c, d]] = halves;
+        [a, b, c, d].map(Cell::bare)
+    }
+
+    /// The four quarters with the bilinear interpolant of the field.
+    pub fn quarters(&self, scale: &[f64]) -> [Cell; 4] {
+        let places = &UnitRule::of(2).nodes;
+        let channels = scale.len();
+        // Share of the point at the far side of the cell, at the c-th point of the a-th half.
+        let share = |a: usize, c: usize| (0.5 * (a as f64 + places[c]) - places[0]) / (places[1] - places[0]);
+        let mut index = 0;
+        self.bare_quarters().map(|quarter| {
+            let (a, b) = (index / 2, index % 2);
+            index += 1;
+            let value = |place: usize| {
+                let (point, channel) = (place / channels, place % channels);
+                let (s, t) = (share(a, point / 2), share(b, point % 2));
+                let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
+                (1.0 - s) * side(0) + s * side(2)
+            };
+            let values = (0..POINTS * channels).map(value).collect();
+            quarter.with_values(values, scale)
+        })
+    }
+}

@@ -1,0 +1,146 @@
+//! What the obstacles around a point hide from it.
+
+use std::ops::Range;
+
+use radiosity_geom::{Aabb, DVec3, separated};
+
+use crate::view::cell::Cell;
+use crate::view::surroundings::Surroundings;
+use crate::view::vantage::Vantage;
+use crate::visibility::Visibility;
+use crate::visibility::exact::{Cover, Pyramid, outside_all};
+
+/// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
+const ENDS: f64 = 1e-9;
+const OWN_ENDS: f64 = 1e-6;
+
+/// The obstacles around a vantage point, as it sees them.
+pub struct Shadows<'a> {
+    vantage: &'a Vantage,
+    visibility: &'a Visibility,
+    blockers: Vec<Blocker>,
+    /// The blockers of each obstacle of the surroundings.
+    of_obstacle: Vec<Range<usize>>,
+    /// Stack of the blockers in question, by index: those of a cell lie above those of the cell it is a quarter of.
+    asked: Vec<usize>,
+}
+
+enum Blocker {
+    /// A convex planar polygon.
+    Flat(Pyramid),
+    /// A curved surface, by index.
+    Curved(usize),
+}
+
+/// The blockers that may hide a part of a cell: a piece of the stack of [`Shadows`].
+#[derive(Clone, Copy, Debug)]
+pub struct Before {
+    start: usize,
+    end: usize,
+}
+
+impl Before {
+    /// Whether nothing stands before the cell.
+    pub fn is_nothing(&self) -> bool {
+        self.start == self.end
+    }
+}
+
+impl<'a> Shadows<'a> {
+    /// Of `vantage`, a point of the site that `surroundings` belong to.
+    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &Surroundings) -> Self {
+        let mut blockers = Vec::new();
+        let mut of_obstacle = Vec::with_capacity(surroundings.obstacles.len());
+        for surface in &surroundings.obstacles {
+            let start = blockers.len();
+            match visibility.pieces(*surface) {
+                Some(pieces) => {
+                    let pieces = pieces.iter().filter(|piece| !vantage.is_above(piece));
+                    let pyramids = pieces.filter_map(|piece| Pyramid::over(piece, vantage.position));
+                    blockers.extend(pyramids.map(Blocker::Flat));
+                }
+                None => blockers.push(Blocker::Curved(*surface)),
+            }
+            of_obstacle.push(start..blockers.len());
+        }
+        Self { vantage, visibility, blockers, of_obstacle, asked: Vec::new() }
+    }
+
+    /// Empties the stack and puts the blockers of some obstacles of the surroundings on it, by their places there.
+    pub fn ask(&mut self, places: &[usize]) -> Before {
+        self.asked.clear();
+        self.asked.extend(places.iter().flat_map(|place| self.of_obstacle[*place].clone()));
+        Before { start: 0, end: self.asked.len() }
+    }
+
+    /// Puts those of `above` on the stack that may hide a part of `cell`; None where one hides all of it.
+    pub fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
+        self.asked.truncate(above.end);
+        for place in above.start..above.end {
+            let blocker = self.asked[place];
+            let cover = match &self.blockers[blocker] {
+                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull),
+                Blocker::Curved(surface) => self.curved_cover(*surface, cell),
+            };
+            match cover {
+                Cover::Clear => {}
+                Cover::Hidden => return None,
+                Cover::Mixed => self.asked.push(blocker),
+            }
+        }
+        Some(Before { start: above.end, end: self.asked.len() })
+    }
+
+    /// Whether all of them are planar.
+    pub fn are_flat(&self, before: Before) -> bool {
+        self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
+    }
+
+    /// The part of a convex planar polygon that planar blockers leave, as convex polygons.
+    pub fn visible_parts(&self, before: Before, polygon: &[DVec3]) -> Vec<Vec<DVec3>> {
+        let pyramids = self.of(before).filter_map(|blocker| match blocker {
+            Blocker::Flat(pyramid) => Some(pyramid),
+            Blocker::Curved(_) => None,
+        });
+        outside_all(polygon, pyramids)
+    }
+
+    /// Whether a point of `surface` is hidden.
+    pub fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
+        let own = [Some(surface), self.vantage.surface];
+        self.of(before).any(|blocker| match blocker {
+            Blocker::Flat(pyramid) => pyramid.hides(y),
+            Blocker::Curved(other) => {
+                let margin = if own.contains(&Some(*other)) { OWN_ENDS } else { ENDS };
+                self.visibility.blocks(*other, self.vantage.position, y, margin)
+            }
+        })
+    }
+
+    fn of(&self, before: Before) -> impl Iterator<Item = &Blocker> {
+        self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
+    }
+
+    /// A curved surface hides no cell that a plane parts from it together with the point.
+    fn curved_cover(&self, surface: usize, cell: &Cell) -> Cover {
+        let hull = self.visibility.hull(surface);
+        let eye = [self.vantage.position];
+        let shaft = Aabb::around(cell.hull.iter().copied().chain(eye));
+        let bounds = self.visibility.bounds_of(surface);
+        let far = || {
+            let reach = 0.5 * bounds.diagonal() + cell.radius;
+            distance_squared(bounds.center(), eye[0], cell.center) > reach * reach
+        };
+        match !shaft.overlaps(&bounds) || far() || separated(&eye, &cell.hull, hull, 0.0) {
+            true => Cover::Clear,
+            false => Cover::Mixed,
+        }
+    }
+}
+
+/// Squared distance of a point from a segment.
+fn distance_squared(x: DVec3, start: DVec3, end: DVec3) -> f64 {
+    let along = end - start;
+    let t = ((x - start).dot(along) / along.length_squared()).clamp(0.0, 1.0);
+    x.distance_squared(start + along * t)
+}

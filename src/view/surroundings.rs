@@ -1,0 +1,84 @@
+//! Who may stand between a site, a point or a small piece of surface, and each element.
+//!
+//! An obstacle hides nothing of an element from the site if it does not reach into the box around both, lies below the
+//! site's horizon as a whole, or lies behind the element's plane. What is left is tested cell after cell.
+
+use radiosity_geom::{Aabb, DVec3};
+
+use crate::view::tree::Tree;
+use crate::visibility::Visibility;
+
+/// Heights below this part of the distance count as none.
+const FLAT: f64 = 1e-9;
+
+/// A point or a small piece of surface that receives light.
+#[derive(Clone, Copy, Debug)]
+pub struct Site<'a> {
+    /// Points whose convex hull contains it.
+    pub points: &'a [DVec3],
+    /// Unit normal of a plane that all of its points receive from above of, if there is one.
+    pub horizon: Option<DVec3>,
+    /// Index of the surface it lies on, if any.
+    pub surface: Option<usize>,
+}
+
+/// The obstacles between a site and each of some elements.
+#[derive(Clone, Debug)]
+pub struct Surroundings {
+    /// Indices of all surfaces that may stand anywhere between, ascending.
+    pub obstacles: Vec<usize>,
+    /// Places in `obstacles`, element after element.
+    places: Vec<usize>,
+    /// Where those of each element begin; None where the element is out of sight.
+    ranges: Vec<Option<(usize, usize)>>,
+}
+
+impl Surroundings {
+    /// Of a site.
+    pub fn new(visibility: &Visibility, trees: &[Tree], site: &Site) -> Self {
+        let Site { points: site, horizon, surface } = *site;
+        let around = Aabb::around(site.iter().copied());
+        let rises = |hull: &[DVec3]| horizon.is_none_or(|normal| reaches_above(hull, site, normal));
+        let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
+        let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
+        let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
+        let is_ground = |other: usize| surface.is_some_and(|surface| own(other, surface));
+        obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
+        let mut places = Vec::new();
+        let ranges = trees.iter().map(|tree| {
+            let in_sight = tree.plane.is_none_or(|(point, normal)| reaches_above(site, &[point], normal));
+            if !in_sight || !rises(&tree.bounds.corners()) {
+                return None;
+            }
+            let shaft = around.union(tree.bounds);
+            let stands = |place: &usize| {
+                let hull = visibility.hull(obstacles[*place]);
+                let before =
+                    || tree.plane.is_none_or(|(point, normal)| reaches_above(hull, &[point], normal));
+                let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
+                reaches && before() && !own(obstacles[*place], tree.surface)
+            };
+            let start = places.len();
+            places.extend((0..obstacles.len()).filter(stands));
+            Some((start, places.len()))
+        });
+        let ranges = ranges.collect();
+        Self { obstacles, places, ranges }
+    }
+
+    /// Places in `obstacles` of those before an element; None where the element is out of sight.
+    pub fn before(&self, element: usize) -> Option<&[usize]> {
+        self.ranges[element].map(|(start, end)| &self.places[start..end])
+    }
+}
+
+/// Whether any of `points` lies above the plane of normal `normal` through any of `base`.
+fn reaches_above(points: &[DVec3], base: &[DVec3], normal: DVec3) -> bool {
+    points.iter().any(|p| {
+        base.iter().any(|b| {
+            let offset = p - b;
+            let height = offset.dot(normal);
+            height > 0.0 && height * height > FLAT * FLAT * offset.length_squared()
+        })
+    })
+}

@@ -1,0 +1,69 @@
+//! A point that receives light from one side.
+
+use radiosity_geom::{DVec3, clip_polygon};
+
+use crate::view::surroundings::Site;
+use crate::visibility::exact::irradiance;
+
+/// Heights below this part of the distance count as on the horizon.
+const ON_HORIZON: f64 = 1e-12;
+
+/// A point that receives light along a normal, and the surface that bounds what it sees.
+#[derive(Clone, Copy, Debug)]
+pub struct Vantage {
+    /// The point.
+    pub position: DVec3,
+    /// Unit normal of the receiver: E counts cosines against it.
+    pub normal: DVec3,
+    /// Unit normal of the surface under the point, where that differs from `normal`: nothing is seen through the surface.
+    pub ground: Option<DVec3>,
+    /// Index of the surface under the point.
+    pub surface: Option<usize>,
+}
+
+impl Vantage {
+    /// A point in the open.
+    pub fn free(position: DVec3, normal: DVec3) -> Self {
+        Self { position, normal, ground: None, surface: None }
+    }
+
+    /// A point of a surface that receives along the surface's own normal.
+    pub fn on(surface: usize, position: DVec3, normal: DVec3) -> Self {
+        Self { position, normal, ground: None, surface: Some(surface) }
+    }
+
+    /// The point as a site of its own.
+    pub fn site(&self) -> Site<'_> {
+        let points = std::slice::from_ref(&self.position);
+        Site { points, horizon: Some(self.ground.unwrap_or(self.normal)), surface: self.surface }
+    }
+
+    /// Whether the convex hull of `points` lies below a horizon as a whole.
+    pub fn is_above(&self, points: &[DVec3]) -> bool {
+        let below = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) <= 0.0);
+        below(self.normal) || self.ground.is_some_and(below)
+    }
+
+    /// Whether all of `points` lie above the horizons.
+    pub fn overlooks(&self, points: &[DVec3]) -> bool {
+        let above = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) >= 0.0);
+        above(self.normal) && self.ground.is_none_or(above)
+    }
+
+    /// Irradiance from a visible planar convex polygon of exitance 1.
+    pub fn factor(&self, polygon: &[DVec3]) -> f64 {
+        match self.ground {
+            None => irradiance(self.position, self.normal, polygon),
+            Some(ground) => {
+                irradiance(self.position, self.normal, &clip_polygon(polygon, self.position, ground))
+            }
+        }
+    }
+
+    /// Height of `y` over a horizon; zero where rounding decides.
+    fn height(&self, y: DVec3, horizon: DVec3) -> f64 {
+        let offset = y - self.position;
+        let height = offset.dot(horizon);
+        if height * height <= ON_HORIZON * ON_HORIZON * offset.length_squared() { 0.0 } else { height }
+    }
+}

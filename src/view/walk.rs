@@ -1,0 +1,301 @@
+//! The walk from a point over the cells of elements.
+
+use std::f64::consts::PI;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::patch::Node;
+use crate::kernel::kernel;
+use crate::view::cell::{Cell, POINTS};
+use crate::view::shadows::{Before, Shadows};
+use crate::view::surroundings::Surroundings;
+use crate::view::tree::Tree;
+use crate::view::vantage::Vantage;
+use crate::visibility::Visibility;
+
+/// Cosine between the normals of a cell below which it is divided before anything is told of it.
+const STRAIGHT: f64 = 0.7;
+
+/// Width over distance of a curved cell above which it is divided.
+const NEAR: f64 = 1.5;
+
+/// Most quarterings of a cell, and of one of the surface that the point lies on.
+const DEPTH: usize = 24;
+const OWN_DEPTH: usize = 8;
+
+/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of
+/// it: when some are seen and some not, and when all agree.
+const DISPUTED: f64 = 1.0;
+const AGREED: f64 = 12.0;
+
+/// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
+const RIM: f64 = 0.1;
+
+/// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
+const DARK: f64 = 0.4;
+const LEAST: f64 = 1e-3;
+
+/// What a vantage point sees of elements.
+pub struct Walk<'a> {
+    vantage: &'a Vantage,
+    surroundings: &'a Surroundings,
+    shadows: Shadows<'a>,
+    /// Largest error of a cell so far, in multiples of the scales.
+    coarsest: f64,
+}
+
+/// The walk over one element.
+struct Pass<'a> {
+    tree: &'a Tree,
+    /// Error allowed a cell, in multiples of the channels' scales.
+    tolerance: f64,
+    deepest: usize,
+    out: &'a mut [f64],
+}
+
+/// The rule for a cell, with the error to be expected.
+struct Estimate {
+    /// Of each Gauss point; they add up to the form factor of the cell.
+    weights: [f64; POINTS],
+    error: f64,
+}
+
+impl<'a> Walk<'a> {
+    /// From `vantage`, a point of the site that `surroundings` belong to.
+    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
+        Self {
+            vantage,
+            surroundings,
+            shadows: Shadows::new(vantage, visibility, surroundings),
+            coarsest: 0.0,
+        }
+    }
+
+    /// The irradiance from all of `trees`, those of the surroundings, as `sum` takes it from [`Walk::add`] with a given
+    /// tolerance: `share` of the irradiance, about which `other` comes on top, in multiples of the scales.
+    ///
+    /// The irradiance is not known beforehand. A sum is taken again, finer, where it turns out to be much less than it might
+    /// have been and cells were taken too coarsely for that.
+    pub fn to_share<T>(
+        &mut self,
+        trees: &[Tree],
+        share: f64,
+        other: f64,
+        sum: impl Fn(&mut Self, f64) -> (T, f64),
+    ) -> T {
+        let bound: f64 = trees.iter().enumerate().map(|(index, tree)| self.bound(index, tree)).sum();
+        let (first, found) = sum(self, share * (other + bound));
+        let level = (other + found).max(LEAST * bound);
+        if level < DARK * (other + bound) && self.coarsest > share * level {
+            return sum(self, share * level).0;
+        }
+        first
+    }
+
+    /// About the most that can arrive from element `index`, in multiples of the scales.
+    fn bound(&self, index: usize, tree: &Tree) -> f64 {
+        if self.is_out_of_sight(index, tree) {
+            return 0.0;
+        }
+        let bound = |root: usize| {
+            let cell = tree.cell(root);
+            let near = 2.0 * cell.radius > self.distance(cell);
+            cell.brightness * if near { 1.0 } else { self.weights(cell).iter().sum::<f64>().min(1.0) }
+        };
+        tree.roots().map(bound).sum()
+    }
+
+    /// Adds the irradiance from element `index`, channel after channel, to `out`; each cell is allowed the error
+    /// `tolerance` times the scale of the channel.
+    pub fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
+        let Some(places) = self.surroundings.before(index) else { return };
+        if self.is_out_of_sight(index, tree) {
+            return;
+        }
+        let before = self.shadows.ask(places);
+        let own = self.vantage.surface == Some(tree.surface);
+        let mut pass = Pass { tree, tolerance, deepest: if own { OWN_DEPTH } else { DEPTH }, out };
+        for root in tree.roots() {
+            self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
+        }
+    }
+
+    fn is_out_of_sight(&self, index: usize, tree: &Tree) -> bool {
+        let behind = |(point, normal): (DVec3, DVec3)| (self.vantage.position - point).dot(normal) <= 0.0;
+        self.surroundings.before(index).is_none() || tree.plane.is_some_and(behind)
+    }
+
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, index: Option<usize>, above: Before, depth: usize) {
+        if self.vantage.is_above(&cell.hull) {
+            return;
+        }
+        let Some(before) = self.shadows.narrow(above, cell) else { return };
+        let estimate = self.estimate(pass, cell, before);
+        if estimate.error <= pass.tolerance || depth == pass.deepest {
+            self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
+            pass.take(cell, &estimate.weights);
+            return;
+        }
+        match index.and_then(|index| pass.tree.quarters(index)) {
+            Some(first) => {
+                for quarter in first..first + 4 {
+                    self.visit(pass, pass.tree.cell(quarter), Some(quarter), before, depth + 1);
+                }
+            }
+            None => {
+                for quarter in &cell.quarters(pass.tree.scale()) {
+                    self.visit(pass, quarter, None, before, depth + 1);
+                }
+            }
+        }
+    }
+
+    fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
+        let weights = self.weights(cell);
+        let width = 2.0 * cell.radius / self.distance(cell);
+        match (cell.is_flat(), before.is_nothing()) {
+            (true, true) => self.clear_flat(pass, cell, weights, width),
+            (true, false) if self.shadows.are_flat(before) => {
+                self.hidden_flat(pass, cell, weights, width, before)
+            }
+            _ => self.by_rays(pass, cell, weights, width, before),
+        }
+    }
+
+    /// Gauss far away, Lambert's form near by.
+    fn clear_flat(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], width: f64) -> Estimate {
+        let sum: f64 = weights.iter().sum();
+        let error = sum * gauss_error(cell, width);
+        if width < 1.0 && error <= pass.tolerance && self.vantage.overlooks(&cell.hull) {
+            return Estimate { weights, error };
+        }
+        let factor = self.vantage.factor(&cell.hull);
+        let error = factor * (cell.spread * (0.3 * width * width).min(1.0) + cell.detail);
+        Estimate { weights: scaled(cell, weights, factor), error }
+    }
+
+    /// Lambert's form of the visible pieces, or the points alone where little is at stake.
+    fn hidden_flat(
+        &self,
+        pass: &Pass,
+        cell: &Cell,
+        weights: [f64; POINTS],
+        width: f64,
+        before: Before,
+    ) -> Estimate {
+        let seen = self.seen(pass, cell, weights, before);
+        let sum: f64 = weights.iter().sum();
+        let geometry = sum * gauss_error(cell, width);
+        if width < 1.0 && sum * cell.brightness <= DISPUTED * pass.tolerance && geometry <= pass.tolerance {
+            return Estimate { weights: seen, error: geometry };
+        }
+        let parts = self.shadows.visible_parts(before, &cell.hull);
+        let factor: f64 = parts.iter().map(|part| self.vantage.factor(part)).sum();
+        Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
+    }
+
+    /// Gauss with a ray to each point.
+    fn by_rays(
+        &self,
+        pass: &Pass,
+        cell: &Cell,
+        weights: [f64; POINTS],
+        width: f64,
+        before: Before,
+    ) -> Estimate {
+        let seen = self.seen(pass, cell, weights, before);
+        if cell.bend < STRAIGHT || (width > NEAR && !cell.is_flat()) {
+            return Estimate { weights: seen, error: f64::INFINITY };
+        }
+        let whole: f64 = weights.iter().sum();
+        let sum: f64 = seen.iter().sum();
+        // Flat cells have Lambert's form for what nothing hides, and the points say how much of it is seen.
+        let factor = if cell.is_flat() { self.vantage.factor(&cell.hull) } else { whole };
+        let share = if whole > 0.0 { sum / whole } else { 0.0 };
+        let agreed = self.agrees(pass, cell, &weights, &seen, before);
+        let doubt = match (before.is_nothing(), agreed) {
+            (true, _) => 0.0,
+            (false, true) => factor * cell.brightness / AGREED,
+            (false, false) => factor * cell.brightness / DISPUTED,
+        };
+        let form = match cell.is_flat() {
+            true => factor * (cell.spread * (0.3 * width * width).min(1.0) + cell.detail),
+            false => factor * gauss_error(cell, width) + self.rim(cell),
+        };
+        let weights = if cell.is_flat() { scaled(cell, seen, factor * share) } else { seen };
+        Estimate { weights, error: form.max(doubt) }
+    }
+
+    /// Whether all points of a cell are seen, or none; the corners and the middle of a flat one are asked as well.
+    fn agrees(
+        &self,
+        pass: &Pass,
+        cell: &Cell,
+        weights: &[f64; POINTS],
+        seen: &[f64; POINTS],
+        before: Before,
+    ) -> bool {
+        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
+        let others = if cell.is_flat() { &cell.hull[..] } else { &[] };
+        let mut others = others.iter().chain(cell.is_flat().then_some(&cell.center));
+        match seen.iter().any(|weight| *weight > 0.0) {
+            true => weights == seen && !others.any(hides),
+            false => others.all(hides),
+        }
+    }
+
+    /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
+    fn rim(&self, cell: &Cell) -> f64 {
+        let facing =
+            |place: &(DVec3, DVec3)| (self.vantage.position - place.0).normalize_or_zero().dot(place.1);
+        let cosines = || cell.facets.iter().map(facing);
+        let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
+        if high <= 0.0 || (low >= 0.0 && self.vantage.overlooks(&cell.hull)) {
+            return 0.0;
+        }
+        let distance = self.distance(cell);
+        RIM * cell.brightness * high * cell.area() / (PI * distance * distance)
+    }
+
+    /// Weights of the Gauss rule with the kernel, whatever stands between.
+    fn weights(&self, cell: &Cell) -> [f64; POINTS] {
+        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let here = Node { position, normal, area: 1.0, parameters: Default::default() };
+        let under = |y: &Node| ground.is_some_and(|ground| (y.position - position).dot(ground) <= 0.0);
+        std::array::from_fn(|k| {
+            let there = &cell.nodes[k];
+            if under(there) { 0.0 } else { there.area * kernel(&here, there) }
+        })
+    }
+
+    fn seen(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: Before) -> [f64; POINTS] {
+        let hidden = |k: usize| self.shadows.hide(before, cell.nodes[k].position, pass.tree.surface);
+        std::array::from_fn(|k| if weights[k] > 0.0 && hidden(k) { 0.0 } else { weights[k] })
+    }
+
+    fn distance(&self, cell: &Cell) -> f64 {
+        cell.center.distance(self.vantage.position)
+    }
+}
+
+impl Pass<'_> {
+    fn take(&mut self, cell: &Cell, weights: &[f64; POINTS]) {
+        for (channel, out) in self.out.iter_mut().enumerate() {
+            *out += (0..POINTS).map(|k| weights[k] * cell.value(k, channel)).sum::<f64>();
+        }
+    }
+}
+
+/// Error of the Gauss rule of a clear cell `width` = h/r wide, over its form factor.
+fn gauss_error(cell: &Cell, width: f64) -> f64 {
+    let square = width * width;
+    cell.brightness * 0.02 * square * square + cell.spread * 0.05 * square * width + cell.detail
+}
+
+/// `weights` brought to the sum `factor`; by area where all of them vanish.
+fn scaled(cell: &Cell, weights: [f64; POINTS], factor: f64) -> [f64; POINTS] {
+    let areas = cell.nodes.map(|node| node.area);
+    let by = if weights.iter().any(|w| *w > 0.0) { weights } else { areas };
+    let sum: f64 = by.iter().sum();
+    by.map(|w| if sum > 0.0 { w * factor / sum } else { 0.0 })
+}

@@ -1,0 +1,231 @@
+//! Distances of solutions, series of runs and wanted accuracies, against closed forms and exact references.
+
+use std::sync::Mutex;
+
+use proptest::prelude::*;
+use radiosity::adaptation::{Adapted, Goal, adapt};
+use radiosity::convergence::{Reference, convergence};
+use radiosity::distance::{Incomparable, distance};
+use radiosity::elements::cells::Layers;
+use radiosity::elements::rule::UnitRule;
+use radiosity::elements::space::Space;
+use radiosity::elements::{Discretization, Element, Elements, Subdivide};
+use radiosity::scene::Scene;
+use radiosity::solution::{Band, Place, Solution};
+use radiosity::solve::{Options, solve};
+use radiosity::system::{Coating, Coefficients};
+use radiosity_geom::DVec3;
+use serde_json::Value;
+
+const SHAPES: [&str; 4] = [
+    "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }",
+    "polygon = { vertices = [[0,0,0],[3,0,0],[2,2,0],[0,3,0]], holes = [[[0.5,0.5,0],[0.5,1,0],[1,0.5,0]]] }",
+    "quad = { vertices = [[0,0,0],[1,0,0.5],[1,1,0],[0,1,0.3]] }",
+    "sphere = { center = [0,0,0], radius = 1 }",
+];
+
+fn scene(shape: &str, bands: usize) -> Scene {
+    let bands: Vec<String> = (0..bands).map(|k| format!("\"b{k}\"")).collect();
+    let text = format!(
+        "bands = [{}]\n[materials.grey]\nreflectance = 0.5\nemission = 7\n[[surfaces]]\nmaterial = \"grey\"\n{shape}",
+        bands.join(", ")
+    );
+    Scene::from_toml(&text, "test").expect("the scene is valid")
+}
+
+/// Coefficients of the projection of a function on an element.
+fn projection(element: &Element, function: impl Fn(DVec3) -> f64) -> Vec<f64> {
+    let count = element.basis.len();
+    let (mut sums, mut raw) = (vec![0.0; count], vec![0.0; count]);
+    let rule = UnitRule::of(24);
+    for patch in &element.patches {
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let node = patch.node(s, t);
+            element.basis.raw(element.basis.frame().coordinates(&node), &mut raw);
+            for (sum, row) in sums.iter_mut().zip(element.basis.transform().chunks_exact(count)) {
+                let value: f64 = row.iter().zip(&raw).map(|(t, l)| t * l).sum();
+                *sum += ws * wt * node.area * value * function(node.position);
+            }
+        }
+    }
+    sums
+}
+
+/// A solution whose irradiance is the projection of `function` in every band.
+fn given(
+    scene: &Scene,
+    order: usize,
+    cuts: usize,
+    layers: usize,
+    function: impl Fn(DVec3) -> f64,
+) -> Solution {
+    let layers = Layers { count: layers, ratio: 0.3 };
+    let how = Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(cuts), layers };
+    let elements = Elements::new(scene, &how).expect("the surface has area");
+    let irradiance: Vec<f64> = elements.list().iter().flat_map(|e| projection(e, &function)).collect();
+    let count = elements.list().len();
+    let band = |name: &String| {
+        let coating = Coating { reflectance: vec![0.5; count], exitance: vec![7.0; count] };
+        let direct = vec![0.0; irradiance.len()];
+        let coefficients =
+            Coefficients { irradiance: irradiance.clone(), radiosity: direct.clone(), direct, residual: 0.0 };
+        Band::new(name.clone(), &elements, coating, coefficients)
+    };
+    let bands = scene.bands.iter().map(band).collect();
+    Solution::new(elements, bands)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn constants_differ_by_their_ratio_whatever_the_elements(
+        shape in 0..SHAPES.len(), orders in prop::array::uniform2(0..4usize),
+        cuts in prop::array::uniform2(1..4usize), layers in prop::array::uniform2(0..3usize),
+    ) {
+        let scene = scene(SHAPES[shape], 2);
+        let [one, three] = [(0, 1.0), (1, 3.0)]
+            .map(|(k, value)| given(&scene, orders[k], cuts[k], layers[k], |_| value));
+        let far = distance(&one, &three).expect("one scene");
+        prop_assert!((far - 2.0 / 3.0).abs() < 1e-12, "{far}");
+        let back = distance(&three, &one).expect("one scene");
+        prop_assert!((back - 2.0).abs() < 1e-12, "{back}");
+    }
+
+    #[test]
+    fn a_linear_function_is_the_same_on_all_elements(
+        orders in prop::array::uniform2(1..5usize), cuts in prop::array::uniform2(1..4usize), shape in 0..2usize,
+    ) {
+        let scene = scene(SHAPES[shape], 1);
+        let [a, b] = [0, 1].map(|k| given(&scene, orders[k], cuts[k], k, |x| 1.0 + x.x - 2.0 * x.y));
+        prop_assert!(distance(&a, &b).expect("one scene") < 1e-13);
+    }
+}
+
+#[test]
+fn means_miss_the_slope_of_a_linear_function() {
+    let scene = scene(SHAPES[0], 1);
+    let slope = |x: DVec3| 1.0 + x.x + 2.0 * x.y;
+    let exact = given(&scene, 1, 1, 0, slope);
+    for cuts in [1, 2, 4] {
+        let far = distance(&given(&scene, 0, cuts, 0, slope), &exact).expect("one scene");
+        // Variance (1 + 4)/12 of a unit square, a mean of 5/2.
+        let expected = f64::sqrt(5.0 / 12.0 / (6.25 + 5.0 / 12.0)) / cuts as f64;
+        assert!((far - expected).abs() < 1e-13, "{cuts} cuts: {far} instead of {expected}");
+    }
+}
+
+#[test]
+fn solutions_of_different_scenes_are_refused() {
+    let [one, two] = [1, 2].map(|bands| given(&scene(SHAPES[0], bands), 0, 1, 0, |_| 1.0));
+    assert_eq!(distance(&one, &two), Err(Incomparable::Bands(1, 2)));
+    let back = scene(&format!("two_sided = true\n{}", SHAPES[0]), 1);
+    let back = given(&back, 0, 1, 0, |_| 1.0);
+    assert_eq!(distance(&back, &one), Err(Incomparable::Surfaces(2, 1)));
+}
+
+/// What whole walls of the empty box err by at orders 4 and 6, for the radiosity less what is emitted: measured with
+/// exact matrices.
+const WHOLE_WALLS: [(usize, f64); 2] = [(4, 0.020), (6, 0.0105)];
+
+#[test]
+fn a_series_finds_the_known_errors_of_the_empty_box() {
+    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let layers = Layers { count: 2, ratio: 0.25 };
+    let fine = Options { order: 5, layers, threads: 2, ..Options::default() };
+    let fine = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
+    let error = |solution: &Solution| distance(solution, &fine).expect("one scene");
+    let heard = Mutex::new(vec![0.0]);
+    let hear = |part| heard.lock().expect("nobody panics").push(part);
+    let options = Options { order: 6, threads: 2, ..Options::default() };
+    let runs = convergence(&scene, &options, &Reference::Given(&error), &hear).expect("it can be solved");
+    assert_eq!(runs.iter().map(|run| run.order).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6]);
+    for (order, known) in WHOLE_WALLS {
+        let error = runs[order].error.expect("there is a reference");
+        assert!((error / known - 1.0).abs() < 0.1, "order {order}: {error} instead of {known}");
+    }
+    let heard = heard.into_inner().expect("nobody panicked");
+    assert!(heard.is_sorted() && heard.last() == Some(&1.0), "progress rises to the end");
+}
+
+#[test]
+fn the_finest_run_has_no_error_of_its_own() {
+    let scene = Scene::builtin("furnace-cube").expect("it is built in");
+    let layers = Layers { count: 1, ratio: 0.25 };
+    let options = Options { order: 1, layers, threads: 2, ..Options::default() };
+    let runs = convergence(&scene, &options, &Reference::FinestRun, &|_| {}).expect("it can be solved");
+    let places: Vec<(usize, usize)> = runs.iter().map(|run| (run.layers, run.order)).collect();
+    assert_eq!(places, [(0, 0), (0, 1), (1, 0), (1, 1)]);
+    assert_eq!(runs[3].error, None);
+    // B = 2 exactly, in every space: what is left is what the transfers miss.
+    assert!(runs[..3].iter().all(|run| run.error.is_some_and(|error| error < 1e-2)));
+}
+
+fn adapted(name: &str, goal: Goal) -> Adapted {
+    let scene = Scene::builtin(name).expect("it is built in");
+    let options = Options { order: 0, threads: 2, ..Options::default() };
+    adapt(&scene, &options, goal, &|_| {}).expect("it can be solved")
+}
+
+fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
+    let solution = &adapted.outcome.solution;
+    let position = DVec3::from_array(position);
+    let hit = |element: &&usize| {
+        let element = &solution.elements().list()[**element];
+        let bounds = element.bounds();
+        position.cmpge(bounds.min - 1e-12).all() && position.cmple(bounds.max + 1e-12).all()
+    };
+    let elements: Vec<usize> = solution.elements().of_surface(surface).collect();
+    let element = *elements.iter().find(hit).expect("the point lies on the surface");
+    solution.radiosity(0, element, &Place { surface, parameters: [0.0; 2], position })
+}
+
+#[test]
+fn the_furnace_is_met_to_the_accuracy_wanted() {
+    for accuracy in [1e-2, 1e-4] {
+        let adapted = adapted("furnace-cube", Goal::new(accuracy));
+        assert!(adapted.reached && adapted.estimate <= accuracy);
+        for surface in 0..6 {
+            let element = &adapted.outcome.solution.elements().list()
+                [adapted.outcome.solution.elements().of_surface(surface).start];
+            let middle = element.patches[0].node(0.3, 0.4).position.to_array();
+            let found = radiosity(&adapted, surface, middle);
+            assert!((found - 2.0).abs() <= accuracy, "{found} at {middle:?}");
+        }
+    }
+}
+
+#[test]
+fn the_empty_box_is_met_to_the_accuracy_wanted() {
+    let file: Value =
+        serde_json::from_str(include_str!("data/box_radiosity.json")).expect("the data file is JSON");
+    let points = file["scenes"][0]["points"].as_array().expect("points are listed");
+    for accuracy in [3e-2, 1e-2, 3e-3] {
+        let adapted = adapted("empty-box", Goal::new(accuracy));
+        assert!(adapted.reached && adapted.estimate <= accuracy);
+        let squares: Vec<[f64; 2]> = points
+            .iter()
+            .map(|point| {
+                let number = |value: &Value| value.as_f64().expect("a number");
+                let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
+                let (surface, place, emitted) = match point[0].as_str() {
+                    Some("floor") => (0, [a, b, 0.0], 0.0),
+                    Some("ceiling") => (1, [a, b, 1.0], 1.0),
+                    _ => (2, [0.0, a, b], 0.0),
+                };
+                [(radiosity(&adapted, surface, place) - exact).powi(2), (exact - emitted).powi(2)]
+            })
+            .collect();
+        let sum = |k: usize| squares.iter().map(|s| s[k]).sum::<f64>();
+        let error = (sum(0) / sum(1)).sqrt();
+        assert!(error <= accuracy, "error {error} at the points, {accuracy} wanted");
+    }
+}
+
+#[test]
+fn what_cannot_be_reached_is_told() {
+    let adapted = adapted("empty-box", Goal { accuracy: 1e-3, most_unknowns: 200 });
+    assert!(!adapted.reached);
+    assert!(adapted.estimate > 1e-3 && adapted.estimate < 0.1);
+    assert!(adapted.outcome.solution.elements().coefficients() <= 200);
+}

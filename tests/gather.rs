@@ -1,0 +1,290 @@
+//! The gathered read-off against closed forms: factors of points, rooms where radiosity is 2 everywhere, contacts.
+
+use std::f64::consts::PI;
+use std::sync::{Arc, OnceLock};
+
+use proptest::prelude::*;
+use radiosity::direct::DirectLight;
+use radiosity::elements::{Discretization, Elements};
+use radiosity::gather::Gather;
+use radiosity::gather::spot::Spot;
+use radiosity::output::grid::{Cell, Rates, grid};
+use radiosity::output::reader::{Read, Reader};
+use radiosity::scene::{Material, Place, Scene, SceneSurface};
+use radiosity::solution::{Band, Solution};
+use radiosity::system::{Coating, Coefficients};
+use radiosity::view::vantage::Vantage;
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity_geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
+use radiosity_geom::{DVec3, Flipped, PlanarRegion, Surface, shapes::Polygon};
+
+const EPS: f64 = 1e-3;
+
+/// In the furnished room, which has many curved shadows.
+const ROOM_EPS: f64 = 3e-3;
+
+type Shapes = Vec<(Arc<dyn Surface>, f64)>;
+
+/// Surfaces with their exitance.
+fn scene(shapes: Shapes) -> Scene {
+    let surface = |(index, (shape, exitance)): (usize, (Arc<dyn Surface>, f64))| SceneSurface {
+        name: format!("surface {index}"),
+        kind: "test",
+        shape,
+        material: Material { reflectance: vec![0.5], emission: vec![exitance] },
+        material_name: Some("white".to_owned()),
+        order: None,
+        subdivide: None,
+        place: Place { origin: "test".into(), line: 1, column: 1, text: String::new(), width: 1 },
+    };
+    Scene {
+        name: "test".to_owned(),
+        title: None,
+        bands: vec!["grey".to_owned()],
+        surfaces: shapes.into_iter().enumerate().map(surface).collect(),
+        camera: None,
+        origin: "test".to_owned(),
+        source: None,
+    }
+}
+
+/// A solution with irradiance `total` everywhere, of which `direct` comes straight from emitters.
+fn solution(scene: &Scene, total: f64, direct: f64) -> Solution {
+    let elements = Elements::new(scene, &Discretization::uniform(2, 1)).expect("all have area");
+    let times = |factor: f64| elements.constant().iter().map(|c| factor * c).collect::<Vec<f64>>();
+    let coefficients = Coefficients {
+        irradiance: times(total),
+        direct: times(direct),
+        radiosity: times(total),
+        residual: 0.0,
+    };
+    let coating = Coating {
+        reflectance: vec![0.5; elements.list().len()],
+        exitance: elements.list().iter().map(|e| scene.surfaces[e.surface].material.emission[0]).collect(),
+    };
+    let band = Band::new("grey".into(), &elements, coating, coefficients);
+    Solution::new(elements, vec![band])
+}
+
+fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n: DVec3) -> f64 {
+    let vantage = match Spot::find(solution.elements(), visibility, x, n) {
+        Some(spot) => spot.vantage(n),
+        None => Vantage::free(x, n),
+    };
+    gather.at(&vantage)[0]
+}
+
+/// Light straight from all emitters of exitance 1, at the origin, from above.
+fn lit_at_origin(shapes: Shapes) -> f64 {
+    let scene = scene(shapes);
+    let solution = solution(&scene, 0.0, 0.0);
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let direct = DirectLight::new(&solution, &visibility);
+    let vantage = Vantage::free(DVec3::ZERO, DVec3::Z);
+    direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
+}
+
+fn inside(surface: impl Surface + 'static) -> Arc<dyn Surface> {
+    Arc::new(Flipped::new(Box::new(surface)))
+}
+
+fn ball(center: DVec3, radius: f64) -> Sphere {
+    Sphere::new(center, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball")
+}
+
+fn disk(height: f64, radius: f64) -> Disk {
+    Disk::new(height * DVec3::Z, -DVec3::Z, radius, 0.0, FULL_TURN).expect("a disk")
+}
+
+fn plate(origin: DVec3, edge1: DVec3, edge2: DVec3) -> Arc<dyn Surface> {
+    Arc::new(Parallelogram::new(origin, edge1, edge2).expect("a parallelogram"))
+}
+
+/// The cases `element_to_…` of the table of view factors: their formulas, evaluated with 40 digits.
+#[test]
+fn factors_of_a_point_agree_with_closed_forms() {
+    let rectangle = |a: f64, b: f64, c: f64| plate(c * DVec3::Z, b * DVec3::Y, a * DVec3::X);
+    let cases: [(&str, Arc<dyn Surface>, f64, f64); 6] = [
+        ("square over its corner", rectangle(1.0, 1.0, 1.0), 0.138531605994893, 1e-14),
+        ("rectangle over its corner", rectangle(3.0, 1.0, 0.5), 0.22269468089180286, 1e-14),
+        ("disk r = h", Arc::new(disk(1.0, 1.0)), 0.5, EPS),
+        ("disk r = h/4", Arc::new(disk(2.0, 0.5)), 0.058823529411764705, EPS),
+        ("ball r = h/2", Arc::new(ball(2.0 * DVec3::Z, 1.0)), 0.25, EPS),
+        ("ball r = h/5", Arc::new(ball(5.0 * DVec3::Z, 1.0)), 0.04, EPS),
+    ];
+    for (name, shape, exact, tolerance) in cases {
+        let found = lit_at_origin(vec![(shape, 1.0)]);
+        assert!((found / exact - 1.0).abs() < tolerance, "{name}: {found} instead of {exact}");
+    }
+}
+
+/// A ball of radius r at height h before a disk leaves R²/(R² + H²) − (r/h)² of it; a plate over a quarter of a square lamp
+/// hides a quarter.
+#[test]
+fn blockers_take_away_what_they_cover() {
+    let lamp = disk(2.0, 1.0);
+    let found = lit_at_origin(vec![(Arc::new(lamp), 1.0), (Arc::new(ball(DVec3::Z, 0.2)), 0.0)]);
+    let exact = 0.2 - 0.04;
+    assert!((found / exact - 1.0).abs() < 3.0 * EPS, "{found} instead of {exact}");
+    let square = plate(DVec3::new(-0.5, -0.5, 1.0), DVec3::Y, DVec3::X);
+    let whole = lit_at_origin(vec![(square.clone(), 1.0)]);
+    let before = plate(DVec3::new(0.0, 0.0, 0.5), DVec3::X, DVec3::Y);
+    let found = lit_at_origin(vec![(square, 1.0), (before, 0.0)]);
+    assert!((found / whole - 0.75).abs() < 1e-14, "{found} of {whole}");
+    // A curved lamp behind a planar blocker: half of it.
+    let half = plate(DVec3::new(0.0, -2.0, 0.5), 2.0 * DVec3::X, 4.0 * DVec3::Y);
+    let found = lit_at_origin(vec![(Arc::new(disk(1.0, 1.0)), 1.0), (half, 0.0)]);
+    assert!((found / 0.25 - 1.0).abs() < 5.0 * EPS, "{found} instead of 0.25");
+}
+
+/// A cube from inside with a block on its floor, a ball, a two-sided screen and a column. Everything emits 1 and reflects a half: E = B = 2.
+fn furnished_room() -> Scene {
+    let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+    let p = DVec3::new;
+    let (low, high) = (p(0.2, 0.3, 0.0), p(0.5, 0.6, 0.4));
+    let (a, b, c) = (0.3 * x, 0.3 * y, 0.4 * z);
+    let footprint = vec![low, low + a, low + a + b, low + b];
+    let outline = vec![DVec3::ZERO, x, x + y, y];
+    let floor = PlanarRegion::new(outline, vec![footprint]).expect("a floor with a hole");
+    let floor = Polygon::new(floor.outer().to_vec(), floor.holes().to_vec()).expect("a floor");
+    let column = Cylinder::new(p(0.8, 0.8, 0.0), z, 0.1, FULL_TURN).expect("a column");
+    let screen = plate(p(0.7, 0.1, 0.3), 0.1 * x + 0.2 * y, 0.3 * z);
+    let screen_back = plate(p(0.7, 0.1, 0.3), 0.3 * z, 0.1 * x + 0.2 * y);
+    let shapes: Vec<Arc<dyn Surface>> = vec![
+        Arc::new(floor),
+        plate(z, y, x),
+        plate(DVec3::ZERO, y, z),
+        plate(x, z, y),
+        plate(DVec3::ZERO, z, x),
+        plate(y, x, z),
+        plate(low + c, a, b),
+        plate(low, a, c),
+        plate(low, c, b),
+        plate(high, -c, -a),
+        plate(high, -b, -c),
+        Arc::new(ball(p(0.3, 0.7, 0.7), 0.15)),
+        Arc::new(column),
+        screen,
+        screen_back,
+    ];
+    scene(shapes.into_iter().map(|shape| (shape, 1.0)).collect())
+}
+
+/// Irradiance in the furnished room.
+fn in_room(x: DVec3, n: DVec3) -> f64 {
+    static ROOM: OnceLock<(Solution, Visibility)> = OnceLock::new();
+    static GATHER: OnceLock<Gather> = OnceLock::new();
+    let (solution, visibility) = ROOM.get_or_init(|| {
+        let scene = furnished_room();
+        (solution(&scene, 2.0, 1.0), Visibility::new(&scene, Shadows::Rays(3e-3)))
+    });
+    let gather = GATHER.get_or_init(|| Gather::new(solution, visibility, ROOM_EPS));
+    at(gather, solution, visibility, x, n)
+}
+
+#[test]
+fn furnace_is_two_everywhere_even_at_contacts() {
+    let p = DVec3::new;
+    let mut points = vec![
+        ("floor corner", DVec3::ZERO, DVec3::Z),
+        ("room edge", p(0.0, 0.3, 0.0), DVec3::X),
+        ("beside the block", p(0.2 - 1e-3, 0.4, 0.0), DVec3::Z),
+        ("nearer", p(0.2 - 1e-6, 0.4, 0.0), DVec3::Z),
+        ("at the block's foot", p(0.2, 0.4, 0.0), DVec3::Z),
+        ("at its corner", p(0.2, 0.3, 0.0), DVec3::Z),
+        ("on its side, at the foot", p(0.2, 0.4, 0.0), -DVec3::X),
+        ("a trifle inside its side", p(0.2 + 4e-7, 0.4, 0.2), -DVec3::X),
+        ("a trifle off it", p(0.2 - 4e-7, 0.4, 0.2), -DVec3::X),
+        ("tilted on the floor", p(0.6, 0.5, 0.0), p(0.6, 0.0, 0.8)),
+        ("beside the column", p(0.6995, 0.8, 0.0), DVec3::Z),
+        ("on the column", p(0.7, 0.8, 0.3), -DVec3::X),
+        ("on the ball", p(0.3, 0.7, 0.85), DVec3::Z),
+        ("on the screen", p(0.75, 0.2, 0.4), p(2.0, -1.0, 0.0).normalize()),
+        ("on its back", p(0.75, 0.2, 0.4), p(-2.0, 1.0, 0.0).normalize()),
+    ];
+    for x in [0.0, 1e-7, 1e-3, 0.1, 0.9, 1.0] {
+        points.push(("ceiling", p(x, 0.7, 1.0), -DVec3::Z));
+        points.push(("wall", p(x, 1.0, 0.999), -DVec3::Y));
+    }
+    for (name, x, n) in points {
+        let e = in_room(x, n);
+        // A tilted receiver sees the floor itself in part of its half-space, and the floor's own light does not reach it.
+        let exact = if name.starts_with("tilted") { 2.0 * 0.5 * (1.0 + 0.8) } else { 2.0 };
+        assert!((e / exact - 1.0).abs() < 3.0 * ROOM_EPS, "{name}: {e} at {x} along {n}");
+    }
+}
+
+#[test]
+fn nothing_leaks_through_walls() {
+    let p = DVec3::new;
+    for (x, n) in
+        [(p(0.6, 0.5, -1e-3), DVec3::Z), (p(-0.5, 0.5, 0.5), DVec3::X), (p(0.35, 0.4, 0.2), DVec3::X)]
+    {
+        let e = in_room(x, n);
+        assert!(e.abs() < 1e-12, "{e} at {x}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(12))]
+
+    #[test]
+    fn furnace_is_two_at_random_points(
+        points in prop::collection::vec((0.001..0.999, 0.001..0.999, 0.001..0.999, 0.0..PI, 0.0..2.0 * PI), 4),
+    ) {
+        for (x, y, z, theta, phi) in points {
+            let x = DVec3::new(x, y, z);
+            let block = (0.2..0.5).contains(&x.x) && (0.3..0.6).contains(&x.y) && x.z < 0.4;
+            let column = (x.x - 0.8).hypot(x.y - 0.8) < 0.1;
+            if block || column || x.distance(DVec3::new(0.3, 0.7, 0.7)) < 0.15 {
+                continue;
+            }
+            let n = DVec3::new(theta.sin() * phi.cos(), theta.sin() * phi.sin(), theta.cos());
+            let e = in_room(x, n);
+            prop_assert!((e / 2.0 - 1.0).abs() < 3.0 * ROOM_EPS, "{e} at {x} along {n}");
+        }
+    }
+}
+
+/// The inside of a ball, where every point sees every other: E = 2 on it and within.
+#[test]
+fn furnace_ball_is_two_everywhere() {
+    let scene = scene(vec![(inside(ball(DVec3::ZERO, 1.0)), 1.0)]);
+    let solution = solution(&scene, 2.0, 1.0);
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let gather = Gather::new(&solution, &visibility, EPS);
+    let p = DVec3::new;
+    for (x, n) in [(p(1.0, 0.0, 0.0), -DVec3::X), (p(0.0, 0.0, -1.0), DVec3::Z), (p(0.2, 0.3, 0.9), DVec3::Y)]
+    {
+        let e = at(&gather, &solution, &visibility, x, n);
+        assert!((e / 2.0 - 1.0).abs() < 3.0 * EPS, "{e} at {x}");
+    }
+}
+
+/// Cells of the furnished room: 2 on the part of a cell that is not cut out, whatever is read.
+#[test]
+fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
+    let scene = furnished_room();
+    let solution = solution(&scene, 2.0, 1.0);
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    for read in [Read::Basis, Read::Direct, Read::Gather] {
+        let reader = Reader::new(&solution, &visibility, read, 1e-2);
+        let cells = grid(&reader, [4, 4], Rates { direct: 2, indirect: 1 }, &|_, _| {});
+        // The column stands on floor and ceiling without a hole: leave out what it covers.
+        let under_column = |cell: &Cell| cell.surface < 2 && cell.index.iter().all(|i| *i > 1);
+        for cell in cells.iter().filter(|cell| cell.surface < 11 && !under_column(cell)) {
+            let [low, high] = [0, 1].map(|k| [cell.index[0], cell.index[1]].map(|i| 0.25 * (i + k) as f64));
+            let shared = |k: usize, from: f64, to: f64| (high[k].min(to) - low[k].max(from)).max(0.0);
+            // u and v of a polygon lie along its own axes: those of the floor are x and y.
+            let covered =
+                if cell.surface == 0 { shared(0, 0.2, 0.5) * shared(1, 0.3, 0.6) / cell.area } else { 0.0 };
+            let exact = 2.0 * (1.0 - covered);
+            let e = cell.irradiance[0];
+            assert!(
+                (e - exact).abs() < 2e-2,
+                "{read:?} {:?}: {e} instead of {exact}",
+                (cell.surface, cell.index)
+            );
+        }
+    }
+}

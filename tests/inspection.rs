@@ -1,0 +1,259 @@
+//! What `check` finds: contacts, closed surfaces and their volumes by closed forms, gaps, crossings, fronts.
+
+use std::f64::consts::PI;
+use std::process::Command;
+
+use radiosity::inspection::{Fronts, Inspection, Touch};
+use radiosity::scene::Scene;
+
+/// A scene of these surfaces, each `name | options and shape`, all of a material that emits.
+fn scene(surfaces: &[&str]) -> Scene {
+    let entry = |text: &&str| {
+        let (name, rest) = text.split_once(" | ").expect("name | shape");
+        format!("[[surfaces]]\nname = {name:?}\nmaterial = \"m\"\n{rest}\n")
+    };
+    let surfaces: String = surfaces.iter().map(entry).collect();
+    let text = format!(
+        "[camera]\neye = [0.4, 0.45, 0.55]\ntarget = [0, 0, 0]\n[materials.m]\nreflectance = 0.5\nemission = 1\n{surfaces}"
+    );
+    Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
+}
+
+fn inspect(surfaces: &[&str]) -> Inspection {
+    Inspection::of(&scene(surfaces))
+}
+
+fn codes(inspection: &Inspection) -> Vec<&'static str> {
+    inspection.warnings.iter().map(|warning| warning.code).collect()
+}
+
+/// The walls of the unit cube, fronts inside.
+const CUBE: [&str; 6] = [
+    "z0 | quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
+    "z1 | quad = { vertices = [[0,0,1],[0,1,1],[1,1,1],[1,0,1]] }",
+    "x0 | quad = { vertices = [[0,0,0],[0,1,0],[0,1,1],[0,0,1]] }",
+    "x1 | quad = { vertices = [[1,0,0],[1,0,1],[1,1,1],[1,1,0]] }",
+    "y0 | quad = { vertices = [[0,0,0],[0,0,1],[1,0,1],[1,0,0]] }",
+    "y1 | quad = { vertices = [[0,1,0],[1,1,0],[1,1,1],[0,1,1]] }",
+];
+
+/// The cube with wall `k` replaced.
+fn cube_with(k: usize, wall: &str) -> Vec<&str> {
+    let mut walls = CUBE.to_vec();
+    walls[k] = wall;
+    walls
+}
+
+#[track_caller]
+fn assert_closed(surfaces: &[&str], volume: f64, fronts: Fronts) {
+    let found = inspect(surfaces);
+    let [shell] = &found.shells[..] else { panic!("{:?} {:?}", found.shells, found.warnings) };
+    assert!((shell.volume - volume).abs() < 1e-12 * volume, "{} instead of {volume}", shell.volume);
+    assert_eq!(shell.fronts, fronts, "{:?}", found.warnings);
+}
+
+#[test]
+fn closed_surfaces_have_their_volumes() {
+    assert_closed(&CUBE, 1.0, Fronts::Inside);
+    let moved = "transform = { scale = 2, rotate = [1,2,3,40], translate = [9,9,9] }\n";
+    assert_closed(
+        &[&format!("ball | {moved}sphere = {{ center = [1,0,0], radius = 0.5 }}")],
+        4.0 / 3.0 * PI,
+        Fronts::Outside,
+    );
+    assert_closed(
+        &["ring | torus = { center = [5,0,0], axis = [0,1,1], major = 2, minor = 0.5 }"],
+        PI * PI,
+        Fronts::Outside,
+    );
+    let barrel = [
+        "wall | cylinder = { base = [5,0,0], axis = [0,0,3], radius = 2, angle = [0, 360] }",
+        "bottom | disk = { center = [5,0,0], normal = [0,0,-1], radius = 2, angle = [0, 360] }",
+        // Its rim starts elsewhere than the wall's.
+        "top | disk = { center = [5,0,3], normal = [0,0,1], radius = 2, angle = [-77, 283] }",
+    ];
+    assert_closed(&barrel, 12.0 * PI, Fronts::Outside);
+    let dome = [
+        "dome | sphere = { center = [5,0,0], radius = 2, z = [0, 2] }",
+        "floor | disk = { center = [5,0,0], normal = [0,0,-1], radius = 2 }",
+    ];
+    assert_closed(&dome, 16.0 / 3.0 * PI, Fronts::Outside);
+    let drop = [
+        "tip | cone = { base = [5,0,0], axis = [0,0,3], radius1 = 2, radius2 = 0 }",
+        "bowl | sphere = { center = [5,0,0], radius = 2, z = [-2, 0] }",
+    ];
+    assert_closed(&drop, 4.0 * PI + 16.0 / 3.0 * PI, Fronts::Outside);
+}
+
+#[test]
+fn a_wall_of_two_parts_closes_the_room_too() {
+    let mut walls = CUBE.to_vec();
+    walls[0] = "left | quad = { vertices = [[0,0,0],[0.3,0,0],[0.3,1,0],[0,1,0]] }";
+    walls.push("right | quad = { vertices = [[0.3,0,0],[1,0,0],[1,1,0],[0.3,1,0]] }");
+    assert_closed(&walls, 1.0, Fronts::Inside);
+}
+
+#[test]
+fn open_rooms_are_not_closed() {
+    let found = inspect(&CUBE[..5]);
+    assert!(found.shells.is_empty());
+    assert_eq!(codes(&found), [""; 0]);
+    let narrow = "z0 | quad = { vertices = [[0,0,0],[0.95,0,0],[0.95,1,0],[0,1,0]] }";
+    assert!(inspect(&cube_with(0, narrow)).shells.is_empty());
+}
+
+#[test]
+fn the_cube_has_twelve_edges() {
+    let found = inspect(&CUBE);
+    assert_eq!(found.contacts.len(), 12);
+    assert!(found.contacts.iter().all(|contact| contact.touch == Touch::Edge));
+    assert_eq!(codes(&found), [""; 0]);
+    assert_eq!(found.areas, [1.0; 6]);
+}
+
+#[test]
+fn ways_of_touching_are_told_apart() {
+    let floor = "floor | quad = { vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]] }";
+    let touch = |other: &str| inspect(&[floor, other]).contacts.iter().map(|c| c.touch).collect::<Vec<_>>();
+    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[4,0,0],[4,0,4],[0,0,4]] }"), [Touch::Edge]);
+    assert_eq!(touch("a | quad = { vertices = [[1,2,0],[3,2,0],[3,2,2],[1,2,2]] }"), [Touch::Tee]);
+    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[-4,0,0],[-4,-4,1],[0,-4,1]] }"), [Touch::Vertex]);
+    assert_eq!(touch("a | disk = { center = [2,2,1], normal = [0,0,-1], radius = 1 }"), []);
+}
+
+#[test]
+fn surfaces_that_pass_through_each_other_are_named_with_a_place() {
+    let found = inspect(&[
+        "floor | quad = { vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]] }",
+        "pillar | cylinder = { base = [2,2,-1], axis = [0,0,2], radius = 0.5 }",
+    ]);
+    let [crossing] = &found.warnings[..] else { panic!("{:?}", found.warnings) };
+    assert_eq!(crossing.code, "crossing");
+    assert!(
+        crossing.message.starts_with("surface \"floor\" passes through \"pillar\" near ("),
+        "{}",
+        crossing.message
+    );
+    let Touch::Crossing { at } = found.contacts[0].touch else { panic!("{:?}", found.contacts) };
+    assert!(at.z.abs() < 1e-2 && ((at.x - 2.0).hypot(at.y - 2.0) - 0.5).abs() < 1e-2, "{at}");
+}
+
+#[test]
+fn gaps_are_found_between_a_millionth_and_a_hundredth() {
+    let lid = |height: f64| {
+        format!("z1 | quad = {{ vertices = [[0,0,{height}],[0,1,{height}],[1,1,{height}],[1,0,{height}]] }}")
+    };
+    let found = inspect(&cube_with(1, &lid(1.001)));
+    assert_eq!(codes(&found), ["gap"; 4]);
+    assert!(
+        found.warnings.iter().all(|warning| warning.message.contains("a gap of 1.00e-3 to")),
+        "{:?}",
+        found.warnings
+    );
+    assert!(found.shells.is_empty());
+    for height in [1.0 + 1e-8, 1.05] {
+        let found = inspect(&cube_with(1, &lid(height)));
+        assert_eq!(codes(&found), [""; 0], "{height}");
+        assert_eq!(found.shells.len(), usize::from(height < 1.01));
+    }
+    // A curtain that ends above the floor.
+    let found = inspect(&[
+        CUBE[0],
+        "curtain | two_sided = true\nquad = { vertices = [[0.2,0.5,0.005],[0.8,0.5,0.005],[0.8,0.5,0.9],[0.2,0.5,0.9]] }",
+    ]);
+    assert_eq!(codes(&found), ["gap"]);
+}
+
+#[test]
+fn plates_close_to_each_other_leave_no_gap() {
+    let found =
+        inspect(&[CUBE[0], "lid | quad = { vertices = [[0,0,0.005],[0,1,0.005],[1,1,0.005],[1,0,0.005]] }"]);
+    assert_eq!(codes(&found), [""; 0]);
+}
+
+#[test]
+fn a_wall_that_faces_the_other_way_is_named() {
+    let turned = format!("{}\nflip = true", CUBE[3]);
+    let found = inspect(&cube_with(3, &turned));
+    assert_eq!(found.shells[0].fronts, Fronts::Mixed);
+    assert!((found.shells[0].volume - 1.0).abs() < 1e-12);
+    let named: Vec<_> = found.warnings.iter().map(|w| (w.code, w.surface.as_deref())).collect();
+    assert_eq!(named, [("front-turned", Some("x1")), ("front-blind", Some("x1"))]);
+}
+
+#[test]
+fn rooms_and_solids_turned_inside_out_are_named() {
+    let flipped: Vec<String> = CUBE.iter().map(|wall| format!("{wall}\nflip = true")).collect();
+    let flipped: Vec<&str> = flipped.iter().map(String::as_str).collect();
+    // The camera stands in the room.
+    assert_eq!(codes(&inspect(&flipped))[0], "front-outside");
+    let solid = "transform = { translate = [7,0,0] }\nsphere = { center = [0,0,0], radius = 1 }";
+    let far = "far | quad = { vertices = [[9,-1,-1],[9,-1,1],[9,1,1],[9,1,-1]] }";
+    assert_eq!(codes(&inspect(&[&format!("ball | {solid}"), far])), [""; 0]);
+    let dark = scene(&[
+        &format!("ball | {solid}\nflip = true"),
+        far,
+        "other | quad = { vertices = [[99,-1,-1],[99,-1,1],[99,1,1],[99,1,-1]] }",
+    ]);
+    let mut dark = dark;
+    dark.surfaces[0].material = radiosity::scene::Material::new(vec![0.5; 3], vec![0.0; 3]).unwrap();
+    assert_eq!(codes(&Inspection::of(&dark)), ["front-inside"]);
+}
+
+#[test]
+fn fronts_that_see_no_other_are_named() {
+    let away = "away | flip = true\nquad = { vertices = [[0,0,1],[0,1,1],[1,1,1],[1,0,1]] }";
+    let found = inspect(&[CUBE[0], away]);
+    assert_eq!(codes(&found), ["front-blind"; 2]);
+    // Sheets with two sides, and hollow ones that see themselves, are not blind.
+    assert_eq!(codes(&inspect(&[CUBE[0], &format!("{away}\ntwo_sided = true")])), [""; 0]);
+    let tube = "tube | flip = true\ncylinder = { base = [5,0,0], axis = [0,0,1], radius = 1 }";
+    assert_eq!(codes(&inspect(&[tube, away])), ["front-blind"]);
+}
+
+#[test]
+fn neither_light_nor_material_is_needed() {
+    let text = "[[surfaces]]\nsphere = { center = [0,0,0], radius = 1 }\n";
+    let found = Inspection::of(&Scene::from_toml(text, "bare").unwrap());
+    assert_eq!(codes(&found), ["no-emitter", "no-camera", "no-material"]);
+    let bright = "[materials.m]\nreflectance = 0.99\n[[surfaces]]\nmaterial = \"m\"\nsphere = { center = [0,0,0], radius = 1 }";
+    assert!(codes(&Inspection::of(&Scene::from_toml(bright, "bright").unwrap())).contains(&"bright"));
+}
+
+#[test]
+fn nothing_looks_wrong_in_the_built_in_rooms() {
+    for name in [
+        "cornell-box",
+        "empty-box",
+        "occluder-box",
+        "two-boxes",
+        "furnace-cube",
+        "furnace-sphere",
+        "hinge-squares",
+    ] {
+        let found = Inspection::of(&Scene::builtin(name).unwrap());
+        assert_eq!(codes(&found), [""; 0], "{name}: {:?}", found.warnings);
+    }
+}
+
+#[test]
+fn the_binary_prints_the_findings_as_text_and_as_json() {
+    let run = |args: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_radiosity")).args(args).output().unwrap();
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let text = run(&["check", "furnace-cube"]);
+    assert!(text.contains("floor    edge     wall-x0, wall-x1, wall-y0, wall-y1"), "{text}");
+    assert!(text.contains(
+        "closed: floor, ceiling, wall-x0, wall-x1, wall-y0, wall-y1; volume 1.000000, fronts inside"
+    ));
+    assert!(text.ends_with("nothing looks wrong\n"));
+    let json: serde_json::Value =
+        serde_json::from_str(&run(&["check", "furnace-cube", "--format", "json"])).unwrap();
+    assert_eq!(json["contacts"].as_array().unwrap().len(), 12);
+    assert_eq!(json["contacts"][0]["surfaces"], serde_json::json!(["floor", "wall-x0"]));
+    assert_eq!(json["closed"][0]["volume"], 1.0);
+    assert_eq!(json["surfaces"][0]["name"], "floor");
+    assert_eq!(json["warnings"], serde_json::json!([]));
+}

@@ -1,0 +1,204 @@
+//! Pictures: radiosities in files against closed forms, borders of elements, and what is refused.
+
+use std::fs::{self, File};
+use std::io::BufReader;
+use std::path::Path;
+use std::process::{Command, Output};
+
+use radiosity::elements::{Discretization, Elements};
+use radiosity::output::exr_file::read_exr;
+use radiosity::output::wireframe::wireframe;
+use radiosity::scene::Scene;
+use radiosity::visibility::{Shadows, Visibility};
+
+fn radiosity(folder: &Path, args: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+    command.current_dir(folder).args(args).output().expect("the binary runs")
+}
+
+#[track_caller]
+fn done(folder: &Path, args: &[&str]) -> String {
+    let output = radiosity(folder, args);
+    let text = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert_eq!(output.status.code(), Some(0), "{text}");
+    text
+}
+
+/// Width and height of a PNG.
+fn png_size(path: &Path) -> [u32; 2] {
+    let file = BufReader::new(File::open(path).expect("it was written"));
+    let reader = png::Decoder::new(file).read_info().expect("it is a PNG");
+    [reader.info().width, reader.info().height]
+}
+
+#[test]
+fn radiosities_of_the_furnace_are_two_in_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    done(
+        folder.path(),
+        &["render", "furnace-cube", "--size", "20x16", "--eps", "1e-5", "--read", "basis", "-o", "f.exr"],
+    );
+    let file = BufReader::new(File::open(folder.path().join("f.exr")).unwrap());
+    let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
+    assert_eq!(raster.size(), [20, 16]);
+    let seen: Vec<f64> = raster.field(None).seen().collect();
+    assert!(seen.len() > 100, "the camera looks into the cube");
+    assert!(seen.iter().all(|radiosity| (radiosity - 2.0).abs() < 1e-3), "B = 1 / (1 − ½) everywhere");
+}
+
+#[test]
+fn a_picture_does_not_differ_from_itself() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = ["render", "empty-box", "--size", "40x30", "--samples", "1"];
+    done(folder.path(), &[&at[..], &["-o", "a.exr"]].concat());
+    // The file holds 32 bits.
+    let told = done(folder.path(), &[&at[..], &["--difference", "a.exr", "-o", "d.png"]].concat());
+    assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
+    let told = done(folder.path(), &[&at[..], &["--difference", "a.exr", "--order", "0"]].concat());
+    assert!(!told.contains("rms 0.0"), "{told}");
+}
+
+#[test]
+fn pictures_of_solution_files_are_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["solve", "empty-box", "--order", "1", "-o", "s.json"]);
+    let at = ["render", "empty-box", "--size", "20x15", "--samples", "1", "--difference", "s.json"];
+    let told = done(folder.path(), &[&at[..], &["--order", "1"]].concat());
+    assert!(told.contains("difference: rms 0.0000 %, largest 0.0000 %"), "{told}");
+    let told = done(folder.path(), &[&at[..], &["--order", "0"]].concat());
+    assert!(!told.contains("rms 0.0"), "{told}");
+    let output = radiosity(folder.path(), &["render", "furnace-cube", "--difference", "s.json"]);
+    assert_eq!(output.status.code(), Some(0), "names and areas are those of the cube");
+    let output = radiosity(folder.path(), &["render", "cornell-box", "--difference", "s.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("s.json: it has other bands"));
+}
+
+#[test]
+fn a_solution_file_is_a_reference() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["solve", "empty-box", "--order", "2", "-o", "s.json"]);
+    let at = ["convergence", "empty-box", "--max-order", "2", "--format", "csv", "--reference", "s.json"];
+    let output = radiosity(folder.path(), &at);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8_lossy(&output.stdout);
+    let errors: Vec<f64> =
+        table.lines().skip(1).map(|line| line.split(',').nth(7).unwrap().parse().unwrap()).collect();
+    assert_eq!(errors.len(), 3);
+    assert!(errors[0] > errors[1] && errors[1] > 0.01, "{errors:?}");
+    assert!(errors[2] < 1e-12, "the same run: {errors:?}");
+    assert!(fs::read_to_string(folder.path().join("empty-box.svg")).unwrap().contains("s.json"));
+    let output = radiosity(folder.path(), &["convergence", "furnace-cube", "--reference", "s.json"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("it has other materials"));
+}
+
+#[test]
+fn a_camera_is_proposed_that_sees_the_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    let (start, rest) = SQUARE.split_once("[camera]").expect("there is one");
+    let bare = format!("{start}{}", &rest[rest.find("[materials").expect("it follows")..]);
+    fs::write(folder.path().join("s.toml"), &bare).unwrap();
+    let output = radiosity(folder.path(), &["render", "s.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let told = String::from_utf8_lossy(&output.stderr).into_owned();
+    let camera = told.split_once("such as [camera] ").expect("a camera is proposed").1;
+    let lines = camera.trim().replace("], ", "]\n");
+    fs::write(folder.path().join("s.toml"), format!("{bare}\n[camera]\n{lines}\nwidth = 16\nheight = 16"))
+        .unwrap();
+    done(folder.path(), &["render", "s.toml", "-o", "s.exr"]);
+    let file = BufReader::new(File::open(folder.path().join("s.exr")).unwrap());
+    let raster = read_exr(file, &["grey".to_owned()]).expect("it is ours");
+    assert!(raster.field(None).seen().count() > 40, "much of the picture shows the square");
+}
+
+#[test]
+fn a_legend_stands_beside_false_colours() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = ["render", "empty-box", "--size", "60x120", "--samples", "1", "--wireframe"];
+    done(folder.path(), &[&at[..], &["-o", "plain.png"]].concat());
+    assert_eq!(png_size(&folder.path().join("plain.png")), [60, 120]);
+    let coded = ["--false-color", "--range", "0,1.5", "--band", "grey", "-o", "coded.png"];
+    done(folder.path(), &[&at[..], &coded].concat());
+    let [width, height] = png_size(&folder.path().join("coded.png"));
+    assert!(width > 100 && height == 120);
+}
+
+/// A square before a camera that sees it and nothing else, of 48 × 48 pixels.
+const SQUARE: &str = "
+    bands = [\"grey\"]
+    [camera]
+    eye = [0, 0, 1]
+    target = [0, 0, 0]
+    up = [0, 1, 0]
+    fov = 53.13010235415598
+    width = 48
+    height = 48
+    [materials.grey]
+    reflectance = 0.5
+    emission = 1
+    [[surfaces]]
+    material = \"grey\"
+    quad = { vertices = [[-1,-1,0],[1,-1,0],[1,1,0],[-1,1,0]] }
+";
+
+#[test]
+fn borders_cover_a_pixel_along_their_length() {
+    let scene = Scene::from_toml(SQUARE, "test").expect("the scene is valid");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let camera = scene.camera.clone().expect("there is one");
+    // The picture shows [−½, ½]²; of 4 × 4 elements the borders at 0 cross it, those at ±½ lie on its rim.
+    for (cuts, length) in [(1, 0.0), (2, 96.0), (3, 192.0)] {
+        let elements = Elements::new(&scene, &Discretization::uniform(0, cuts)).expect("it has area");
+        for samples in [1, 3, 4] {
+            let coverage = wireframe(&elements, &visibility, &camera, samples);
+            let sum: f64 = coverage.iter().sum();
+            // Crossings are counted once.
+            assert!((sum - length).abs() <= 0.04 * length, "{cuts} cuts, {samples} samples: {sum}");
+            assert!(coverage.iter().all(|part| (0.0..=1.0).contains(part)));
+        }
+    }
+}
+
+#[track_caller]
+fn refused(args: &[&str], parts: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("text.exr"), "no picture").unwrap();
+    let output = radiosity(folder.path(), args);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(output.stdout.is_empty());
+    for part in parts {
+        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
+    }
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "a file was left behind");
+}
+
+#[test]
+fn kinds_of_pictures_are_told_by_their_endings() {
+    refused(&["render", "-o", "box.jpg"], &["box.jpg: the ending names no kind of picture", ".png", ".exr"]);
+    refused(&["render", "-o", "box"], &["box: the ending names no kind of picture"]);
+    refused(&["render", "-o", "box.exr", "--wireframe"], &["an .exr holds the radiosities", ".png"]);
+    refused(&["convergence", "-o", "box.pdf"], &["box.pdf: the ending names no kind of drawing", ".svg"]);
+}
+
+#[test]
+fn styles_that_cannot_be_are_refused() {
+    refused(&["render", "--false-colour", "--band", "uv"], &["no band \"uv\"", "r, g, b"]);
+    refused(&["render", "--range", "0,1"], &["--range and --band", "--false-colour"]);
+    refused(&["render", "--false-colour", "--range", "2,1"], &["two numbers that ascend"]);
+    refused(&["render", "--difference", "none.exr"], &["none.exr: ", "radiosity render -o FILE.exr"]);
+    refused(&["render", "--difference", "text.exr"], &["text.exr: it is no OpenEXR picture"]);
+    refused(&["render", "--order", "auto", "--accuracy", "2"], &["above 0 and below 1"]);
+    refused(&["convergence", "--accuracy", "0.1"], &["chooses none", "--max-order"]);
+    refused(&["convergence", "--max-order", "21"], &["from 0 to 20"]);
+}
+
+#[test]
+fn pictures_of_other_sizes_are_not_compared() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["render", "furnace-cube", "--size", "8x6", "-o", "a.exr"]);
+    let output = radiosity(folder.path(), &["render", "furnace-cube", "--difference", "a.exr"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("help: add --size 8x6"));
+}
