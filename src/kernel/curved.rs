@@ -49,11 +49,13 @@ const HORIZON_SAMPLES: f64 = 1e6;
 /// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
 const SMALL_IN_ROW: f64 = 0.25;
 const LEAST_WORTH: f64 = 1.0 / 16.0;
+/// Rays of one block after which shadows are sampled by the coarsest rule, times the square of their accuracy.
+const RAYS: f64 = 1.0;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
 const FEWEST_POINTS: usize = 4;
-/// The same once the samples are spent.
+/// The same where shadows are sampled once the samples are spent.
 const POINTS_WHEN_SPENT: usize = 3;
 /// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
 const LARGEST_ATTEMPT: f64 = 0.25;
@@ -61,6 +63,8 @@ const LARGEST_ATTEMPT: f64 = 0.25;
 const SMALL_PART: f64 = 0.02;
 /// Part of the block's error that one attempt may make.
 const ATTEMPT_SHARE: f64 = 0.03;
+/// What of the sum so far counts as a lower bound of the block's first entry.
+const FOUND_SHARE: f64 = 0.5;
 /// By how much more than by a rough rule a block may carry.
 const ROUGHNESS: f64 = 3.0;
 /// Ratio of areas up to which a rough rule tells.
@@ -267,8 +271,8 @@ impl<'a> Job<'a> {
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
-            // What was found so far bounds the first entry from below, as κ ≥ 0.
-            self.scale = self.scale.max(self.moments.exchanged() / self.unit);
+            // As κ ≥ 0, what was found so far bounds the first entry from below, but for its own error.
+            self.scale = self.scale.max(FOUND_SHARE * self.moments.exchanged() / self.unit);
         }
     }
 
@@ -295,12 +299,22 @@ impl<'a> Job<'a> {
         self.horizons > self.most(HORIZON_SAMPLES)
     }
 
+    /// Whether enough rays were cast for the accuracy of shadows: that of n rays is about 1/√n.
+    fn shadows_spent(&self) -> bool {
+        let enough = self.worth() * RAYS / self.accuracy.shadow_eps.powi(2);
+        self.moments.rays as f64 > enough
+    }
+
+    /// What part of all samples a block gets that is small beside its row.
+    fn worth(&self) -> f64 {
+        (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0)
+    }
+
     /// Samples that go with a number for each squared digit; fewer where less than four digits are asked, and for a block
     /// that is small beside its row.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
-        let worth = (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0);
-        (worth * per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
+        (self.worth() * per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
     }
 
     /// What two sectors start with: each counts as halved as often as makes its part of its element.
@@ -341,6 +355,12 @@ impl<'a> Job<'a> {
             let hull = patch.hull();
             state.blockers = self.visibility.narrow(&state.blockers, &hull, &hull);
             self.partly_hidden |= !state.blockers.is_empty();
+            if !state.blockers.is_empty() && self.shadows_spent() {
+                if !doubtful && collapsed(patch).is_empty() {
+                    return self.roughly(patch, patch, None, &state);
+                }
+                state.levels = 0;
+            }
             doubtful |= !state.blockers.is_empty() && state.levels > 0;
             state.levels = state.levels.saturating_sub(1);
         }
@@ -470,11 +490,16 @@ impl<'a> Job<'a> {
             return;
         }
         if !state.blockers.is_empty() {
-            if state.levels > 0 {
+            let spent = self.shadows_spent();
+            if state.levels > 0 && !spent {
                 state.levels -= 1;
                 return self.halve(p, q, &contact, &state);
             }
             self.partly_hidden = true;
+            let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            if spent && (is_apart || share <= SMALL_PART * self.scale) {
+                return self.roughly(p, q, Some(&contact), &state);
+            }
         } else if let Some(value) = constant(p, q) {
             return self.constant(p, q, value);
         }
@@ -657,9 +682,8 @@ impl<'a> Job<'a> {
         if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
             return false;
         }
-        // On a small part the polynomials are nearly those of a lower degree.
-        let bends = (self.largest_degree() as f64 / 2.0 * share.sqrt().min(1.0)).ceil() as usize;
-        let n = bends + if self.spent() { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
+        let coarsest = self.spent() && !state.blockers.is_empty();
+        let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
         let error = 4.0 * fine.difference(&coarse) / self.unit;
         let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;
@@ -671,6 +695,18 @@ impl<'a> Job<'a> {
             self.unresolved |= !enough;
         }
         kept
+    }
+
+    /// A part whose shadows are sampled although the rays are spent.
+    fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) {
+        let n = POINTS_WHEN_SPENT + self.bends(area(p).min(area(q)) / self.unit);
+        let part = self.tentative(p, q, contact, n, &state.blockers);
+        self.moments.merge(&part, true);
+    }
+
+    /// Points that the polynomials take: on a small part they are nearly those of a lower degree.
+    fn bends(&self, share: f64) -> usize {
+        (0.5 * self.largest_degree() as f64 * share.sqrt().min(1.0)).ceil() as usize
     }
 
     fn tentative(
