@@ -1,20 +1,24 @@
 //! What is in a scene: surfaces, what they do with light, and a camera.
 //!
-//! A [`Scene`] is read from TOML or JSON of one schema, and is valid by construction: every number finite, every
-//! reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given once.
-//! What is wrong in a file is a [`SceneError`] with line, column, name and cure.
+//! A [`Scene`] is read from TOML or JSON of one schema or made in code by a [`SceneBuilder`], and is valid by construction:
+//! every number finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another,
+//! every name given once. What is wrong is a [`SceneError`] with name and cure, and in a file with line and column.
 
+mod builder;
 mod builtin;
 mod camera;
 mod coincident;
 mod cure;
+mod draft;
 mod error;
 mod fields;
 mod file;
 mod json_text;
 mod material;
+mod names;
 mod nearest;
 mod polygon_list;
+mod ranges;
 mod shape;
 mod source;
 mod surface;
@@ -24,32 +28,35 @@ mod validation;
 
 use std::{io, path::Path};
 
+pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
+pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
-pub use file::MAX_ORDER;
 pub use material::Material;
+pub use ranges::MAX_ORDER;
 pub use source::{Place, Source};
 pub use surface::SceneSurface;
 
-use error::Located;
+use error::{Located, surface_title};
 use file::SceneFile;
 use tree::{Node, Value};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Scene {
-    /// The built-in name, or the file's name without folder and ending; `stdin` if read from there.
+    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` if read from there.
     pub name: String,
     /// The title the file gives.
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
-    /// The surfaces in the order of the file; the back of a two-sided one follows its front.
+    /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
-    /// The camera, if the file gives one.
+    /// The camera, if one is given.
     pub camera: Option<Camera>,
-    /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
+    /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
     pub origin: String,
     /// The text it was read from; none for a scene built in code.
     pub source: Option<Source>,
@@ -194,8 +201,8 @@ impl Scene {
         if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
             return Err(SceneError {
                 origin: self.origin.clone(),
-                place: Some(Box::new(bare.place.clone())),
-                owner: Some(file::surface_title(&bare.name)),
+                place: bare.place.clone().map(Box::new),
+                owner: Some(surface_title(&bare.name)),
                 fault: Fault::MissingKey { key: "material" },
             });
         }

@@ -30,9 +30,10 @@ impl Fault {
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
-            Fault::DuplicateName { first_line, .. } => {
-                format!("rename this one or the first, which stands on line {first_line}")
+            Fault::DuplicateName { first_line: Some(line), .. } => {
+                format!("rename this one or the first, which stands on line {line}")
             }
+            Fault::DuplicateName { first_line: None, .. } => "rename one of the two".to_owned(),
             Fault::Coincident { other } => format!(
                 "remove one of the two, move them apart, or cut a hole into {other:?} where this one lies; \
                  for both sides of one surface use two_sided = true"
