@@ -170,6 +170,17 @@ impl Visibility {
         self.obstacles[surface].shape.occludes(&ray)
     }
 
+    /// Whether `blocker` may reach, however little, between the hulls of `a` and `b`.
+    pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
+        !separated(a, b, &self.obstacles[blocker].hull, 0.0)
+    }
+
+    /// Centre and radius of the only one of `blockers` where that is a whole ball.
+    pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
+        let [only] = blockers else { return None };
+        self.obstacles[*only].shape.ball()
+    }
+
     /// Convex polygons that make up a planar surface; None for curved ones.
     pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
         self.obstacles[surface].pieces.as_deref()

@@ -17,11 +17,10 @@ const ALLOWANCES: [(&str, &str, f64); 5] = [
     ("paraboloid_interior", "1e-6", 2e-6),
     // Horizons cut each pair.
     ("sphere_to_coaxial_disk", "1e-6", 1e-6),
-    ("concentric_spheres_outer_to_inner#1", "1e-6", 1e-6),
+    ("concentric_spheres", "1e-6", 1e-6),
 ];
-/// Cases left to the slow test.
-const SLOW: [&str; 3] =
-    ["outer_to_inner#2", "concentric_spheres_outer_to_itself#1", "concentric_spheres_outer_to_itself#2"];
+/// The case left to the slow test: spheres a tenth apart.
+const SLOW: &str = "concentric_spheres_outer_to_inner#2";
 
 fn view_factors(folder: &Path, args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
@@ -101,35 +100,30 @@ fn check(chosen: impl Fn(&str) -> Option<(&'static str, f64)>) -> usize {
     count
 }
 
-fn is_slow(id: &str) -> bool {
-    SLOW.iter().any(|slow| id.contains(slow))
-}
-
 fn allowance(id: &str) -> Option<(&'static str, f64)> {
     ALLOWANCES.iter().find(|(name, ..)| id.starts_with(name)).map(|(_, eps, allowed)| (*eps, *allowed))
 }
 
 #[test]
 fn flat_faces_disks_and_differential_elements_are_exact() {
-    let chosen = |id: &str| (!is_slow(id) && allowance(id).is_none()).then_some(("1e-10", 1e-9));
+    let chosen = |id: &str| allowance(id).is_none().then_some(("1e-10", 1e-9));
     assert_eq!(check(chosen), 21);
 }
 
 #[test]
 fn curved_contacts_and_horizons_keep_the_accuracy_asked() {
-    let chosen = |id: &str| if is_slow(id) { None } else { allowance(id) };
-    assert_eq!(check(chosen), 21);
+    let chosen = |id: &str| if id == SLOW { None } else { allowance(id) };
+    assert_eq!(check(chosen), 23);
 }
 
 #[test]
-#[ignore = "takes minutes: all cases without blockers at 1e-10, but for spheres a tenth apart at 1e-8"]
+#[ignore = "takes minutes: all cases at 1e-10, but for concentric spheres at 1e-8"]
 fn all_cases_to_the_last_digits() {
     let chosen = |id: &str| match id {
-        id if id.contains("outer_to_itself") => None,
-        id if id.contains("outer_to_inner#2") => Some(("1e-8", 1e-8)),
+        id if id.starts_with("concentric_spheres") => Some(("1e-8", 1e-8)),
         _ => Some(("1e-10", 1e-9)),
     };
-    assert_eq!(check(chosen), 43);
+    assert_eq!(check(chosen), 45);
 }
 
 /// The unit box as the six polygons of a CSV.

@@ -44,6 +44,10 @@ impl Surface for Flipped {
         self.base.intersect(ray)
     }
 
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        self.base.ball()
+    }
+
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
     }

@@ -66,6 +66,10 @@ impl Surface for Placed {
         self.base.intersect(&self.ray_back(ray))
     }
 
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        self.base.ball().map(|(center, radius)| (self.motion.point(center), self.motion.scale() * radius))
+    }
+
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
     }

@@ -66,6 +66,11 @@ pub trait Surface: Debug + Send + Sync {
         self.bounds(rect).corners().to_vec()
     }
 
+    /// Centre and radius of the ball whose whole boundary the surface is, if it is one.
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        None
+    }
+
     /// Outline and holes, where the surface is a polygon in a plane.
     fn region(&self) -> Option<&PlanarRegion> {
         None

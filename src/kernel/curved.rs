@@ -28,7 +28,7 @@ use super::block::{Accuracy, Block, Kind};
 use super::edge::{self, LARGEST_ASPECT, Wedge};
 use super::facing::{self, Facing, facing};
 use super::fineness;
-use super::horizon::{self, Side};
+use super::horizon::{self, Ball, Side};
 use super::integrand::{Sees, kernel};
 use super::moments::Moments;
 use super::pair::gap;
@@ -82,7 +82,8 @@ pub(super) fn block(
     if job.carries_nothing(rough) {
         return job.finish();
     }
-    if blockers.is_empty() {
+    job.ball = job.ball_between(blockers);
+    if blockers.is_empty() || job.ball.is_some() {
         // The horizon of a plane depends on the other point only: it is cut out of the other patch.
         job.swapped = emitters.iter().all(planar) && !receivers.iter().all(planar);
         let (outer, inner) = if job.swapped { (emitters, receivers) } else { (receivers, emitters) };
@@ -111,6 +112,16 @@ pub(super) fn self_block(
     job.kind = Kind::Same;
     if job.carries_nothing(rough) {
         return job.finish();
+    }
+    job.ball = job.ball_between(blockers).filter(|_| parts.iter().all(|p| constant(&parts[0], p).is_some()));
+    if job.ball.is_some() {
+        job.tasks.extend(parts.iter().map(|part| Task::Fan(part.clone(), parts.clone())));
+        job.run();
+        // The fans hold both orders of each pair.
+        let mut block = job.finish();
+        add_transpose(&mut block.values, element.basis.len());
+        block.values.iter_mut().for_each(|value| *value *= 0.5);
+        return block;
     }
     let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for (index, part) in parts.iter().enumerate() {
@@ -165,6 +176,8 @@ struct Job<'a> {
     scale: f64,
     /// Whether the outer parts of fans are the emitter's.
     swapped: bool,
+    /// What stands between in fans, with its surface.
+    ball: Option<(usize, Ball)>,
     moments: Moments<'a>,
     tasks: VecDeque<Task>,
     kind: Kind,
@@ -191,6 +204,7 @@ impl<'a> Job<'a> {
             unit: (receiver.area * emitter.area).sqrt(),
             scale: 1.0,
             swapped: false,
+            ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
             tasks: VecDeque::new(),
             kind: Kind::Separated,
@@ -218,8 +232,23 @@ impl<'a> Job<'a> {
         nothing
     }
 
-    fn free(&self) -> State {
-        State { touching: true, levels: 0, blockers: Vec::new() }
+    /// The only blocker, if it is a ball outside of which both elements lie.
+    fn ball_between(&self, blockers: &[usize]) -> Option<(usize, Ball)> {
+        let (center, radius) = self.visibility.only_ball(blockers)?;
+        let outside = |patch: &Patch| {
+            let corners = patch.corners();
+            let inner = nodes(patch, 6);
+            let points = corners.iter().copied().chain(inner.iter().map(|x| x.position));
+            points.into_iter().all(|x| x.distance(center) >= radius * (1.0 - COINCIDENT))
+        };
+        let all = self.elements.iter().flat_map(|element| sectors(element)).all(|patch| outside(&patch));
+        all.then_some((blockers[0], Ball { center, radius }))
+    }
+
+    /// The blocker of fans, if it may stand between these two patches.
+    fn between(&self, p: &Patch, q: &Patch) -> Vec<usize> {
+        let between = |surface: &usize| self.visibility.reaches(*surface, &p.hull(), &q.hull());
+        self.ball.map(|(surface, _)| surface).filter(between).into_iter().collect()
     }
 
     fn run(&mut self) {
@@ -336,14 +365,21 @@ impl<'a> Job<'a> {
             if facing == Facing::Away {
                 continue;
             }
+            let blockers = self.between(p, q);
+            self.partly_hidden |= !blockers.is_empty();
+            if !blockers.is_empty() && constant(p, q).is_some() {
+                // Nothing becomes singular, whether they touch or not.
+                clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
+                continue;
+            }
             if touching || share < NEGLIGIBLE * self.accuracy.eps * self.scale {
-                let state = self.free();
+                let state = State { touching: true, levels: self.accuracy.shadow_levels(), blockers };
                 self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
                 continue;
             }
             let close = gap < SMALLEST_RATIO * reach.max(longest(&part).1);
             if close || facing != Facing::Wholly {
-                let state = self.free();
+                let state = State { touching: false, levels: 0, blockers: blockers.clone() };
                 let spent = if close { self.spent() } else { self.horizons_spent() };
                 if (spent || share <= SMALL_PART * self.scale)
                     && self.attempt(p, q, Some(&Touch::Apart(gap)), &state)
@@ -358,7 +394,7 @@ impl<'a> Job<'a> {
                 } else {
                     open.extend(part.halves(longest(&part).0));
                 }
-            } else if facing == Facing::Wholly {
+            } else if facing == Facing::Wholly && blockers.is_empty() {
                 whole.push((part, gap));
             } else {
                 clipped.push((part, gap));
@@ -573,7 +609,8 @@ impl<'a> Job<'a> {
         if sides.is_empty() {
             return;
         }
-        let outer = Side { patch: outer, basis: &self.elements[first].basis, points };
+        let ball = self.ball.map(|(_, ball)| ball);
+        let outer = Side { patch: outer, basis: &self.elements[first].basis, points, ball };
         // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
         let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
         let budget = self.most(HORIZON_SAMPLES).saturating_sub(self.horizons);

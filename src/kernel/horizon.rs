@@ -12,6 +12,16 @@
 //! the lines the quarter is cut where a horizon leaves it through a side: on each stretch the integrand is analytic.
 //! The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
 //!
+//! A ball that stands between is cut away in the same manner. With e from x to its centre, d = y − x and the squared
+//! length E = |e|² − r² of the tangents from x, y is hidden where it lies within the cone of the tangents and beyond the
+//! plane e·d = E of the points where they touch, and so where
+//!
+//! ```text
+//! h = E |d|² − (e·d)²  if e·d > E ,     h = E (|y − c|² − r²)  otherwise
+//! ```
+//!
+//! is negative; h and its gradient are continuous, and the second is positive outside the ball.
+//!
 //! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q; there the outer
 //! patch is halved until the halves together agree with the whole.
 
@@ -53,6 +63,15 @@ pub(super) struct Cut {
     pub samples: u64,
 }
 
+/// A ball that may stand between.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Ball {
+    /// Its centre.
+    pub center: DVec3,
+    /// Its radius.
+    pub radius: f64,
+}
+
 /// An outer patch.
 pub(super) struct Side<'a> {
     /// The patch.
@@ -61,6 +80,8 @@ pub(super) struct Side<'a> {
     pub basis: &'a AreaBasis,
     /// Points along and across.
     pub points: [usize; 2],
+    /// What may stand between it and the inner patches; both lie outside it.
+    pub ball: Option<Ball>,
 }
 
 /// The moments of an outer patch with inner ones apart from it, to `tolerance` in absolute terms, with about `budget`
@@ -145,7 +166,9 @@ impl Job<'_> {
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
             let x = part.node(s, t);
             right.fill(0.0);
+            let x = View { node: x, ball: self.outer.ball };
             self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
+            let x = x.node;
             self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
             let weight = ws * wt * x.area;
             for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
@@ -190,20 +213,22 @@ impl<'a> Part<'a> {
     }
 
     /// Adds W_l(x) to `out`; returns the number of evaluations.
-    fn seen_from(&mut self, x: &Node, out: &mut [f64]) -> u64 {
-        let grid: Vec<[f64; 2]> = self.grid.iter().map(|y| heights(x, y)).collect();
-        let margins =
-            [0.25 * self.bends[0], 0.25 * (self.bends[1] * x.position.distance(self.center) + self.bends[2])];
+    fn seen_from(&mut self, x: &View, out: &mut [f64]) -> u64 {
+        let grid: Vec<Heights> = self.grid.iter().map(|y| x.heights(y)).collect();
+        let reach = x.node.position.distance(self.center);
+        let bends =
+            [self.bends[0], self.bends[1] * reach + self.bends[2], x.ball.map_or(0.0, |_| bend(&grid))];
+        let margins = bends.map(|bend| 0.25 * bend);
         let range = |k: usize| {
             let values = grid.iter().map(|h| h[k]);
             values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
         };
-        let ranges = [range(0), range(1)];
+        let ranges = [0, 1, 2].map(range);
         let spent = grid.len() as u64;
-        if (0..2).any(|k| ranges[k][1] + margins[k] <= 0.0) {
+        if (0..HEIGHTS).any(|k| ranges[k][1] + margins[k] <= 0.0) {
             return spent;
         }
-        let clipped: Vec<usize> = (0..2).filter(|k| ranges[*k][0] < margins[*k]).collect();
+        let clipped: Vec<usize> = (0..HEIGHTS).filter(|k| ranges[*k][0] < margins[*k]).collect();
         if clipped.is_empty() {
             return spent + self.whole(x, out);
         }
@@ -216,7 +241,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    fn quartered(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+    fn quartered(&mut self, x: &View, out: &mut [f64]) -> u64 {
         if self.quarters.is_empty() {
             let halves = self.patch.halves(Direction::Along);
             let quarters = halves.iter().flat_map(|half| half.halves(Direction::Across));
@@ -226,12 +251,12 @@ impl<'a> Part<'a> {
         self.quarters.iter_mut().map(|quarter| quarter.seen_from(x, out)).sum()
     }
 
-    fn whole(&mut self, x: &Node, out: &mut [f64]) -> u64 {
+    fn whole(&mut self, x: &View, out: &mut [f64]) -> u64 {
         if self.nodes.is_empty() {
             self.tabulate();
         }
         for (y, row) in self.nodes.iter().zip(self.rows.chunks_exact(out.len())) {
-            let value = kernel(x, y);
+            let value = kernel(&x.node, y);
             out.iter_mut().zip(row).for_each(|(o, r)| *o += value * r);
         }
         self.nodes.len() as u64
@@ -249,7 +274,7 @@ impl<'a> Part<'a> {
     }
 
     /// The part that x sees, along lines of the given direction.
-    fn cut(&self, x: &Node, direction: Direction, out: &mut [f64]) -> u64 {
+    fn cut(&self, x: &View, direction: Direction, out: &mut [f64]) -> u64 {
         let node = |w: f64, z: f64| match direction {
             Direction::Along => self.patch.node(w, z),
             Direction::Across => self.patch.node(z, w),
@@ -260,19 +285,19 @@ impl<'a> Part<'a> {
         let mut evaluations = 0;
         let mut breaks = vec![0.0, 1.0];
         for side in [0.0, 1.0] {
-            evaluations += roots(|z| heights(x, &node(side, z)), &mut breaks);
+            evaluations += roots(|z| x.heights(&node(side, z)), &mut breaks);
         }
         breaks.sort_by(f64::total_cmp);
         for (low, high) in stretches(&breaks) {
             for (z, wz) in over.iter() {
                 let z = low + (high - low) * z;
-                let Some([start, end]) = visible(|w| heights(x, &node(w, z)), &mut evaluations) else {
+                let Some([start, end]) = visible(|w| x.heights(&node(w, z)), &mut evaluations) else {
                     continue;
                 };
                 evaluations += line.nodes.len() as u64;
                 for (w, ww) in line.iter() {
                     let y = node(start + (end - start) * w, z);
-                    let value = kernel(x, &y) * y.area * wz * ww * (high - low) * (end - start);
+                    let value = kernel(&x.node, &y) * y.area * wz * ww * (high - low) * (end - start);
                     self.basis.raw(self.basis.frame().coordinates(&y), &mut values);
                     out.iter_mut().zip(&values).for_each(|(o, l)| *o += value * l);
                 }
@@ -282,14 +307,55 @@ impl<'a> Part<'a> {
     }
 }
 
-/// [n_x·(y − x), n_y·(x − y)]: the heights of each over the tangent plane of the other.
-fn heights(x: &Node, y: &Node) -> [f64; 2] {
-    let d = y.position - x.position;
-    [x.normal.dot(d), -y.normal.dot(d)]
+/// What has to be positive for two points to see each other.
+const HEIGHTS: usize = 3;
+type Heights = [f64; HEIGHTS];
+
+/// A point that looks at an inner patch, with what may stand in between.
+struct View {
+    node: Node,
+    ball: Option<Ball>,
+}
+
+impl View {
+    /// [n_x·(y − x), n_y·(x − y), h]: the heights of each over the tangent plane of the other, and that over the cone of
+    /// the ball, 1 if there is none.
+    fn heights(&self, y: &Node) -> Heights {
+        let d = y.position - self.node.position;
+        let over_ball = self.ball.map_or(1.0, |ball| ball.clearance(self.node.position, y.position));
+        [self.node.normal.dot(d), -y.normal.dot(d), over_ball]
+    }
+}
+
+impl Ball {
+    /// h of the module's head.
+    fn clearance(&self, x: DVec3, y: DVec3) -> f64 {
+        let (e, d) = (self.center - x, y - x);
+        let tangent = e.length_squared() - self.radius * self.radius;
+        let along = e.dot(d);
+        if along > tangent {
+            tangent * d.length_squared() - along * along
+        } else {
+            tangent * (y.distance_squared(self.center) - self.radius * self.radius)
+        }
+    }
+}
+
+/// The sum over both directions of the largest second difference of the last height.
+fn bend(grid: &[Heights]) -> f64 {
+    let at = |i: usize, j: usize| grid[i * GRID + j][HEIGHTS - 1];
+    let mut largest = [0.0f64; 2];
+    for i in 1..GRID - 1 {
+        for j in 0..GRID {
+            largest[0] = largest[0].max((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)).abs());
+            largest[1] = largest[1].max((at(j, i - 1) - 2.0 * at(j, i) + at(j, i + 1)).abs());
+        }
+    }
+    largest[0] + largest[1]
 }
 
 /// Whether a height rises, or falls, along all lines of a direction.
-fn monotone(grid: &[[f64; 2]], which: usize, direction: Direction) -> bool {
+fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
     let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
     let steps = (0..GRID).flat_map(|line| {
         (1..GRID)
@@ -301,12 +367,12 @@ fn monotone(grid: &[[f64; 2]], which: usize, direction: Direction) -> bool {
     (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
 }
 
-/// The stretch of a line on which both heights, each monotone, are positive.
-fn visible(f: impl Fn(f64) -> [f64; 2], evaluations: &mut u64) -> Option<[f64; 2]> {
+/// The stretch of a line on which all heights, each monotone, are positive.
+fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]> {
     let (first, last) = (f(0.0), f(1.0));
     *evaluations += 2;
     let mut stretch = [0.0f64, 1.0];
-    for k in 0..2 {
+    for k in 0..HEIGHTS {
         if first[k].max(last[k]) <= 0.0 {
             return None;
         }
@@ -322,12 +388,12 @@ fn visible(f: impl Fn(f64) -> [f64; 2], evaluations: &mut u64) -> Option<[f64; 2
     (stretch[0] < stretch[1]).then_some(stretch)
 }
 
-/// Appends the roots in (0, 1) of both functions; returns the number of evaluations.
-fn roots(f: impl Fn(f64) -> [f64; 2], out: &mut Vec<f64>) -> u64 {
+/// Appends the roots in (0, 1) of all heights; returns the number of evaluations.
+fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
     let place = |k: usize| k as f64 / (PLACES - 1) as f64;
-    let values: [[f64; 2]; PLACES] = std::array::from_fn(|k| f(place(k)));
+    let values: [Heights; PLACES] = std::array::from_fn(|k| f(place(k)));
     let mut evaluations = PLACES as u64;
-    for which in 0..2 {
+    for which in 0..HEIGHTS {
         let mut brackets = Vec::new();
         for k in 1..PLACES {
             let (low, high) = (values[k - 1][which], values[k][which]);
@@ -405,8 +471,25 @@ mod tests {
     use super::*;
 
     use crate::elements::basis::Frame;
+    use proptest::prelude::*;
     use radiosity_geom::shapes::{FULL_TURN, Sphere};
-    use radiosity_geom::{DVec2, Flipped, Rect, Surface};
+    use radiosity_geom::{DVec2, Flipped, Ray, Rect, Surface};
+
+    proptest! {
+        /// The sign of the clearance tells what a ray against the sphere tells.
+        #[test]
+        fn clearance_is_negative_where_the_ball_stands_between(
+            x in prop::array::uniform3(-3.0..3.0f64), y in prop::array::uniform3(-3.0..3.0f64),
+        ) {
+            let (x, y) = (DVec3::from_array(x), DVec3::from_array(y));
+            prop_assume!(x.length() > 1.0 && y.length() > 1.0);
+            let ball = Ball { center: DVec3::ZERO, radius: 1.0 };
+            let sphere = Sphere::new(DVec3::ZERO, 1.0, DVec3::Z, [-1.0, 1.0], FULL_TURN).expect("a sphere");
+            let clearance = ball.clearance(x, y);
+            prop_assume!(clearance.abs() > 1e-9);
+            prop_assert_eq!(clearance < 0.0, sphere.occludes(&Ray::segment(x, y)));
+        }
+    }
 
     /// Within a sphere every point facing any way sees the sphere alone: ∫κ dA = 1.
     #[test]
@@ -426,7 +509,8 @@ mod tests {
             let (sin, cos) = (0.7 * f64::from(k)).sin_cos();
             let z = 0.96 - 0.05 * f64::from(k);
             let normal = DVec3::new((1.0 - z * z).sqrt() * cos, (1.0 - z * z).sqrt() * sin, z);
-            let x = Node { position: normal, normal, area: 1.0, parameters: DVec2::ZERO };
+            let node = Node { position: normal, normal, area: 1.0, parameters: DVec2::ZERO };
+            let x = View { node, ball: None };
             let mut out = [0.0];
             parts.iter_mut().for_each(|part| _ = part.seen_from(&x, &mut out));
             // L₀ = ½.

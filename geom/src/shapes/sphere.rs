@@ -75,6 +75,13 @@ impl Surface for Sphere {
         self.turn.bounds(rect.u, |g, h| self.radius * arc_range(g, h, range)[1])
     }
 
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        let whole = self.turn.half() >= std::f64::consts::PI * (1.0 - 1e-12)
+            && self.z[0] <= -self.radius * (1.0 - 1e-12)
+            && self.z[1] >= self.radius * (1.0 - 1e-12);
+        whole.then_some((self.turn.origin, self.radius))
+    }
+
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         meet(self.turn.origin, self.radius, ray).into_iter().find_map(|t| {
             let local = self.turn.local_point(ray.at(t));
@@ -103,6 +110,14 @@ pub(super) fn meet(center: DVec3, radius: f64, ray: &Ray) -> [f64; 2] {
 mod tests {
     use super::super::FULL_TURN;
     use super::*;
+
+    #[test]
+    fn only_a_whole_sphere_bounds_a_ball() {
+        let part = |z, angle| Sphere::new(DVec3::X, 2.0, DVec3::Z, z, angle).unwrap().ball();
+        assert_eq!(part([-2.0, 2.0], FULL_TURN), Some((DVec3::X, 2.0)));
+        assert_eq!(part([-2.0, 1.9], FULL_TURN), None);
+        assert_eq!(part([-2.0, 2.0], [0.0, 6.0]), None);
+    }
 
     #[test]
     fn errors_name_the_field() {
