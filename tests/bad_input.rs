@@ -286,7 +286,7 @@ fn order_out_of_range() {
     );
     refused_command(
         &["solve", "--order", "21"],
-        &["invalid value '21' for '--order <N>'", "21 is not in 0..=20"],
+        &["invalid value '21' for '--order <N|auto>'", "expected a whole number from 0 to 20"],
     );
 }
 
