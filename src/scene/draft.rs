@@ -22,8 +22,7 @@ use crate::scene::{
 pub struct SurfaceDraft {
     pub(super) name: String,
     pub(super) kind: &'static str,
-    /// Its shapes, each with the name of the surface it makes.
-    pub(super) shapes: Vec<(String, Arc<dyn Surface>)>,
+    pub(super) shapes: Vec<NamedShape>,
     pub(super) material: Material,
     pub(super) material_name: Option<String>,
     pub(super) order: Option<usize>,
@@ -32,6 +31,9 @@ pub struct SurfaceDraft {
     pub(super) flip: bool,
     pub(super) typed: Option<Typed>,
 }
+
+/// A shape with the name of the surface it makes.
+pub(super) type NamedShape = (String, Arc<dyn Surface>);
 
 /// Where a draft stands in a file.
 #[derive(Debug)]
@@ -86,7 +88,7 @@ impl SurfaceDraft {
     }
 
     /// The surface of one of its shapes, and its back if it is two-sided.
-    fn sides(&self, (name, shape): &(String, Arc<dyn Surface>)) -> Result<Vec<SceneSurface>, Located> {
+    fn sides(&self, (name, shape): &NamedShape) -> Result<Vec<SceneSurface>, Located> {
         let shape_span = self.typed.as_ref().map(|typed| &typed.shape);
         check_extent(shape)
             .map_err(|fault| self.located(shape_span, fault).within(|| surface_title(&self.name)))?;

@@ -6,7 +6,7 @@ use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
-    draft::{self, SurfaceDraft, Typed},
+    draft::{self, NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, surface_title},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
@@ -147,7 +147,7 @@ fn draft(
 }
 
 /// The shapes of one entry, each with the name of its surface.
-fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<(String, Arc<dyn Surface>)>, Located> {
+fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
