@@ -23,7 +23,7 @@ const END: f64 = 1e-9;
 const LOOKS: usize = 5;
 
 /// Cosine between any two normals of a surface that is taken for flat when it may hide itself.
-const ALIKE: f64 = 0.9;
+const ALIKE: f64 = 0.9999;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
