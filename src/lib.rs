@@ -42,6 +42,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod rows;
 pub mod scene;
 pub mod visibility;
 pub mod inspection;
