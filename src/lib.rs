@@ -43,6 +43,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod rows;
 pub mod scene;
 pub mod visibility;
 pub mod inspection;

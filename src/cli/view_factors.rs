@@ -1,5 +1,6 @@
 //! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
 
+use std::collections::BTreeSet;
 use std::io::{self, BufWriter, Write, stderr, stdout};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -93,7 +94,8 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
     let file = args.output.as_deref().map(OutputFile::reserve).transpose()?;
     let progress = Progress::new(args.quiet);
-    let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
+    let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
+    let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
     match &file {

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Flipped, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, Flipped, Rect, Surface};
 
 use crate::scene::{
     coincident::Occupied,
@@ -112,7 +112,7 @@ pub(super) fn surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
 ) -> Result<Vec<SceneSurface>, Located> {
     let mut names = UniqueNames::default();
-    let mut occupied = Vec::new();
+    let mut claims = Vec::new();
     let mut surfaces = Vec::new();
     for draft in drafts {
         let draft = draft?;
@@ -123,14 +123,15 @@ pub(super) fn surfaces(
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         }
         for sides in shapes {
-            let own = apart(&occupied, &sides[0]).map_err(|fault| {
-                let located = draft.located(typed.map(|typed| &typed.shape), fault);
-                located.within(|| surface_title(&sides[0].name))
-            })?;
-            occupied.push(own);
+            claims.push(Claim {
+                name: sides[0].name.clone(),
+                occupied: Occupied::new(&sides[0].shape),
+                span: typed.map(|typed| typed.shape.clone()),
+            });
             surfaces.extend(sides);
         }
     }
+    check_apart(&claims)?;
     if surfaces.is_empty() { Err(Located::nowhere(Fault::EmptyScene)) } else { Ok(surfaces) }
 }
 
@@ -143,11 +144,41 @@ fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
     Err(Fault::OutOfRange { what: "the extent of the surface", value, range: "1e-30 ≤ extent ≤ 1e30" })
 }
 
-/// What `new` occupies, if that is no part of what others do, each given with its name.
-fn apart(others: &[(String, Occupied)], new: &SceneSurface) -> Result<(String, Occupied), Fault> {
-    let own = Occupied::new(&new.shape);
-    match others.iter().find(|(_, other)| other.coincides(&own)) {
-        None => Ok((new.name.clone(), own)),
-        Some((name, _)) => Err(Fault::Coincident { other: name.clone() }),
+/// What a surface occupies, with its name and where its shape stands in a file.
+struct Claim {
+    name: String,
+    occupied: Occupied,
+    span: Option<Span>,
+}
+
+impl Claim {
+    /// Whether one is the other side of the other: named as backs are, and turned away.
+    fn is_back_of(&self, front: &Claim) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }
+}
+
+/// Refuses the first surface that lies in one before it, backs excepted.
+fn check_apart(claims: &[Claim]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+    let tree = Bvh::build(&boxes);
+    let mut near = Vec::new();
+    for (index, own) in claims.iter().enumerate() {
+        near.clear();
+        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
+        near.retain(|other| *other < index);
+        near.sort_unstable();
+        let clashes = |other: &&Claim| {
+            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
+        };
+        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            let located = match &own.span {
+                Some(span) => Located::at(span, fault),
+                None => Located::nowhere(fault),
+            };
+            return Err(located.within(|| surface_title(&own.name)));
+        }
+    }
+    Ok(())
 }
