@@ -74,7 +74,7 @@ mod tests {
     fn rows_start_after_comments_and_blank_lines() {
         let text = b"# a\n\n  one, 1\n# b\r\n   \n\r\n# c\n\"two\nlines\",2\nthree,3";
         let found: Vec<_> = rows(text).map(|row| row.unwrap()).map(|row| (row.start, row.line)).collect();
-        assert_eq!(found, [(7, 3), (29, 8), (42, 10)]);
+        assert_eq!(found, [(7, 3), (29, 8), (43, 10)]);
     }
 
     #[test]

@@ -7,8 +7,7 @@ use radiosity::elements::{Discretization, Elements};
 use radiosity::inspection::Inspection;
 use radiosity::scene::Scene;
 
-const BUILT_IN: [&str; 6] =
-    ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares", "teapot"];
+const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
 
 /// Numbers at the ends of what a number can be, and words that are none.
 const EXTREMES: [&str; 24] = [
