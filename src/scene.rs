@@ -14,6 +14,7 @@ mod error;
 mod fields;
 mod file;
 mod json_text;
+mod language;
 mod material;
 mod names;
 mod nearest;
@@ -40,6 +41,7 @@ pub use surface::SceneSurface;
 
 use error::{Located, surface_title};
 use file::SceneFile;
+use language::Language;
 use tree::{Node, Value};
 
 /// A valid scene.
@@ -65,8 +67,9 @@ pub struct Scene {
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons; everything
-    /// else TOML.
+    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons. A text whose
+    /// name does not tell may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else
+    /// is TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -102,18 +105,16 @@ impl Scene {
         Ok(Source::new(origin, &text))
     }
 
-    /// Reads a scene in the language that the ending of its origin, or else its first letter, tells; see [`Scene::load`].
+    /// Reads a scene in the language that the ending of its origin, or else its beginning, tells; see [`Scene::load`].
     ///
     /// # Errors
     /// The first thing wrong in the text.
     pub fn parse(source: &Source) -> Result<Scene, SceneError> {
-        let Source { origin, text } = source;
-        if origin.ends_with(".csv") {
-            return Scene::from_csv(text, origin);
-        }
-        match origin.ends_with(".json") || text.trim_start().starts_with('{') {
-            true => Scene::from_json(text, origin),
-            false => Scene::from_toml(text, origin),
+        let Source { origin, text, .. } = source;
+        match Language::of(source) {
+            Language::Toml => Scene::from_toml(text, origin),
+            Language::Json => Scene::from_json(text, origin),
+            Language::Csv => Scene::from_csv(text, origin),
         }
     }
 
@@ -123,7 +124,7 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        let tree = toml_text::parse(text);
+        let tree = toml_text::parse(&source.text);
         tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
@@ -138,7 +139,7 @@ impl Scene {
             Value::List(polygons) => assemble(&polygon_list::from_list(polygons, &tree.span), &source),
             _ => assemble(&tree, &source),
         };
-        json_text::parse(text).and_then(scene).map_err(|located| located.in_source(&source))
+        json_text::parse(&source.text).and_then(scene).map_err(|located| located.in_source(&source))
     }
 
     /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
@@ -147,7 +148,7 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        polygon_list::from_csv(text)
+        polygon_list::from_csv(&source.text)
             .and_then(|tree| assemble(&tree, &source))
             .map_err(|located| located.in_source(&source))
     }
@@ -196,8 +197,12 @@ impl Scene {
     /// Checks what only light needs: a material on every surface, and one that emits.
     ///
     /// # Errors
-    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoEmitter`].
+    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
+    /// [`Fault::NoEmitter`].
     pub fn require_light(&self) -> Result<(), SceneError> {
+        if self.source.as_ref().is_some_and(Language::is_polygon_list) {
+            return Err(whole_file(&self.origin, Fault::NoMaterials));
+        }
         if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
             return Err(SceneError {
                 origin: self.origin.clone(),

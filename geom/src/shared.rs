@@ -22,6 +22,10 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
         (**self).hull(rect)
     }
 
+    fn ball(&self) -> Option<(DVec3, f64)> {
+        (**self).ball()
+    }
+
     fn region(&self) -> Option<&PlanarRegion> {
         (**self).region()
     }
@@ -44,5 +48,23 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn invert(&self, point: DVec3) -> Option<[f64; 2]> {
         (**self).invert(point)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::shapes::{FULL_TURN, Parallelogram, Sphere};
+
+    /// What the trait alone would say otherwise: None, none, and boxes for hulls.
+    #[test]
+    fn shapes_are_known_through_the_arc() {
+        let ball = Sphere::new(DVec3::X, 2.0, DVec3::Z, [-2.0, 2.0], FULL_TURN).unwrap();
+        let square = Parallelogram::new(DVec3::ZERO, DVec3::X + DVec3::Y, DVec3::Z).unwrap();
+        let shared: Arc<dyn Surface> = Arc::new(Arc::new(ball));
+        assert_eq!(shared.ball(), Some((DVec3::X, 2.0)));
+        let shared: Arc<dyn Surface> = Arc::new(Arc::new(square.clone()));
+        assert!(shared.region().is_some());
+        assert_eq!(shared.hull(&Rect::FULL), square.hull(&Rect::FULL));
     }
 }

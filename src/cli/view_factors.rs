@@ -1,5 +1,6 @@
 //! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
 
+use std::collections::BTreeSet;
 use std::io::{self, Write, stderr};
 use std::path::PathBuf;
 use std::time::Instant;
@@ -97,7 +98,8 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let reserve = |path| OutputFile::reserve(path)?.apart_from_scene(&args.scene);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let progress = Progress::new(args.quiet);
-    let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
+    let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
+    let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
     destination.write(|writer| write(&factors, &pairs, format, writer))?;

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Flipped, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, Flipped, Rect, Surface};
 
 use crate::scene::{
     coincident::Occupied,
@@ -22,8 +22,7 @@ use crate::scene::{
 pub struct SurfaceDraft {
     pub(super) name: String,
     pub(super) kind: &'static str,
-    /// Its shapes, each with the name of the surface it makes.
-    pub(super) shapes: Vec<(String, Arc<dyn Surface>)>,
+    pub(super) shapes: Vec<NamedShape>,
     pub(super) material: Material,
     pub(super) material_name: Option<String>,
     pub(super) order: Option<usize>,
@@ -32,6 +31,9 @@ pub struct SurfaceDraft {
     pub(super) flip: bool,
     pub(super) typed: Option<Typed>,
 }
+
+/// A shape with the name of the surface it makes.
+pub(super) type NamedShape = (String, Arc<dyn Surface>);
 
 /// Where a draft stands in a file.
 #[derive(Debug)]
@@ -86,7 +88,7 @@ impl SurfaceDraft {
     }
 
     /// The surface of one of its shapes, and its back if it is two-sided.
-    fn sides(&self, (name, shape): &(String, Arc<dyn Surface>)) -> Result<Vec<SceneSurface>, Located> {
+    fn sides(&self, (name, shape): &NamedShape) -> Result<Vec<SceneSurface>, Located> {
         let shape_span = self.typed.as_ref().map(|typed| &typed.shape);
         check_extent(shape)
             .map_err(|fault| self.located(shape_span, fault).within(|| surface_title(&self.name)))?;
@@ -110,7 +112,7 @@ pub(super) fn surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
 ) -> Result<Vec<SceneSurface>, Located> {
     let mut names = UniqueNames::default();
-    let mut occupied = Vec::new();
+    let mut claims = Vec::new();
     let mut surfaces = Vec::new();
     for draft in drafts {
         let draft = draft?;
@@ -121,14 +123,15 @@ pub(super) fn surfaces(
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         }
         for sides in shapes {
-            let own = apart(&occupied, &sides[0]).map_err(|fault| {
-                let located = draft.located(typed.map(|typed| &typed.shape), fault);
-                located.within(|| surface_title(&sides[0].name))
-            })?;
-            occupied.push(own);
+            claims.push(Claim {
+                name: sides[0].name.clone(),
+                occupied: Occupied::new(&sides[0].shape),
+                span: typed.map(|typed| typed.shape.clone()),
+            });
             surfaces.extend(sides);
         }
     }
+    check_apart(&claims)?;
     if surfaces.is_empty() { Err(Located::nowhere(Fault::EmptyScene)) } else { Ok(surfaces) }
 }
 
@@ -141,11 +144,41 @@ fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
     Err(Fault::OutOfRange { what: "the extent of the surface", value, range: "1e-30 ≤ extent ≤ 1e30" })
 }
 
-/// What `new` occupies, if that is no part of what others do, each given with its name.
-fn apart(others: &[(String, Occupied)], new: &SceneSurface) -> Result<(String, Occupied), Fault> {
-    let own = Occupied::new(&new.shape);
-    match others.iter().find(|(_, other)| other.coincides(&own)) {
-        None => Ok((new.name.clone(), own)),
-        Some((name, _)) => Err(Fault::Coincident { other: name.clone() }),
+/// What a surface occupies, with its name and where its shape stands in a file.
+struct Claim {
+    name: String,
+    occupied: Occupied,
+    span: Option<Span>,
+}
+
+impl Claim {
+    /// Whether one is the other side of the other: named as backs are, and turned away.
+    fn is_back_of(&self, front: &Claim) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }
+}
+
+/// Refuses the first surface that lies in one before it, backs excepted.
+fn check_apart(claims: &[Claim]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+    let tree = Bvh::build(&boxes);
+    let mut near = Vec::new();
+    for (index, own) in claims.iter().enumerate() {
+        near.clear();
+        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
+        near.retain(|other| *other < index);
+        near.sort_unstable();
+        let clashes = |other: &&Claim| {
+            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
+        };
+        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            let located = match &own.span {
+                Some(span) => Located::at(span, fault),
+                None => Located::nowhere(fault),
+            };
+            return Err(located.within(|| surface_title(&own.name)));
+        }
+    }
+    Ok(())
 }

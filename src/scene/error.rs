@@ -170,6 +170,9 @@ pub enum Fault {
         /// Line of the first use; none in a scene built in code.
         first_line: Option<usize>,
     },
+    /// A list of polygons where light is asked for.
+    #[error("a list of polygons carries no materials")]
+    NoMaterials,
     /// A shape or transform that cannot be made, e.g. without area; the message holds the cure.
     #[error("{0}")]
     Shape(ShapeError),

@@ -6,7 +6,7 @@ use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
-    draft::{self, SurfaceDraft, Typed},
+    draft::{self, NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, surface_title},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
@@ -21,7 +21,7 @@ pub(super) type Materials = BTreeMap<String, Material>;
 /// The names of the bands; r, g, b if none are given.
 pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Result<Vec<String>, Located> {
     let Some(names) = names else { return Ok(["r", "g", "b"].map(str::to_owned).to_vec()) };
-    let lines = names.value.iter().map(|name| Some(source.place(&name.span).line));
+    let lines = names.value.iter().map(|name| Some(source.line(name.span.start)));
     check_bands(names.value.iter().map(|name| name.value.as_str()).zip(lines)).map_err(
         |(index, fault)| {
             let span = names.value.get(index).map_or(&names.span, |name| &name.span);
@@ -140,14 +140,14 @@ fn draft(
         typed: Some(Typed {
             place: source.place(&file.span),
             name: name_span.clone(),
-            name_line: source.place(name_span).line,
+            name_line: source.line(name_span.start),
             shape: file.shape.span.clone(),
         }),
     })
 }
 
 /// The shapes of one entry, each with the name of its surface.
-fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<(String, Arc<dyn Surface>)>, Located> {
+fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
