@@ -310,7 +310,7 @@ fn order_out_of_range() {
     );
     refused_command(
         &["solve", "--order", "21"],
-        &["invalid value '21' for '--order <N|auto>'", "expected a whole number from 0 to 20"],
+        &["invalid value '21' for '--order <N|auto>'", "expected a whole number from 0 to 20, or auto"],
     );
 }
 
@@ -409,6 +409,7 @@ fn options_out_of_range() {
         ("--subdivide", "3"),
         ("--shadows", "some"),
         ("--threads", "0"),
+        ("--threads", "100000"),
     ] {
         refused_command(&["grid", option, value], &[option, &format!("invalid value '{value}'")]);
     }
