@@ -34,6 +34,15 @@ const VISIBLE_SHARE: f64 = 0.1;
 /// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
 const SHADOWED_ROW_SHARE: f64 = 0.25;
 
+/// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.
+const NEAR_ROUGHNESS: f64 = 3.0;
+const LARGEST_NEAR_FACTOR: f64 = 8.0;
+
+/// Where none of n rays passes, less than this over n of what is between two elements is visible, at 95 %.
+const UNSEEN: f64 = 3.0;
+/// Fewer rays tell nothing.
+const FEWEST_RAYS: u64 = 16;
+
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
     list: &'a [Element],
@@ -67,6 +76,10 @@ struct Goal {
     accuracy: Accuracy,
     /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
     least: f64,
+    /// About the largest entry of its row.
+    row: f64,
+    /// What may pass unseen between two elements if no ray of a few does.
+    unseen: f64,
 }
 
 /// What sorting makes of a pair.
@@ -170,7 +183,7 @@ impl Scene<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
-        let rough = if row == column { 0.0 } else { self.roughs[row].entry(&self.roughs[column]) };
+        let rough = self.roughs[row].entry(&self.roughs[column]);
         let task = |entries, hash, blockers| {
             Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers })
         };
@@ -255,13 +268,17 @@ impl Scene<'_> {
             let least = ROW_SHARE * of_rows(&least);
             let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
             let accuracy = Accuracy { eps, ..self.accuracy };
-            if task.blockers.is_empty()
-                || self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize])
-            {
-                return Goal { accuracy, least };
+            let row = of_rows(&rough);
+            if task.blockers.is_empty() {
+                return Goal { accuracy, least, row, unseen: 0.0 };
             }
-            let shadowed = SHADOWED_ROW_SHARE * of_rows(&rough);
-            Goal { accuracy: accuracy.loosened(shadowed / task.rough), least }
+            let shadowed = SHADOWED_ROW_SHARE * row;
+            let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
+            let [roughness, most] =
+                if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
+            let factor = (shadowed / (roughness * task.rough)).min(most);
+            let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
+            Goal { accuracy: accuracy.loosened(factor), least, row, unseen }
         };
         tasks.iter().map(goal).collect()
     }
@@ -334,12 +351,29 @@ impl Scene<'_> {
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
         let blockers = &task.blockers;
         if task.row == task.column {
-            return curved::self_block(receiver, blockers, self.visibility, accuracy, goal.least);
+            return curved::self_block(receiver, blockers, self.visibility, accuracy, [goal.least, goal.row]);
+        }
+        if let Some(hidden) = self.hidden_block(task, goal) {
+            return hidden;
         }
         if receiver.plane.is_some() && emitter.plane.is_some() {
             return block::block(receiver, emitter, blockers, self.visibility, accuracy);
         }
-        curved::block(receiver, emitter, blockers, self.visibility, accuracy, goal.least)
+        curved::block(receiver, emitter, blockers, self.visibility, accuracy, [goal.least, goal.row])
+    }
+
+    /// The zero block of two elements between which none of a few rays passes; None where one does, or where too few are
+    /// tried to tell what may pass beside them.
+    fn hidden_block(&self, task: &Task, goal: Goal) -> Option<Block> {
+        let [receiver, emitter] = [task.row, task.column].map(|index| index as usize);
+        if task.blockers.is_empty() {
+            return None;
+        }
+        let sees = |x, y| self.visibility.free(&task.blockers, x, y);
+        let rays = self.roughs[receiver].hidden_rays(&self.roughs[emitter], &sees)?;
+        let size = self.list[receiver].basis.len() * self.list[emitter].basis.len();
+        let is_told = rays >= FEWEST_RAYS && UNSEEN * task.rough <= goal.unseen * rays as f64;
+        is_told.then(|| Block::hidden(size, rays))
     }
 }
 

@@ -110,6 +110,22 @@ pub(super) struct Block {
     pub rays: u64,
 }
 
+impl Block {
+    /// The zero block of so many entries, of elements between which none of so many `rays` passes.
+    pub(super) fn hidden(size: usize, rays: u64) -> Self {
+        Self {
+            values: vec![0.0; size],
+            kind: Kind::Separated,
+            partly_hidden: true,
+            unresolved: false,
+            error: 0.0,
+            samples: 0,
+            distinct: 0,
+            rays,
+        }
+    }
+}
+
 /// The block between two elements; `blockers` are the surfaces that may stand between them.
 pub(super) fn block(
     receiver: &Element,

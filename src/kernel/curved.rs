@@ -46,10 +46,15 @@ const NEGLIGIBLE: f64 = 1e-3;
 const CONTACT_SAMPLES: f64 = 5e5;
 /// The same for horizons, whose samples are cheaper.
 const HORIZON_SAMPLES: f64 = 1e6;
+/// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
+const SMALL_IN_ROW: f64 = 0.25;
+const LEAST_WORTH: f64 = 1.0 / 16.0;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
 const FEWEST_POINTS: usize = 4;
+/// The same once the samples are spent.
+const POINTS_WHEN_SPENT: usize = 3;
 /// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
 const LARGEST_ATTEMPT: f64 = 0.25;
 /// Parts up to this size are attempted before they are halved for nearness, or cut at their horizons.
@@ -66,19 +71,21 @@ const SMALLEST_SCALE: f64 = 1e-5;
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// The block between two elements; `blockers` are the surfaces that may stand between them. The error is measured
-/// against the block's first entry or `least`, whichever is larger.
+/// against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
+/// smaller it is beside the largest entry of its `row`.
 pub(super) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
     accuracy: Accuracy,
-    least: f64,
+    [least, row]: [f64; 2],
 ) -> Block {
     let mut job = Job::new(receiver, emitter, visibility, accuracy);
     let (receivers, emitters) = (sectors(receiver), sectors(emitter));
     let rough = scale(&receivers, &emitters, job.unit);
     job.scale = rough.max(least).max(job.smallest_scale());
+    job.row = row;
     if job.carries_nothing(rough) {
         return job.finish();
     }
@@ -89,26 +96,26 @@ pub(super) fn block(
         let (outer, inner) = if job.swapped { (emitters, receivers) } else { (receivers, emitters) };
         job.tasks.extend(outer.into_iter().map(|part| Task::Fan(part, inner.clone())));
     } else {
-        let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
-        job.product(&receivers, &emitters, &state);
+        job.sectors(&receivers, &emitters, blockers);
     }
     job.run();
     job.finish()
 }
 
 /// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull, `least`
-/// as for [`block`].
+/// and `row` as for [`block`].
 pub(super) fn self_block(
     element: &Element,
     blockers: &[usize],
     visibility: &Visibility,
     accuracy: Accuracy,
-    least: f64,
+    [least, row]: [f64; 2],
 ) -> Block {
     let mut job = Job::new(element, element, visibility, accuracy);
     let parts = sectors(element);
     let rough = scale(&parts, &parts, job.unit);
     job.scale = rough.max(least).max(job.smallest_scale());
+    job.row = row;
     job.kind = Kind::Same;
     if job.carries_nothing(rough) {
         return job.finish();
@@ -123,10 +130,9 @@ pub(super) fn self_block(
         block.values.iter_mut().for_each(|value| *value *= 0.5);
         return block;
     }
-    let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for (index, part) in parts.iter().enumerate() {
-        job.tasks.push_back(Task::Same(part.clone(), state.clone()));
-        job.product(std::slice::from_ref(part), &parts[index + 1..], &state);
+        job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));
+        job.sectors(std::slice::from_ref(part), &parts[index + 1..], blockers);
     }
     job.run();
     let mut block = job.finish();
@@ -174,6 +180,8 @@ struct Job<'a> {
     unit: f64,
     /// About the block's first entry.
     scale: f64,
+    /// About the largest entry of its row.
+    row: f64,
     /// Whether the outer parts of fans are the emitter's.
     swapped: bool,
     /// What stands between in fans, with its surface.
@@ -203,6 +211,7 @@ impl<'a> Job<'a> {
             size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
             unit: (receiver.area * emitter.area).sqrt(),
             scale: 1.0,
+            row: 1.0,
             swapped: false,
             ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
@@ -258,6 +267,8 @@ impl<'a> Job<'a> {
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
+            // What was found so far bounds the first entry from below, as κ ≥ 0.
+            self.scale = self.scale.max(self.moments.exchanged() / self.unit);
         }
     }
 
@@ -284,10 +295,27 @@ impl<'a> Job<'a> {
         self.horizons > self.most(HORIZON_SAMPLES)
     }
 
-    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked.
+    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked, and for a block
+    /// that is small beside its row.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
-        (per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
+        let worth = (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0);
+        (worth * per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
+    }
+
+    /// What two sectors start with: each counts as halved as often as makes its part of its element.
+    fn state(&self, p: &Patch, q: &Patch, blockers: &[usize]) -> State {
+        let halved = -(area(p) * area(q) / (self.unit * self.unit)).log2();
+        let levels = self.accuracy.shadow_levels().saturating_sub(halved.max(0.0) as u32);
+        State { touching: true, levels, blockers: blockers.to_vec() }
+    }
+
+    fn sectors(&mut self, receivers: &[Patch], emitters: &[Patch], blockers: &[usize]) {
+        for p in receivers {
+            for q in emitters {
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), self.state(p, q, blockers)));
+            }
+        }
     }
 
     fn product(&mut self, receivers: &[Patch], emitters: &[Patch], state: &State) {
@@ -629,7 +657,9 @@ impl<'a> Job<'a> {
         if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
             return false;
         }
-        let n = FEWEST_POINTS + self.largest_degree() / 2;
+        // On a small part the polynomials are nearly those of a lower degree.
+        let bends = (self.largest_degree() as f64 / 2.0 * share.sqrt().min(1.0)).ceil() as usize;
+        let n = bends + if self.spent() { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
         let error = 4.0 * fine.difference(&coarse) / self.unit;
         let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;

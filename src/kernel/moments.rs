@@ -133,6 +133,11 @@ impl<'a> Moments<'a> {
         self.rays += other.rays;
     }
 
+    /// ∫∫κ over what was added: the first polynomials are ½.
+    pub(super) fn exchanged(&self) -> f64 {
+        4.0 * self.values[0]
+    }
+
     /// Bases of receiver and emitter.
     pub(super) fn bases(&self) -> [&'a AreaBasis; 2] {
         [self.receiver, self.emitter]

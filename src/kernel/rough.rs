@@ -10,7 +10,7 @@
 use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
 
-use super::integrand::kernel;
+use super::integrand::{Sees, kernel};
 use super::sectors::sectors;
 
 /// Points a direction on either side.
@@ -41,6 +41,20 @@ impl Rough {
         let unit = (self.area * emitter.area).sqrt();
         let most = self.area.min(emitter.area) / unit;
         (sum(&self.nodes[0], &emitter.nodes[1]) / unit).min(most)
+    }
+
+    /// The number of pairs of nodes that face each other, if all of them are hidden from each other.
+    pub(super) fn hidden_rays(&self, emitter: &Self, sees: Sees) -> Option<u64> {
+        let mut rays = 0;
+        for (x, _) in &self.nodes[0] {
+            for (y, _) in emitter.nodes[1].iter().filter(|(y, _)| kernel(x, y) > 0.0) {
+                rays += 1;
+                if sees(x.position, y.position) {
+                    return None;
+                }
+            }
+        }
+        Some(rays)
     }
 }
 
