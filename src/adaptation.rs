@@ -14,13 +14,16 @@
 //! In a scene without shadows the radiosity is smooth but for the edges where surfaces meet, and layers graded towards
 //! them converge fastest. Shadow edges lie anywhere: where something stands between, the elements are cut evenly.
 
+use radiosity_solvers::SolveError;
+use serde::{Deserialize, Serialize};
+
 use crate::distance::distance;
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::Scene;
-use crate::solve::{Failure, Options, Outcome, Progress, solve};
-use crate::visibility::{Shadows, Visibility};
+use crate::solve::{Failure, Fit, Options, Outcome, Progress, solve};
+use crate::visibility::Visibility;
 
 /// What is wanted.
 #[derive(Clone, Copy, Debug)]
@@ -41,14 +44,44 @@ impl Goal {
 /// The finest run with what it may miss.
 #[derive(Debug)]
 pub struct Adapted {
-    /// The finest run.
+    /// The finest run that could be done.
     pub outcome: Outcome,
     /// Its options.
     pub options: Options,
-    /// Estimated relative error, as of the run before it.
-    pub estimate: f64,
+    /// How far it came.
+    pub achieved: Achieved,
+}
+
+/// How far an adaptation came.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Achieved {
+    /// Estimated relative error, as of the run before the finest; None where one run alone could be done.
+    pub estimate: Option<f64>,
+    /// Why no finer run followed.
+    pub end: End,
+}
+
+impl Achieved {
     /// Whether the estimate is as small as wanted.
-    pub reached: bool,
+    pub fn reached(&self) -> bool {
+        self.end == End::Reached
+    }
+}
+
+/// Why an adaptation ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum End {
+    /// The estimate is as small as wanted.
+    Reached,
+    /// There is no finer run in the sequence.
+    Finest,
+    /// The next run would have more unknowns than allowed.
+    Unknowns,
+    /// The next run would need more memory than allowed.
+    Memory,
+    /// The solver did not converge in the next run; where there is no run before, in this one.
+    NotConverged,
 }
 
 /// One discretisation of the sequence.
@@ -89,41 +122,79 @@ const FIRST_ORDER: usize = 2;
 const SHARPENING: f64 = 0.7;
 
 /// Solves `scene` on finer and finer discretisations until the estimated error is as small as wanted, or the next would
-/// be too large.
+/// be too large. A finer run that does not fit into memory, or whose solver does not converge, ends the sequence as well.
 ///
 /// Of `options`, order and layers are the least to begin with, `eps` and `shadow_eps` the loosest; cuts that are given
 /// stay. `progress` hears every run from its beginning.
 ///
 /// # Errors
-/// The first run that fails.
+/// Whatever fails in the first run, and what else fails later.
 pub fn adapt(
     scene: &Scene,
     options: &Options,
     goal: Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
-    let shadows = if options.shadows { Shadows::Rays(options.shadow_eps) } else { Shadows::Off };
-    let occluded = Visibility::new(scene, shadows).any_shadow();
+    let occluded = Visibility::new(scene, options.into()).any_shadow();
     let rungs: &[Rung] = if occluded { &EVEN } else { &GRADED };
     let mut plan: Vec<Options> =
         rungs.iter().enumerate().map(|(k, rung)| rung.options(k, options, goal.accuracy)).collect();
     plan.dedup_by_key(|o| (o.order, o.layers.count, o.subdivide));
     let mut plan = plan.into_iter();
     let mut chosen = plan.next().expect("there is a first rung");
-    let mut outcome = solve(scene, &chosen, progress)?;
-    let mut estimate = f64::INFINITY;
-    for options in plan {
-        if estimate <= goal.accuracy {
-            break;
-        }
-        if estimate.is_finite() && unknowns(scene, &options, occluded)? > goal.most_unknowns {
-            break;
-        }
-        let finer = solve(scene, &options, progress)?;
-        estimate = distance(&outcome.solution, &finer.solution).expect("the runs are of one scene");
-        (outcome, chosen) = (finer, options);
+    let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
+    let mut achieved = Achieved { estimate: None, end: End::Finest };
+    if !outcome.converged {
+        achieved.end = End::NotConverged;
+        return Ok(Adapted { outcome, options: chosen, achieved });
     }
-    Ok(Adapted { outcome, options: chosen, estimate, reached: estimate <= goal.accuracy })
+    for options in plan {
+        if achieved.estimate.is_some() && unknowns(scene, &options, occluded)? > goal.most_unknowns {
+            achieved.end = End::Unknowns;
+            break;
+        }
+        let finer = match finer(scene, &options, progress)? {
+            Ok(finer) => finer,
+            Err(end) => {
+                achieved.end = end;
+                break;
+            }
+        };
+        let estimate = distance(&outcome.solution, &finer.solution).expect("the runs are of one scene");
+        achieved.estimate = Some(estimate);
+        (outcome, chosen) = (finer, options);
+        if estimate <= goal.accuracy {
+            achieved.end = End::Reached;
+            break;
+        }
+    }
+    Ok(Adapted { outcome, options: chosen, achieved })
+}
+
+/// A run after the first, or why it ends the sequence.
+fn finer(
+    scene: &Scene,
+    options: &Options,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Result<Outcome, End>, Failure> {
+    match solve(scene, options, progress) {
+        Ok(outcome) if outcome.converged => Ok(Ok(outcome)),
+        Ok(_) | Err(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
+            Ok(Err(End::NotConverged))
+        }
+        Err(Failure::Memory { .. }) => Ok(Err(End::Memory)),
+        Err(failure) => Err(failure),
+    }
+}
+
+/// Orders below the first rung's can be had only without a wanted accuracy.
+fn advise(failure: Failure) -> Failure {
+    let Failure::Memory { needed, allowed, fits } = failure else { return failure };
+    let fit = |fit| match fit {
+        Fit::Order(order) if order < FIRST_ORDER => Fit::OrderAlone(order),
+        fit => fit,
+    };
+    Failure::Memory { needed, allowed, fits: fits.into_iter().map(fit).collect() }
 }
 
 impl Rung {

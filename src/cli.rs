@@ -3,7 +3,10 @@
 mod check;
 mod completions;
 mod convergence;
+mod decimals;
+mod destination;
 mod error;
+mod format;
 mod grid;
 mod interrupt;
 mod memory;

@@ -35,7 +35,8 @@ pub struct Run {
     pub seconds: f64,
     /// Relative error; None for the run that is itself the reference.
     pub error: Option<f64>,
-    /// Order of convergence in the unknowns against the run before; None where there is none to compare with.
+    /// Order of convergence in the unknowns against the run before; None where there is none to compare with,
+    /// or it has as many unknowns.
     pub rate: Option<f64>,
 }
 
@@ -127,6 +128,7 @@ fn run(options: &Options, outcome: &Outcome, error: Option<f64>) -> Run {
 
 fn rate(before: &Run, run: &Run) -> Option<f64> {
     let (old, new) = (before.error?, run.error?);
-    let comparable = before.layers == run.layers && old > 0.0 && new > 0.0;
+    // Surfaces that state their own order may leave the unknowns as they are.
+    let comparable = before.layers == run.layers && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
     comparable.then(|| (old / new).ln() / (run.unknowns as f64 / before.unknowns as f64).ln())
 }

@@ -12,7 +12,7 @@
 //! Blocks as integrated are gone before the system is set up, so the peak is the larger of the two sums. Pairs that repeat
 //! or are hidden make it less, which is not known beforehand.
 
-use radiosity_geom::{Rect, Surface};
+use radiosity_geom::{DVec3, PlanarRegion, Rect};
 use radiosity_solvers::method::Method;
 
 use crate::elements::{CutSize, Discretization, cut_sizes};
@@ -55,10 +55,11 @@ impl Footprint {
         let sizes = cut_sizes(scene, how);
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
+        let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
         let (mut blocks, mut pairs) = (0, 0);
         for (i, cut) in sizes.iter().enumerate() {
             for (j, other) in sizes.iter().enumerate().take(i + 1) {
-                if exchanging(&scene.surfaces[i], &scene.surfaces[j]) {
+                if exchanging(&outlines[i], &outlines[j]) {
                     let count = if i == j {
                         cut.elements * (cut.elements + 1) / 2
                     } else {
@@ -97,15 +98,31 @@ fn copies(method: &Method, unknowns: u64) -> u64 {
     if factors { 2 } else { 1 }
 }
 
-/// Whether neither surface lies wholly behind the plane of the other, or in it.
-fn exchanging(a: &SceneSurface, b: &SceneSurface) -> bool {
-    reaches_before(a.shape.as_ref(), b.shape.as_ref()) && reaches_before(b.shape.as_ref(), a.shape.as_ref())
+/// What tells whether a surface can see others.
+struct Outline {
+    /// A point, the normal and the tolerance of its plane, if it is flat.
+    plane: Option<(DVec3, DVec3, f64)>,
+    /// Points whose convex hull holds it.
+    hull: Vec<DVec3>,
 }
 
-/// Whether some of `other` lies before the plane of `shape`, where that has one.
-fn reaches_before(shape: &dyn Surface, other: &dyn Surface) -> bool {
-    let Some(region) = shape.region() else { return true };
-    let normal = shape.jet(0.0, 0.0).normal;
-    let tolerance = FLAT * region.extent();
-    other.hull(&Rect::FULL).iter().any(|point| (*point - region.origin()).dot(normal) > tolerance)
+impl Outline {
+    fn of(surface: &SceneSurface) -> Self {
+        let shape = &surface.shape;
+        let plane =
+            |region: &PlanarRegion| (region.origin(), shape.jet(0.0, 0.0).normal, FLAT * region.extent());
+        Self { plane: shape.region().map(plane), hull: shape.hull(&Rect::FULL) }
+    }
+
+    /// Whether some of `other` lies before the plane, where there is one.
+    fn reaches_before(&self, other: &Outline) -> bool {
+        self.plane.is_none_or(|(origin, normal, tolerance)| {
+            other.hull.iter().any(|point| (*point - origin).dot(normal) > tolerance)
+        })
+    }
+}
+
+/// Whether neither surface lies wholly behind the plane of the other, or in it.
+fn exchanging(a: &Outline, b: &Outline) -> bool {
+    a.reaches_before(b) && b.reaches_before(a)
 }

@@ -19,7 +19,31 @@
 //! assert!((outcome.checks.energy_absorbed - 6.0).abs() < 6e-3);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
+//!
+//! Scenes are built in, read from files ([`scene::Scene::load`]), or made in code:
+//!
+//! ```
+//! use radiosity::scene::{Material, SceneBuilder};
+//! use radiosity::solve::{Options, solve};
+//! use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
+//! use radiosity_geom::DVec3;
+//!
+//! let mut desk = SceneBuilder::new("desk", ["grey"]);
+//! let wood = desk.material("wood", Material::new(vec![0.4], vec![0.0])?);
+//! let glow = desk.material("glow", Material::new(vec![0.0], vec![1000.0])?);
+//! desk.surface("top", Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y)?, &wood);
+//! let above = DVec3::new(0.5, 0.5, 1.0);
+//! desk.surface("lamp", Disk::new(above, -DVec3::Z, 0.1, 0.0, FULL_TURN)?, &glow).order(1);
+//! let scene = desk.build()?;
+//! let outcome = solve(&scene, &Options::default(), &|_progress| {})?;
+//! assert!(outcome.solution.mean_irradiance(0, scene.surface_named("top")?) > 0.0);
+//! // Energy is kept: what the lamp emits is absorbed or lost.
+//! let checks = outcome.checks;
+//! assert!((checks.energy_absorbed + checks.energy_lost - checks.energy_in).abs() < 1e-6 * checks.energy_in);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
+pub mod rows;
 pub mod scene;
 pub mod visibility;
 pub mod inspection;

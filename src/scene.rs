@@ -1,20 +1,25 @@
 //! What is in a scene: surfaces, what they do with light, and a camera.
 //!
-//! A [`Scene`] is read from TOML or JSON of one schema, and is valid by construction: every number finite, every
-//! reflectance below 1, every surface with an area and a front, no two surfaces in one another, every name given once.
-//! What is wrong in a file is a [`SceneError`] with line, column, name and cure.
+//! A [`Scene`] is read from TOML or JSON of one schema or made in code by a [`SceneBuilder`], and is valid by construction:
+//! every number finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another,
+//! every name given once. What is wrong is a [`SceneError`] with name and cure, and in a file with line and column.
 
+mod builder;
 mod builtin;
 mod camera;
 mod coincident;
 mod cure;
+mod draft;
 mod error;
 mod fields;
 mod file;
 mod json_text;
+mod language;
 mod material;
+mod names;
 mod nearest;
 mod polygon_list;
+mod ranges;
 mod shape;
 mod source;
 mod surface;
@@ -24,32 +29,36 @@ mod validation;
 
 use std::{io, path::Path};
 
+pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
+pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
-pub use file::MAX_ORDER;
 pub use material::Material;
+pub use ranges::MAX_ORDER;
 pub use source::{Place, Source};
 pub use surface::SceneSurface;
 
-use error::Located;
+use error::{Located, surface_title};
 use file::SceneFile;
+use language::Language;
 use tree::{Node, Value};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Scene {
-    /// The built-in name, or the file's name without folder and ending; `stdin` if read from there.
+    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` if read from there.
     pub name: String,
     /// The title the file gives.
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
-    /// The surfaces in the order of the file; the back of a two-sided one follows its front.
+    /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
-    /// The camera, if the file gives one.
+    /// The camera, if one is given.
     pub camera: Option<Camera>,
-    /// The name shown in messages: a path, `<stdin>`, or the built-in scene's name.
+    /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
     pub origin: String,
     /// The text it was read from; none for a scene built in code.
     pub source: Option<Source>,
@@ -58,8 +67,9 @@ pub struct Scene {
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons; everything
-    /// else TOML.
+    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons. A text whose
+    /// name does not tell may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else
+    /// is TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -95,18 +105,16 @@ impl Scene {
         Ok(Source::new(origin, &text))
     }
 
-    /// Reads a scene in the language that the ending of its origin, or else its first letter, tells; see [`Scene::load`].
+    /// Reads a scene in the language that the ending of its origin, or else its beginning, tells; see [`Scene::load`].
     ///
     /// # Errors
     /// The first thing wrong in the text.
     pub fn parse(source: &Source) -> Result<Scene, SceneError> {
-        let Source { origin, text } = source;
-        if origin.ends_with(".csv") {
-            return Scene::from_csv(text, origin);
-        }
-        match origin.ends_with(".json") || text.trim_start().starts_with('{') {
-            true => Scene::from_json(text, origin),
-            false => Scene::from_toml(text, origin),
+        let Source { origin, text, .. } = source;
+        match Language::of(source) {
+            Language::Toml => Scene::from_toml(text, origin),
+            Language::Json => Scene::from_json(text, origin),
+            Language::Csv => Scene::from_csv(text, origin),
         }
     }
 
@@ -116,7 +124,7 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        let tree = toml_text::parse(text);
+        let tree = toml_text::parse(&source.text);
         tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
     }
 
@@ -131,7 +139,7 @@ impl Scene {
             Value::List(polygons) => assemble(&polygon_list::from_list(polygons, &tree.span), &source),
             _ => assemble(&tree, &source),
         };
-        json_text::parse(text).and_then(scene).map_err(|located| located.in_source(&source))
+        json_text::parse(&source.text).and_then(scene).map_err(|located| located.in_source(&source))
     }
 
     /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
@@ -140,7 +148,7 @@ impl Scene {
     /// The first thing wrong in the text.
     pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
         let source = Source::new(origin, text);
-        polygon_list::from_csv(text)
+        polygon_list::from_csv(&source.text)
             .and_then(|tree| assemble(&tree, &source))
             .map_err(|located| located.in_source(&source))
     }
@@ -189,13 +197,17 @@ impl Scene {
     /// Checks what only light needs: a material on every surface, and one that emits.
     ///
     /// # Errors
-    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoEmitter`].
+    /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
+    /// [`Fault::NoEmitter`].
     pub fn require_light(&self) -> Result<(), SceneError> {
+        if self.source.as_ref().is_some_and(Language::is_polygon_list) {
+            return Err(whole_file(&self.origin, Fault::NoMaterials));
+        }
         if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
             return Err(SceneError {
                 origin: self.origin.clone(),
-                place: Some(Box::new(bare.place.clone())),
-                owner: Some(file::surface_title(&bare.name)),
+                place: bare.place.clone().map(Box::new),
+                owner: Some(surface_title(&bare.name)),
                 fault: Fault::MissingKey { key: "material" },
             });
         }

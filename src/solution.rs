@@ -84,6 +84,17 @@ impl Solution {
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 
+    /// Mean irradiance (W m⁻²) of one band over surface `surface`: Σ_k h_k ∫φ_k dA / A.
+    pub fn mean_irradiance(&self, band: usize, surface: usize) -> f64 {
+        let list = self.elements.list();
+        let own = self.elements.of_surface(surface);
+        let start: usize = list[..own.start].iter().map(|element| element.basis.len()).sum();
+        let integrals = list[own.clone()].iter().flat_map(|element| &element.constant);
+        let power: f64 =
+            integrals.zip(&self.bands[band].coefficients.irradiance[start..]).map(|(c, h)| c * h).sum();
+        power / list[own].iter().map(|element| element.area).sum::<f64>()
+    }
+
     /// Irradiance (W m⁻²) that was reflected at least once, of one band on element `element`.
     pub fn indirect(&self, band: usize, element: usize, place: &Place) -> f64 {
         let raw = &self.bands[band].raw_indirect[element];

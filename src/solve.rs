@@ -1,5 +1,6 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
+mod fit;
 mod options;
 
 use std::time::{Duration, Instant};
@@ -17,6 +18,7 @@ use crate::solution::{Band, Solution};
 use crate::system::{Coating, System};
 use crate::visibility::Visibility;
 
+pub use fit::Fit;
 pub use options::Options;
 
 /// Where the work stands.
@@ -98,16 +100,16 @@ pub enum Failure {
     },
     /// It would need more memory than is allowed.
     #[error(
-        "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; what would fit: {fits}",
-        *needed as f64 / 1e6, *allowed as f64 / 1e6
+        "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; {}",
+        *needed as f64 / 1e6, *allowed as f64 / 1e6, fit::list(fits)
     )]
     Memory {
         /// Bytes needed, estimated.
         needed: u64,
         /// Bytes allowed.
         allowed: u64,
-        /// What to ask for instead.
-        fits: String,
+        /// What to ask for instead, if anything.
+        fits: Vec<Fit>,
     },
     /// No threads could be started.
     #[error("cannot start {threads} threads: {source}; ask for fewer with --threads")]
@@ -201,17 +203,16 @@ fn require_memory(scene: &Scene, how: &Discretization, options: &Options) -> Res
     let mut fits = Vec::new();
     let cg = Method::named("cg").expect("cg is always listed");
     if peak(how, cg) <= allowed {
-        fits.push("the solver cg".to_owned());
+        fits.push(Fit::ConjugateGradients);
     }
     let lower = (0..how.order)
         .rev()
         .find(|order| peak(&Discretization { order: *order, ..*how }, options.method) <= allowed);
-    fits.extend(lower.map(|order| format!("order {order}")));
+    fits.extend(lower.map(Fit::Order));
     let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..*how };
     if peak(&whole, options.method) <= allowed {
-        fits.push("one element a surface".to_owned());
+        fits.push(Fit::WholeSurfaces);
     }
-    let fits = if fits.is_empty() { "nothing less".to_owned() } else { fits.join(", or ") };
     Err(Failure::Memory { needed, allowed, fits })
 }
 

@@ -1,5 +1,6 @@
 //! A scene with its solution: what pictures, probes and grids are read from.
 
+use crate::adaptation::{Achieved, Adapted, Goal, adapt};
 use crate::scene::Scene;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
 use crate::visibility::Visibility;
@@ -13,6 +14,8 @@ pub struct Solved {
     pub options: Options,
     /// The solution and what it cost.
     pub outcome: Outcome,
+    /// How far it came, where an accuracy was wanted.
+    pub achieved: Option<Achieved>,
 }
 
 impl Solved {
@@ -26,7 +29,21 @@ impl Solved {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let outcome = solve(&scene, &options, progress)?;
-        Ok(Self { scene, options, outcome })
+        Ok(Self { scene, options, outcome, achieved: None })
+    }
+
+    /// Solves `scene` to a wanted accuracy; see [`adapt`].
+    ///
+    /// # Errors
+    /// Those of [`adapt`].
+    pub fn to_accuracy(
+        scene: Scene,
+        options: &Options,
+        goal: Goal,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;
+        Ok(Self { scene, options, outcome, achieved: Some(achieved) })
     }
 
     /// The scene as obstacles, with the shadows it was solved with.

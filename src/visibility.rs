@@ -11,7 +11,7 @@ pub mod exact;
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Ray, Rect, Surface, separated};
+use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface, separated};
 
 use crate::scene::Scene;
 use ball::Ball;
@@ -23,7 +23,7 @@ const END: f64 = 1e-9;
 const LOOKS: usize = 5;
 
 /// Cosine between any two normals of a surface that is taken for flat when it may hide itself.
-const ALIKE: f64 = 0.9;
+const ALIKE: f64 = 0.9999;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
@@ -59,8 +59,8 @@ struct Obstacle {
     ball: Ball,
     /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
     pieces: Option<Vec<Vec<DVec3>>>,
-    /// Whether it may stand between a point and itself.
-    curled: bool,
+    /// How it lies to itself.
+    bend: Bend,
 }
 
 impl Visibility {
@@ -156,7 +156,12 @@ impl Visibility {
     /// Whether a point may see a place of a surface through another place of it. Not where the surface lies behind the plane
     /// of each of its points, as the outside of a ball; and not to speak of where all its normals are much the same.
     pub fn hides_itself(&self, surface: usize) -> bool {
-        self.obstacles[surface].curled
+        self.obstacles[surface].bend != Bend::Outward
+    }
+
+    /// Whether the points of a surface see each other past all of it: it lies before the plane of each of its points.
+    pub fn is_hollow(&self, surface: usize) -> bool {
+        self.obstacles[surface].bend == Bend::Inward
     }
 
     /// Points whose convex hull contains a surface.
@@ -216,8 +221,8 @@ impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let pieces = shape.region().map(|region| region.convex_pieces());
-        let curled = pieces.is_none() && is_curled(shape.as_ref());
-        Self { shape: Arc::clone(shape), ball: Ball::around(&hull), hull, pieces, curled }
+        let bend = if pieces.is_some() { Bend::Outward } else { Bend::of(shape.as_ref()) };
+        Self { shape: Arc::clone(shape), ball: Ball::around(&hull), hull, pieces, bend }
     }
 
     fn is_convex(&self) -> bool {
@@ -250,15 +255,30 @@ fn breadth(points: &[DVec3]) -> f64 {
     points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
 }
 
-/// Whether a curved surface may stand between a point and itself, judged by a net of its points.
-fn is_curled(shape: &dyn Surface) -> bool {
-    let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
-    let jets: Vec<_> = (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect();
-    let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
-    let bulges =
-        jets.iter().all(|x| jets.iter().all(|y| (y.position - x.position).dot(x.normal) <= END * size));
-    let is_flat = jets.iter().all(|x| jets.iter().all(|y| y.normal.dot(x.normal) >= ALIKE));
-    !bulges && !is_flat
+/// How a surface lies to the tangent planes of its points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Bend {
+    /// Behind each of them, or much the same plane everywhere: it hides nothing of itself from any point.
+    Outward,
+    /// Before each of them, as the inside of a ball: its points see each other.
+    Inward,
+    /// Neither.
+    Mixed,
+}
+
+impl Bend {
+    /// Judged by a net of points.
+    fn of(shape: &dyn Surface) -> Self {
+        let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
+        let jets: Vec<_> = (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect();
+        let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
+        let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));
+        let height = |x: &Jet, y: &Jet| (y.position - x.position).dot(x.normal);
+        if all(&|x, y| height(x, y) <= END * size) || all(&|x, y| y.normal.dot(x.normal) >= ALIKE) {
+            return Bend::Outward;
+        }
+        if all(&|x, y| height(x, y) >= -END * size) { Bend::Inward } else { Bend::Mixed }
+    }
 }
 
 fn segment(x: DVec3, y: DVec3) -> Ray {

@@ -167,7 +167,10 @@ fn wrong_kind_of_value() {
 
 #[test]
 fn not_finite() {
-    refused(&room("0.5", "nan"), &["room.toml:6:15: material \"white\": NaN is not a finite number"]);
+    refused(
+        &room("0.5", "nan"),
+        &["room.toml:6:15: material \"white\": NaN is not a finite number", "help: write a finite number"],
+    );
     refused(
         &room("[1,1,0]", "[1,inf,0]"),
         &["room.toml:11:41: surface \"floor\": inf is not a finite number"],
@@ -200,6 +203,7 @@ fn negative_emission() {
 #[test]
 fn surface_without_area() {
     refused(&room("[1,1,0],[0,1,0]", "[1,0,0],[0,0,0]"), &["room.toml:11:", "surface \"floor\": `vertices`"]);
+    refused(&room("[1,1,0],[0,1,0]", "[3,0,0],[2,0,0]"), &["surface \"floor\": `vertices` spans no area"]);
     let parallelogram = "parallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [2,0,0] }\n#";
     refused(
         &room("quad", parallelogram),
@@ -259,6 +263,26 @@ fn coincident_surfaces() {
 }
 
 #[test]
+fn a_back_may_be_given_by_name() {
+    let side = |name: &str, vertices: &str| {
+        format!(
+            "{ROOM}[[surfaces]]\nname = {name:?}\nmaterial = \"white\"\nquad = {{ vertices = {vertices} }}\n"
+        )
+    };
+    let turned = "[[0,0,0],[0,1,0],[1,1,0],[1,0,0]]";
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("room.toml"), side("floor:back", turned)).unwrap();
+    let output = radiosity(folder.path(), &["check", "room.toml"]);
+    let [message, findings] = [&output.stderr, &output.stdout].map(|text| String::from_utf8_lossy(text));
+    assert_eq!(output.status.code(), Some(0), "{message}");
+    assert!(!findings.contains("lies partly in"), "{findings}");
+    // Facing the same way, or under another name, it is refused.
+    let same = "[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]";
+    refused(&side("floor:back", same), &["surface \"floor:back\": coincides with surface \"floor\""]);
+    refused(&side("floor:below", turned), &["surface \"floor:below\": coincides with surface \"floor\""]);
+}
+
+#[test]
 fn no_surface() {
     let (before, _) = ROOM.split_once("[[surfaces]]").unwrap();
     refused(before, &["room.toml: the scene has no surface", "help: add a [[surfaces]] entry"]);
@@ -286,7 +310,7 @@ fn order_out_of_range() {
     );
     refused_command(
         &["solve", "--order", "21"],
-        &["invalid value '21' for '--order <N>'", "21 is not in 0..=20"],
+        &["invalid value '21' for '--order <N|auto>'", "expected a whole number from 0 to 20, or auto"],
     );
 }
 
@@ -385,6 +409,7 @@ fn options_out_of_range() {
         ("--subdivide", "3"),
         ("--shadows", "some"),
         ("--threads", "0"),
+        ("--threads", "100000"),
     ] {
         refused_command(&["grid", option, value], &[option, &format!("invalid value '{value}'")]);
     }
@@ -392,14 +417,67 @@ fn options_out_of_range() {
     refused_command(&["render", "--size", "0x5"], &["invalid value '0x5' for '--size"]);
 }
 
-#[test]
-fn standard_input_is_named() {
+/// Runs `check` on a scene from standard input.
+fn check_stdin(scene: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
     command.args(["check", "-"]).stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
-    child.stdin.take().unwrap().write_all(b"{\"surfaces\": 1}").unwrap();
-    let output = child.wait_with_output().unwrap();
+    child.stdin.take().unwrap().write_all(scene.as_bytes()).unwrap();
+    child.wait_with_output().unwrap()
+}
+
+#[test]
+fn standard_input_is_named() {
+    let output = check_stdin("{\"surfaces\": 1}");
     assert_refused(&output, &["<stdin>:1:14: expected a list, found a number"]);
+}
+
+const POLYGONS_CSV: &str = "# one\n\nname,x,y,z\na,0,0,0\na,1,0,0\na,0,1,0\n";
+const POLYGONS_JSON: &str = "[[[0,0,0],[1,0,0],[0,1,0]]]";
+
+#[test]
+fn lists_of_polygons_are_known_by_their_beginning_and_by_any_case_of_their_ending() {
+    for text in [POLYGONS_CSV, POLYGONS_JSON] {
+        for mark in ["", "\u{feff}"] {
+            let output = check_stdin(&format!("{mark}{text}"));
+            assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+        }
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let json = "{\"surfaces\": [{\"triangle\": {\"vertices\": [[0,0,0],[1,0,0],[0,1,0]]}}]}";
+    for (file, text) in [
+        ("a.CSV", POLYGONS_CSV),
+        ("b.JSON", POLYGONS_JSON),
+        ("c.TOML", ROOM),
+        ("d.json", &format!("\u{feff}{json}")),
+    ] {
+        fs::write(folder.path().join(file), text).unwrap();
+        let output = radiosity(folder.path(), &["check", file]);
+        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    }
+}
+
+#[test]
+fn lists_of_polygons_carry_no_materials() {
+    let parts = ["a list of polygons carries no materials", "view-factors", "TOML scene"];
+    refused_file("a.csv", POLYGONS_CSV, &parts);
+    refused_file("a.json", POLYGONS_JSON, &parts);
+}
+
+#[test]
+fn rows_after_comments_and_blank_lines_are_placed() {
+    let broken = POLYGONS_CSV.replace("a,1,0,0", "\n# two\na,1,O,0");
+    refused_file("a.csv", &broken, &["a.csv:7:5: expected a number"]);
+    let semicolons = POLYGONS_CSV.replace(',', ";");
+    refused_file("a.csv", &semicolons, &["a.csv:3:1: a row takes four fields parted by commas"]);
+}
+
+#[test]
+fn points_between_semicolons() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.csv"), "# desk\n0;0;0;0;0;1\n").unwrap();
+    let output = radiosity(folder.path(), &["probe", "--points", "p.csv", "furnace-cube"]);
+    assert_refused(&output, &["p.csv:2: there is no comma in it", "help: part the numbers by commas"]);
 }
 
 #[test]

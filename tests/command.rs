@@ -80,7 +80,139 @@ fn a_solver_that_does_not_converge_writes_only_what_it_is_asked_for() {
     // It can be looked at as it is.
     let output = radiosity(here, &["grid", "s.json", "--cells", "1x1", "--report", "again.json"]);
     assert!(output.status.success());
-    assert_eq!(json(&here.join("again.json"))["converged"], Value::Bool(false));
+    let again = json(&here.join("again.json"));
+    assert_eq!(again["converged"], Value::Bool(false));
+    assert_eq!(codes(&again), ["not-converged"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("warning: the solver did not converge"));
+    // It is no truth to hold others against.
+    let output = radiosity(here, &["convergence", "empty-box", "--reference", "s.json"]);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{message}");
+    assert!(
+        message.contains("s.json: its solver did not converge") && message.contains("help:"),
+        "{message}"
+    );
+}
+
+/// The codes of a report's warnings.
+fn codes(report: &Value) -> Vec<&str> {
+    report["warnings"].as_array().unwrap().iter().map(|warning| warning["code"].as_str().unwrap()).collect()
+}
+
+#[test]
+fn a_reader_who_leaves_early_costs_no_file() {
+    use std::process::Stdio;
+    let cases: [(&[&str], &str); 3] = [
+        (&["grid", "furnace-cube", "--order", "0", "--read", "basis", "--report", "a.json"], "a.json"),
+        (&["probe", "furnace-cube", "--order", "0", "--points", "p.csv", "--report", "b.json"], "b.json"),
+        (&["convergence", "furnace-cube", "--max-order", "1", "-o", "c.svg"], "c.svg"),
+    ];
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("p.csv"), "0.5,0.5,0,0,0,1\n").unwrap();
+    for (args, file) in cases {
+        let mut child =
+            command(folder.path(), args).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        drop(child.stdout.take());
+        let output = child.wait_with_output().unwrap();
+        assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
+        assert!(folder.path().join(file).exists(), "{file} is missing");
+    }
+}
+
+/// Refused with exit code 2, all of `parts` told, and the folder as it was.
+#[track_caller]
+fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
+    let before = files(folder);
+    let output = radiosity(folder, args);
+    let message = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
+    for part in [parts, &["help: "]].concat() {
+        assert!(message.contains(part), "{part:?} is missing in:\n{message}");
+    }
+    assert_eq!(files(folder).len(), before.len());
+}
+
+#[test]
+fn outputs_take_the_place_of_nothing_else_asked_for_or_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let text = Scene::text_of("furnace-cube", &[]).unwrap().text;
+    fs::write(here.join("room.toml"), text.as_bytes()).unwrap();
+    refused(
+        here,
+        &["solve", "room.toml", "-o", "r.json", "--report", "./r.json"],
+        &["r.json: this is the file of the report"],
+    );
+    refused(here, &["solve", "room.toml", "-o", "room.toml"], &["room.toml: this is the file of the scene"]);
+    refused(
+        here,
+        &["grid", "room.toml", "--report", "./room.toml"],
+        &["room.toml: this is the file of the scene"],
+    );
+    fs::write(here.join("p.csv"), "0.5,0.5,0,0,0,1\n").unwrap();
+    for option in ["-o", "--report"] {
+        let args = ["probe", "room.toml", "--points", "p.csv", option, "p.csv"];
+        refused(here, &args, &["p.csv: this is the file of the points"]);
+    }
+    refused(here, &["grid", "room.toml", "-o", "-"], &["-: an output needs a name", "standard output"]);
+    assert_eq!(fs::read_to_string(here.join("room.toml")).unwrap(), &*text);
+}
+
+#[test]
+fn the_ending_of_a_table_is_its_form() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let grid = ["grid", "furnace-cube", "--order", "0", "--cells", "1x1", "--read", "basis"];
+    let with = |more: &[&'static str]| [&grid[..], more].concat();
+    assert!(radiosity(here, &with(&["-o", "cells.JSON"])).status.success());
+    assert_eq!(json(&here.join("cells.JSON"))["cells"].as_array().map(Vec::len), Some(6));
+    assert!(radiosity(here, &with(&["-o", "cells.txt", "--format", "csv"])).status.success());
+    assert!(fs::read_to_string(here.join("cells.txt")).unwrap().starts_with("surface,i,j,"));
+    refused(
+        here,
+        &with(&["-o", "x.csv", "--format", "json"]),
+        &["x.csv: --format json and the ending disagree"],
+    );
+    refused(here, &with(&["-o", "x.txt"]), &["x.txt: the ending names no format", ".csv or .json"]);
+}
+
+#[test]
+fn solutions_are_told_from_scenes_and_keep_what_was_wanted() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let args = ["solve", "furnace-cube", "--accuracy", "1e-3", "-o", "s.json", "--report", "r.json"];
+    assert!(radiosity(here, &args).status.success());
+    for verb in ["check", "view-factors", "convergence"] {
+        refused(here, &[verb, "s.json"], &["s.json: this is a solution already", "give it to render"]);
+    }
+    let read =
+        radiosity(here, &["grid", "s.json", "--cells", "1x1", "--read", "basis", "--report", "again.json"]);
+    assert!(read.status.success());
+    let [told, again] = ["r.json", "again.json"].map(|file| json(&here.join(file)));
+    assert!(told["accuracy_estimate"].is_f64());
+    assert_eq!(told["accuracy_estimate"], again["accuracy_estimate"]);
+    assert_eq!(told["warnings"], again["warnings"]);
+}
+
+#[test]
+fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let how = Discretization::uniform(3, 1);
+    let scene = Scene::builtin("empty-box").unwrap();
+    let peak = Footprint::of(&scene, &how, Method::named("auto").unwrap()).peak().to_string();
+    let args =
+        ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
+    let output = radiosity(here, &[&args[..], &[&peak]].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let report = json(&here.join("r.json"));
+    assert_eq!(codes(&report), ["accuracy-not-reached"]);
+    assert!(report["warnings"][0]["message"].as_str().unwrap().contains("does not fit into memory"));
+    // Of what fits no run, nothing is proposed.
+    let args = ["solve", "empty-box", "--order", "0", "--memory", "1k"];
+    refused(here, &args, &["no lower order and no other solver would fit", "help: allow more with --memory"]);
+    let args = ["solve", "empty-box", "--layers", "8", "--ratio", "0.01"];
+    refused(here, &args, &["8 layers of ratio 0.01", "help: take fewer --layers"]);
 }
 
 #[test]

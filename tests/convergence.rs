@@ -3,13 +3,14 @@
 use std::sync::Mutex;
 
 use proptest::prelude::*;
-use radiosity::adaptation::{Adapted, Goal, adapt};
+use radiosity::adaptation::{Achieved, Adapted, End, Goal, adapt};
 use radiosity::convergence::{Reference, convergence};
 use radiosity::distance::{Incomparable, distance};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
+use radiosity::footprint::Footprint;
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::{Options, solve};
@@ -184,7 +185,7 @@ fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
 fn the_furnace_is_met_to_the_accuracy_wanted() {
     for accuracy in [1e-2, 1e-4] {
         let adapted = adapted("furnace-cube", Goal::new(accuracy));
-        assert!(adapted.reached && adapted.estimate <= accuracy);
+        assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
         for surface in 0..6 {
             let element = &adapted.outcome.solution.elements().list()
                 [adapted.outcome.solution.elements().of_surface(surface).start];
@@ -202,7 +203,7 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
     let points = file["scenes"][0]["points"].as_array().expect("points are listed");
     for accuracy in [3e-2, 1e-2, 3e-3] {
         let adapted = adapted("empty-box", Goal::new(accuracy));
-        assert!(adapted.reached && adapted.estimate <= accuracy);
+        assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
         let squares: Vec<[f64; 2]> = points
             .iter()
             .map(|point| {
@@ -225,7 +226,36 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
 #[test]
 fn what_cannot_be_reached_is_told() {
     let adapted = adapted("empty-box", Goal { accuracy: 1e-3, most_unknowns: 200 });
-    assert!(!adapted.reached);
-    assert!(adapted.estimate > 1e-3 && adapted.estimate < 0.1);
+    assert_eq!(adapted.achieved.end, End::Unknowns);
+    let estimate = adapted.achieved.estimate.unwrap();
+    assert!(estimate > 1e-3 && estimate < 0.1);
     assert!(adapted.outcome.solution.elements().coefficients() <= 200);
+}
+
+#[test]
+fn a_finer_run_that_fails_leaves_the_one_before() {
+    // What order 3 needs is enough for order 2, the first, but not for order 4, the second.
+    let scene = Scene::builtin("empty-box").unwrap();
+    let whole =
+        |order| Footprint::of(&scene, &Discretization::uniform(order, 1), Options::default().method).peak();
+    let memory = Some(whole(3));
+    assert!(whole(2) < whole(3) && whole(3) < whole(4));
+    let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
+    let adapted = adapt(&scene, &options, Goal::new(1e-6), &|_| {}).expect("the first run fits");
+    assert_eq!(adapted.achieved, Achieved { estimate: None, end: End::Memory });
+    assert_eq!(adapted.options.order, 2);
+}
+
+#[test]
+fn runs_of_equal_size_have_no_rate() {
+    // Both surfaces state their order: no run differs from another.
+    let text = "[materials.grey]\nreflectance = 0.5\nemission = 7\n".to_owned()
+        + &["0", "1"].map(|z| {
+            format!("[[surfaces]]\nmaterial = \"grey\"\norder = 1\nparallelogram = {{ origin = [0,0,{z}], edge1 = [1,0,0], edge2 = [0,1,0] }}\n")
+        }).concat();
+    let scene = Scene::from_toml(&text, "test").unwrap();
+    let against = |_: &Solution| 0.1;
+    let options = Options { order: 2, ..Options::default() };
+    let runs = convergence(&scene, &options, &Reference::Given(&against), &|_| {}).unwrap();
+    assert!(runs.iter().all(|run| run.unknowns == runs[0].unknowns && run.rate.is_none()));
 }

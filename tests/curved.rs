@@ -6,7 +6,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::scene::{Material, Place, Scene, SceneSurface};
+use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::system::{Coating, System};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
@@ -18,25 +18,12 @@ use radiosity_solvers::method::Method;
 use serde_json::Value;
 
 fn scene(shapes: Shapes) -> Scene {
-    let surface = |(index, shape): (usize, Arc<dyn Surface>)| SceneSurface {
-        name: format!("surface {index}"),
-        kind: "test",
-        shape,
-        material: Material { reflectance: vec![0.5], emission: vec![1.0] },
-        material_name: Some("white".to_owned()),
-        order: None,
-        subdivide: None,
-        place: Place { origin: "test".into(), line: 1, column: 1, text: String::new(), width: 1 },
-    };
-    Scene {
-        name: "curved".to_owned(),
-        title: None,
-        bands: vec!["grey".to_owned()],
-        surfaces: shapes.into_iter().enumerate().map(surface).collect(),
-        camera: None,
-        origin: "test".to_owned(),
-        source: None,
+    let mut builder = SceneBuilder::new("curved", ["grey"]);
+    let white = builder.material("white", Material::new(vec![0.5], vec![1.0]).expect("in range"));
+    for (index, shape) in shapes.into_iter().enumerate() {
+        builder.surface(format!("surface {index}"), shape, &white);
     }
+    builder.build().expect("the scene is valid")
 }
 
 type Shapes = Vec<Arc<dyn Surface>>;

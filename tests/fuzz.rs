@@ -7,12 +7,7 @@ use radiosity::elements::{Discretization, Elements};
 use radiosity::inspection::Inspection;
 use radiosity::scene::Scene;
 
-const TEXTS: [&str; 4] = [
-    include_str!("../scenes/cornell-box.toml"),
-    include_str!("../scenes/empty-box.toml"),
-    include_str!("../scenes/furnace-cube.toml"),
-    include_str!("data/every-shape.toml"),
-];
+const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
 
 /// Numbers at the ends of what a number can be, and words that are none.
 const EXTREMES: [&str; 24] = [
@@ -164,7 +159,9 @@ fn texts() -> Vec<(String, bool)> {
         let tree: toml::Value = toml::from_str(text).unwrap();
         serde_json::to_string_pretty(&tree).unwrap()
     };
-    let texts = TEXTS.map(|text| text.replace("$reflectance", "0.5"));
+    let built_in = BUILT_IN.map(|name| Scene::text_of(name, &[]).unwrap().text.to_string());
+    let texts = built_in.into_iter().chain([include_str!("data/every-shape.toml").to_owned()]);
+    let texts: Vec<String> = texts.collect();
     texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()
 }
 

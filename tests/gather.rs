@@ -10,7 +10,7 @@ use radiosity::gather::Gather;
 use radiosity::gather::spot::Spot;
 use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
-use radiosity::scene::{Material, Place, Scene, SceneSurface};
+use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solution::{Band, Solution};
 use radiosity::system::{Coating, Coefficients};
 use radiosity::view::vantage::Vantage;
@@ -23,26 +23,18 @@ const EPS: f64 = 1e-3;
 type Shapes = Vec<(Arc<dyn Surface>, f64)>;
 
 /// Surfaces with their exitance.
-fn scene(shapes: Shapes) -> Scene {
-    let surface = |(index, (shape, exitance)): (usize, (Arc<dyn Surface>, f64))| SceneSurface {
-        name: format!("surface {index}"),
-        kind: "test",
-        shape,
-        material: Material { reflectance: vec![0.5], emission: vec![exitance] },
-        material_name: Some("white".to_owned()),
-        order: None,
-        subdivide: None,
-        place: Place { origin: "test".into(), line: 1, column: 1, text: String::new(), width: 1 },
-    };
-    Scene {
-        name: "test".to_owned(),
-        title: None,
-        bands: vec!["grey".to_owned()],
-        surfaces: shapes.into_iter().enumerate().map(surface).collect(),
-        camera: None,
-        origin: "test".to_owned(),
-        source: None,
+fn builder(shapes: Shapes) -> SceneBuilder {
+    let mut builder = SceneBuilder::new("test", ["grey"]);
+    for (index, (shape, exitance)) in shapes.into_iter().enumerate() {
+        let material = Material::new(vec![0.5], vec![exitance]).expect("in range");
+        let material = builder.material(format!("material {index}"), material);
+        builder.surface(format!("surface {index}"), shape, &material);
     }
+    builder
+}
+
+fn scene(shapes: Shapes) -> Scene {
+    builder(shapes).build().expect("the scene is valid")
 }
 
 /// A solution with irradiance `total` everywhere, of which `direct` comes straight from emitters.
@@ -145,7 +137,6 @@ fn furnished_room() -> Scene {
     let floor = PlanarRegion::new(outline, vec![footprint]).expect("a floor with a hole");
     let floor = Polygon::new(floor.outer().to_vec(), floor.holes().to_vec()).expect("a floor");
     let screen = plate(p(0.7, 0.1, 0.3), 0.1 * x + 0.2 * y, 0.3 * z);
-    let screen_back = plate(p(0.7, 0.1, 0.3), 0.3 * z, 0.1 * x + 0.2 * y);
     let shapes: Vec<Arc<dyn Surface>> = vec![
         Arc::new(floor),
         plate(z, y, x),
@@ -158,10 +149,11 @@ fn furnished_room() -> Scene {
         plate(low, c, b),
         plate(high, -c, -a),
         plate(high, -b, -c),
-        screen,
-        screen_back,
     ];
-    scene(shapes.into_iter().map(|shape| (shape, 1.0)).collect())
+    let mut room = builder(shapes.into_iter().map(|shape| (shape, 1.0)).collect());
+    let white = room.material("white", Material::new(vec![0.5], vec![1.0]).expect("in range"));
+    room.surface("screen", screen, &white).two_sided();
+    room.build().expect("the room is valid")
 }
 
 /// Irradiance in the furnished room.

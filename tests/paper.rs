@@ -434,7 +434,8 @@ fn other_polygons_are_refused_by_name() {
 fn the_command_takes_the_readings_it_says() {
     let grid = |kernel: &str| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-        let args = ["grid", "empty-box", "--cells", "1x1", "--order", "4", "--kernel", kernel];
+        let args =
+            ["grid", "empty-box", "--cells", "1x1", "--read", "basis", "--order", "4", "--kernel", kernel];
         String::from_utf8(command.args(args).output().unwrap().stdout).unwrap()
     };
     let scene = Scene::builtin("empty-box").expect("the scene is built in");

@@ -247,7 +247,7 @@ fn numbered_names_are_unique_too() {
     let text =
         format!("{}\n[[surfaces]]\nname = \"pot-1\"\n{}", toml("name = \"pot\"", PATCHES), flat()[0].shape);
     let error = Scene::from_toml(&text, "case").unwrap_err();
-    assert_eq!(error.fault, Fault::DuplicateName { name: "pot-1".to_owned(), first_line: 2 });
+    assert_eq!(error.fault, Fault::DuplicateName { name: "pot-1".to_owned(), first_line: Some(2) });
 }
 
 /// The error of a surface whose shape is wrong, and the text its place underlines.

@@ -40,6 +40,7 @@ mod adjacency;
 
 mod flipped;
 mod placed;
+mod shared;
 pub mod shapes;
 
 pub use aabb::Aabb;

@@ -1,6 +1,6 @@
 //! `radiosity convergence`: how the error of a scene's radiosity falls with order, layers, unknowns and time.
 
-use std::io::{Write, stderr, stdout};
+use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
@@ -12,7 +12,9 @@ use radiosity::solution::Solution;
 use radiosity::solved::Solved;
 
 use crate::cli::{
+    destination::Destination,
     error::CliError,
+    format::of_ending,
     options::{MethodArgs, SceneArg},
     output_file::OutputFile,
     progress::Progress,
@@ -74,7 +76,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     }
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
-    let output = OutputFile::reserve(&path)?;
+    let output = OutputFile::reserve(&path)?.apart_from_scene(&args.scene)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
     let progress = Progress::new(args.quiet);
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
@@ -93,8 +95,8 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
         Format::Text => text(&runs),
         Format::Csv => csv(&runs),
     };
-    stdout().write_all(table.as_bytes())?;
     draw(&chart(args, scene, &runs), kind, &output)?;
+    Destination::Stdout.write(|writer| writer.write_all(table.as_bytes()))?;
     if !args.quiet {
         // Nobody is left to tell if stderr is closed.
         let _ = writeln!(stderr(), "wrote {}", path.display());
@@ -103,27 +105,28 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
 }
 
 /// What kind of file a chart is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum Kind {
     Svg,
     Png,
 }
 
 fn kind(path: &Path) -> Result<Kind, CliError> {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
-    match ending.as_deref() {
-        Some("svg") => Ok(Kind::Svg),
-        Some("png") => Ok(Kind::Png),
-        _ => Err(CliError::Refused {
-            message: format!("{}: the ending names no kind of drawing", path.display()),
-            cure: "choose a file ending in .svg or .png".to_owned(),
-        }),
-    }
+    of_ending(path).ok_or_else(|| CliError::Refused {
+        message: format!("{}: the ending names no kind of drawing", path.display()),
+        cure: "choose a file ending in .svg or .png".to_owned(),
+    })
 }
 
 /// The reference solution, of the same surfaces, bands and materials.
 fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
     let solved = reference::solution(path, scene)?;
+    if !solved.outcome.converged {
+        return Err(CliError::Refused {
+            message: format!("{}: its solver did not converge, which makes it no reference", path.display()),
+            cure: "solve it with more --max-iterations or another --solver".to_owned(),
+        });
+    }
     if reference::same_materials(&solved.scene, scene) {
         return Ok(solved);
     }

@@ -2,6 +2,7 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
+use radiosity::elements::ElementError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
@@ -94,6 +95,8 @@ pub(crate) enum CliError {
     UnknownFormat {
         /// The output as typed.
         path: PathBuf,
+        /// The formats there are, such as `csv or json`.
+        known: String,
     },
     /// A few pairs were asked for in a format that holds a matrix.
     #[error("--pairs are no matrix, which is all that NPY holds")]
@@ -152,7 +155,7 @@ impl CliError {
             CliError::Scene(error) => error.cure(),
             CliError::Solution(error) => Some(error.cure().into()),
             CliError::AlreadySolved { .. } => Some(
-                "give it to render, probe or grid; to solve again, give the scene it was made from".into(),
+                "give it to render, probe or grid; for anything else, give the scene it was made from".into(),
             ),
             CliError::Fixed { .. } => {
                 Some("leave the option out, or give the scene instead of its solution".into())
@@ -168,12 +171,16 @@ impl CliError {
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
             }
-            CliError::UnknownFormat { .. } => {
-                Some("end the name in .csv, .json or .npy, or add --format csv, json or npy".into())
+            CliError::UnknownFormat { known, .. } => {
+                Some(format!("end the name in .{}, or add --format {known}", known.replace("or ", "or .")))
             }
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
-            CliError::Solve(Failure::Memory { .. }) => {
-                Some("ask for one of these, or allow more with --memory".into())
+            CliError::Solve(Failure::Memory { fits, .. }) => Some(match fits.is_empty() {
+                true => "allow more with --memory, or leave it out".into(),
+                false => "ask for one of these, or allow more with --memory".into(),
+            }),
+            CliError::Solve(Failure::Elements(ElementError::Layers { .. })) => {
+                Some("take fewer --layers or a larger --ratio".into())
             }
             CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())

@@ -1,9 +1,9 @@
 //! `radiosity grid`: mean irradiance and radiosity over the cells of every surface.
 
-use std::io::{self, Write, stdout};
+use std::io;
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
@@ -11,9 +11,10 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
+    destination::Destination,
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SceneArg},
-    output_file::OutputFile,
+    format::{self, Format},
+    options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     read::{ReadArgs, Samples},
     run::{Loaded, Run},
@@ -21,7 +22,7 @@ use crate::cli::{
 
 /// Solves a scene and prints means over the cells of every surface
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "\
 Examples:
   radiosity grid cornell-box --cells 16x16 > cells.csv
   radiosity grid cornell-box --read basis --format json -o cells.json")]
@@ -40,11 +41,11 @@ pub(crate) struct GridArgs {
     #[arg(long, value_name = "D,I", default_value = "8,2")]
     pub(crate) read_samples: Samples,
 
-    /// Form of the table
-    #[arg(long, value_name = "FORMAT", default_value = "csv")]
-    pub(crate) format: Format,
+    /// Form of the table [default: that of the file's ending, or csv]
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
 
-    /// File of the table [default: standard output]
+    /// File of the table, .csv or .json [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -55,18 +56,11 @@ pub(crate) struct GridArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// `--format` of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Format {
-    /// Comma-separated values with a header
-    Csv,
-    /// An object with the bands and a list
-    Json,
-}
-
 /// Solves the scene and prints the means.
 pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
-    let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
+    let reserve = |path| loaded.reserve(path, &args.report);
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let format = format::chosen(args.format, args.output.as_deref(), Format::Csv)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
@@ -77,14 +71,11 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
         let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
         grid(&reader, sides, args.read_samples.0, &observe)
     })?;
-    let table = match args.format {
+    let table = match format {
         Format::Csv => csv(scene, &cells)?,
         Format::Json => json(scene, &cells)?,
     };
-    match &output {
-        Some(file) => file.write(|writer| writer.write_all(&table))?,
-        None => stdout().write_all(&table)?,
-    }
+    destination.write(|writer| writer.write_all(&table))?;
     run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
 }
 

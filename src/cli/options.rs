@@ -1,6 +1,9 @@
 //! Options that several verbs share.
 
-use std::{path::PathBuf, str::FromStr};
+use std::{
+    path::{Path, PathBuf},
+    str::FromStr,
+};
 
 use clap::{
     ArgMatches, Args, Command, ValueEnum,
@@ -8,15 +11,20 @@ use clap::{
     parser::ValueSource,
 };
 use radiosity::kernel::paper::{Reading, Rules};
+use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, memory, output_file::OutputFile};
 
+/// Help on the scene of verbs that read solutions as well.
+pub(crate) const SCENE_OR_SOLUTION: &str =
+    "Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input";
+
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
-    /// Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input
+    /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
@@ -26,9 +34,19 @@ pub(crate) struct SceneArg {
 }
 
 impl SceneArg {
-    /// Loads the scene.
-    pub(crate) fn load(&self) -> Result<Scene, SceneError> {
-        Scene::parse(&self.text()?)
+    /// Loads the scene; refuses a solution.
+    pub(crate) fn load(&self) -> Result<Scene, CliError> {
+        let text = self.text()?;
+        if is_solution(&text.text) {
+            return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
+        }
+        Ok(Scene::parse(&text)?)
+    }
+
+    /// The file of the scene, if it comes from one.
+    pub(crate) fn path(&self) -> Option<&Path> {
+        let builtin = Scene::builtins().iter().any(|builtin| builtin.name == self.scene);
+        (self.scene != "-" && !builtin).then(|| Path::new(&self.scene))
     }
 
     /// The text of the scene, or of a solution.
@@ -110,7 +128,7 @@ pub(crate) struct MethodArgs {
     pub(crate) memory: Option<u64>,
 
     /// Threads to use, all by default; results do not depend on it
-    #[arg(long, value_name = "N", value_parser = at_least_one())]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<usize>,
 }
 
@@ -163,7 +181,7 @@ impl FromStr for Order {
     fn from_str(text: &str) -> Result<Self, String> {
         let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
         let order = if text == "auto" { Some(Order::Auto) } else { degree() };
-        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}"))
+        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}, or auto"))
     }
 }
 
@@ -259,6 +277,13 @@ fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, St
 
 fn layers() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(0..=8)
+}
+
+/// A number of threads. More than any machine has use for would bring it to a standstill.
+pub(crate) fn threads(text: &str) -> Result<usize, String> {
+    const MOST: usize = 1024;
+    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
+    count.ok_or_else(|| format!("expected a whole number from 1 to {MOST}; leave it out for one a core"))
 }
 
 /// A count from 1 on.

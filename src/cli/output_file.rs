@@ -10,6 +10,7 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::cli::error::CliError;
 use crate::cli::interrupt::temporary_files;
+use crate::cli::options::SceneArg;
 
 /// A file that will be written. It comes into being only when all of it is there: the text goes to a temporary file in the
 /// same folder, which then takes the name.
@@ -31,10 +32,43 @@ impl OutputFile {
     /// Finds out whether `path` can be written, before any long work. Creates nothing that stays.
     ///
     /// # Errors
-    /// [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist or cannot be written to.
+    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist or
+    /// cannot be written to.
     pub(crate) fn reserve(path: &Path) -> Result<Self, CliError> {
+        if path == Path::new("-") {
+            return Err(CliError::Refused {
+                message: "-: an output needs a name".to_owned(),
+                cure: "without -o tables go to standard output; ./- is a file of that name".to_owned(),
+            });
+        }
         let target = target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?;
         Ok(OutputFile { typed: path.to_owned(), target })
+    }
+
+    /// This output, which has to be another file than `path`, that of `what`.
+    ///
+    /// # Errors
+    /// [`CliError::Refused`] if both are one file, through links or not.
+    pub(crate) fn apart_from(self, path: &Path, what: &str) -> Result<Self, CliError> {
+        let Target::Regular(own) = &self.target else { return Ok(self) };
+        if resolved(path).is_ok_and(|path| path == *own) {
+            return Err(CliError::Refused {
+                message: format!("{}: this is the file of {what} as well", self.typed.display()),
+                cure: "choose another name".to_owned(),
+            });
+        }
+        Ok(self)
+    }
+
+    /// This output, which must not take the place of the scene.
+    ///
+    /// # Errors
+    /// [`CliError::Refused`] if it would.
+    pub(crate) fn apart_from_scene(self, scene: &SceneArg) -> Result<Self, CliError> {
+        match scene.path() {
+            Some(path) => self.apart_from(path, "the scene"),
+            None => Ok(self),
+        }
     }
 
     /// Has `write` write the whole output, and then puts it in place.
@@ -71,12 +105,25 @@ fn target(path: &Path) -> io::Result<Target> {
         Ok(metadata) if !metadata.is_file() => {
             OpenOptions::new().write(true).open(path).map(|_| Target::Special)
         }
-        found => {
-            let path = if found.is_ok() { path.canonicalize()? } else { path.to_owned() };
+        _ => {
+            let path = resolved(path).map_err(|error| told(&error))?;
             drop(Temporary::beside(&path)?);
             Ok(Target::Regular(path))
         }
     }
+}
+
+/// The path without links, where a file is or can be made.
+fn resolved(path: &Path) -> io::Result<PathBuf> {
+    if path.exists() {
+        return path.canonicalize();
+    }
+    let name = path.file_name().ok_or_else(|| io::Error::other("it names no file"))?;
+    Ok(folder(path).canonicalize()?.join(name))
+}
+
+fn folder(path: &Path) -> &Path {
+    path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
 /// A temporary file that Ctrl-C removes.
@@ -108,16 +155,20 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     if path.file_name().is_none() {
         return Err(io::Error::other("it names no file"));
     }
-    let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
     let mut builder = Builder::new();
     builder.prefix(".radiosity-");
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    // The system's message alone: the temporary name would only confuse.
-    builder.tempfile_in(folder).map_err(|error| match error.kind() {
+    builder.tempfile_in(folder(path)).map_err(|error| told(&error))
+}
+
+/// The system's message alone: the temporary name would only confuse.
+fn told(error: &io::Error) -> io::Error {
+    match error.kind() {
         io::ErrorKind::NotFound => io::Error::other("its folder does not exist"),
+        io::ErrorKind::Other => io::Error::other(error.to_string()),
         kind => io::Error::from(kind),
-    })
+    }
 }
 
 #[cfg(test)]

@@ -5,8 +5,8 @@
 
 use std::io::{self, Read};
 
-use csv::{ReaderBuilder, StringRecord, Trim};
 use radiosity::output::probe::Probe;
+use radiosity::rows::{Row, Unreadable, rows};
 use radiosity_geom::DVec3;
 use thiserror::Error;
 
@@ -21,7 +21,7 @@ pub(crate) struct Points {
     /// The points, in the order of the file.
     pub(crate) probes: Vec<Probe>,
     /// The line of each, from 1.
-    pub(crate) lines: Vec<u64>,
+    pub(crate) lines: Vec<usize>,
 }
 
 /// What is wrong with a file of points.
@@ -31,7 +31,7 @@ pub(crate) struct PointsError {
     /// The file as typed, or `<stdin>`.
     pub(crate) origin: String,
     /// The line, from 1.
-    pub(crate) place: Option<u64>,
+    pub(crate) place: Option<usize>,
     /// What is wrong there.
     pub(crate) fault: String,
     /// What can be done.
@@ -57,23 +57,22 @@ impl Points {
     }
 
     fn parse(text: &[u8], origin: &str) -> Result<Self, PointsError> {
-        let mut reader = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .comment(Some(b'#'))
-            .trim(Trim::All)
-            .from_reader(text);
+        let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
         let mut points = Self { origin: origin.to_owned(), probes: Vec::new(), lines: Vec::new() };
         let mut columns: Option<Columns> = None;
-        for record in reader.records() {
-            let record = record.map_err(|error| points.unreadable(&error))?;
-            let line = record.position().map_or(0, csv::Position::line);
+        for row in rows(text) {
+            let Row { fields, line, .. } = row.map_err(|row| points.unreadable(&row))?;
+            if let [field] = fields.as_slice()
+                && field.contains([';', '\t'])
+            {
+                return Err(points.error(line, "there is no comma in it".to_owned(), COMMAS));
+            }
             match &columns {
-                None if is_header(&record) => columns = Some(points.header(&record, line)?),
+                None if is_header(&fields) => columns = Some(points.header(&fields, line)?),
                 _ => {
                     let columns =
                         columns.get_or_insert(Columns { places: std::array::from_fn(|k| k), count: 6 });
-                    let probe = columns.probe(&record);
+                    let probe = columns.probe(&fields);
                     points.probes.push(probe.map_err(|(fault, cure)| points.error(line, fault, cure))?);
                     points.lines.push(line);
                 }
@@ -87,7 +86,7 @@ impl Points {
         }
     }
 
-    fn header(&self, record: &StringRecord, line: u64) -> Result<Columns, PointsError> {
+    fn header(&self, record: &[String], line: usize) -> Result<Columns, PointsError> {
         let mut places = [0; 6];
         for (place, name) in places.iter_mut().zip(COLUMNS) {
             let mut found = (0..record.len()).filter(|k| record[*k].eq_ignore_ascii_case(name));
@@ -104,18 +103,20 @@ impl Points {
         Ok(Columns { places, count: record.len() })
     }
 
-    fn unreadable(&self, error: &csv::Error) -> PointsError {
-        let line = error.position().map_or(0, csv::Position::line);
-        self.error(line, format!("this is no text: {error}"), "save the file as UTF-8")
+    fn unreadable(&self, row: &Unreadable) -> PointsError {
+        self.error(row.line, format!("this is no text: {}", row.message), "save the file as UTF-8")
     }
 
-    fn error(&self, line: u64, fault: String, cure: &str) -> PointsError {
+    fn error(&self, line: usize, fault: String, cure: &str) -> PointsError {
         PointsError { origin: self.origin.clone(), place: Some(line), fault, cure: cure.to_owned() }
     }
 }
 
 /// What lines of a file should look like.
 const FORM: &str = "write six numbers a line, x,y,z,nx,ny,nz: a point and its normal";
+
+/// What to do about a file with other marks between its numbers.
+const COMMAS: &str = "part the numbers by commas, with points in them: 0.5,1,0,0,0,1";
 
 /// Where the columns stand, and how many there are.
 struct Columns {
@@ -124,7 +125,7 @@ struct Columns {
 }
 
 impl Columns {
-    fn probe(&self, record: &StringRecord) -> Result<Probe, (String, &'static str)> {
+    fn probe(&self, record: &[String]) -> Result<Probe, (String, &'static str)> {
         if record.len() != self.count {
             let fault = format!("there are {} columns instead of {}", record.len(), self.count);
             return Err((fault, FORM));
@@ -149,7 +150,7 @@ impl Columns {
 }
 
 /// Whether no field of a line is a number.
-fn is_header(record: &StringRecord) -> bool {
+fn is_header(record: &[String]) -> bool {
     record.iter().all(|field| field.parse::<f64>().is_err())
 }
 
@@ -179,6 +180,9 @@ mod tests {
             "p.csv:2: column 2 (y): 'zero' is no finite number"
         );
         assert_eq!(message("0,0,0,0,0,0\n"), "p.csv:1: column 4 (nx): the normal is zero");
+        let spaced = "\u{feff}# desk\n\n0,0,0,0,0,1\n# wall\n\n0,zero,0,0,0,1\n";
+        assert_eq!(message(spaced), "p.csv:6: column 2 (y): 'zero' is no finite number");
+        assert_eq!(message("x;y;z;nx;ny;nz\n"), "p.csv:1: there is no comma in it");
         assert_eq!(message("0,0,0,0,0\n"), "p.csv:1: there are 5 columns instead of 6");
         assert_eq!(message("x,y,z,nx,ny\n0,0,0,0,1\n"), "p.csv:1: the header has no column 'nz'");
         assert_eq!(message(""), "p.csv: there are no points in it");

@@ -1,7 +1,7 @@
 //! `radiosity probe`: irradiance at single points.
 
-use std::io::{self, Write, stdout};
-use std::path::PathBuf;
+use std::io;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use radiosity::output::probe::{ProbeFault, Reading, probe};
@@ -11,10 +11,10 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
+    destination::Destination,
     error::CliError,
-    grid::Format,
-    options::{MethodArgs, ReportArgs, SceneArg},
-    output_file::OutputFile,
+    format::{self, Format},
+    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     points::{COLUMNS, Points, PointsError},
     progress::Progress,
     read::ReadArgs,
@@ -23,7 +23,7 @@ use crate::cli::{
 
 /// Solves a scene and prints the irradiance at points of your choice, in the unit of the scene's exitance (lm/m² makes lux)
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "\
 Points are lines x,y,z,nx,ny,nz: a place and the direction light is received along. With a header line the columns may stand \
 in any order, and others are passed over. A point within 1e-6 of the scene's size of a surface lies on it, on the side the \
 normal points to, and its radiosity is printed as well.
@@ -41,11 +41,11 @@ pub(crate) struct ProbeArgs {
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
-    /// Form of the table
-    #[arg(long, value_name = "FORMAT", default_value = "csv")]
-    pub(crate) format: Format,
+    /// Form of the table [default: that of the file's ending, or csv]
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
 
-    /// File of the table [default: standard output]
+    /// File of the table, .csv or .json [default: standard output]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -73,7 +73,13 @@ impl ProbeArgs {
 
 /// Solves the scene and prints the readings.
 pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(), CliError> {
-    let output = args.output.as_deref().map(OutputFile::reserve).transpose()?;
+    let points_file = Path::new(&args.points);
+    if let Some(report) = args.report.reserve()? {
+        report.apart_from(points_file, "the points")?;
+    }
+    let reserve = |path| loaded.reserve(path, &args.report)?.apart_from(points_file, "the points");
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let format = format::chosen(args.format, args.output.as_deref(), Format::Csv)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
@@ -84,14 +90,11 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
         probe(&reader, &points.probes, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;
-    let table = match args.format {
+    let table = match format {
         Format::Csv => csv(scene, &readings)?,
         Format::Json => json(scene, &readings)?,
     };
-    match &output {
-        Some(file) => file.write(|writer| writer.write_all(&table))?,
-        None => stdout().write_all(&table)?,
-    }
+    destination.write(|writer| writer.write_all(&table))?;
     run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
 }
 

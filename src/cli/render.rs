@@ -13,8 +13,7 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SceneArg},
-    output_file::OutputFile,
+    options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
@@ -22,7 +21,7 @@ use crate::cli::{
 
 /// Solves a scene and takes a picture through its camera
 #[derive(Debug, Args)]
-#[command(after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
@@ -68,7 +67,7 @@ pub(crate) enum ReadMode {
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     let kind = args.style.kind(&path)?;
-    let output = OutputFile::reserve(&path)?;
+    let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args, &loaded.scene)?;
     let mut style = args.style.prepare(&loaded.scene, &camera)?;
     let progress = Progress::new(args.report.quiet);

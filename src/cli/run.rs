@@ -1,9 +1,10 @@
 //! What every verb that needs light does first: solve, with progress and a report.
 
 use std::io::{Write, stderr};
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use radiosity::adaptation::{Adapted, Goal, adapt};
+use radiosity::adaptation::{Achieved, Goal};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
@@ -12,6 +13,7 @@ use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 
+use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
 use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
@@ -26,22 +28,28 @@ use crate::cli::progress::Progress;
 pub(crate) struct Loaded {
     /// The scene.
     pub(crate) scene: Scene,
+    /// The file it was read from.
+    file: Option<PathBuf>,
     /// Its solution, where a solution file was read.
-    saved: Option<(Options, Outcome)>,
+    saved: Option<Saved>,
     /// When its reading began.
     started: Instant,
     seconds: f64,
+}
+
+/// What a solution file holds beside the scene.
+#[derive(Debug)]
+struct Saved {
+    options: Options,
+    outcome: Outcome,
+    achieved: Option<Achieved>,
 }
 
 impl Loaded {
     /// Reads a scene that light can be asked of.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = source.text()?;
-        if is_solution(&text.text) {
-            return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
-        }
-        Self::new(Scene::parse(&text)?, None, started)
+        Self::new(source, source.load()?, None, started)
     }
 
     /// Reads a scene that light can be asked of, or a solution file: then the options in `fixed`, those of the method that
@@ -50,18 +58,40 @@ impl Loaded {
         let started = Instant::now();
         let text = source.text()?;
         if !is_solution(&text.text) {
-            return Self::new(Scene::parse(&text)?, None, started);
+            return Self::new(source, Scene::parse(&text)?, None, started);
         }
         if let Some(option) = fixed.first() {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        let Solved { scene, options, outcome } = read(&text)?;
-        Self::new(scene, Some((options, outcome)), started)
+        let Solved { scene, options, outcome, achieved } = read(&text)?;
+        Self::new(source, scene, Some(Saved { options, outcome, achieved }), started)
     }
 
-    fn new(scene: Scene, saved: Option<(Options, Outcome)>, started: Instant) -> Result<Self, CliError> {
+    fn new(
+        source: &SceneArg,
+        scene: Scene,
+        saved: Option<Saved>,
+        started: Instant,
+    ) -> Result<Self, CliError> {
         scene.require_light()?;
-        Ok(Self { scene, saved, started, seconds: started.elapsed().as_secs_f64() })
+        let file = source.path().map(Path::to_owned);
+        Ok(Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() })
+    }
+
+    /// Finds out, before the work, whether `output` can be written, and is neither what was read nor the report.
+    pub(crate) fn reserve(&self, output: &Path, report: &ReportArgs) -> Result<OutputFile, CliError> {
+        let output = self.apart(OutputFile::reserve(output)?)?;
+        match &report.report {
+            Some(report) => output.apart_from(report, "the report"),
+            None => Ok(output),
+        }
+    }
+
+    fn apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
+        match &self.file {
+            Some(file) => output.apart_from(file, "the scene"),
+            None => Ok(output),
+        }
     }
 }
 
@@ -104,7 +134,7 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let report_file = report.reserve()?;
+        let report_file = report.reserve()?.map(|file| loaded.apart(file)).transpose()?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
@@ -113,22 +143,13 @@ impl Run {
             Stage::Finished(..) => {}
         };
         let saved = loaded.saved.is_some();
-        let (solved, mut summary) = match (loaded.saved, method.wanted_accuracy()) {
-            (None, Some(accuracy)) => {
-                let adapted = adapt(&loaded.scene, &asked, Goal::new(accuracy), &observe)?;
-                let summary = Report::adapted(&loaded.scene, &adapted);
-                let Adapted { options, outcome, .. } = adapted;
-                (Solved { scene: loaded.scene, options, outcome }, summary)
-            }
-            (read, _) => {
-                let solved = match read {
-                    Some((options, outcome)) => Solved { scene: loaded.scene, options, outcome },
-                    None => Solved::new(loaded.scene, asked, &observe)?,
-                };
-                let summary = Report::new(&solved.scene, &solved.options, &solved.outcome);
-                (solved, summary)
-            }
+        let scene = loaded.scene;
+        let solved = match (loaded.saved, method.wanted_accuracy()) {
+            (Some(Saved { options, outcome, achieved }), _) => Solved { scene, options, outcome, achieved },
+            (None, Some(accuracy)) => Solved::to_accuracy(scene, &asked, Goal::new(accuracy), &observe)?,
+            (None, None) => Solved::new(scene, asked, &observe)?,
         };
+        let mut summary = Report::new(&solved);
         summary.seconds.load = loaded.seconds;
         summary.threads = asked.threads;
         Ok(Self {
@@ -189,11 +210,11 @@ impl Run {
             ),
             self.costs(),
             format!(
-                "of the emitted power {:.2} % is absorbed, {:.2} % lost; row sums {:.4} to {:.4}",
-                100.0 * checks.energy_absorbed / checks.energy_in,
-                100.0 * checks.energy_lost / checks.energy_in,
-                checks.row_sum_min,
-                checks.row_sum_max
+                "of the emitted power {} % is absorbed, {} % lost; row sums {} to {}",
+                decimals(100.0 * checks.energy_absorbed / checks.energy_in, 2),
+                decimals(100.0 * checks.energy_lost / checks.energy_in, 2),
+                decimals(checks.row_sum_min, 4),
+                decimals(checks.row_sum_max, 4)
             ),
         ];
         lines.extend(self.report.accuracy_estimate.map(|estimate| {

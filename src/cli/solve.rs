@@ -9,7 +9,6 @@ use radiosity::solve::{Options, Outcome};
 use crate::cli::{
     error::CliError,
     options::{MethodArgs, ReportArgs, SceneArg},
-    output_file::OutputFile,
     progress::Progress,
     run::{Loaded, Run, options},
 };
@@ -41,7 +40,7 @@ pub(crate) struct SolveArgs {
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
-    let output = OutputFile::reserve(&path)?;
+    let output = loaded.reserve(&path, &args.report)?;
     let progress = Progress::new(args.report.quiet);
     let options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
     let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;

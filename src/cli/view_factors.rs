@@ -1,7 +1,8 @@
 //! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
 
-use std::io::{self, BufWriter, Write, stderr, stdout};
-use std::path::{Path, PathBuf};
+use std::collections::BTreeSet;
+use std::io::{self, Write, stderr};
+use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -12,8 +13,11 @@ use radiosity::solve;
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{
+    decimals::decimals,
+    destination::Destination,
     error::CliError,
-    options::{SceneArg, Shadows, Subdivide, at_least_one, fraction, subdivide},
+    format,
+    options::{SceneArg, Shadows, Subdivide, fraction, subdivide, threads},
     output_file::OutputFile,
     progress::Progress,
 };
@@ -65,7 +69,7 @@ pub(crate) struct ViewFactorsArgs {
     pub(crate) shadows: Shadows,
 
     /// Threads to use, all by default; results do not depend on it
-    #[arg(long, value_name = "N", value_parser = at_least_one())]
+    #[arg(long, value_name = "N", value_parser = threads)]
     pub(crate) threads: Option<usize>,
 
     /// Prints no progress and no summary
@@ -91,19 +95,14 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let scene = args.scene.load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
-    let file = args.output.as_deref().map(OutputFile::reserve).transpose()?;
+    let reserve = |path| OutputFile::reserve(path)?.apart_from_scene(&args.scene);
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let progress = Progress::new(args.quiet);
-    let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
+    let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
+    let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
-    match &file {
-        Some(file) => file.write(|writer| write(&factors, &pairs, format, writer))?,
-        None => {
-            let mut writer = BufWriter::new(stdout().lock());
-            write(&factors, &pairs, format, &mut writer)?;
-            writer.flush()?;
-        }
-    }
+    destination.write(|writer| write(&factors, &pairs, format, writer))?;
     drop(progress);
     if !args.quiet {
         args.tell(&scene, &factors, start);
@@ -115,7 +114,7 @@ fn write(
     factors: &ViewFactors,
     pairs: &[[usize; 2]],
     format: Format,
-    writer: &mut impl Write,
+    writer: &mut dyn Write,
 ) -> io::Result<()> {
     match (format, pairs.is_empty()) {
         (Format::Csv, true) => output::csv(factors, writer),
@@ -142,14 +141,7 @@ fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
 impl ViewFactorsArgs {
     /// The format asked for, or that of the output's ending.
     fn format(&self) -> Result<Format, CliError> {
-        let ending = self.output.as_deref().and_then(Path::extension).and_then(|ending| ending.to_str());
-        let format = match (self.format, &self.output, ending) {
-            (Some(format), ..) => format,
-            (None, None, _) | (None, _, Some("csv")) => Format::Csv,
-            (None, _, Some("json")) => Format::Json,
-            (None, _, Some("npy")) => Format::Npy,
-            (None, Some(path), _) => return Err(CliError::UnknownFormat { path: path.clone() }),
-        };
+        let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
         if format == Format::Npy && !self.pairs.is_empty() {
             return Err(CliError::PairsAsArray);
         }
@@ -205,8 +197,11 @@ impl ViewFactorsArgs {
         let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();
         let mut lines = vec![
             format!(
-                "row sums {:.9} (surface '{}') to {:.9} (surface '{}')",
-                sums[least], factors.names[least], sums[most], factors.names[most]
+                "row sums {} (surface '{}') to {} (surface '{}')",
+                decimals(sums[least], 9),
+                factors.names[least],
+                decimals(sums[most], 9),
+                factors.names[most]
             ),
             format!("reciprocity: A_i F_ij and A_j F_ji differ by {:.1e} at the most", factors.reciprocity()),
             match losing {

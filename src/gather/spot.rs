@@ -2,7 +2,7 @@
 //!
 //! A point within a tolerance of a surface whose front it faces lies on that surface. Typed points are rounded, and may lie
 //! a trifle behind it or beyond its edge, where something else begins: they are moved onto the surface and a trifle
-//! inwards, so that light is the limit from within the surface.
+//! away from what else touches it there, or inwards at an edge of its own, so that light is the limit from the open side.
 
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 
@@ -29,6 +29,9 @@ pub struct Spot {
     pub normal: DVec3,
 }
 
+/// Sum of the directions out of what touches a point, each of length 1, below which they cancel.
+const ASIDE: f64 = 0.1;
+
 impl Spot {
     /// The point of a surface that `x` stands for, if it lies on one with its normal `n` on the front's side; the surface that
     /// the normal fits best where there are several.
@@ -36,13 +39,20 @@ impl Spot {
         let diagonal = visibility.bounds().diagonal();
         let tolerance = ON_SURFACE * diagonal;
         let around = Aabb { min: x, max: x }.inflate(tolerance);
-        let spots = visibility.near(&around).into_iter().filter_map(|surface| {
+        let touched = |surface: usize| {
             let shape = elements.shape(surface);
             let foot = shape.project(x);
             let jet = shape.jet(foot.u, foot.v);
             let inside = shape.region().is_none_or(|region| region.contains(jet.position));
-            let on = foot.distance <= tolerance && inside && jet.normal.dot(n) > 0.0;
-            on.then(|| Self::within(elements, surface, [foot.u, foot.v], INWARDS * diagonal)).flatten()
+            (foot.distance <= tolerance && inside).then_some((surface, foot, jet.normal))
+        };
+        let touched: Vec<_> = visibility.near(&around).into_iter().filter_map(touched).collect();
+        let faced = touched.iter().filter(|(_, _, normal)| normal.dot(n) > 0.0);
+        let spots = faced.filter_map(|(surface, foot, normal)| {
+            let others = touched.iter().filter(|(other, ..)| other != surface);
+            let away: DVec3 =
+                others.map(|(_, _, other)| other.reject_from(*normal).normalize_or_zero()).sum();
+            Self::within(elements, *surface, [foot.u, foot.v], INWARDS * diagonal, away)
         });
         spots.fold(None, |best: Option<Self>, spot| match best {
             Some(best) if best.normal.dot(n) >= spot.normal.dot(n) => Some(best),
@@ -56,11 +66,17 @@ impl Spot {
         Vantage { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
-    /// The spot at these parameters, moved inwards by `step`.
-    fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64) -> Option<Self> {
+    /// The spot at these parameters, moved by `step`: `away` from what else touches it, or else inwards.
+    fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
         let start = shape.jet(at[0], at[1]).position;
+        let aside = start + step * away.normalize_or_zero();
+        let is_free = shape.region().is_some_and(|region| region.contains(aside));
         let parameters = match middle_of_piece(shape, start) {
+            Some(_) if away.length() > ASIDE && is_free => {
+                let foot = shape.project(aside);
+                [foot.u, foot.v]
+            }
             Some(middle) => {
                 let share = (step / middle.distance(start)).min(AT_MOST);
                 let foot = shape.project(start.lerp(middle, share));

@@ -1,6 +1,6 @@
 //! Fronts that face the wrong way.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{Aabb, DVec3};
 use rayon::prelude::*;
 
 use crate::inspection::{
@@ -26,7 +26,7 @@ pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
 pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Camera>) -> Vec<Warning> {
     let warning = |shell: &Shell| {
         let is_inside = |point: DVec3| shell.encloses(sheets, point);
-        let mut others = (0..sheets.list.len()).filter(|k| !shell.sheets.contains(k)).peekable();
+        let mut others = (0..sheets.list.len()).filter(|k| shell.sheets.binary_search(k).is_err()).peekable();
         let stands_alone = others.peek().is_none();
         let holds_something = camera.is_some_and(|camera| is_inside(camera.eye))
             || others.any(|k| is_inside(sheets.list[k].samples()[0].0));
@@ -65,9 +65,16 @@ fn part_of(shell: &Shell) -> String {
 /// Fronts that face no other front, as far as sampled points tell; what stands between is not looked at.
 pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
+    // A plane before which nothing of the other lies rules out all points at once.
+    let reaches = |own: usize, other: usize| {
+        let is_flat = sheets.list[own].shape.region().is_some();
+        !is_flat || lies_before(&samples[own][0], &sheets.list[other].bounds)
+    };
     let sees = |own: usize, other: usize| {
         let behind = sheets.list[other].two_sided;
-        samples[own].iter().any(|x| samples[other].iter().any(|y| faces(x, y, behind)))
+        reaches(own, other)
+            && (behind || reaches(other, own))
+            && samples[own].iter().any(|x| samples[other].iter().any(|y| faces(x, y, behind)))
     };
     let is_blind =
         |own: usize| !sheets.list[own].two_sided && !(0..sheets.list.len()).any(|other| sees(own, other));
@@ -80,6 +87,12 @@ pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
         .into_iter()
         .map(|own| Warning::about("front-blind", &sheets.list[own].name, message.to_owned()))
         .collect()
+}
+
+/// Whether some of a box lies before the plane through a point across its normal.
+fn lies_before((x, n): &(DVec3, DVec3), bounds: &Aabb) -> bool {
+    let half = 0.5 * (bounds.max - bounds.min);
+    (bounds.center() - *x).dot(*n) + half.dot(n.abs()) > 0.0
 }
 
 /// Whether the fronts at two points face each other; the second's back counts too if it emits and receives.

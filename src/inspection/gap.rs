@@ -1,5 +1,7 @@
 //! Gaps: borders that nearly meet another sheet.
 
+use std::collections::{BTreeMap, BTreeSet};
+
 use radiosity_geom::DVec3;
 
 use crate::inspection::{
@@ -12,13 +14,14 @@ use crate::inspection::{
 /// Borders that nearly reach another sheet, once for each pair, where the gap is widest; surfaces that pass through each
 /// other have other worries.
 pub(super) fn gaps(sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
-    let cross = |pair: [usize; 2]| {
-        let pair = pair.map(|k| sheets.list[k].surface);
-        contacts.iter().any(|c| c.surfaces == pair && matches!(c.touch, Touch::Crossing { .. }))
-    };
+    let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Touch::Crossing { .. }));
+    let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
+    let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));
     let mut widest: Vec<([usize; 2], f64, DVec3)> = Vec::new();
+    let mut known = BTreeMap::new();
     for (pair, distance, point) in rims.iter().filter_map(widest_gap).filter(|(pair, ..)| !cross(*pair)) {
-        match widest.iter_mut().find(|(known, ..)| *known == pair) {
+        let index = *known.entry(pair).or_insert(widest.len());
+        match widest.get_mut(index) {
             Some(found) if found.1 < distance => *found = (pair, distance, point),
             Some(_) => {}
             None => widest.push((pair, distance, point)),

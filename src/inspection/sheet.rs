@@ -1,6 +1,6 @@
 //! The sheets of a scene: its surfaces, each but once where it has two sides.
 
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{Aabb, Border, Bvh, DVec3, Patch, Surface};
 
@@ -34,11 +34,12 @@ pub(super) struct Sheets {
 
 impl Sheets {
     pub(super) fn of(scene: &Scene) -> Self {
-        let is_back = |k: usize| {
-            k > 0 && k < scene.surfaces.len() && belongs(&scene.surfaces[k - 1], &scene.surfaces[k])
-        };
-        let fronts = (0..scene.surfaces.len()).filter(|k| !is_back(*k));
-        let list: Vec<Sheet> = fronts.map(|k| Sheet::new(k, &scene.surfaces[k], is_back(k + 1))).collect();
+        let backs = backs(&scene.surfaces);
+        let mut is_back = vec![false; scene.surfaces.len()];
+        backs.values().for_each(|back| is_back[*back] = true);
+        let sheet =
+            |k: usize| Sheet::new(k, &scene.surfaces[k], backs.get(&k).map(|back| &scene.surfaces[*back]));
+        let list: Vec<Sheet> = (0..scene.surfaces.len()).filter(|k| !is_back[*k]).map(sheet).collect();
         let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds.inflate(GAP * sheet.extent)).collect();
         Sheets { tree: Bvh::build(&boxes), list }
     }
@@ -53,17 +54,40 @@ impl Sheets {
     }
 }
 
-/// Whether `back` is the other side of `front`.
-fn belongs(front: &SceneSurface, back: &SceneSurface) -> bool {
-    front.place == back.place && back.name.strip_suffix(":back") == Some(front.name.as_str())
+/// The backs of surfaces that have one, by the fronts' indices.
+fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
+    let named: BTreeMap<&str, usize> =
+        surfaces.iter().enumerate().map(|(k, s)| (s.name.as_str(), k)).collect();
+    let front_of = |back: &SceneSurface| {
+        let front = *named.get(back.name.strip_suffix(":back")?)?;
+        covers(&surfaces[front], back).then_some(front)
+    };
+    surfaces.iter().enumerate().filter_map(|(back, surface)| Some((front_of(surface)?, back))).collect()
+}
+
+/// Whether one surface lies all over the other; of two such the fronts are opposite, no others are in a scene.
+fn covers(front: &SceneSurface, back: &SceneSurface) -> bool {
+    let [front, back] = [front, back].map(|surface| Sheet::new(0, surface, None));
+    let room = TOUCH * front.extent;
+    let lies_on = |point: DVec3| front.drop(point).is_some_and(|foot| foot.distance(point) <= room);
+    let [own, other] = [&front, &back].map(|sheet| sheet.shape.area());
+    (own - other).abs() <= TOUCH * own && back.samples().iter().all(|(point, _)| lies_on(*point))
 }
 
 impl Sheet {
-    fn new(index: usize, surface: &SceneSurface, two_sided: bool) -> Self {
+    fn new(index: usize, surface: &SceneSurface, back: Option<&SceneSurface>) -> Self {
         let shape = Arc::clone(&surface.shape);
         let bounds = Patch::whole(&*shape).bounds();
-        let (name, emits) = (surface.name.clone(), surface.material.emits());
-        Sheet { surface: index, name, shape, two_sided, emits, bounds, extent: bounds.diagonal() }
+        let emits = surface.material.emits() || back.is_some_and(|back| back.material.emits());
+        Sheet {
+            surface: index,
+            name: surface.name.clone(),
+            shape,
+            two_sided: back.is_some(),
+            emits,
+            bounds,
+            extent: bounds.diagonal(),
+        }
     }
 
     pub(super) fn patch(&self) -> Patch<'_> {

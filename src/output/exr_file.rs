@@ -83,8 +83,8 @@ fn channels(bands: &[String]) -> Vec<String> {
         return ["R", "G", "B"].map(str::to_owned).to_vec();
     }
     let name = |(index, band): (usize, &String)| match Text::new_or_none(band) {
-        Some(_) => band.clone(),
-        None => format!("band-{}", index + 1),
+        Some(_) if band != COVERAGE => band.clone(),
+        _ => format!("band-{}", index + 1),
     };
     bands.iter().enumerate().map(name).collect()
 }

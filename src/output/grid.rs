@@ -129,11 +129,15 @@ impl Integrals {
     }
 }
 
+/// Points along each direction for the area of a curved patch.
+const AREA_POINTS: usize = 16;
+
 /// ∫ E dA per band over a patch of an element, and its area.
 fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (Vec<f64>, f64) {
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
+    let area = area(patch);
     let place = |node: &Node| Place {
         surface: owner.surface,
         parameters: node.parameters.to_array(),
@@ -142,22 +146,27 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (
     let horizon = owner.plane.map(|(_, normal)| normal);
     let polynomials = |node: &Node| reader.polynomials(element, &place(node));
     let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
-    match reader.light() {
-        Light::Basis => integral(patch, exact, polynomials),
+    let mean = match reader.light() {
+        Light::Basis => mean(patch, exact, polynomials),
         Light::Direct(direct) => {
-            let lit = lit(direct, owner.surface, patch, horizon, rates.direct);
-            let (rest, area) = integral(patch, exact, indirect);
-            (sum(lit, &rest), area)
+            sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
         }
-        Light::Gather(gather) => {
-            let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
-            let (rest, area) = gathered(gather, owner.surface, patch, horizon, rates.indirect);
-            (sum(lit, &rest), area)
-        }
-    }
+        Light::Gather(gather) => sum(
+            lit(gather.direct(), owner.surface, patch, horizon, rates.direct),
+            &gathered(gather, owner.surface, patch, horizon, rates.indirect),
+        ),
+    };
+    (mean.into_iter().map(|mean| mean * area).collect(), area)
 }
 
-/// ∫ D dA per band over a patch.
+/// Area of a patch, to rounding if it is flat.
+fn area(patch: &Patch) -> f64 {
+    let rule = UnitRule::of(if patch.is_flat() { 2 } else { AREA_POINTS });
+    let weights = rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t)));
+    weights.map(|((s, ws), (t, wt))| ws * wt * patch.node(s, t).area).sum()
+}
+
+/// Mean of D per band over a patch.
 fn lit(
     direct: &DirectLight,
     surface: usize,
@@ -168,27 +177,27 @@ fn lit(
     let surroundings = direct.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
     let value =
         |node: &Node| direct.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings);
-    integral(patch, points, value).0
+    mean(patch, points, value)
 }
 
-/// ∫ (E − D) dA per band over a patch, and its area.
+/// Mean of E − D per band over a patch.
 fn gathered(
     gather: &Gather,
     surface: usize,
     patch: &Patch,
     horizon: Option<DVec3>,
     points: usize,
-) -> (Vec<f64>, f64) {
+) -> Vec<f64> {
     let company = gather.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
-    integral(patch, points, |node| {
+    mean(patch, points, |node| {
         let vantage = Vantage::on(surface, node.position, node.normal);
         let direct = gather.direct().irradiance(&vantage, &company.direct);
         gather.indirect(&vantage, &company.indirect, &direct)
     })
 }
 
-/// ∫ value dA over a patch by a Gauss rule, and the patch's area by the same.
-fn integral(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> (Vec<f64>, f64) {
+/// ∫ value dA / ∫ dA over a patch, both by one Gauss rule: few points then tell the mean of a constant exactly.
+fn mean(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> Vec<f64> {
     let rule = UnitRule::of(points);
     let (mut total, mut area) = (Vec::new(), 0.0);
     for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
@@ -198,7 +207,7 @@ fn integral(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> 
         let weighted = value(&node).into_iter().map(|value| weight * value);
         total = if total.is_empty() { weighted.collect() } else { sum(total, &weighted.collect::<Vec<_>>()) };
     }
-    (total, area)
+    total.into_iter().map(|total| if area > 0.0 { total / area } else { 0.0 }).collect()
 }
 
 fn sum(mut a: Vec<f64>, b: &[f64]) -> Vec<f64> {

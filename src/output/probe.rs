@@ -8,8 +8,10 @@ use crate::gather::spot::Spot;
 use crate::output::reader::{Light, Reader};
 use crate::view::vantage::Vantage;
 
-/// Cosine between a probe's normal and its surface's from which on they count as the same for reading polynomials.
+/// Cosine between a probe's normal and its surface's from which on they count as the same where only polynomials are
+/// known, and where light is gathered along any normal.
 const SAME_NORMAL: f64 = 0.9999;
+const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
 
 /// A point with the direction it receives along.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -82,7 +84,7 @@ fn read(reader: &Reader, probe: &Probe) -> Result<Reading, ProbeFault> {
     let (irradiance, on) = match (reader.light(), spot) {
         (Light::Gather(gather), None) => (gather.at(&Vantage::free(position, normal)), None),
         (_, None) => return Err(ProbeFault::OffSurface),
-        (Light::Gather(gather), Some(spot)) if spot.normal.dot(normal) < SAME_NORMAL => {
+        (Light::Gather(gather), Some(spot)) if spot.normal.dot(normal) < EQUAL_NORMAL => {
             (gather.at(&spot.vantage(normal)), Some(on(reader, &spot, &along_surface(&spot))))
         }
         (_, Some(spot)) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),

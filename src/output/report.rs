@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
-use crate::adaptation::Adapted;
+use crate::adaptation::{Achieved, End};
 use crate::checks::Checks;
 use crate::kernel::PairCounts;
 use crate::scene::Scene;
 use crate::solve::{Options, Outcome};
+use crate::solved::Solved;
 
 /// What a run did, what it cost and how its result judges itself.
 #[derive(Clone, Debug, Serialize)]
@@ -44,7 +45,7 @@ pub struct Report {
     /// The largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
     /// hundredth of its row's; zero where every part was resolved.
     pub accuracy_reached: f64,
-    /// Estimated relative error of the radiosity, where an accuracy was asked for.
+    /// Estimated relative error of the radiosity, where an accuracy was asked for and more than one run could be done.
     pub accuracy_estimate: Option<f64>,
     /// Iterations of the solver, the most of any band.
     pub iterations: usize,
@@ -89,28 +90,9 @@ pub struct Warning {
 }
 
 impl Report {
-    /// The report of a scene solved to a wanted accuracy.
-    pub fn adapted(scene: &Scene, adapted: &Adapted) -> Self {
-        let mut report = Self::new(scene, &adapted.options, &adapted.outcome);
-        report.accuracy_estimate = Some(adapted.estimate);
-        if !adapted.reached {
-            let message = format!(
-                "the estimated error is {:.1e}, more than asked for, and the next finer elements would be too many: give                  surfaces with shadows or small details a subdivide of their own, or ask for less",
-                adapted.estimate
-            );
-            report.warnings.push(Warning { code: "accuracy-not-reached".to_owned(), message, surface: None });
-        }
-        if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
-            let message = "some surfaces state their own order or subdivide and keep it: what they miss is not in the \
-                           estimated error";
-            let code = "accuracy-unseen".to_owned();
-            report.warnings.push(Warning { code, message: message.to_owned(), surface: None });
-        }
-        report
-    }
-
     /// The report of a solved scene; times of loading and output, and the total, are the caller's.
-    pub fn new(scene: &Scene, options: &Options, outcome: &Outcome) -> Self {
+    pub fn new(solved: &Solved) -> Self {
+        let Solved { scene, options, outcome, achieved } = solved;
         let elements = outcome.solution.elements();
         Self {
             scene: scene.name.clone(),
@@ -129,12 +111,12 @@ impl Report {
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
-            accuracy_estimate: None,
+            accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
             iterations: outcome.iterations,
             residual: outcome.residual,
             converged: outcome.converged,
             checks: outcome.checks,
-            warnings: warnings(options, outcome),
+            warnings: warnings(solved),
         }
     }
 }
@@ -150,11 +132,66 @@ fn seconds(outcome: &Outcome) -> Seconds {
     }
 }
 
-fn warnings(options: &Options, outcome: &Outcome) -> Vec<Warning> {
+fn warnings(solved: &Solved) -> Vec<Warning> {
+    let Solved { scene, options, outcome, achieved } = solved;
+    let unconverged = (!outcome.converged).then(|| unconverged(outcome));
+    let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
+    unconverged.into_iter().chain(adapted).chain(discretization(options, outcome)).collect()
+}
+
+fn warning(code: &str, message: String) -> Warning {
+    Warning { code: code.to_owned(), message, surface: None }
+}
+
+fn unconverged(outcome: &Outcome) -> Warning {
+    let message = format!(
+        "the solver did not converge, the relative residual is {:.1e}: the light is incomplete; raise --max-iterations or \
+         take another --solver",
+        outcome.residual
+    );
+    warning("not-converged", message)
+}
+
+/// What a wanted accuracy did not come to.
+fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     let mut warnings = Vec::new();
-    let mut warn = |code: &str, message: String| {
-        warnings.push(Warning { code: code.to_owned(), message, surface: None });
-    };
+    if let Some(why) = why(achieved.end) {
+        let estimate = match achieved.estimate {
+            Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
+            None => "there is no second run to estimate the error from".to_owned(),
+        };
+        warnings.push(warning("accuracy-not-reached", format!("{estimate}, and {why}")));
+    }
+    if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
+        let message = "some surfaces state their own order or subdivide and keep it: what they miss is not in the \
+                       estimated error";
+        warnings.push(warning("accuracy-unseen", message.to_owned()));
+    }
+    warnings
+}
+
+/// Why no finer run followed and what to do; None where none was needed.
+fn why(end: End) -> Option<&'static str> {
+    match end {
+        End::Reached => None,
+        End::Finest => Some("there is no finer run to try: begin with a higher --order, or ask for less"),
+        End::Unknowns => Some(
+            "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
+             own, or ask for less",
+        ),
+        End::Memory => {
+            Some("the next finer run does not fit into memory: allow more with --memory, or ask for less")
+        }
+        End::NotConverged => Some(
+            "the solver did not converge in a finer run: raise --max-iterations, or take another --solver",
+        ),
+    }
+}
+
+/// What elements and transfers miss.
+fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
+    let mut warnings = Vec::new();
+    let mut warn = |code: &str, message: String| warnings.push(warning(code, message));
     if outcome.pairs.unresolved > 0 {
         warn(
             "near-floor",

@@ -2,9 +2,12 @@
 
 use radiosity_geom::DVec3;
 
-use crate::scene::error::Fault;
+use crate::scene::{
+    error::Fault,
+    ranges::{check_fov, check_pixels},
+};
 
-/// A pinhole camera, valid by construction: it looks somewhere, and its up vector is not along the view.
+/// A pinhole camera. Those of scenes look somewhere, and their up vector is not along the view.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// The pinhole.
@@ -15,21 +18,32 @@ pub struct Camera {
     pub up: DVec3,
     /// Vertical angle of view in degrees, 0 < fov < 180.
     pub fov: f64,
-    /// Pixels across.
+    /// Pixels across, 1 to 16384.
     pub width: u32,
-    /// Pixels down.
+    /// Pixels down, 1 to 16384.
     pub height: u32,
 }
 
-/// Pictures are at most this wide and high.
-pub(super) const MAX_PIXELS: u32 = 16384;
-
 impl Camera {
+    /// Looks from `eye` to `target`; up is +z, the angle of view 40 degrees, the picture 512 × 512 pixels.
+    ///
+    /// Change what is to differ: `Camera { fov: 60.0, ..Camera::new(eye, target) }`. It is checked when it is given to a scene.
+    pub fn new(eye: DVec3, target: DVec3) -> Self {
+        Self { eye, target, up: DVec3::Z, fov: 40.0, width: 512, height: 512 }
+    }
+
     /// Checks that the camera has a view.
     ///
     /// # Errors
-    /// [`Fault::BadCamera`] if eye and target coincide or `up` lies along the view.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or `up`
+    /// lies along the view.
     pub(super) fn checked(self) -> Result<Self, Fault> {
+        let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
+        if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {
+            return Err(Fault::NotFinite { value });
+        }
+        check_fov(self.fov)?;
+        [self.width, self.height].into_iter().try_for_each(|pixels| check_pixels(pixels as usize))?;
         let view = (self.target - self.eye).try_normalize();
         let up = self.up.try_normalize();
         let problem = match (view, up) {

@@ -41,6 +41,19 @@ impl Occupied {
         Occupied { shape: Arc::clone(shape), bounds: bounds.inflate(SAME * extent), extent }
     }
 
+    /// A box around it, with room for rounding.
+    pub(super) fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    /// Whether the fronts of two that coincide face away from each other.
+    pub(super) fn opposes(&self, other: &Occupied) -> bool {
+        match (self.shape.region(), other.shape.region()) {
+            (Some(a), Some(b)) => a.normal().dot(b.normal()) < 0.0,
+            _ => turns_away(self, other) || turns_away(other, self),
+        }
+    }
+
     /// Whether the two lie in one another.
     pub(super) fn coincides(&self, other: &Occupied) -> bool {
         self.bounds.overlaps(&other.bounds)
@@ -86,12 +99,28 @@ fn lies_in(a: &Occupied, b: &Occupied) -> bool {
 
 /// Whether `surface` passes through `point` across `normal`.
 fn passes_through(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> bool {
+    normal_there(surface, point, normal, size).is_some_and(|there| there.cross(normal).length() < 1e-6)
+}
+
+/// The normal of `surface` at `point`, which a line along `normal` finds if it lies there.
+fn normal_there(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> Option<DVec3> {
     let reach = 1e-4 * size * normal;
-    let hit = surface.intersect(&Ray::segment(point - reach, point + reach));
-    hit.is_some_and(|hit| {
-        let there = surface.jet(hit.u, hit.v);
-        there.position.distance(point) <= SAME * size && there.normal.cross(normal).length() < 1e-6
-    })
+    let hit = surface.intersect(&Ray::segment(point - reach, point + reach))?;
+    let there = surface.jet(hit.u, hit.v);
+    (there.position.distance(point) <= SAME * size).then_some(there.normal)
+}
+
+/// Whether the normals are opposite wherever a place of `a` lies in `b`, which some do.
+fn turns_away(a: &Occupied, b: &Occupied) -> bool {
+    let size = a.extent.min(b.extent);
+    let places = PLACES.iter().flat_map(|u| PLACES.iter().map(move |v| (*u, *v)));
+    let mut cosines = places.filter_map(|(u, v)| {
+        let jet = a.shape.jet(u, v);
+        let belongs = a.shape.region().is_none_or(|region| region.contains(jet.position));
+        let there = normal_there(&b.shape, jet.position, jet.normal, size).filter(|_| belongs)?;
+        Some(there.dot(jet.normal))
+    });
+    cosines.next().is_some_and(|first| first < 0.0 && cosines.all(|cosine| cosine < 0.0))
 }
 
 #[cfg(test)]
@@ -138,6 +167,20 @@ mod tests {
             &occupied(ball(X, 2.0, Z, [0.0, 2.0])),
             &occupied(ball(X, 2.0, Z, [-2.0, 0.0])),
         );
+    }
+
+    #[test]
+    fn a_copy_turned_over_opposes_and_a_plain_one_does_not() {
+        let shapes: [Arc<dyn Surface>; 3] = [
+            Arc::new(ball(X, 2.0, Z, [-2.0, 2.0])),
+            Arc::new(Disk::new(X, Y, 1.0, 0.2, FULL_TURN).unwrap()),
+            Arc::new(Parallelogram::new(X, Y, Z).unwrap()),
+        ];
+        for shape in &shapes {
+            let own = Occupied::new(shape);
+            assert!(!own.opposes(&own));
+            assert!(own.opposes(&occupied(Flipped::new(Box::new(Arc::clone(shape))))));
+        }
     }
 
     #[test]

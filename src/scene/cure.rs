@@ -30,9 +30,10 @@ impl Fault {
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
-            Fault::DuplicateName { first_line, .. } => {
-                format!("rename this one or the first, which stands on line {first_line}")
+            Fault::DuplicateName { first_line: Some(line), .. } => {
+                format!("rename this one or the first, which stands on line {line}")
             }
+            Fault::DuplicateName { first_line: None, .. } => "rename one of the two".to_owned(),
             Fault::Coincident { other } => format!(
                 "remove one of the two, move them apart, or cut a hole into {other:?} where this one lies; \
                  for both sides of one surface use two_sided = true"
@@ -59,6 +60,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "TOML wants `key = value`, texts in quotes, and lists in brackets with commas"
         }
         Fault::RepeatedKey { .. } => "keep one of them",
+        Fault::NoMaterials => {
+            "`radiosity view-factors` and `radiosity check` need none; for light write a TOML scene, where each surface \
+             has a shape and a material"
+        }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
         Fault::TwoShapes { .. } => "make two surfaces, one for each shape",
         Fault::WrongType { expected, .. } => match *expected {
@@ -67,7 +72,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "a text in quotes" => "write it in quotes, e.g. \"white\"",
             _ => "write a value of that kind",
         },
-        Fault::NotFinite { .. } => "give a number that a computation can start from",
+        Fault::NotFinite { .. } => "write a finite number, e.g. 0.5; nan and inf are none",
         Fault::NotWhole { .. } => "give 0, 1, 2, …",
         Fault::EmptyText => "write at least one letter",
         Fault::NoSuchPoint { .. } => "count the points from 0, the last index is one less than their number",

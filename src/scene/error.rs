@@ -12,9 +12,9 @@ use crate::scene::source::{Place, Source, Span};
 /// Displays as `file:line:column: owner: message`; the cure is apart, see [`SceneError::cure`].
 #[derive(Debug, Error)]
 pub struct SceneError {
-    /// File name, `<stdin>` or the name that was asked for.
+    /// File name, `<stdin>`, the name that was asked for, or that of a scene built in code.
     pub origin: String,
-    /// Where the fault stands; none if it is something absent or a file that cannot be read.
+    /// Where the fault stands; none if it is something absent, a file that cannot be read, or a scene built in code.
     pub place: Option<Box<Place>>,
     /// The part of the scene it belongs to, e.g. `surface "floor"`.
     pub owner: Option<String>,
@@ -167,9 +167,12 @@ pub enum Fault {
     DuplicateName {
         /// The name.
         name: String,
-        /// Line of the first use.
-        first_line: usize,
+        /// Line of the first use; none in a scene built in code.
+        first_line: Option<usize>,
     },
+    /// A list of polygons where light is asked for.
+    #[error("a list of polygons carries no materials")]
+    NoMaterials,
     /// A shape or transform that cannot be made, e.g. without area; the message holds the cure.
     #[error("{0}")]
     Shape(ShapeError),
@@ -199,6 +202,16 @@ pub enum Fault {
     /// A scene in which nothing emits, where light is asked for.
     #[error("no surface emits light")]
     NoEmitter,
+}
+
+/// How messages call a material.
+pub(super) fn material_title(name: &str) -> String {
+    format!("material {name:?}")
+}
+
+/// How messages call a surface.
+pub(super) fn surface_title(name: &str) -> String {
+    format!("surface {name:?}")
 }
 
 /// A number with few zeros.
@@ -236,6 +249,11 @@ impl Located {
     pub(super) fn in_source(self, source: &Source) -> SceneError {
         let place = self.span.map(|span| Box::new(source.place(&span)));
         SceneError { origin: source.origin.to_string(), place, owner: self.owner, fault: self.fault }
+    }
+
+    /// Of a scene that has no text.
+    pub(super) fn in_code(self, name: &str) -> SceneError {
+        SceneError { origin: name.to_owned(), place: None, owner: self.owner, fault: self.fault }
     }
 }
 

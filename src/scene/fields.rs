@@ -4,6 +4,7 @@ use radiosity_geom::{DVec3, ShapeError};
 
 use crate::scene::{
     error::{Fault, Located},
+    names::check_text,
     source::{At, Span},
     tree::{Node, Value, entry},
 };
@@ -79,8 +80,10 @@ pub(super) fn list(node: &Node) -> Result<&[Node], Located> {
 /// A text that is not blank.
 pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
     match &node.value {
-        Value::Text(text) if text.trim().is_empty() => Err(Located::at(&node.span, Fault::EmptyText)),
-        Value::Text(text) => Ok(At::new(text.clone(), &node.span)),
+        Value::Text(text) => match check_text(text) {
+            Ok(()) => Ok(At::new(text.clone(), &node.span)),
+            Err(fault) => Err(Located::at(&node.span, fault)),
+        },
         _ => Err(wrong(node, "a text in quotes")),
     }
 }

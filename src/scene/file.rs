@@ -3,19 +3,13 @@
 use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
-    camera::MAX_PIXELS,
-    error::{Fault, Located},
+    error::{Fault, Located, material_title, surface_title},
     fields::{Fields, exactly, list, number, point, real, table, text, truth, whole},
+    ranges::{check_fov, check_order, check_parts, check_pixels},
     shape::{ShapeFile, keys},
     source::{At, Span},
     tree::{Node, Value, entry},
 };
-
-/// The highest order of a basis.
-pub const MAX_ORDER: usize = 20;
-
-/// The finest `subdivide`, elements along one parameter.
-const MAX_PARTS: u32 = 256;
 
 /// A scene file.
 #[derive(Debug)]
@@ -99,7 +93,8 @@ fn read_camera(node: &Node) -> Result<CameraFile, Located> {
         up: fields.optional("up", point)?,
         fov: fields.optional("fov", |node| {
             let fov = number(node)?;
-            within(fov, |x| x > 0.0 && x < 180.0, "the angle of view", "0 < fov < 180 degrees")
+            check_fov(fov.value).map_err(|fault| Located::at(&fov.span, fault))?;
+            Ok(fov.value)
         })?,
         width: fields.optional("width", pixels)?,
         height: fields.optional("height", pixels)?,
@@ -107,7 +102,7 @@ fn read_camera(node: &Node) -> Result<CameraFile, Located> {
 }
 
 fn pixels(node: &Node) -> Result<u32, Located> {
-    counted(node, 1, MAX_PIXELS, "the picture's size", "1 ≤ pixels ≤ 16384")
+    counted(node, check_pixels).map(|pixels| pixels as u32)
 }
 
 fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {
@@ -134,16 +129,6 @@ fn per_band(node: &Node) -> Result<PerBand, Located> {
         }
         _ => Ok(PerBand::All(number(node)?)),
     }
-}
-
-/// How messages call a material.
-pub(super) fn material_title(name: &str) -> String {
-    format!("material {name:?}")
-}
-
-/// How messages call a surface.
-pub(super) fn surface_title(name: &str) -> String {
-    format!("surface {name:?}")
 }
 
 /// The name of the surface at `index` (from 0) if it is given none.
@@ -179,11 +164,11 @@ fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
 }
 
 fn order(node: &Node) -> Result<usize, Located> {
-    counted(node, 0, MAX_ORDER as u32, "the order", "0 ≤ order ≤ 20").map(|order| order as usize)
+    counted(node, check_order)
 }
 
 fn parts(node: &Node) -> Result<usize, Located> {
-    counted(node, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256").map(|parts| parts as usize)
+    counted(node, check_parts)
 }
 
 fn read_motion(node: &Node) -> Result<Motion, Located> {
@@ -199,29 +184,10 @@ fn read_motion(node: &Node) -> Result<Motion, Located> {
     })
 }
 
-/// A whole number from `least` to `most`.
-fn counted(
-    node: &Node,
-    least: u32,
-    most: u32,
-    what: &'static str,
-    range: &'static str,
-) -> Result<u32, Located> {
+/// A whole number that passes `check`.
+fn counted(node: &Node, check: fn(usize) -> Result<(), Fault>) -> Result<usize, Located> {
     let count = whole(node)?;
-    let inside = (least..=most).contains(&count.value);
-    let fault = || Fault::OutOfRange { what, value: f64::from(count.value), range };
-    if inside { Ok(count.value) } else { Err(Located::at(&count.span, fault())) }
-}
-
-/// A number that passes `test`.
-fn within(
-    number: At<f64>,
-    test: fn(f64) -> bool,
-    what: &'static str,
-    range: &'static str,
-) -> Result<f64, Located> {
-    match test(number.value) {
-        true => Ok(number.value),
-        false => Err(Located::at(&number.span, Fault::OutOfRange { what, value: number.value, range })),
-    }
+    let value = count.value as usize;
+    check(value).map_err(|fault| Located::at(&count.span, fault))?;
+    Ok(value)
 }

@@ -20,13 +20,18 @@ impl Material {
     /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for the first number that is wrong, [`Fault::WrongCount`] if the
     /// lengths differ.
     pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
-        if emission.len() != reflectance.len() {
-            let expected = format!("{} numbers, one per band", reflectance.len());
-            return Err(Fault::WrongCount { what: "the emission", expected, found: emission.len() });
-        }
-        reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?;
-        emission.iter().try_for_each(|&exitance| check_emission(exitance))?;
-        Ok(Material { reflectance, emission })
+        let bands = reflectance.len();
+        let material = Material { reflectance, emission };
+        material.check(bands)?;
+        Ok(material)
+    }
+
+    /// Checks that there is a number in range for each of `bands` bands.
+    pub(super) fn check(&self, bands: usize) -> Result<(), Fault> {
+        check_count("the reflectance", &self.reflectance, bands)?;
+        check_count("the emission", &self.emission, bands)?;
+        self.reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?;
+        self.emission.iter().try_for_each(|&exitance| check_emission(exitance))
     }
 
     /// The material that neither reflects nor emits.
@@ -43,6 +48,17 @@ impl Material {
     pub fn sends(&self) -> bool {
         self.emits() || self.reflectance.iter().any(|&rho| rho > 0.0)
     }
+}
+
+fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> Result<(), Fault> {
+    if numbers.len() == bands {
+        return Ok(());
+    }
+    let expected = match bands {
+        1 => "one number, as there is one band".to_owned(),
+        _ => format!("{bands} numbers, one per band"),
+    };
+    Err(Fault::WrongCount { what, expected, found: numbers.len() })
 }
 
 /// 0 ≤ ρ < 1.

@@ -4,8 +4,7 @@
 //! with or without that header; rows of one name that follow each other make a polygon. Lines that start with `#` are
 //! left out.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
-
+use crate::rows::{Row, Unreadable, rows};
 use crate::scene::{
     error::{Fault, Located},
     source::{At, Span},
@@ -21,19 +20,13 @@ pub(super) fn from_list(polygons: &[Node], span: &Span) -> Node {
 
 /// The tree of a scene with the polygons of a CSV text.
 pub(super) fn from_csv(text: &str) -> Result<Node, Located> {
-    let mut reader = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .trim(Trim::All)
-        .from_reader(text.as_bytes());
     let mut polygons: Vec<(At<String>, Vec<Node>)> = Vec::new();
-    for (row, record) in reader.records().enumerate() {
-        let record = record.map_err(|error| unreadable(&error))?;
-        let fields = fields(text, &record)?;
-        if row == 0 && fields.iter().zip(COLUMNS).all(|(field, name)| field.value == name) {
+    for (index, row) in rows(text.as_bytes()).enumerate() {
+        let row = row.map_err(unreadable)?;
+        if index == 0 && is_header(&row) {
             continue;
         }
+        let fields = fields(text, &row)?;
         let vertex = vertex(&fields)?;
         match polygons.last_mut().filter(|(name, _)| name.value == fields[0].value) {
             Some((_, vertices)) => vertices.push(vertex),
@@ -47,23 +40,36 @@ pub(super) fn from_csv(text: &str) -> Result<Node, Located> {
     Ok(scene(surfaces.collect(), &(0..text.len())))
 }
 
+/// Whether the first row of a text is one of a list of polygons: the header, or a name and three numbers.
+pub(super) fn starts_csv(text: &str) -> bool {
+    let is_vertex = |row: &Row| {
+        row.fields.len() == COLUMNS.len() && row.fields[1..].iter().all(|field| field.parse::<f64>().is_ok())
+    };
+    rows(text.as_bytes()).next().is_some_and(|row| row.is_ok_and(|row| is_header(&row) || is_vertex(&row)))
+}
+
+fn is_header(row: &Row) -> bool {
+    row.fields.len() == COLUMNS.len()
+        && row.fields.iter().zip(COLUMNS).all(|(field, name)| field.eq_ignore_ascii_case(name))
+}
+
 /// The four fields of a row, each with its place in the text.
-fn fields(text: &str, record: &StringRecord) -> Result<Vec<At<String>>, Located> {
-    let start = record.position().map_or(0, |position| position.byte() as usize);
-    let start = start + text[start..].find(|c: char| !c.is_whitespace()).unwrap_or(0);
+fn fields(text: &str, row: &Row) -> Result<Vec<At<String>>, Located> {
+    let start = row.start;
     let line = start..start + text[start..].find('\n').unwrap_or(text.len() - start);
     let mut next = start;
     // Text with quotes in it stands differently in the file: then the whole line is meant.
-    let place = |field: &str| {
-        let Some(at) = text[next..].find(field).map(|at| next + at).filter(|at| *at <= line.end) else {
-            return At::new(field.to_owned(), &line);
+    let place = |field: &String| {
+        let Some(at) = text[next..].find(field.as_str()).map(|at| next + at).filter(|at| *at <= line.end)
+        else {
+            return At::new(field.clone(), &line);
         };
         next = at + field.len();
-        At::new(field.to_owned(), &(at..next))
+        At::new(field.clone(), &(at..next))
     };
-    let fields: Vec<At<String>> = record.iter().map(place).collect();
+    let fields: Vec<At<String>> = row.fields.iter().map(place).collect();
     if fields.len() != COLUMNS.len() {
-        let expected = "four fields, name,x,y,z".to_owned();
+        let expected = "four fields parted by commas, name,x,y,z".to_owned();
         let fault = Fault::WrongCount { what: "a row", expected, found: fields.len() };
         return Err(Located::at(&line, fault));
     }
@@ -96,10 +102,9 @@ fn key(name: &str, span: &Span) -> At<String> {
     At::new(name.to_owned(), span)
 }
 
-fn unreadable(error: &csv::Error) -> Located {
-    let start = error.position().map_or(0, |position| position.byte() as usize);
-    let fault = Fault::Syntax { language: "CSV", message: error.to_string() };
-    Located::at(&(start..start + 1), fault)
+fn unreadable(row: Unreadable) -> Located {
+    let fault = Fault::Syntax { language: "CSV", message: row.message };
+    Located::at(&(row.start..row.start + 1), fault)
 }
 
 #[cfg(test)]
@@ -131,6 +136,8 @@ mod tests {
         let error = |old, new| Scene::from_csv(&TRIANGLES.replace(old, new), "t.csv").unwrap_err();
         assert!(error("a, 1,0,0", "a, 1,O,0").to_string().starts_with("t.csv:4:6: expected a number"));
         assert!(error("a, 1,0,0", "a, 1,0").to_string().starts_with("t.csv:4:1: a row takes four fields"));
+        let spaced = "a,0,0,0\n\n# three\n\na, 1,O,0";
+        assert!(error("a,0,0,0\na, 1,0,0", spaced).to_string().starts_with("t.csv:7:6: expected a number"));
         assert!(matches!(error("a, 1,0,0", "a, NaN,0,0").fault, Fault::NotFinite { .. }));
         assert!(matches!(Scene::from_csv("name,x,y,z\n", "t.csv").unwrap_err().fault, Fault::EmptyScene));
     }

@@ -5,6 +5,12 @@ use std::{fmt, ops::Range, sync::Arc};
 /// Longest line that is kept for messages, bytes.
 const LONGEST_LINE: usize = 4096;
 
+/// Characters are counted ahead at every so many bytes.
+const STRIDE: usize = 1024;
+
+/// A mark that some editors put before a text.
+const BYTE_ORDER_MARK: char = '\u{feff}';
+
 /// Byte range in a source text.
 pub(super) type Span = Range<usize>;
 
@@ -29,8 +35,12 @@ impl<T> At<T> {
 pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
-    /// The whole text.
+    /// The whole text, without a byte-order mark before it.
     pub text: Arc<str>,
+    /// Where lines start, ascending: every surface asks for its place.
+    line_starts: Arc<[usize]>,
+    /// Characters before each [`STRIDE`] bytes of the text.
+    characters: Arc<[usize]>,
 }
 
 /// A line and a column of a source, with the line's text to show beside a message.
@@ -51,23 +61,46 @@ pub struct Place {
 impl Source {
     /// The text `text`, called `origin` in messages.
     pub fn new(origin: &str, text: &str) -> Self {
-        Source { origin: origin.into(), text: text.into() }
+        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let counts = text.as_bytes().chunks(STRIDE).map(characters).scan(0, |before, count| {
+            *before += count;
+            Some(*before)
+        });
+        Source {
+            origin: origin.into(),
+            text: text.into(),
+            line_starts: std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect(),
+            characters: std::iter::once(0).chain(counts).collect(),
+        }
+    }
+
+    /// The line on which `index` stands, counted from 1.
+    pub(super) fn line(&self, index: usize) -> usize {
+        self.line_starts.partition_point(|start| *start <= index.min(self.text.len()))
+    }
+
+    /// How many characters start before `index`.
+    fn characters_before(&self, index: usize) -> usize {
+        let counted = index / STRIDE;
+        self.characters[counted] + characters(&self.text.as_bytes()[counted * STRIDE..index])
     }
 
     /// The place where `span` starts. A span over several lines is cut at the end of its first.
     pub(super) fn place(&self, span: &Span) -> Place {
         let start = floor_boundary(&self.text, span.start);
-        let line_start = self.text[..start].rfind('\n').map_or(0, |end| end + 1);
-        let line_end = self.text[start..].find('\n').map_or(self.text.len(), |length| start + length);
+        let line = self.line(start);
+        let line_start = self.line_starts[line - 1];
+        let line_end = self.line_starts.get(line).map_or(self.text.len(), |next| next - 1);
         let end = floor_boundary(&self.text, span.end).clamp(start, line_end);
         // Every surface keeps its place: a long line must not be copied into all of them.
-        let line =
+        let text =
             &self.text[line_start..if line_end - line_start > LONGEST_LINE { line_start } else { line_end }];
         Place {
             origin: self.origin.clone(),
-            line: self.text[..line_start].matches('\n').count() + 1,
-            column: self.text[line_start..start].chars().count() + 1,
-            text: line.trim_end_matches('\r').replace('\t', " "),
+            line,
+            column: self.characters_before(start) - self.characters_before(line_start) + 1,
+            text: text.trim_end_matches('\r').replace('\t', " "),
             width: self.text[start..end].trim_end().chars().count().max(1),
         }
     }
@@ -77,6 +110,11 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}", self.origin, self.line, self.column)
     }
+}
+
+/// How many characters start in these bytes of a text: bytes 10xxxxxx go on with one.
+fn characters(bytes: &[u8]) -> usize {
+    bytes.iter().filter(|byte| **byte & 0xC0 != 0x80).count()
 }
 
 /// The last character boundary at or before `index`; parsers may point past the end or into a character.
@@ -106,6 +144,19 @@ mod tests {
     fn a_line_too_long_to_read_is_not_kept() {
         let place = Source::new("s.json", &"é".repeat(LONGEST_LINE)).place(&(10..12));
         assert_eq!((place.line, place.column, place.text.as_str()), (1, 6, ""));
+    }
+
+    #[test]
+    fn places_are_those_found_by_counting_from_the_start() {
+        let text = "é\n\nρ = 1, \n".repeat(500) + &"ñx".repeat(1000);
+        let source = Source::new("s.toml", &text);
+        for (index, _) in text.char_indices().step_by(7) {
+            let place = source.place(&(index..index));
+            let before = &text[..index];
+            let line_start = before.rfind('\n').map_or(0, |end| end + 1);
+            let column = before[line_start..].chars().count() + 1;
+            assert_eq!((place.line, place.column), (before.matches('\n').count() + 1, column));
+        }
     }
 
     #[test]

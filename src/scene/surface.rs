@@ -8,10 +8,11 @@ use crate::scene::{material::Material, source::Place};
 
 /// A shape with a name, a material and wishes for its elements. Its front alone emits and receives; its back blocks.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct SceneSurface {
     /// Unique in the scene; the back of a two-sided surface is `name:back`.
     pub name: String,
-    /// The shape key of the file, e.g. `quad`.
+    /// The shape key of the file, e.g. `quad`; `surface` if it was built in code.
     pub kind: &'static str,
     /// The shape, already flipped if the file says so.
     pub shape: Arc<dyn Surface>,
@@ -23,6 +24,6 @@ pub struct SceneSurface {
     pub order: Option<usize>,
     /// Elements along u and v, each at least 1, instead of the subdivision asked for.
     pub subdivide: Option<[usize; 2]>,
-    /// Where the surface stands in the file.
-    pub place: Place,
+    /// Where the surface stands in the file; none if it was built in code.
+    pub place: Option<Place>,
 }

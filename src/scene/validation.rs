@@ -2,15 +2,16 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::{DVec3, Flipped, Rect, Surface};
+use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
-    coincident::Occupied,
-    error::{Fault, Located},
-    file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name, material_title, surface_title},
+    draft::{self, NamedShape, SurfaceDraft, Typed},
+    error::{Fault, Located, material_title, surface_title},
+    file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
-    source::{At, Source, Span},
+    names::UniqueNames,
+    source::{At, Source},
     surface::SceneSurface,
 };
 
@@ -20,16 +21,33 @@ pub(super) type Materials = BTreeMap<String, Material>;
 /// The names of the bands; r, g, b if none are given.
 pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Result<Vec<String>, Located> {
     let Some(names) = names else { return Ok(["r", "g", "b"].map(str::to_owned).to_vec()) };
-    if names.value.is_empty() {
-        let expected = "at least one name".to_owned();
-        let fault = Fault::WrongCount { what: "the list of bands", expected, found: 0 };
-        return Err(Located::at(&names.span, fault));
-    }
-    let mut unique = UniqueNames::default();
-    for name in &names.value {
-        unique.add(&name.value, &name.span, source)?;
-    }
+    let lines = names.value.iter().map(|name| Some(source.line(name.span.start)));
+    check_bands(names.value.iter().map(|name| name.value.as_str()).zip(lines)).map_err(
+        |(index, fault)| {
+            let span = names.value.get(index).map_or(&names.span, |name| &name.span);
+            Located::at(span, fault)
+        },
+    )?;
     Ok(names.value.into_iter().map(|name| name.value).collect())
+}
+
+/// Checks the names of bands, each given with its line in a file; an error tells the index of the name.
+pub(super) fn check_bands<'a>(
+    names: impl IntoIterator<Item = (&'a str, Option<usize>)>,
+) -> Result<(), (usize, Fault)> {
+    let mut unique = UniqueNames::default();
+    let mut count = 0;
+    for (name, line) in names {
+        unique.add(name, line).map_err(|fault| (count, fault))?;
+        count += 1;
+    }
+    match count {
+        0 => {
+            let expected = "at least one name".to_owned();
+            Err((0, Fault::WrongCount { what: "the list of bands", expected, found: 0 }))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// Every material, checked number by number.
@@ -72,15 +90,15 @@ fn spread(
     }
 }
 
-/// A camera with a view; up +z, 40 degrees and 512 × 512 pixels where nothing is said.
+/// A camera with a view; what the file does not say is as in [`Camera::new`].
 pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
+    let usual = Camera::new(file.eye, file.target);
     let camera = Camera {
-        eye: file.eye,
-        target: file.target,
-        up: file.up.unwrap_or(DVec3::Z),
-        fov: file.fov.unwrap_or(40.0),
-        width: file.width.unwrap_or(512),
-        height: file.height.unwrap_or(512),
+        up: file.up.unwrap_or(usual.up),
+        fov: file.fov.unwrap_or(usual.fov),
+        width: file.width.unwrap_or(usual.width),
+        height: file.height.unwrap_or(usual.height),
+        ..usual
     };
     camera.checked().map_err(|fault| Located::at(&file.span, fault).within(|| "camera".into()))
 }
@@ -92,83 +110,53 @@ pub(super) fn surfaces(
     bands: usize,
     source: &Source,
 ) -> Result<Vec<SceneSurface>, Located> {
-    if files.is_empty() {
-        return Err(Located::nowhere(Fault::EmptyScene));
-    }
-    let mut names = UniqueNames::default();
-    let mut surfaces: Vec<SceneSurface> = Vec::with_capacity(files.len());
-    let mut occupied = Vec::new();
-    for (index, file) in files.iter().enumerate() {
+    let drafts = files.iter().enumerate().map(|(index, file)| {
         let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
-        let sides =
-            sides(file, &name, materials, bands, source).map_err(|e| e.within(|| surface_title(&name)))?;
-        let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
-        for side in &sides {
-            names.add(&side.name, name_span, source)?;
-        }
-        for pair in sides.chunks(if file.two_sided { 2 } else { 1 }) {
-            occupied.push(apart(&occupied, &pair[0], &file.shape.span)?);
-            surfaces.extend_from_slice(pair);
-        }
-    }
-    Ok(surfaces)
+        let title = surface_title(&name);
+        draft(file, name, materials, bands, source).map_err(|error| error.within(|| title))
+    });
+    draft::surfaces(drafts)
 }
 
-/// The surfaces of one entry, the back of a two-sided one after its front.
-fn sides(
+/// One entry, with its material and shapes.
+fn draft(
     file: &SurfaceFile,
-    name: &str,
+    name: String,
     materials: &Materials,
     bands: usize,
     source: &Source,
-) -> Result<Vec<SceneSurface>, Located> {
-    let material = surface_material(file.material.as_ref(), materials, bands)?;
-    let surface = |name: String, shape: Arc<dyn Surface>| SceneSurface {
-        name,
+) -> Result<SurfaceDraft, Located> {
+    let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
+    Ok(SurfaceDraft {
         kind: file.shape.kind,
-        shape,
-        material: material.clone(),
+        material: surface_material(file.material.as_ref(), materials, bands)?,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
+        shapes: shapes(file, &name)?,
+        name,
         order: file.order,
         subdivide: file.subdivide,
-        place: source.place(&file.span),
-    };
-    let names =
-        |index: usize| if file.shape.is_numbered() { format!("{name}-{index}") } else { name.to_owned() };
-    let fronts = shapes(file, file.flip)?.into_iter().enumerate();
-    let fronts = fronts.map(|(index, shape)| surface(names(index), shape));
-    if !file.two_sided {
-        return Ok(fronts.collect());
-    }
-    let backs = shapes(file, !file.flip)?;
-    let pair = |(front, back): (SceneSurface, _)| {
-        let back = surface(format!("{}:back", front.name), back);
-        [front, back]
-    };
-    Ok(fronts.zip(backs).flat_map(pair).collect())
+        two_sided: file.two_sided,
+        flip: file.flip,
+        typed: Some(Typed {
+            place: source.place(&file.span),
+            name: name_span.clone(),
+            name_line: source.line(name_span.start),
+            shape: file.shape.span.clone(),
+        }),
+    })
 }
 
-/// The shapes of one entry, turned over if `flip`.
-fn shapes(file: &SurfaceFile, flip: bool) -> Result<Vec<Arc<dyn Surface>>, Located> {
+/// The shapes of one entry, each with the name of its surface.
+fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    let turned = |shape: Box<dyn Surface>| -> Result<Arc<dyn Surface>, Located> {
-        check_extent(&*shape, &file.shape.span)?;
-        Ok(if flip { Arc::new(Flipped::new(shape)) } else { Arc::from(shape) })
+    let named = |(index, shape): (usize, Box<dyn Surface>)| match file.shape.is_numbered() {
+        true => (format!("{name}-{index}"), Arc::from(shape)),
+        false => (name.to_owned(), Arc::from(shape)),
     };
-    shapes.into_iter().map(turned).collect()
-}
-
-/// Refuses sizes whose powers leave the range of numbers.
-fn check_extent(shape: &dyn Surface, span: &Span) -> Result<(), Located> {
-    let value = shape.bounds(&Rect::FULL).diagonal();
-    if (1e-30..=1e30).contains(&value) {
-        return Ok(());
-    }
-    let range = "1e-30 ≤ extent ≤ 1e30";
-    Err(Located::at(span, Fault::OutOfRange { what: "the extent of the surface", value, range }))
+    Ok(shapes.into_iter().enumerate().map(named).collect())
 }
 
 fn surface_material(
@@ -181,36 +169,4 @@ fn surface_material(
         let known = materials.keys().cloned().collect();
         Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })
     })
-}
-
-/// What `new` occupies, if that is no part of what others do, each given with its name.
-fn apart(
-    others: &[(String, Occupied)],
-    new: &SceneSurface,
-    span: &Span,
-) -> Result<(String, Occupied), Located> {
-    let own = Occupied::new(&new.shape);
-    match others.iter().find(|(_, other)| other.coincides(&own)) {
-        None => Ok((new.name.clone(), own)),
-        Some((name, _)) => {
-            let fault = Fault::Coincident { other: name.clone() };
-            Err(Located::at(span, fault).within(|| surface_title(&new.name)))
-        }
-    }
-}
-
-/// Names seen so far, each with its line.
-#[derive(Default)]
-struct UniqueNames(BTreeMap<String, usize>);
-
-impl UniqueNames {
-    fn add(&mut self, name: &str, span: &Span, source: &Source) -> Result<(), Located> {
-        let line = source.place(span).line;
-        match self.0.insert(name.to_owned(), line) {
-            None => Ok(()),
-            Some(first_line) => {
-                Err(Located::at(span, Fault::DuplicateName { name: name.to_owned(), first_line }))
-            }
-        }
-    }
 }

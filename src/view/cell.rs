@@ -131,7 +131,7 @@ impl Cell {
         [a, b, c, d].map(Cell::bare)
     }
 
-    /// The four quarters with the bilinear interpolant of the field.
+    /// The four quarters with the bilinear interpolant of the field, which does not leave the range of the four points.
     pub fn quarters(&self, scale: &[f64]) -> [Cell; 4] {
         let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
@@ -145,7 +145,9 @@ impl Cell {
                 let (point, channel) = (place / channels, place % channels);
                 let (s, t) = (share(a, point / 2), share(b, point % 2));
                 let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
-                (1.0 - s) * side(0) + s * side(2)
+                let known = || (0..POINTS).map(|k| self.value(k, channel));
+                let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));
+                ((1.0 - s) * side(0) + s * side(2)).max(low).min(high)
             };
             let values = (0..POINTS * channels).map(value).collect();
             quarter.with_values(values, scale)

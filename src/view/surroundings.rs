@@ -42,6 +42,7 @@ impl Surroundings {
         let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
+        let within = |tree: &Tree| surface == Some(tree.surface) && visibility.is_hollow(tree.surface);
         let is_ground = |other: usize| surface.is_some_and(|surface| own(other, surface));
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
         let mut places = Vec::new();
@@ -56,7 +57,8 @@ impl Surroundings {
                 let before =
                     || tree.plane.is_none_or(|(point, normal)| reaches_above(hull, &[point], normal));
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
-                reaches && before() && !own(obstacles[*place], tree.surface)
+                let itself = obstacles[*place] == tree.surface && within(tree);
+                reaches && before() && !itself && !own(obstacles[*place], tree.surface)
             };
             let start = places.len();
             places.extend((0..obstacles.len()).filter(stands));

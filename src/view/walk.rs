@@ -19,8 +19,10 @@ const STRAIGHT: f64 = 0.7;
 /// Width over distance of a curved cell above which it is divided.
 const NEAR: f64 = 1.5;
 
-/// Most quarterings of a cell, and of one of the surface that the point lies on.
+/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was, and of one of the surface
+/// that the point lies on.
 const DEPTH: usize = 24;
+const CURVED_DEPTH: usize = 12;
 const OWN_DEPTH: usize = 8;
 
 /// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of
@@ -33,7 +35,7 @@ const RIM: f64 = 0.1;
 
 /// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
 const DARK: f64 = 0.4;
-const LEAST: f64 = 1e-3;
+const LEAST: f64 = 0.05;
 
 /// What a vantage point sees of elements.
 pub struct Walk<'a> {
@@ -114,7 +116,12 @@ impl<'a> Walk<'a> {
         }
         let before = self.shadows.ask(places);
         let own = self.vantage.surface == Some(tree.surface);
-        let mut pass = Pass { tree, tolerance, deepest: if own { OWN_DEPTH } else { DEPTH }, out };
+        let deepest = match (own, tree.plane) {
+            (true, _) => OWN_DEPTH,
+            (false, None) => CURVED_DEPTH,
+            (false, Some(_)) => DEPTH,
+        };
+        let mut pass = Pass { tree, tolerance, deepest, out };
         for root in tree.roots() {
             self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
         }

@@ -127,6 +127,11 @@ impl Pyramid {
 
     /// The parts of a convex polygon outside the pyramid.
     fn outside(&self, polygon: Vec<DVec3>) -> Vec<Vec<DVec3>> {
+        match self.cover(&polygon) {
+            Cover::Clear => return vec![polygon],
+            Cover::Hidden => return Vec::new(),
+            Cover::Mixed => {}
+        }
         let mut kept = Vec::new();
         let mut inside = polygon;
         for (point, inward) in &self.planes {

@@ -33,7 +33,7 @@ impl Bilinear {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, coinciding neighbours, a planar outline that is not strictly convex.
+    /// Numbers that are not finite, coinciding neighbours, corners on one line, a planar outline that is not strictly convex.
     pub fn new(vertices: [DVec3; 4]) -> Result<Bilinear, ShapeError> {
         let [p, q, r, s] = vertices;
         for x in vertices {
@@ -45,6 +45,9 @@ impl Bilinear {
         }
         let (a, b) = (0.25 * (p + q + r + s), 0.25 * (q + r - p - s));
         let (c, d) = (0.25 * (r + s - p - q), 0.25 * (p + r - q - s));
+        if !spans_area(&vertices, extent) {
+            return Err(ShapeError::NoArea { field: "vertices".into() });
+        }
         let normal = b.cross(c);
         if normal.length() <= 1e-12 * extent * extent {
             return Err(ShapeError::Folded { field: "vertices".into() });
@@ -100,6 +103,12 @@ impl Surface for Bilinear {
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
     }
+}
+
+/// Whether some of the corners lie off the line through two others.
+fn spans_area(vertices: &[DVec3; 4], extent: f64) -> bool {
+    let [e, f, g] = [1, 2, 3].map(|k| vertices[k] - vertices[0]);
+    [e.cross(f), f.cross(g), g.cross(e)].iter().any(|area| area.length() > 1e-12 * extent * extent)
 }
 
 /// Whether the outline turns the same way at all four corners.
@@ -162,6 +171,9 @@ mod tests {
         let folded = ShapeError::Folded { field: "vertices".into() };
         assert_eq!(Bilinear::new([o, x + y, x, y]).unwrap_err(), folded);
         assert_eq!(Bilinear::new([o, x, 0.2 * (x + y), y]).unwrap_err(), folded);
+        let no_area = ShapeError::NoArea { field: "vertices".into() };
+        assert_eq!(Bilinear::new([o, x, 3.0 * x, 2.0 * x]).unwrap_err(), no_area);
+        assert_eq!(Bilinear::new([o, x, 3.0 * x, 2.0 * x + 1e-3 * y]).unwrap_err(), folded);
         assert!(matches!(
             Bilinear::new([o, x, x, y]).unwrap_err(),
             ShapeError::RepeatedVertex { index: 1, .. }

@@ -40,18 +40,18 @@ mod tests {
             std::array::from_fn(|i| std::array::from_fn(|j| point(x[i], j as f64, lift * (i * i) as f64)))
         };
         assert!(Bezier::new(net([0.0, 1.0, 2.0, 3.0], 0.0)).is_ok());
-        // x′ = 3 (1 − 6 s + 6 s²) vanishes twice.
-        assert_eq!(Bezier::new(net([0.0, 1.0, 0.0, 1.0], 0.0)).unwrap_err(), back("points"));
-        assert!(Bezier::new(net([0.0, 1.0, 0.0, 1.0], 0.1)).is_ok(), "its layers lie apart");
+        // x′ = 6 (1 − 5 s + 5 s²) is negative about s = ½.
+        assert_eq!(Bezier::new(net([0.0, 2.0, -1.0, 1.0], 0.0)).unwrap_err(), back("points"));
+        assert!(Bezier::new(net([0.0, 2.0, -1.0, 1.0], 0.1)).is_ok(), "its layers lie apart");
     }
 
     #[test]
     fn straight_curves_that_turn_back_are_refused() {
-        let line = [0.0, 1.0, 0.0, 1.0].map(|x| point(x, 0.0, x));
+        let line = [0.0, 2.0, -1.0, 1.0].map(|x| point(x + 2.0, 0.0, x));
         assert_eq!(Extrusion::new(line, DVec3::Y).unwrap_err(), back("curve"));
         let cone = Revolution::new(line, DVec3::ZERO, DVec3::Z, FULL_TURN);
         assert_eq!(cone.unwrap_err(), back("curve"));
-        let bent = [0.0, 1.0, 0.0, 1.0].map(|x| point(x, 0.0, 0.0));
+        let bent = [0.0, 2.0, -1.0, 1.0].map(|x| point(x, 0.0, 0.0));
         let bent = [0, 1, 2, 3].map(|k| bent[k] + (k * k) as f64 * DVec3::Z);
         assert!(Extrusion::new(bent, DVec3::Y).is_ok(), "its layers lie apart");
         let onward = [0.0, 0.1, 0.9, 1.0].map(|x| point(x, 0.0, x));

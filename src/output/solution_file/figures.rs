@@ -4,10 +4,12 @@
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
+use crate::adaptation::Achieved;
 use crate::checks::Checks;
 use crate::kernel::PairCounts;
 use crate::solution::Solution;
 use crate::solve::{Outcome, Stages};
+use crate::solved::Solved;
 
 /// The figures of an [`Outcome`].
 #[derive(Debug, Serialize, Deserialize)]
@@ -22,13 +24,17 @@ pub(super) struct Figures {
     kernel_samples_distinct: u64,
     shadow_rays: u64,
     accuracy_reached: f64,
+    /// How far the run came, where an accuracy was wanted.
+    #[serde(default)]
+    pub(super) achieved: Option<Achieved>,
     pairs: PairCounts,
     checks: Checks,
 }
 
 impl Figures {
-    /// Those of `outcome`.
-    pub(super) fn of(outcome: &Outcome) -> Self {
+    /// Those of `solved`.
+    pub(super) fn of(solved: &Solved) -> Self {
+        let outcome = &solved.outcome;
         let bands = outcome.solution.bands();
         Self {
             solver: outcome.solver.to_owned(),
@@ -40,6 +46,7 @@ impl Figures {
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
+            achieved: solved.achieved,
             pairs: outcome.pairs,
             checks: outcome.checks,
         }

@@ -72,9 +72,10 @@ impl SolutionFile {
             .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))
             .collect();
         let solution = Solution::new(elements, bands);
+        let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);
         let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
-        Ok(Solved { scene, options: self.options, outcome })
+        Ok(Solved { scene, options: self.options, outcome, achieved })
     }
 }
 

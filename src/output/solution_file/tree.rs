@@ -53,7 +53,7 @@ pub(super) struct SavedScene {
 impl SolutionFile {
     /// The file of a solved scene.
     pub fn new(solved: &Solved) -> Self {
-        let Solved { scene, options, outcome } = solved;
+        let Solved { scene, options, outcome, .. } = solved;
         Self {
             format: FORMAT.to_owned(),
             format_version: VERSION,
@@ -67,7 +67,7 @@ impl SolutionFile {
             evaluation: EVALUATION.to_owned(),
             options: *options,
             discretization: *outcome.solution.elements().discretization(),
-            figures: Figures::of(outcome),
+            figures: Figures::of(solved),
             elements: element::all(scene, &outcome.solution),
         }
     }

@@ -1,0 +1,135 @@
+//! Scenes made in code, with the faults of scene files.
+
+use std::sync::Arc;
+
+use radiosity_geom::Surface;
+
+use crate::scene::{
+    Scene,
+    camera::Camera,
+    draft::{self, SurfaceDraft},
+    error::{Located, SceneError, material_title},
+    material::Material,
+    names::UniqueNames,
+    validation::check_bands,
+};
+
+/// A scene in the making. Parts are taken as they are given; [`SceneBuilder::build`] finds what is wrong with them.
+///
+/// ```
+/// use radiosity::scene::{Material, SceneBuilder};
+/// use radiosity_geom::{DVec3, shapes::Parallelogram};
+///
+/// let mut room = SceneBuilder::new("room", ["grey"]);
+/// let white = room.material("white", Material::new(vec![0.7], vec![0.0])?);
+/// room.surface("floor", Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y)?, &white).order(5);
+/// room.surface("sheet", Parallelogram::new(DVec3::Z, DVec3::X, DVec3::Y)?, &white).two_sided();
+/// assert_eq!(room.build()?.surfaces.len(), 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct SceneBuilder {
+    name: String,
+    bands: Vec<String>,
+    camera: Option<Camera>,
+    materials: Vec<NamedMaterial>,
+    surfaces: Vec<SurfaceDraft>,
+}
+
+/// A material of a scene in the making, given to its surfaces.
+#[derive(Clone, Debug)]
+pub struct NamedMaterial(Arc<(String, Material)>);
+
+impl SceneBuilder {
+    /// A scene of that name and these bands, with nothing in it. The name stands before messages.
+    pub fn new<B: Into<String>>(name: impl Into<String>, bands: impl IntoIterator<Item = B>) -> Self {
+        Self {
+            name: name.into(),
+            bands: bands.into_iter().map(Into::into).collect(),
+            camera: None,
+            materials: Vec::new(),
+            surfaces: Vec::new(),
+        }
+    }
+
+    /// A material for surfaces, with a number per band.
+    pub fn material(&mut self, name: impl Into<String>, material: Material) -> NamedMaterial {
+        let named = NamedMaterial(Arc::new((name.into(), material)));
+        self.materials.push(named.clone());
+        named
+    }
+
+    /// Adds a surface, and returns it to be turned over, cut, and so on.
+    ///
+    /// A surface behind an `Arc` is a surface: so lists of different shapes are added, and one shape several times.
+    pub fn surface(
+        &mut self,
+        name: impl Into<String>,
+        shape: impl Surface + 'static,
+        material: &NamedMaterial,
+    ) -> &mut SurfaceDraft {
+        if !self.materials.iter().any(|own| Arc::ptr_eq(&own.0, &material.0)) {
+            self.materials.push(material.clone());
+        }
+        let name = name.into();
+        let (material_name, material) = (*material.0).clone();
+        let draft = SurfaceDraft {
+            kind: "surface",
+            shapes: vec![(name.clone(), Arc::new(shape))],
+            name,
+            material,
+            material_name: Some(material_name),
+            order: None,
+            subdivide: None,
+            two_sided: false,
+            flip: false,
+            typed: None,
+        };
+        let index = self.surfaces.len();
+        self.surfaces.push(draft);
+        &mut self.surfaces[index]
+    }
+
+    /// Gives the scene a camera, instead of one given before.
+    pub fn camera(&mut self, camera: Camera) -> &mut Self {
+        self.camera = Some(camera);
+        self
+    }
+
+    /// The scene, if everything in it is right.
+    ///
+    /// # Errors
+    /// The first thing wrong with bands, materials, camera or surfaces, in this order: a [`SceneError`] that names the
+    /// part and has no place in a text.
+    pub fn build(self) -> Result<Scene, SceneError> {
+        let name = self.name.clone();
+        self.assemble().map_err(|located| located.in_code(&name))
+    }
+
+    fn assemble(self) -> Result<Scene, Located> {
+        check_bands(self.bands.iter().map(|band| (band.as_str(), None)))
+            .map_err(|(_, fault)| Located::nowhere(fault).within(|| "bands".into()))?;
+        check_materials(&self.materials, self.bands.len())?;
+        let camera = self.camera.map(Camera::checked).transpose();
+        let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
+        Ok(Scene {
+            surfaces: draft::surfaces(self.surfaces.into_iter().map(SurfaceDraft::checked))?,
+            bands: self.bands,
+            camera,
+            title: None,
+            origin: self.name.clone(),
+            name: self.name,
+            source: None,
+        })
+    }
+}
+
+/// Checks that each material has a name of its own and a number in range for each band.
+fn check_materials(materials: &[NamedMaterial], bands: usize) -> Result<(), Located> {
+    let mut names = UniqueNames::default();
+    materials.iter().try_for_each(|named| {
+        let (name, material) = &*named.0;
+        let checked = names.add(name, None).and_then(|()| material.check(bands));
+        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))
+    })
+}

@@ -1,0 +1,184 @@
+//! Surfaces as they are given, in a file or in code → surfaces of one scene.
+//!
+//! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a size that can
+//! be computed with, has a name of its own, and lies in no other.
+
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, Bvh, Flipped, Rect, Surface};
+
+use crate::scene::{
+    coincident::Occupied,
+    error::{Fault, Located, surface_title},
+    material::Material,
+    names::UniqueNames,
+    ranges::{check_order, check_parts},
+    source::{Place, Span},
+    surface::SceneSurface,
+};
+
+/// A surface on its way into a scene; see [`SceneBuilder::surface`](crate::scene::SceneBuilder::surface).
+#[derive(Debug)]
+pub struct SurfaceDraft {
+    pub(super) name: String,
+    pub(super) kind: &'static str,
+    pub(super) shapes: Vec<NamedShape>,
+    pub(super) material: Material,
+    pub(super) material_name: Option<String>,
+    pub(super) order: Option<usize>,
+    pub(super) subdivide: Option<[usize; 2]>,
+    pub(super) two_sided: bool,
+    pub(super) flip: bool,
+    pub(super) typed: Option<Typed>,
+}
+
+/// A shape with the name of the surface it makes.
+pub(super) type NamedShape = (String, Arc<dyn Surface>);
+
+/// Where a draft stands in a file.
+#[derive(Debug)]
+pub(super) struct Typed {
+    pub place: Place,
+    pub name: Span,
+    pub name_line: usize,
+    pub shape: Span,
+}
+
+impl SurfaceDraft {
+    /// Turns the surface over: its front becomes its back.
+    pub fn flip(&mut self) -> &mut Self {
+        self.flip = true;
+        self
+    }
+
+    /// Lets its back emit and receive as well, as a surface named `name:back` that follows it.
+    pub fn two_sided(&mut self) -> &mut Self {
+        self.two_sided = true;
+        self
+    }
+
+    /// The order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
+    pub fn order(&mut self, order: usize) -> &mut Self {
+        self.order = Some(order);
+        self
+    }
+
+    /// Cuts it into `u` × `v` elements, each from 1 to 256, instead of the subdivision asked for.
+    pub fn subdivide(&mut self, u: usize, v: usize) -> &mut Self {
+        self.subdivide = Some([u, v]);
+        self
+    }
+
+    /// Checks the numbers that files check where they are typed.
+    pub(super) fn checked(self) -> Result<Self, Located> {
+        let order = self.order.map_or(Ok(()), check_order);
+        let parts = || self.subdivide.into_iter().flatten().try_for_each(check_parts);
+        match order.and_then(|()| parts()) {
+            Ok(()) => Ok(self),
+            Err(fault) => Err(self.located(None, fault)),
+        }
+    }
+
+    /// A fault of what stands at `span` if the draft comes from a file, else one of the surface.
+    fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
+        match span {
+            Some(span) => Located::at(span, fault),
+            None => Located::nowhere(fault).within(|| surface_title(&self.name)),
+        }
+    }
+
+    /// The surface of one of its shapes, and its back if it is two-sided.
+    fn sides(&self, (name, shape): &NamedShape) -> Result<Vec<SceneSurface>, Located> {
+        let shape_span = self.typed.as_ref().map(|typed| &typed.shape);
+        check_extent(shape)
+            .map_err(|fault| self.located(shape_span, fault).within(|| surface_title(&self.name)))?;
+        let side = |name: String, flip: bool| SceneSurface {
+            name,
+            kind: self.kind,
+            shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
+            material: self.material.clone(),
+            material_name: self.material_name.clone(),
+            order: self.order,
+            subdivide: self.subdivide,
+            place: self.typed.as_ref().map(|typed| typed.place.clone()),
+        };
+        let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip));
+        Ok([side(name.clone(), self.flip)].into_iter().chain(back).collect())
+    }
+}
+
+/// The surfaces of all drafts, in their order, each with a name of its own and none in another.
+pub(super) fn surfaces(
+    drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
+) -> Result<Vec<SceneSurface>, Located> {
+    let mut names = UniqueNames::default();
+    let mut claims = Vec::new();
+    let mut surfaces = Vec::new();
+    for draft in drafts {
+        let draft = draft?;
+        let typed = draft.typed.as_ref();
+        let shapes = draft.shapes.iter().map(|shape| draft.sides(shape)).collect::<Result<Vec<_>, _>>()?;
+        for side in shapes.iter().flatten() {
+            let name = names.add(&side.name, typed.map(|typed| typed.name_line));
+            name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
+        }
+        for sides in shapes {
+            claims.push(Claim {
+                name: sides[0].name.clone(),
+                occupied: Occupied::new(&sides[0].shape),
+                span: typed.map(|typed| typed.shape.clone()),
+            });
+            surfaces.extend(sides);
+        }
+    }
+    check_apart(&claims)?;
+    if surfaces.is_empty() { Err(Located::nowhere(Fault::EmptyScene)) } else { Ok(surfaces) }
+}
+
+/// Refuses sizes whose powers leave the range of numbers.
+fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
+    let value = shape.bounds(&Rect::FULL).diagonal();
+    if (1e-30..=1e30).contains(&value) {
+        return Ok(());
+    }
+    Err(Fault::OutOfRange { what: "the extent of the surface", value, range: "1e-30 ≤ extent ≤ 1e30" })
+}
+
+/// What a surface occupies, with its name and where its shape stands in a file.
+struct Claim {
+    name: String,
+    occupied: Occupied,
+    span: Option<Span>,
+}
+
+impl Claim {
+    /// Whether one is the other side of the other: named as backs are, and turned away.
+    fn is_back_of(&self, front: &Claim) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
+    }
+}
+
+/// Refuses the first surface that lies in one before it, backs excepted.
+fn check_apart(claims: &[Claim]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+    let tree = Bvh::build(&boxes);
+    let mut near = Vec::new();
+    for (index, own) in claims.iter().enumerate() {
+        near.clear();
+        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
+        near.retain(|other| *other < index);
+        near.sort_unstable();
+        let clashes = |other: &&Claim| {
+            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
+        };
+        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            let located = match &own.span {
+                Some(span) => Located::at(span, fault),
+                None => Located::nowhere(fault),
+            };
+            return Err(located.within(|| surface_title(&own.name)));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,48 @@
+//! Ranges of the numbers that files and code give alike; those of materials stand with [`Material`](crate::scene::Material).
+
+use crate::scene::error::Fault;
+
+/// The highest order of a basis.
+pub const MAX_ORDER: usize = 20;
+
+/// The finest `subdivide`, elements along one parameter.
+const MAX_PARTS: usize = 256;
+
+/// Pictures are at most this wide and high.
+const MAX_PIXELS: usize = 16384;
+
+/// 0 ≤ order ≤ [`MAX_ORDER`].
+pub(super) fn check_order(order: usize) -> Result<(), Fault> {
+    counted(order, 0, MAX_ORDER, "the order", "0 ≤ order ≤ 20")
+}
+
+/// Elements along one parameter.
+pub(super) fn check_parts(parts: usize) -> Result<(), Fault> {
+    counted(parts, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256")
+}
+
+/// Width or height of a picture.
+pub(super) fn check_pixels(pixels: usize) -> Result<(), Fault> {
+    counted(pixels, 1, MAX_PIXELS, "the picture's size", "1 ≤ pixels ≤ 16384")
+}
+
+/// Vertical angle of view in degrees.
+pub(super) fn check_fov(fov: f64) -> Result<(), Fault> {
+    if fov > 0.0 && fov < 180.0 {
+        return Ok(());
+    }
+    Err(Fault::OutOfRange { what: "the angle of view", value: fov, range: "0 < fov < 180 degrees" })
+}
+
+fn counted(
+    count: usize,
+    least: usize,
+    most: usize,
+    what: &'static str,
+    range: &'static str,
+) -> Result<(), Fault> {
+    match (least..=most).contains(&count) {
+        true => Ok(()),
+        false => Err(Fault::OutOfRange { what, value: count as f64, range }),
+    }
+}

@@ -1,0 +1,36 @@
+//! What needs less memory.
+
+use std::fmt;
+
+/// A change that makes a run fit into the memory allowed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fit {
+    /// A solver that keeps no factors.
+    ConjugateGradients,
+    /// A lower order.
+    Order(usize),
+    /// A lower order, which no run for a wanted accuracy takes.
+    OrderAlone(usize),
+    /// Surfaces that are not cut.
+    WholeSurfaces,
+}
+
+impl fmt::Display for Fit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::ConjugateGradients => write!(f, "the solver cg"),
+            Self::Order(order) => write!(f, "order {order}"),
+            Self::OrderAlone(order) => write!(f, "order {order} without a wanted accuracy"),
+            Self::WholeSurfaces => write!(f, "one element a surface"),
+        }
+    }
+}
+
+/// What would fit, in words.
+pub(super) fn list(fits: &[Fit]) -> String {
+    if fits.is_empty() {
+        return "no lower order and no other solver would fit".to_owned();
+    }
+    let fits: Vec<String> = fits.iter().map(Fit::to_string).collect();
+    format!("what would fit: {}", fits.join(", or "))
+}

@@ -1,0 +1,246 @@
+//! Scenes made in code: refused for the faults of scene files, and solved as theorems say.
+
+use proptest::prelude::*;
+use radiosity::output::solution_file::{SolutionFault, SolutionFile, read};
+use radiosity::scene::{Camera, Fault, Material, NamedMaterial, Scene, SceneBuilder, SceneError, Source};
+use radiosity::solve::{Options, solve};
+use radiosity::solved::Solved;
+use radiosity_geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity_geom::{DVec3, Flipped, Surface};
+
+fn material(reflectance: f64, emission: f64) -> Material {
+    Material::new(vec![reflectance], vec![emission]).expect("in range")
+}
+
+fn square(height: f64) -> Parallelogram {
+    Parallelogram::new(height * DVec3::Z, DVec3::X, DVec3::Y).expect("a square")
+}
+
+/// A builder of one band with a floor, changed by `change`, which gets the floor's material.
+fn built(change: impl FnOnce(&mut SceneBuilder, &NamedMaterial)) -> Result<Scene, SceneError> {
+    let mut builder = SceneBuilder::new("room", ["grey"]);
+    let white = builder.material("white", material(0.5, 1.0));
+    builder.surface("floor", square(0.0), &white);
+    change(&mut builder, &white);
+    builder.build()
+}
+
+/// The fault of such a scene, which has no place and is told of `owner`.
+#[track_caller]
+fn fault(owner: Option<&str>, change: impl FnOnce(&mut SceneBuilder, &NamedMaterial)) -> Fault {
+    let error = built(change).expect_err("the scene is refused");
+    assert_eq!((error.origin.as_str(), error.owner.as_deref()), ("room", owner));
+    assert_eq!(error.place, None);
+    error.fault
+}
+
+#[test]
+fn names_are_given_once_and_say_something() {
+    let twice = |name: &str| Fault::DuplicateName { name: name.to_owned(), first_line: None };
+    let found = fault(Some("surface \"floor\""), |room, white| {
+        room.surface("floor", square(1.0), white);
+    });
+    assert_eq!(found, twice("floor"));
+    let found = fault(Some("surface \"floor:back\""), |room, white| {
+        room.surface("roof", square(1.0), white).two_sided();
+        room.surface("floor:back", square(2.0), white);
+        room.surface("floor:back", square(3.0), white);
+    });
+    assert_eq!(found, twice("floor:back"));
+    let found = fault(Some("material \"white\""), |room, _| {
+        room.material("white", material(0.2, 0.0));
+    });
+    assert_eq!(found, twice("white"));
+    let found = fault(Some("surface \" \""), |room, white| {
+        room.surface(" ", square(1.0), white);
+    });
+    assert_eq!(found, Fault::EmptyText);
+    let bands = |names: &[&str]| SceneBuilder::new("room", names.to_vec()).build().unwrap_err().fault;
+    assert_eq!(bands(&["red", "red"]), twice("red"));
+    assert!(matches!(bands(&[]), Fault::WrongCount { what: "the list of bands", found: 0, .. }));
+}
+
+#[test]
+fn surfaces_do_not_lie_in_one_another() {
+    let coincident = Fault::Coincident { other: "floor".to_owned() };
+    let found = fault(Some("surface \"rug\""), |room, white| {
+        room.surface("rug", Flipped::new(Box::new(square(0.0))), white);
+    });
+    assert_eq!(found, coincident);
+    let message = built(|room, white| {
+        room.surface("rug", square(0.0), white);
+    });
+    let message = message.unwrap_err().to_string();
+    assert_eq!(message, "room: surface \"rug\": coincides with surface \"floor\"");
+}
+
+#[test]
+fn materials_have_a_number_in_range_for_each_band() {
+    let with = |reflectance: Vec<f64>, emission: Vec<f64>| {
+        fault(Some("material \"odd\""), |room, _| {
+            room.material("odd", Material { reflectance, emission });
+        })
+    };
+    assert!(matches!(with(vec![1.0], vec![0.0]), Fault::OutOfRange { what: "the reflectance", .. }));
+    assert!(matches!(with(vec![-0.1], vec![0.0]), Fault::OutOfRange { what: "the reflectance", .. }));
+    assert!(matches!(with(vec![0.5], vec![-1.0]), Fault::OutOfRange { what: "the emission", .. }));
+    assert!(matches!(with(vec![0.5], vec![f64::NAN]), Fault::NotFinite { .. }));
+    assert!(matches!(with(vec![0.5; 3], vec![0.0; 3]), Fault::WrongCount { found: 3, .. }));
+    assert!(matches!(with(vec![0.5], vec![]), Fault::WrongCount { what: "the emission", .. }));
+}
+
+/// A material of another scene comes along with all it must satisfy here.
+#[test]
+fn foreign_materials_are_checked_as_well() {
+    let mut other = SceneBuilder::new("other", ["r", "g"]);
+    let two = other.material("two", Material::black(2));
+    let namesake = other.material("white", material(0.1, 0.0));
+    let found = fault(Some("material \"two\""), |room, _| {
+        room.surface("wall", square(1.0), &two);
+    });
+    assert!(matches!(found, Fault::WrongCount { found: 2, .. }));
+    let found = fault(Some("material \"white\""), |room, _| {
+        room.surface("wall", square(1.0), &namesake);
+    });
+    assert!(matches!(found, Fault::DuplicateName { .. }));
+}
+
+#[test]
+fn wishes_of_surfaces_are_in_range() {
+    let order = fault(Some("surface \"wall\""), |room, white| {
+        room.surface("wall", square(1.0), white).order(21);
+    });
+    assert!(matches!(order, Fault::OutOfRange { what: "the order", .. }));
+    for (u, v) in [(0, 1), (1, 257)] {
+        let parts = fault(Some("surface \"wall\""), |room, white| {
+            room.surface("wall", square(1.0), white).subdivide(u, v);
+        });
+        assert!(matches!(parts, Fault::OutOfRange { what: "the number of elements", .. }));
+    }
+    let extent = fault(Some("surface \"dust\""), |room, white| {
+        let dust = Parallelogram::new(DVec3::Z, 1e-40 * DVec3::X, 1e-40 * DVec3::Y).expect("has edges");
+        room.surface("dust", dust, white);
+    });
+    assert!(matches!(extent, Fault::OutOfRange { what: "the extent of the surface", .. }));
+}
+
+#[test]
+fn cameras_have_a_view() {
+    let with = |camera: Camera| {
+        fault(Some("camera"), |room, _| {
+            room.camera(camera);
+        })
+    };
+    let down = Camera::new(3.0 * DVec3::Z, DVec3::ZERO);
+    assert!(matches!(with(down.clone()), Fault::BadCamera { problem: "the up vector lies along the view" }));
+    let up = Camera { up: DVec3::Y, ..down };
+    assert!(matches!(with(Camera { target: up.eye, ..up.clone() }), Fault::BadCamera { .. }));
+    assert!(matches!(with(Camera { fov: 180.0, ..up.clone() }), Fault::OutOfRange { .. }));
+    assert!(matches!(with(Camera { width: 0, ..up.clone() }), Fault::OutOfRange { .. }));
+    assert!(matches!(with(Camera { eye: DVec3::NAN, ..up.clone() }), Fault::NotFinite { .. }));
+    let scene = built(|room, _| {
+        room.camera(up.clone());
+    });
+    assert_eq!(scene.unwrap().camera, Some(up));
+}
+
+#[test]
+fn a_scene_has_a_surface() {
+    let error = SceneBuilder::new("void", ["grey"]).build().unwrap_err();
+    assert_eq!(
+        (error.to_string().as_str(), error.fault),
+        ("void: the scene has no surface", Fault::EmptyScene)
+    );
+}
+
+/// What the options of a surface mean in a file they mean in code.
+#[test]
+fn options_mean_what_they_mean_in_files() {
+    let text = "bands = [\"grey\"]
+        [materials.white]
+        reflectance = 0.5
+        emission = 1
+        [[surfaces]]
+        name = \"floor\"
+        material = \"white\"
+        two_sided = true
+        flip = true
+        order = 4
+        subdivide = [2, 3]
+        parallelogram = { origin = [0, 0, 0], edge1 = [1, 0, 0], edge2 = [0, 1, 0] }";
+    let typed = Scene::from_toml(text, "room").expect("the text is right");
+    let mut builder = SceneBuilder::new("room", ["grey"]);
+    let white = builder.material("white", material(0.5, 1.0));
+    builder.surface("floor", square(0.0), &white).two_sided().flip().order(4).subdivide(2, 3);
+    let built = builder.build().expect("the room is right");
+    assert_eq!(built.surfaces.len(), typed.surfaces.len());
+    for (ours, theirs) in built.surfaces.iter().zip(&typed.surfaces) {
+        assert_eq!((&ours.name, &ours.material), (&theirs.name, &theirs.material));
+        assert_eq!(ours.material_name, theirs.material_name);
+        assert_eq!((ours.order, ours.subdivide), (theirs.order, theirs.subdivide));
+        assert_eq!(ours.shape.jet(0.3, -0.2), theirs.shape.jet(0.3, -0.2));
+        assert_eq!(ours.place, None);
+    }
+}
+
+/// The unit cube from inside, each wall of exitance `emission` and reflectance `reflectance`.
+fn cube(reflectance: f64, emission: f64) -> SceneBuilder {
+    let mut room = SceneBuilder::new("cube", ["grey"]);
+    let white = room.material("white", material(reflectance, emission));
+    let edges = [(DVec3::X, DVec3::Y), (DVec3::Y, DVec3::Z), (DVec3::Z, DVec3::X)];
+    for (index, (edge1, edge2)) in edges.into_iter().enumerate() {
+        let near = Parallelogram::new(DVec3::ZERO, edge1, edge2).expect("a wall");
+        let far = Parallelogram::new(edge1.cross(edge2), edge1, edge2).expect("a wall");
+        room.surface(format!("near {index}"), near, &white);
+        room.surface(format!("far {index}"), far, &white).flip();
+    }
+    room
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// In a closed room of one material B = E₀/(1 − ρ) everywhere, and all that is emitted is absorbed.
+    #[test]
+    fn a_cube_of_one_material_is_a_furnace(reflectance in 0.0..0.9, emission in 0.1..10.0) {
+        let scene = cube(reflectance, emission).build().expect("the cube is right");
+        let outcome = solve(&scene, &Options { order: 1, ..Options::default() }, &|_| {}).expect("is solved");
+        let exact = emission / (1.0 - reflectance);
+        for (index, wall) in scene.surfaces.iter().enumerate() {
+            let mean = outcome.solution.mean_irradiance(0, index);
+            prop_assert!((mean / exact - 1.0).abs() < 1e-2, "{mean} instead of {exact} on {}", wall.name);
+        }
+        let checks = outcome.checks;
+        prop_assert!((checks.energy_in / (6.0 * emission) - 1.0).abs() < 1e-12);
+        prop_assert!((checks.energy_absorbed / checks.energy_in - 1.0).abs() < 1e-2);
+    }
+}
+
+/// A ball of the same material in the cube leaves the furnace a furnace.
+#[test]
+fn a_ball_in_a_furnace_changes_nothing() {
+    let mut room = cube(0.5, 1.0);
+    let white = room.material("paint", material(0.5, 1.0));
+    let ball = Sphere::new(DVec3::splat(0.5), 0.25, DVec3::Z, [-0.25, 0.25], FULL_TURN).expect("a ball");
+    let area = ball.area();
+    room.surface("ball", ball, &white);
+    let scene = room.build().expect("the room is right");
+    let outcome = solve(&scene, &Options::default(), &|_| {}).expect("is solved");
+    for (index, surface) in scene.surfaces.iter().enumerate() {
+        let mean = outcome.solution.mean_irradiance(0, index);
+        assert!((mean / 2.0 - 1.0).abs() < 1e-2, "{mean} on {}", surface.name);
+    }
+    assert!((outcome.checks.energy_in / (6.0 + area) - 1.0).abs() < 1e-9);
+}
+
+/// It has no text to be read from again, and the file says so.
+#[test]
+fn solution_files_of_built_scenes_hold_no_text() {
+    let scene = cube(0.5, 1.0).build().expect("the cube is right");
+    let options = Options { order: 0, ..Options::default() };
+    let solved = Solved::new(scene, options, &|_| {}).expect("is solved");
+    let text = serde_json::to_string(&SolutionFile::new(&solved)).expect("is written");
+    let error = read(&Source::new("cube.json", &text)).expect_err("it cannot be read back");
+    assert!(matches!(error.fault, SolutionFault::NoScene), "{error}");
+    assert!(error.cure().contains("built in code"), "{}", error.cure());
+}
