@@ -63,6 +63,8 @@ const LARGEST_ATTEMPT: f64 = 0.25;
 const SMALL_PART: f64 = 0.02;
 /// Part of the block's error that one attempt may make.
 const ATTEMPT_SHARE: f64 = 0.03;
+/// Least error of an attempt that was not good enough, as a part of what it carries.
+const DOUBT: f64 = 0.1;
 /// What of the sum so far counts as a lower bound of the block's first entry.
 const FOUND_SHARE: f64 = 0.5;
 /// By how much more than by a rough rule a block may carry.
@@ -691,7 +693,9 @@ impl<'a> Job<'a> {
         self.moments.merge(&coarse, false);
         self.moments.merge(&fine, kept);
         if kept {
-            self.error += error;
+            // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
+            let doubt = if enough { 0.0 } else { DOUBT * fine.exchanged() / self.unit };
+            self.error += error.max(doubt);
             self.unresolved |= !enough;
         }
         kept
