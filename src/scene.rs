@@ -35,7 +35,7 @@ pub use camera::Camera;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use material::Material;
-pub use ranges::MAX_ORDER;
+pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use source::{Place, Source};
 pub use surface::SceneSurface;
 

@@ -140,7 +140,7 @@ fn constants(
 ) -> Result<(Elements, Blocks), Failure> {
     let mut scene = scene.clone();
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
-    let shadows = if options.shadows { Shadows::Rays(options.accuracy.shadow_eps) } else { Shadows::Off };
+    let shadows = Shadows::to_accuracy(options.shadows, options.accuracy.shadow_eps);
     let visibility = Visibility::new(&scene, shadows);
     let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);

@@ -51,6 +51,13 @@ pub enum Shadows {
     Rays(f64),
 }
 
+impl Shadows {
+    /// Rays to the accuracy `eps`, or nothing where surfaces do not hide each other.
+    pub fn to_accuracy(hiding: bool, eps: f64) -> Self {
+        if hiding { Self::Rays(eps) } else { Self::Off }
+    }
+}
+
 #[derive(Debug)]
 struct Obstacle {
     shape: Arc<dyn Surface>,

@@ -1,4 +1,4 @@
-//! What values are read from: options that probe and grid share.
+//! What values are read from: options that reading verbs share.
 
 use std::str::FromStr;
 

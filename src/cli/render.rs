@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use radiosity::output::exr_file::write_exr;
-use radiosity::output::render::{Read, render, white_balance};
+use radiosity::output::render::{render, white_balance};
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
@@ -15,6 +15,7 @@ use crate::cli::{
     error::CliError,
     options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
+    read::ReadMode,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
@@ -52,17 +53,6 @@ pub(crate) struct RenderArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// `--read` of a picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReadMode {
-    /// The polynomials of the elements alone
-    Basis,
-    /// Direct light and its shadows exact at every point, the rest from the polynomials
-    Direct,
-    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point: slow
-    Gather,
-}
-
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
@@ -73,15 +63,10 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
-    let read = match args.read {
-        ReadMode::Basis => Read::Basis,
-        ReadMode::Direct => Read::Direct,
-        ReadMode::Gather => Read::Gather,
-    };
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.solved.outcome.solution;
     let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, read, &rows)
+        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read.into(), &rows)
     };
     let (raster, borders) = run.in_threads(|| {
         style.take_other(|other| take(other, &other.visibility()));

@@ -203,10 +203,14 @@ impl<'a> Part<'a> {
         let grid: Vec<Node> =
             (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID))).collect();
         let center = grid.iter().map(|y| y.position).sum::<DVec3>() / grid.len() as f64;
+        let bend = |value: &dyn Fn(&Node) -> DVec3| {
+            let at = |place: usize| value(&grid[place]);
+            second_differences(|a, b, c| (at(a) - 2.0 * at(b) + at(c)).length())
+        };
         let bends = [
-            second_differences(&grid, |y| y.position),
-            second_differences(&grid, |y| y.normal),
-            second_differences(&grid, |y| DVec3::X * y.normal.dot(center - y.position)),
+            bend(&|y| y.position),
+            bend(&|y| y.normal),
+            bend(&|y| DVec3::X * y.normal.dot(center - y.position)),
         ];
         let (nodes, rows, quarters) = (Vec::new(), Vec::new(), Vec::new());
         Self { patch, basis, points, depth, grid, center, bends, nodes, rows, quarters }
@@ -343,15 +347,8 @@ impl Ball {
 
 /// The sum over both directions of the largest second difference of the last height.
 fn bend(grid: &[Heights]) -> f64 {
-    let at = |i: usize, j: usize| grid[i * GRID + j][HEIGHTS - 1];
-    let mut largest = [0.0f64; 2];
-    for i in 1..GRID - 1 {
-        for j in 0..GRID {
-            largest[0] = largest[0].max((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)).abs());
-            largest[1] = largest[1].max((at(j, i - 1) - 2.0 * at(j, i) + at(j, i + 1)).abs());
-        }
-    }
-    largest[0] + largest[1]
+    let height = |place: usize| grid[place][HEIGHTS - 1];
+    second_differences(|a, b, c| (height(a) - 2.0 * height(b) + height(c)).abs())
 }
 
 /// Whether a height rises, or falls, along all lines of a direction.
@@ -453,14 +450,15 @@ fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
 }
 
-/// The sum over both directions of the grid of the largest second difference.
-fn second_differences(grid: &[Node], value: impl Fn(&Node) -> DVec3) -> f64 {
-    let at = |i: usize, j: usize| value(&grid[i * GRID + j]);
+/// The sum over both directions of the grid of the largest second difference, as `second` takes its size from three places
+/// that follow each other.
+fn second_differences(second: impl Fn(usize, usize, usize) -> f64) -> f64 {
+    let at = |i: usize, j: usize| i * GRID + j;
     let mut largest = [0.0f64; 2];
     for i in 1..GRID - 1 {
         for j in 0..GRID {
-            largest[0] = largest[0].max((at(i - 1, j) - 2.0 * at(i, j) + at(i + 1, j)).length());
-            largest[1] = largest[1].max((at(j, i - 1) - 2.0 * at(j, i) + at(j, i + 1)).length());
+            largest[0] = largest[0].max(second(at(i - 1, j), at(i, j), at(i + 1, j)));
+            largest[1] = largest[1].max(second(at(j, i - 1), at(j, i), at(j, i + 1)));
         }
     }
     largest[0] + largest[1]

@@ -6,7 +6,7 @@ use crate::scene::error::Fault;
 pub const MAX_ORDER: usize = 20;
 
 /// The finest `subdivide`, elements along one parameter.
-const MAX_PARTS: usize = 256;
+pub const MAX_PARTS: usize = 256;
 
 /// Pictures are at most this wide and high.
 const MAX_PIXELS: usize = 16384;

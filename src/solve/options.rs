@@ -75,7 +75,7 @@ impl Default for Options {
 impl From<&Options> for Shadows {
     /// How surfaces hide each other in a solution of these options, and where it is read.
     fn from(options: &Options) -> Self {
-        if options.shadows { Self::Rays(options.shadow_eps) } else { Self::Off }
+        Self::to_accuracy(options.shadows, options.shadow_eps)
     }
 }
 

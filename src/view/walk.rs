@@ -177,8 +177,7 @@ impl<'a> Walk<'a> {
             return Estimate { weights, error };
         }
         let factor = self.vantage.factor(&cell.hull);
-        let error = factor * (cell.spread * (0.3 * width * width).min(1.0) + cell.detail);
-        Estimate { weights: scaled(cell, weights, factor), error }
+        Estimate { weights: scaled(cell, weights, factor), error: factor * lambert_error(cell, width) }
     }
 
     /// Lambert's form of the visible pieces, or the points alone where little is at stake.
@@ -226,7 +225,7 @@ impl<'a> Walk<'a> {
             (false, false) => factor * cell.brightness / DISPUTED,
         };
         let form = match cell.is_flat() {
-            true => factor * (cell.spread * (0.3 * width * width).min(1.0) + cell.detail),
+            true => factor * lambert_error(cell, width),
             false => factor * gauss_error(cell, width) + self.rim(cell),
         };
         let weights = if cell.is_flat() { scaled(cell, seen, factor * share) } else { seen };
@@ -297,6 +296,11 @@ impl Pass<'_> {
 fn gauss_error(cell: &Cell, width: f64) -> f64 {
     let square = width * width;
     cell.brightness * 0.02 * square * square + cell.spread * 0.05 * square * width + cell.detail
+}
+
+/// Error of Lambert's form with the field as it is at the points, over the form factor.
+fn lambert_error(cell: &Cell, width: f64) -> f64 {
+    cell.spread * (0.3 * width * width).min(1.0) + cell.detail
 }
 
 /// `weights` brought to the sum `factor`; by area where all of them vanish.

@@ -39,16 +39,6 @@ fn around(x: DVec3, n: DVec3, above: &[DVec3]) -> f64 {
     sum.abs() / TAU
 }
 
-/// What is left of the convex `polygon`, seen from `x`, behind the convex `blockers`.
-pub fn visible_parts<'a>(
-    x: DVec3,
-    polygon: &[DVec3],
-    blockers: impl Iterator<Item = &'a [DVec3]>,
-) -> Vec<Vec<DVec3>> {
-    let pyramids: Vec<Pyramid> = blockers.filter_map(|blocker| Pyramid::over(blocker, x)).collect();
-    outside_all(polygon, pyramids.iter())
-}
-
 /// What is left of the convex `polygon` outside all `pyramids`, as convex polygons.
 pub fn outside_all<'a>(polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> Vec<Vec<DVec3>> {
     let mut parts = vec![polygon.to_vec()];
@@ -160,8 +150,8 @@ mod tests {
     }
 
     fn seen(x: DVec3, lamp: &[DVec3], blockers: &[Vec<DVec3>]) -> f64 {
-        let parts = visible_parts(x, lamp, blockers.iter().map(Vec::as_slice));
-        parts.iter().map(|part| irradiance(x, DVec3::Z, part)).sum()
+        let pyramids: Vec<Pyramid> = blockers.iter().filter_map(|b| Pyramid::over(b, x)).collect();
+        outside_all(lamp, pyramids.iter()).iter().map(|part| irradiance(x, DVec3::Z, part)).sum()
     }
 
     /// Below the corner of a rectangle a × b at distance c, with A = a/c, B = b/c:

@@ -9,13 +9,10 @@ use super::element::SavedElement;
 use super::error::{Mismatch, SolutionError, SolutionFault};
 use super::tree::{FORMAT, SavedScene, SolutionFile, VERSION};
 use crate::elements::{Discretization, Elements, Subdivide};
-use crate::scene::{Scene, Source};
+use crate::scene::{MAX_PARTS, Scene, Source};
 use crate::solution::{Band, Solution};
 use crate::solved::Solved;
 use crate::system::{Coating, Coefficients};
-
-/// Most parts a surface is cut into along one parameter: more would be no file of ours.
-const MAX_PARTS: usize = 256;
 
 /// What tells a solution file of any version.
 #[derive(Deserialize)]
