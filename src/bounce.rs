@@ -31,6 +31,9 @@ const REFLECTED_HALVINGS: usize = 1;
 /// Part of its element below which a patch counts as small.
 const SMALL: f64 = 0.25;
 
+/// Relative accuracy of g where none finer is asked for: there are few points to gather it at.
+pub const ACCURACY: f64 = 3e-3;
+
 /// Coefficients in the orthonormal bases, element by element, per band.
 #[derive(Debug)]
 pub struct Bounce {
@@ -41,8 +44,9 @@ pub struct Bounce {
 }
 
 impl Bounce {
-    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps`.
+    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps` and to [`ACCURACY`].
     pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
+        let eps = eps.min(ACCURACY);
         let direct = DirectLight::within(elements, coatings, visibility, eps);
         let nothing = |_: usize, _: &Node, out: &mut [f64]| out.fill(0.0);
         let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {

@@ -66,9 +66,10 @@ impl<'a> DirectLight<'a> {
         let tree =
             |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
-        let around = |element: &Element| Surroundings::new(visibility, &trees, &Site::of(element));
-        let surroundings = elements.iter().map(around).collect();
-        Self { elements, visibility, emitters, trees, surroundings, bands: coatings.len(), eps }
+        let bands = coatings.len();
+        let mut light = Self { elements, visibility, emitters, trees, surroundings: Vec::new(), bands, eps };
+        light.surroundings = elements.iter().map(|element| light.around(&Site::of(element))).collect();
+        light
     }
 
     /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
@@ -87,7 +88,9 @@ impl<'a> DirectLight<'a> {
 
     /// What may stand between the emitters and a site.
     pub fn around(&self, site: &Site) -> Surroundings {
-        Surroundings::new(self.visibility, &self.trees, site)
+        let hulls: Vec<&[DVec3]> =
+            self.emitters.iter().map(|emitter| &self.elements[emitter.element].hull[..]).collect();
+        Surroundings::new(self.visibility, &self.trees, site).narrowed(self.visibility, &hulls, site)
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
@@ -102,13 +105,17 @@ impl<'a> DirectLight<'a> {
     /// Irradiance from each emitter, per unit of its exitance.
     fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, |walk, tolerance| {
+        let sum = |walk: &mut Walk, tolerance: f64| {
             let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
             for ((index, tree), factor) in self.trees.iter().enumerate().zip(&mut factors) {
                 walk.add(index, tree, tolerance, std::slice::from_mut(factor));
                 level += *factor / tree.scale()[0];
             }
             (factors, level)
-        })
+        };
+        if walk.is_flat() && self.trees.iter().all(|tree| tree.plane.is_some()) {
+            return sum(&mut walk, 0.0).0;
+        }
+        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, sum)
     }
 }

@@ -82,8 +82,9 @@ impl<'a> Reflection<'a> {
         })
     }
 
-    /// The least of the bands, in multiples of its scale.
+    /// Mean of the bands, each in multiples of its scale.
     fn relative(&self, irradiance: &[f64]) -> f64 {
-        irradiance.iter().zip(&self.scale).map(|(e, scale)| e / scale).fold(f64::INFINITY, f64::min)
+        let sum: f64 = irradiance.iter().zip(&self.scale).map(|(e, scale)| e / scale).sum();
+        sum / self.scale.len() as f64
     }
 }

@@ -20,6 +20,9 @@ pub const POINTS: usize = 4;
 /// Levels below the root down to which quarters are kept.
 const KEPT: u8 = 5;
 
+/// Cosine between its normals from which on a cell with straight sides is much like a flat one.
+const LEVEL: f64 = 0.999;
+
 /// A patch with a field at its Gauss points.
 #[derive(Clone, Debug)]
 pub struct Cell {
@@ -47,6 +50,8 @@ pub struct Cell {
     pub detail: f64,
     /// Smallest cosine between two normals.
     pub bend: f64,
+    /// Whether its border is the polygon of its hull: Lambert's form follows the border alone.
+    pub is_straight: bool,
 }
 
 impl Cell {
@@ -74,6 +79,7 @@ impl Cell {
         let pairs =
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
+        let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
         Self {
             patch,
             level,
@@ -88,6 +94,7 @@ impl Cell {
             spread: 0.0,
             detail: 0.0,
             bend,
+            is_straight,
         }
     }
 

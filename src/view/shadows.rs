@@ -66,6 +66,11 @@ impl<'a> Shadows<'a> {
         Self { vantage, visibility, blockers, of_obstacle, asked: Vec::new() }
     }
 
+    /// Whether no obstacle is curved.
+    pub fn all_flat(&self) -> bool {
+        self.blockers.iter().all(|blocker| matches!(blocker, Blocker::Flat(_)))
+    }
+
     /// Empties the stack and puts the blockers of some obstacles of the surroundings on it, by their places there.
     pub fn ask(&mut self, places: &[usize]) -> Before {
         self.asked.clear();
@@ -79,10 +84,7 @@ impl<'a> Shadows<'a> {
         for place in above.start..above.end {
             let blocker = self.asked[place];
             let cover = match &self.blockers[blocker] {
-                Blocker::Flat(pyramid) => match pyramid.cover_ball(cell.center, cell.radius) {
-                    Cover::Mixed => pyramid.cover(&cell.hull),
-                    cover => cover,
-                },
+                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull, cell.center, cell.radius),
                 Blocker::Curved(surface) => self.curved_cover(*surface, cell),
             };
             match cover {

@@ -31,6 +31,10 @@ const OWN_DEPTH: usize = 8;
 const DISPUTED: f64 = 1.0;
 const AGREED: f64 = 12.0;
 
+/// The same of flat cells behind flat blockers of which some points are seen and some not: shadow edges cross cells this
+/// way and that, and what the points miss cancels.
+const SHADED: f64 = 4.0;
+
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
 const RIM: f64 = 0.1;
 
@@ -74,6 +78,11 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// Whether all obstacles are flat, so that flat cells that shine evenly are exact.
+    pub fn is_flat(&self) -> bool {
+        self.shadows.all_flat()
+    }
+
     /// The irradiance from all of `trees`, those of the surroundings, as `sum` takes it from [`Walk::add`] with a given
     /// tolerance: `share` of the irradiance, about which `other` comes on top, in multiples of the scales.
     ///
@@ -101,8 +110,13 @@ impl<'a> Walk<'a> {
             return 0.0;
         }
         let bound = |cell: &Cell| {
-            let near = 2.0 * cell.radius > self.distance(cell);
-            cell.brightness * if near { 1.0 } else { self.weights(cell).iter().sum::<f64>().min(1.0) }
+            let far = 2.0 * cell.radius < self.distance(cell);
+            let factor = match (far, self.is_like_flat(cell)) {
+                (true, _) => self.weights(cell).iter().sum::<f64>().min(1.0),
+                (false, true) => self.vantage.factor(&cell.hull, iter::empty()),
+                (false, false) => 1.0,
+            };
+            cell.brightness * factor
         };
         tree.roots().iter().map(bound).sum()
     }
@@ -151,13 +165,19 @@ impl<'a> Walk<'a> {
     fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
         let weights = self.weights(cell);
         let width = 2.0 * cell.radius / self.distance(cell);
-        match (cell.is_flat(), before.is_nothing()) {
+        match (self.is_like_flat(cell), before.is_nothing()) {
             (true, true) => self.clear_flat(pass, cell, weights, width),
             (true, false) if self.shadows.are_flat(before) => {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
             _ => self.by_rays(pass, cell, weights, width, before),
         }
+    }
+
+    /// Whether a cell is flat, or straight and seen from before all of it: Lambert's form holds for both.
+    fn is_like_flat(&self, cell: &Cell) -> bool {
+        let faces = |(point, normal): &(DVec3, DVec3)| (self.vantage.position - point).dot(*normal) > 0.0;
+        cell.is_straight && cell.facets.iter().all(faces)
     }
 
     /// Gauss far away, Lambert's form near by.
@@ -173,7 +193,7 @@ impl<'a> Walk<'a> {
         Estimate { weights: scaled(cell, weights, factor), error: factor * lambert_error(cell, width) }
     }
 
-    /// Lambert's form of the visible pieces, or the points alone where little is at stake.
+    /// Lambert's form of the visible pieces of what is near or shines evenly; of other cells the points alone.
     fn hidden_flat(
         &self,
         pass: &Pass,
@@ -182,14 +202,17 @@ impl<'a> Walk<'a> {
         width: f64,
         before: Before,
     ) -> Estimate {
+        if width >= 1.0 || cell.spread == 0.0 {
+            let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
+            let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
+            let weights = scaled(cell, seen, factor);
+            return Estimate { weights, error: factor * (cell.spread + cell.detail) };
+        }
         let seen = self.seen(pass, cell, weights, before);
         let sum: f64 = weights.iter().sum();
-        let geometry = sum * gauss_error(cell, width);
-        if width < 1.0 && sum * cell.brightness <= DISPUTED * pass.tolerance && geometry <= pass.tolerance {
-            return Estimate { weights: seen, error: geometry };
-        }
-        let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
-        Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
+        let agreed = self.agrees(pass, cell, &weights, &seen, before);
+        let doubt = sum * cell.brightness / if agreed { AGREED } else { SHADED };
+        Estimate { weights: seen, error: doubt.max(sum * gauss_error(cell, width)) }
     }
 
     /// Gauss with a ray to each point.
@@ -234,8 +257,8 @@ impl<'a> Walk<'a> {
         before: Before,
     ) -> bool {
         let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
-        let others = if cell.is_flat() { &cell.hull[..] } else { &[] };
-        let mut others = others.iter().chain(cell.is_flat().then_some(&cell.center));
+        let others = if cell.is_straight { &cell.hull[..] } else { &[] };
+        let mut others = others.iter().chain(cell.is_straight.then_some(&cell.center));
         match seen.iter().any(|weight| *weight > 0.0) {
             true => weights == seen && !others.any(hides),
             false => others.all(hides),

@@ -174,35 +174,38 @@ impl Pyramid {
         Some(Self { eye: x, planes: planes.filter(|plane| plane.inward != DVec3::ZERO).collect() })
     }
 
-    /// Whether it hides the convex hull of `points`; what merely touches a bounding plane lies outside it.
-    pub fn cover(&self, points: &[DVec3]) -> Cover {
-        self.cover_seen(points.iter().map(|y| y - self.eye))
-    }
-
-    /// Whether it hides a ball; mixed where its points may stand differently.
-    pub fn cover_ball(&self, center: DVec3, radius: f64) -> Cover {
-        let a = center - self.eye;
+    /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
+    /// bounding plane lies outside it.
+    pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
+        let middle = center - self.eye;
+        let tolerance = TOUCHING * (middle.length() + radius);
         let mut cover = Cover::Hidden;
         for plane in &self.planes {
-            let height = plane.height(a);
-            if height <= -radius {
+            let height = plane.height(middle);
+            if height >= radius {
+                continue;
+            }
+            let (low, high) = match height <= -radius {
+                true => return Cover::Clear,
+                false => range(points.iter().map(|y| plane.height(y - self.eye))),
+            };
+            if high <= tolerance {
                 return Cover::Clear;
             }
-            if height < radius {
+            if low < -tolerance {
                 cover = Cover::Mixed;
             }
         }
         cover
     }
 
+    /// The same of points as seen from the eye.
     fn cover_seen(&self, points: impl Iterator<Item = DVec3> + Clone) -> Cover {
         let reach = points.clone().map(|a| a.length_squared()).fold(0.0, f64::max);
         let tolerance = TOUCHING * reach.sqrt();
         let mut cover = Cover::Hidden;
         for plane in &self.planes {
-            let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
-            let heights = points.clone().map(|a| plane.height(a));
-            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), range);
+            let (low, high) = range(points.clone().map(|a| plane.height(a)));
             if high <= tolerance {
                 return Cover::Clear;
             }
@@ -246,6 +249,11 @@ impl Pyramid {
         }
         kept
     }
+}
+
+/// The least and the greatest.
+fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
+    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
 }
 
 #[cfg(test)]
