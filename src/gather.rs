@@ -6,7 +6,8 @@
 //!
 //! with D the direct light ([`crate::direct`]) and S_h the polynomials of what was reflected at least once, not below
 //! zero. The integral ([`crate::reflection`]) smooths: shadows and dark corners that polynomials cannot hold appear in E.
-//! x may be any point, on a surface or not.
+//! x may be any point, on a surface or not. What polynomials smear at the foot of an obstacle is still seen in E near by;
+//! gathered twice, with S_h replaced by what is itself gathered from it at the points y, that is gone as well.
 
 pub mod spot;
 
@@ -40,6 +41,22 @@ impl<'a> Gather<'a> {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let direct = DirectLight::within(list, &coatings, visibility, eps);
         let indirect = |element: usize, node: &Node, out: &mut [f64]| indirect(solution, element, node, out);
+        let scale = scale(solution);
+        let reflection = Reflection::new(list, &coatings, visibility, &direct, &indirect, scale, eps);
+        Self { direct, reflection }
+    }
+
+    /// The same gathered twice: the light that surfaces send is itself gathered.
+    pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        let Self { direct, reflection } = Self::new(solution, visibility, eps);
+        let (list, coatings) = (solution.elements().list(), solution.coatings());
+        let around: Vec<Surroundings> =
+            list.iter().map(|element| reflection.around(&Site::of(element))).collect();
+        let indirect = |element: usize, node: &Node, out: &mut [f64]| {
+            let vantage = Vantage::on(list[element].surface, node.position, node.normal);
+            let lit = direct.at(element, node.position, node.normal);
+            out.copy_from_slice(&reflection.irradiance(&vantage, &around[element], &lit));
+        };
         let scale = scale(solution);
         let reflection = Reflection::new(list, &coatings, visibility, &direct, &indirect, scale, eps);
         Self { direct, reflection }

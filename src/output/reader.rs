@@ -17,6 +17,8 @@ pub enum Read {
     Direct,
     /// Direct light recomputed at every point, and the reflected light gathered there from all surfaces.
     Gather,
+    /// The same, with the light of those surfaces gathered as well.
+    GatherTwice,
 }
 
 /// A solution ready to be read.
@@ -48,6 +50,7 @@ impl<'a> Reader<'a> {
                 Light::Direct(DirectLight::new(list, &solution.coatings(), visibility))
             }
             Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
+            Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
         };
         Self { solution, visibility, light }
     }
