@@ -31,8 +31,8 @@ const REFLECTED_HALVINGS: usize = 1;
 /// Part of its element below which a patch counts as small.
 const SMALL: f64 = 0.25;
 
-/// Relative accuracy of g where none finer is asked for: there are few points to gather it at.
-pub const ACCURACY: f64 = 3e-3;
+/// Relative accuracy of g at a point where none finer is asked for: what it feeds are means over many points.
+pub const LOOSEST: f64 = 1e-2;
 
 /// Coefficients in the orthonormal bases, element by element, per band.
 #[derive(Debug)]
@@ -44,9 +44,9 @@ pub struct Bounce {
 }
 
 impl Bounce {
-    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps` and to [`ACCURACY`].
+    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps` and to [`LOOSEST`].
     pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
-        let eps = eps.min(ACCURACY);
+        let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(elements, coatings, visibility, eps);
         let nothing = |_: usize, _: &Node, out: &mut [f64]| out.fill(0.0);
         let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {

@@ -19,6 +19,9 @@ use crate::view::surroundings::{Site, Surroundings};
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
+/// Accuracy of what is gathered first, in multiples of that of what is gathered from it: the second integral smooths.
+const BEFORE: f64 = 5.0;
+
 /// The reflected light of a solution, ready to be gathered.
 #[derive(Debug)]
 pub struct Gather<'a> {
@@ -48,7 +51,7 @@ impl<'a> Gather<'a> {
 
     /// The same gathered twice: the light that surfaces send is itself gathered.
     pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
-        let Self { direct, reflection } = Self::new(solution, visibility, eps);
+        let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let around: Vec<Surroundings> =
             list.iter().map(|element| reflection.around(&Site::of(element))).collect();

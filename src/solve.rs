@@ -25,6 +25,9 @@ pub use direct::Direct;
 pub use fit::Fit;
 pub use options::Options;
 
+/// Error of gathered light at a point, in multiples of that of visibility in a block, which is a mean over many.
+const AT_A_POINT: f64 = 3.0;
+
 /// Where the work stands.
 #[derive(Clone, Copy, Debug)]
 pub enum Progress {
@@ -260,7 +263,7 @@ fn bounce(
     let (list, coatings) = (elements.list(), coatings.iter().collect::<Vec<_>>());
     let plain = options.kernel.is_none() && !options.closure;
     let splits = options.direct.splits(list, &coatings, visibility, plain);
-    splits.then(|| Bounce::new(list, &coatings, visibility, options.shadow_eps))
+    splits.then(|| Bounce::new(list, &coatings, visibility, AT_A_POINT * options.shadow_eps))
 }
 
 /// What the bands have in common.

@@ -4,8 +4,8 @@
 //! | --- | --- | --- | --- | --- |
 //! | quick | 2 | 1e-2 | 2e-3 | 4, 1 |
 //! | default | 3 | 1e-3 | 1e-3 | 4, 2 |
-//! | fine | 4 | 1e-3 | 5e-4 | 6, 2 |
-//! | finest | 4 | 1e-3 | 3e-4, twice | 6, 3 |
+//! | fine | 4 | 1e-3 | 6e-4 | 4, 2 |
+//! | finest | 4 | 1e-3 | 4e-4, twice | 4, 3 |
 //!
 //! Chosen on the Cornell box, where the errors of all stages are then about alike.
 
@@ -45,7 +45,7 @@ impl Quality {
             Self::Quick => (2, 1e-2, 1e-2),
             Self::Default => return Options::default(),
             Self::Fine => (4, 1e-3, 3e-3),
-            Self::Finest => (4, 1e-3, 1e-3),
+            Self::Finest => (4, 1e-3, 3e-3),
         };
         Options { order, eps, shadow_eps, ..Options::default() }
     }
@@ -55,8 +55,8 @@ impl Quality {
         let (read, eps, direct, indirect) = match self {
             Self::Quick => (Read::Gather, 2e-3, 4, 1),
             Self::Default => (Read::Gather, 1e-3, 4, 2),
-            Self::Fine => (Read::Gather, 5e-4, 6, 2),
-            Self::Finest => (Read::GatherTwice, 3e-4, 6, 3),
+            Self::Fine => (Read::Gather, 6e-4, 4, 2),
+            Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
         };
         Reading { read, eps, rates: Rates { direct, indirect } }
     }

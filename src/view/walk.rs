@@ -208,11 +208,17 @@ impl<'a> Walk<'a> {
             let weights = scaled(cell, seen, factor);
             return Estimate { weights, error: factor * (cell.spread + cell.detail) };
         }
-        let seen = self.seen(pass, cell, weights, before);
         let sum: f64 = weights.iter().sum();
-        let agreed = self.agrees(pass, cell, &weights, &seen, before);
-        let doubt = sum * cell.brightness / if agreed { AGREED } else { SHADED };
-        Estimate { weights: seen, error: doubt.max(sum * gauss_error(cell, width)) }
+        let geometry = sum * gauss_error(cell, width);
+        if geometry > pass.tolerance {
+            return Estimate { weights, error: geometry };
+        }
+        let seen = self.seen(pass, cell, weights, before);
+        let at_stake = sum * cell.brightness;
+        let is_little = at_stake <= SHADED * pass.tolerance;
+        let agreed = !is_little && self.agrees(pass, cell, &weights, &seen, before);
+        let doubt = at_stake / if agreed { AGREED } else { SHADED };
+        Estimate { weights: seen, error: doubt.max(geometry) }
     }
 
     /// Gauss with a ray to each point.
