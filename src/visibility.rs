@@ -184,7 +184,8 @@ impl Visibility {
 
     /// Whether `blocker` may reach, however little, between the hulls of `a` and `b`.
     pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
-        !separated(a, b, &self.obstacles[blocker].hull, 0.0)
+        let Obstacle { ball, hull, .. } = &self.obstacles[blocker];
+        !ball.misses_between(&Ball::around(a), &Ball::around(b)) && !separated(a, b, hull, 0.0)
     }
 
     /// Centre and radius of the only one of `blockers` where that is a whole ball.

@@ -46,38 +46,35 @@ impl Plane {
         a.dot(self.inward) - self.depth
     }
 
-    /// The parts of a convex polygon inside and outside; what merely touches the plane counts for neither.
-    fn cut(&self, polygon: &[DVec3]) -> [Corners; 2] {
+    /// The same half-space from its other side, as it bounds what is left of it.
+    fn turned(&self) -> Self {
+        Self { inward: -self.inward, depth: -self.depth }
+    }
+
+    /// The part of a convex polygon inside, into `kept`; nothing where it merely touches the plane.
+    fn keep(&self, polygon: &[DVec3], kept: &mut Corners) {
+        kept.clear();
         let reach = polygon.iter().map(|a| a.length_squared()).fold(0.0, f64::max).sqrt();
         let height = |a: DVec3| {
             let h = self.height(a);
             if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
         };
-        let mut parts = [Corners::new(), Corners::new()];
-        let mut proper = [false; 2];
-        let Some(last) = polygon.last() else { return parts };
-        let mut previous = (*last, height(*last));
+        let Some(last) = polygon.last() else { return };
+        let (mut previous, mut proper) = ((*last, height(*last)), false);
         for &a in polygon {
             let h = height(a);
             if previous.1 * h < 0.0 {
-                let crossing = previous.0.lerp(a, previous.1 / (previous.1 - h));
-                parts.iter_mut().for_each(|part| part.push(crossing));
+                kept.push(previous.0.lerp(a, previous.1 / (previous.1 - h)));
             }
             if h >= 0.0 {
-                parts[0].push(a);
+                kept.push(a);
             }
-            if h <= 0.0 {
-                parts[1].push(a);
-            }
-            proper = [proper[0] | (h > 0.0), proper[1] | (h < 0.0)];
+            proper |= h > 0.0;
             previous = (a, h);
         }
-        for (part, proper) in parts.iter_mut().zip(proper) {
-            if !proper {
-                part.clear();
-            }
+        if !proper {
+            kept.clear();
         }
-        parts
     }
 }
 
@@ -94,11 +91,13 @@ pub fn visible_irradiance<'a>(
     polygon: &[DVec3],
     pyramids: impl Iterator<Item = &'a Pyramid>,
 ) -> f64 {
-    let mut corners: Corners = polygon.iter().map(|corner| corner - x).collect();
-    if corners.iter().any(|a| a.dot(n) < 0.0) {
-        [corners, _] = Plane { inward: n, depth: 0.0 }.cut(&corners);
+    let corners: Corners = polygon.iter().map(|corner| corner - x).collect();
+    if corners.iter().all(|a| a.dot(n) >= 0.0) {
+        return outside(n, &corners, pyramids);
     }
-    outside(n, &corners, pyramids)
+    let mut above = Corners::new();
+    Plane { inward: n, depth: 0.0 }.keep(&corners, &mut above);
+    outside(n, &above, pyramids)
 }
 
 /// From the part of a polygon above the horizon outside pyramids.
@@ -116,8 +115,13 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     if mixed.len() > FEW {
         return first.outer_parts(polygon).iter().map(|part| outside(n, part, rest())).sum();
     }
-    let free = outside(n, polygon, rest());
-    (free - outside(n, &first.inner_part(polygon), rest())).max(0.0)
+    let mut parts = [Corners::from_slice(polygon), Corners::new()];
+    for plane in &first.planes {
+        let [from, to] = &mut parts;
+        plane.keep(from, to);
+        parts.swap(0, 1);
+    }
+    (outside(n, polygon, rest()) - outside(n, &parts[0], rest())).max(0.0)
 }
 
 /// Lambert's sum along the sides of a polygon above the horizon.
@@ -178,25 +182,15 @@ impl Pyramid {
     /// bounding plane lies outside it.
     pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
         let middle = center - self.eye;
-        let tolerance = TOUCHING * (middle.length() + radius);
-        let mut cover = Cover::Hidden;
+        let mut is_inside = true;
         for plane in &self.planes {
             let height = plane.height(middle);
-            if height >= radius {
-                continue;
-            }
-            let (low, high) = match height <= -radius {
-                true => return Cover::Clear,
-                false => range(points.iter().map(|y| plane.height(y - self.eye))),
-            };
-            if high <= tolerance {
+            if height <= -radius {
                 return Cover::Clear;
             }
-            if low < -tolerance {
-                cover = Cover::Mixed;
-            }
+            is_inside &= height >= radius;
         }
-        cover
+        if is_inside { Cover::Hidden } else { self.cover_seen(points.iter().map(|y| y - self.eye)) }
     }
 
     /// The same of points as seen from the eye.
@@ -221,33 +215,19 @@ impl Pyramid {
         self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
     }
 
-    /// The part of a convex polygon that it hides.
-    fn inner_part(&self, polygon: &[DVec3]) -> Corners {
-        let mut inside = Corners::from_slice(polygon);
-        for plane in &self.planes {
-            [inside, _] = plane.cut(&inside);
-            if inside.len() < 3 {
-                return Corners::new();
-            }
-        }
-        inside
-    }
-
     /// What it leaves of a convex polygon, as convex polygons.
     fn outer_parts(&self, polygon: &[DVec3]) -> SmallVec<[Corners; 5]> {
-        let mut kept = SmallVec::new();
+        let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
         let mut inside = Corners::from_slice(polygon);
         for plane in &self.planes {
-            let [inner, outer] = plane.cut(&inside);
-            if outer.len() > 2 {
-                kept.push(outer);
-            }
+            let (mut inner, mut outer) = (Corners::new(), Corners::new());
+            plane.turned().keep(&inside, &mut outer);
+            plane.keep(&inside, &mut inner);
+            parts.push(outer);
             inside = inner;
-            if inside.len() < 3 {
-                break;
-            }
         }
-        kept
+        parts.retain(|part| part.len() > 2);
+        parts
     }
 }
 
