@@ -109,7 +109,6 @@ fn scale(solution: &Solution) -> Vec<f64> {
 fn indirect(solution: &Solution, element: usize, node: &Node, out: &mut [f64]) {
     let surface = solution.elements().list()[element].surface;
     let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };
-    for (band, out) in out.iter_mut().enumerate() {
-        *out = solution.indirect(band, element, &place).max(0.0);
-    }
+    solution.indirect_bands(element, &place, out);
+    out.iter_mut().for_each(|out| *out = out.max(0.0));
 }

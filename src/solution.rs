@@ -107,6 +107,14 @@ impl Solution {
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 
+    /// The same of all bands, into `out`.
+    pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+        let values = self.elements.list()[element].raw_values(place.position, place.parameters);
+        for (band, out) in self.bands.iter().zip(out) {
+            *out = values.iter().zip(&band.raw_indirect[element]).map(|(x, y)| x * y).sum();
+        }
+    }
+
     /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn radiosity(&self, band: usize, element: usize, place: &Place) -> f64 {
         self.bands[band].coating.radiosity(element, self.irradiance(band, element, place))

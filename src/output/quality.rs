@@ -2,9 +2,9 @@
 //!
 //! | quality | order | transfers | gathered light | points a cell side, direct and gathered |
 //! | --- | --- | --- | --- | --- |
-//! | quick | 2 | 1e-2 | 2e-3 | 4, 1 |
+//! | quick | 2 | 1e-2 | 2e-3 | 3, 1 |
 //! | default | 3 | 1e-3 | 1e-3 | 4, 2 |
-//! | fine | 4 | 1e-3 | 6e-4 | 4, 2 |
+//! | fine | 4 | 1e-3 | 7e-4 | 4, 2 |
 //! | finest | 4 | 1e-3 | 4e-4, twice | 4, 3 |
 //!
 //! Chosen on the Cornell box, where the errors of all stages are then about alike.
@@ -53,9 +53,9 @@ impl Quality {
     /// How to read what was solved so.
     pub fn reading(self) -> Reading {
         let (read, eps, direct, indirect) = match self {
-            Self::Quick => (Read::Gather, 2e-3, 4, 1),
+            Self::Quick => (Read::Gather, 2e-3, 3, 1),
             Self::Default => (Read::Gather, 1e-3, 4, 2),
-            Self::Fine => (Read::Gather, 6e-4, 4, 2),
+            Self::Fine => (Read::Gather, 7e-4, 4, 2),
             Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
         };
         Reading { read, eps, rates: Rates { direct, indirect } }
