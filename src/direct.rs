@@ -9,6 +9,7 @@
 //! to [`ACCURACY`].
 
 use radiosity_geom::DVec3;
+use rayon::prelude::*;
 
 use crate::coating::Coating;
 use crate::elements::Element;
@@ -23,6 +24,9 @@ pub const ACCURACY: f64 = 1e-3;
 
 /// Error allowed a cell of that.
 const PER_CELL: f64 = 0.3;
+
+/// Obstacles around a site up to which each is looked at closely: sooner or later that costs more than it saves.
+const FEW: usize = 40;
 
 /// Who emits, and what may stand between an emitter and each element.
 #[derive(Debug)]
@@ -68,7 +72,7 @@ impl<'a> DirectLight<'a> {
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
         let mut light = Self { elements, visibility, emitters, trees, surroundings: Vec::new(), bands, eps };
-        light.surroundings = elements.iter().map(|element| light.around(&Site::of(element))).collect();
+        light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
 
@@ -88,9 +92,13 @@ impl<'a> DirectLight<'a> {
 
     /// What may stand between the emitters and a site.
     pub fn around(&self, site: &Site) -> Surroundings {
+        let surroundings = Surroundings::new(self.visibility, &self.trees, site);
+        if surroundings.obstacles.len() > FEW {
+            return surroundings;
+        }
         let hulls: Vec<&[DVec3]> =
             self.emitters.iter().map(|emitter| &self.elements[emitter.element].hull[..]).collect();
-        Surroundings::new(self.visibility, &self.trees, site).narrowed(self.visibility, &hulls, site)
+        surroundings.narrowed(self.visibility, &hulls, site)
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.

@@ -180,7 +180,9 @@ fn solve_in_pool(
     let coatings: Vec<Coating> =
         (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
     let bounce = timed(&mut seconds.direct, || bounce(&elements, &coatings, &visibility, options));
-    progress(Progress::Finished("direct", seconds.direct));
+    if bounce.is_some() {
+        progress(Progress::Finished("direct", seconds.direct));
+    }
     let known = Known { elements: &elements, blocks: &blocks, bounce: bounce.as_ref() };
     let solved = timed(&mut seconds.solve, || solve_bands(scene, coatings, &known, options, progress))?;
     progress(Progress::Finished("solve", seconds.solve));
