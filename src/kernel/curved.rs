@@ -48,7 +48,7 @@ const CONTACT_SAMPLES: f64 = 5e5;
 const HORIZON_SAMPLES: f64 = 1e6;
 /// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
 const SMALL_IN_ROW: f64 = 0.25;
-const LEAST_WORTH: f64 = 1.0 / 16.0;
+const LEAST_WORTH: f64 = 0.25;
 /// Rays of one block after which shadows are sampled by the coarsest rule, times the square of their accuracy.
 const RAYS: f64 = 1.0;
 /// Most points a direction of the corner rule, which takes their fourth power.
@@ -70,8 +70,13 @@ const SMALL_PART: f64 = 0.02;
 /// Cosine of the angle at a common edge below which two patches go on smoothly: the kernel is bounded there, and plain rules
 /// cost a small part of those that know the edge.
 const SMOOTH: f64 = -0.99;
-/// Part of the block's error that one attempt may make.
+/// Part of the block's error that one attempt may make, and the power of the digits by which it falls beyond four of them: ever
+/// more parts are attempted.
 const ATTEMPT_SHARE: f64 = 0.03;
+const MORE_ATTEMPTS: i32 = 6;
+/// By how much less two rules may differ than they err on near parts, where both miss the kernel's peak: measured on a ball
+/// that lies on a floor.
+const PEAKED: f64 = 2.0;
 /// Least error of an attempt that was not good enough, as a part of what it carries.
 const DOUBT: f64 = 0.1;
 /// What of the sum so far counts as a lower bound of the block's first entry.
@@ -346,10 +351,14 @@ impl<'a> Job<'a> {
         self.horizons > self.most_for_horizons()
     }
 
-    /// Samples that horizons may take: beyond four digits they grow with the cube of their number.
+    /// Samples that horizons may take: beyond four digits their need grows faster still.
     fn most_for_horizons(&self) -> u64 {
-        let beyond = (-0.25 * self.accuracy.eps.log10()).max(1.0);
-        (beyond * self.most(HORIZON_SAMPLES) as f64) as u64
+        (self.beyond() * self.most(HORIZON_SAMPLES) as f64) as u64
+    }
+
+    /// Digits over four where more are asked, else 1.
+    fn beyond(&self) -> f64 {
+        (-0.25 * self.accuracy.eps.log10()).max(1.0)
     }
 
     /// Whether enough rays were cast for the accuracy of shadows: that of n rays is about 1/√n.
@@ -363,11 +372,12 @@ impl<'a> Job<'a> {
         (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0)
     }
 
-    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked, and for a block
-    /// that is small beside its row.
+    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked and for a block that
+    /// is small beside its row, more beyond four digits.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
-        (self.worth() * per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
+        let squared = (digits * digits).min(digits.powi(4) / 16.0);
+        (self.worth() * per_digit * squared * self.beyond().powi(2)) as u64
     }
 
     /// What two sectors start with: each counts as halved as often as makes its part of its element.
@@ -739,14 +749,17 @@ impl<'a> Job<'a> {
         let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
         let error = 4.0 * fine.difference(&coarse) / self.unit;
-        let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;
+        let may_err = ATTEMPT_SHARE / self.beyond().powi(MORE_ATTEMPTS) * self.accuracy.eps * self.scale;
+        let enough = error <= may_err;
         let kept = enough || self.spent();
         self.moments.merge(&coarse, false);
         self.moments.merge(&fine, kept);
         if kept {
             // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
             let doubt = if enough { 0.0 } else { DOUBT * fine.exchanged() / self.unit };
-            self.error += error.max(doubt);
+            let reach = SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
+            self.error += doubt.max(if is_near { PEAKED * error } else { error });
             self.unresolved |= !enough;
         }
         kept
