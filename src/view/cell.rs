@@ -109,6 +109,11 @@ impl Cell {
         self.patch.is_flat()
     }
 
+    /// Whether it is a flat parallelogram.
+    pub fn is_parallelogram(&self) -> bool {
+        self.patch.is_parallelogram()
+    }
+
     /// Takes over what its quarters, which carry the same field, show of it.
     pub fn look_at(&mut self, quarters: &[Cell], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();

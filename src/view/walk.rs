@@ -8,6 +8,7 @@ use crate::elements::patch::Node;
 use crate::kernel::kernel;
 use crate::view::cell::{Cell, POINTS};
 use crate::view::shadows::{Before, Shadows};
+use crate::view::strips::Strips;
 use crate::view::surroundings::Surroundings;
 use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
@@ -32,6 +33,12 @@ const AGREED: f64 = 12.0;
 
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
 const RIM: f64 = 0.1;
+
+/// Width over distance above which lines are not trusted.
+const WIDE: f64 = 2.0;
+
+/// Part of the variation of a field over a cell that its bilinear interpolant misses.
+const LINEAR: f64 = 0.1;
 
 /// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
 const DARK: f64 = 0.4;
@@ -165,6 +172,7 @@ impl<'a> Walk<'a> {
             (true, false) if self.shadows.are_flat(before) => {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
+            (true, false) => self.by_lines(pass, cell, weights, width, before),
             _ => self.by_rays(pass, cell, weights, width, before),
         }
     }
@@ -198,6 +206,37 @@ impl<'a> Walk<'a> {
         let parts = self.shadows.visible_parts(before, &cell.hull);
         let factor: f64 = parts.iter().map(|part| self.vantage.factor(part)).sum();
         Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
+    }
+
+    /// The visible parts of lines.
+    fn by_lines(
+        &self,
+        pass: &Pass,
+        cell: &Cell,
+        weights: [f64; POINTS],
+        width: f64,
+        before: Before,
+    ) -> Estimate {
+        let Some(facets) = self.shadows.facets(before, &cell.hull) else {
+            return Estimate { weights: [0.0; POINTS], error: 0.0 };
+        };
+        if facets.is_empty() {
+            return self.clear_flat(pass, cell, weights, width);
+        }
+        let factor = self.vantage.factor(&cell.hull);
+        let stake = factor * cell.brightness;
+        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let sum: f64 = shares.iter().sum();
+        let weights = match cell.is_parallelogram() {
+            true => shares.map(|share| factor * share),
+            false => scaled(cell, weights, factor * sum),
+        };
+        let form = match cell.is_parallelogram() {
+            true => cell.detail + LINEAR * cell.spread,
+            false => cell.detail + cell.spread,
+        };
+        let near = if width > WIDE { stake } else { 0.0 };
+        Estimate { weights, error: near.max(factor * sum * form) }
     }
 
     /// Gauss with a ray to each point.
