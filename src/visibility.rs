@@ -197,6 +197,11 @@ impl Visibility {
         self.obstacles[*only].shape.ball()
     }
 
+    /// Centre and radius of the ball whose whole inside a surface is, if it is one.
+    pub fn whole_dome(&self, surface: usize) -> Option<(DVec3, f64)> {
+        if self.is_hollow(surface) { self.obstacles[surface].shape.ball() } else { None }
+    }
+
     /// Convex polygons that make up a planar surface; None for curved ones.
     pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
         self.obstacles[surface].pieces.as_deref()

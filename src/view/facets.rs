@@ -18,6 +18,9 @@ const NONE: f64 = 1e-9;
 /// Ends so far outside a line, in parts of it, are still corrected: the surface may reach farther than its net.
 const OUTSIDE: f64 = 0.1;
 
+/// How much farther normals may turn between the corners of a quad than at them.
+const STEEPER: f64 = 1.5;
+
 /// A correction is believed up to this part of the quad's size as it is seen.
 const BELIEVED: f64 = 0.6;
 
@@ -26,6 +29,8 @@ const BELIEVED: f64 = 0.6;
 pub struct Facets<'a> {
     screen: Screen,
     quads: Vec<Facet<'a>>,
+    /// Lowest and highest t at which each quad is seen.
+    heights: Vec<[f64; 2]>,
     pyramids: Vec<&'a Pyramid>,
 }
 
@@ -55,8 +60,8 @@ struct End {
 /// The quads before a screen, of a surface that the eye may lie on.
 struct Ahead<'a> {
     screen: &'a Screen,
-    /// Least sine of the screen's height over that surface.
-    rise: f64,
+    /// Least sine of the screen's height over that surface, if it does.
+    rise: Option<f64>,
 }
 
 impl Region for Ahead<'_> {
@@ -68,15 +73,15 @@ impl Region for Ahead<'_> {
         self.screen.reaches(bounds)
     }
 
-    fn reaches_from_eye(&self, turn: f64) -> bool {
-        self.rise < 1.5 * turn
+    fn own_turn(&self) -> Option<f64> {
+        self.rise.map(|rise| rise / STEEPER)
     }
 }
 
 impl<'a> Facets<'a> {
     /// Before `screen`, nothing yet.
     pub fn new(screen: Screen) -> Self {
-        Self { screen, quads: Vec::new(), pyramids: Vec::new() }
+        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new() }
     }
 
     /// Adds a planar blocker.
@@ -84,14 +89,19 @@ impl<'a> Facets<'a> {
         self.pyramids.push(pyramid);
     }
 
-    /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it.
-    pub fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>) {
-        let rise = ground.map_or(f64::NEG_INFINITY, |normal| self.screen.rise(normal));
+    /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it. If the screen stands for a
+    /// piece of the blocker itself, only what lies well before it counts.
+    pub fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
+        let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
+        let rise = ground.map(|normal| self.screen.rise(normal));
         let ahead = Ahead { screen: &self.screen, rise };
-        let quads = &mut self.quads;
+        let (quads, heights) = (&mut self.quads, &mut self.heights);
         net.visit(&ahead, &mut |quad| {
             let seen = quad.knots.map(|knot| self.screen.see(knot.position));
-            quads.push(Facet { net, quad: *quad, seen });
+            if seen.iter().all(|p| p.z <= far) {
+                heights.push(height(&seen));
+                quads.push(Facet { net, quad: *quad, seen });
+            }
         });
     }
 
@@ -126,8 +136,10 @@ impl<'a> Facets<'a> {
     /// The hidden parts by the net, ascending and apart.
     fn hidden(&self, t: f64, [low, high]: [f64; 2]) -> Vec<Hidden> {
         let mut parts = Vec::new();
-        for (index, facet) in self.quads.iter().enumerate() {
-            facet.hide(index, t, &mut parts);
+        for (index, [bottom, top]) in self.heights.iter().enumerate() {
+            if *bottom <= t && t <= *top {
+                self.quads[index].hide(index, t, &mut parts);
+            }
         }
         let (start, along) = (self.screen.at(0.0, t), self.screen.along);
         let flat = self.pyramids.iter().filter_map(|pyramid| pyramid.shadow_on(start, along));
@@ -181,6 +193,15 @@ impl Facet<'_> {
             }
         }
     }
+}
+
+/// Lowest and highest t at which a quad is seen.
+fn height(seen: &[DVec3; 4]) -> [f64; 2] {
+    if seen.iter().any(|p| p.z <= TOUCHING) {
+        return [f64::NEG_INFINITY, f64::INFINITY];
+    }
+    let t = seen.map(|p| p.y / p.z);
+    [t.into_iter().fold(f64::INFINITY, f64::min), t.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }
 
 /// What a segment before the screen hides of its line.

@@ -28,13 +28,15 @@ pub struct Screen {
     dual: [DVec3; 3],
     /// The polygon in (s, t).
     pub outline: Vec<[f64; 2]>,
-    /// Inward normals of planes through the eye.
-    sides: Vec<DVec3>,
+    /// Inward normals of planes through the eye, and how low, times them, what the polygon stands for reaches.
+    sides: Vec<(DVec3, f64)>,
+    /// Largest depth of what the polygon stands for.
+    depth: f64,
 }
 
 impl Screen {
-    /// Of a polygon; None where the eye lies in its plane.
-    pub fn new(eye: DVec3, polygon: &[DVec3]) -> Option<Self> {
+    /// Of a polygon that stands for a piece of surface within a hull; None where the eye lies in the polygon's plane.
+    pub fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =
             (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
         let towards = origin - eye;
@@ -47,11 +49,13 @@ impl Screen {
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let side = |k: usize| {
             let inward = (polygon[k] - eye).cross(polygon[(k + 1) % polygon.len()] - eye);
-            if inward.dot(middle - eye) < 0.0 { -inward } else { inward }
+            let inward = if inward.dot(middle - eye) < 0.0 { -inward } else { inward };
+            (inward, hull.iter().map(|y| inward.dot(y - eye)).fold(0.0, f64::min))
         };
+        let depth = hull.iter().map(|y| dual[2].dot(y - eye)).fold(1.0, f64::max);
         let sides = (0..polygon.len()).map(side).collect();
         let outline = polygon.iter().map(seen).collect();
-        Some(Self { eye, origin, along, across, dual, outline, sides })
+        Some(Self { eye, origin, along, across, dual, outline, sides, depth })
     }
 
     /// The point of the screen at (s, t).
@@ -79,9 +83,15 @@ impl Screen {
         let (low, high) = (bounds.min - self.eye, bounds.max - self.eye);
         let top = |n: DVec3| (low * n).max(high * n).element_sum();
         let bottom = |n: DVec3| (low * n).min(high * n).element_sum();
-        bottom(self.dual[2]) < 1.0 - TOUCHING
+        bottom(self.dual[2]) < self.depth - TOUCHING
             && top(self.dual[2]) > 0.0
-            && self.sides.iter().all(|side| top(*side) > 0.0)
+            && self.sides.iter().all(|(side, low)| top(*side) > *low)
+    }
+
+    /// How much of its depth the polygon is wide.
+    pub fn width(&self) -> f64 {
+        let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
+        far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)
     }
 
     /// Least sine of the height of the polygon over the plane through the eye with unit normal `normal`.

@@ -108,15 +108,23 @@ impl<'a> Shadows<'a> {
     }
 
     /// What stands before a convex planar polygon; None where the point lies in its plane.
-    pub fn facets(&self, before: Before, polygon: &[DVec3]) -> Option<Facets<'_>> {
+    ///
+    /// It may stand for a curved piece of `surface` within the convex hull of `hull`.
+    pub fn facets(
+        &self,
+        before: Before,
+        polygon: &[DVec3],
+        hull: &[DVec3],
+        curved: Option<usize>,
+    ) -> Option<Facets<'_>> {
         let Vantage { position, normal, ground, surface } = *self.vantage;
-        let mut facets = Facets::new(Screen::new(position, polygon)?);
+        let mut facets = Facets::new(Screen::new(position, polygon, hull)?);
         for blocker in self.of(before) {
             match blocker {
                 Blocker::Flat(pyramid) => facets.add_flat(pyramid),
                 Blocker::Curved(other) => {
                     let ground = (surface == Some(*other)).then_some(ground.unwrap_or(normal));
-                    facets.add_curved(self.visibility.net(*other), ground);
+                    facets.add_curved(self.visibility.net(*other), ground, curved == Some(*other));
                 }
             }
         }

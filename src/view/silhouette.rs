@@ -22,7 +22,7 @@ const BORDER_STEPS: usize = 2;
 const STEPS: usize = 3;
 
 /// Sine of the angle between view and surface below which a place counts as on the silhouette.
-const GRAZING: f64 = 3e-3;
+const GRAZING: f64 = 1e-2;
 
 /// Where a line of a screen crosses the edge of a quad.
 #[derive(Clone, Copy, Debug)]
@@ -89,7 +89,8 @@ impl Line<'_> {
             let jet = shape.jet(at.x, at.y);
             let offset = jet.position - self.screen.eye;
             let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
-            if off.abs() <= GRAZING * offset.length() {
+            let near = GRAZING * offset.length();
+            if off.abs() <= near && height.abs() <= near * self.normal.length() {
                 return self.tangent(offset, jet.normal);
             }
             let across = DVec2::new(self.normal.dot(jet.du), self.normal.dot(jet.dv));

@@ -19,11 +19,11 @@ use crate::view::vantage::Vantage;
 const POINTS: usize = 3;
 
 /// Panels across at first, and most halvings of one.
-const PANELS: usize = 2;
+const PANELS: usize = 4;
 const DEEPEST: usize = 6;
 
 /// Part of the difference between two estimates by which the better of them errs where the integrand has a bend.
-const BEND: f64 = 0.25;
+const BEND: f64 = 0.7;
 
 /// Of one line, and their integrals: what is visible by point, and all.
 #[derive(Clone, Copy, Debug, Default)]

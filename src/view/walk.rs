@@ -26,10 +26,20 @@ const DEPTH: usize = 24;
 const CURVED_DEPTH: usize = 12;
 const OWN_DEPTH: usize = 8;
 
-/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of
-/// it: when some are seen and some not, and when all agree.
+/// Most cells that one sum may look at: beyond them every cell is taken as it is, and may err by all that it contributes.
+const MOST_CELLS: usize = 20_000;
+
+/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of it.
 const DISPUTED: f64 = 1.0;
-const AGREED: f64 = 12.0;
+
+/// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
+const NEAR_OWN: f64 = 0.1;
+
+/// How close a point and its normal must come to those of a ball, in parts of its radius.
+const ON_DOME: f64 = 1e-9;
+
+/// (1 − cos ϑ)²/AREA_RULE is about the relative error of two-point rules for the area of a piece of a ball ϑ wide.
+const AREA_RULE: f64 = 500.0;
 
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
 const RIM: f64 = 0.1;
@@ -47,10 +57,13 @@ const LEAST: f64 = 0.05;
 /// What a vantage point sees of elements.
 pub struct Walk<'a> {
     vantage: &'a Vantage,
+    visibility: &'a Visibility,
     surroundings: &'a Surroundings,
     shadows: Shadows<'a>,
     /// Largest error of a cell so far, in multiples of the scales.
     coarsest: f64,
+    /// Cells looked at in this sum.
+    visited: usize,
 }
 
 /// The walk over one element.
@@ -59,6 +72,10 @@ struct Pass<'a> {
     /// Error allowed a cell, in multiples of the channels' scales.
     tolerance: f64,
     deepest: usize,
+    /// Whether the point lies on the element's surface.
+    own: bool,
+    /// The kernel, where the surface is a ball around the point: 1/(4πR²) everywhere.
+    dome: Option<f64>,
     out: &'a mut [f64],
 }
 
@@ -74,9 +91,11 @@ impl<'a> Walk<'a> {
     pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
         Self {
             vantage,
+            visibility,
             surroundings,
             shadows: Shadows::new(vantage, visibility, surroundings),
             coarsest: 0.0,
+            visited: 0,
         }
     }
 
@@ -96,6 +115,7 @@ impl<'a> Walk<'a> {
         let (first, found) = sum(self, share * (other + bound));
         let level = (other + found).max(LEAST * bound);
         if level < DARK * (other + bound) && self.coarsest > share * level {
+            self.visited = 0;
             return sum(self, share * level).0;
         }
         first
@@ -128,7 +148,8 @@ impl<'a> Walk<'a> {
             (false, None) => CURVED_DEPTH,
             (false, Some(_)) => DEPTH,
         };
-        let mut pass = Pass { tree, tolerance, deepest, out };
+        let dome = if own { self.dome(tree.surface) } else { None };
+        let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
         for root in tree.roots() {
             self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
         }
@@ -145,7 +166,8 @@ impl<'a> Walk<'a> {
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
         let estimate = self.estimate(pass, cell, before);
-        if estimate.error <= pass.tolerance || depth == pass.deepest {
+        self.visited += 1;
+        if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
             pass.take(cell, &estimate.weights);
             return;
@@ -173,7 +195,8 @@ impl<'a> Walk<'a> {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
             (true, false) => self.by_lines(pass, cell, weights, width, before),
-            _ => self.by_rays(pass, cell, weights, width, before),
+            (false, _) if pass.dome.is_some() => self.under_dome(pass, cell),
+            (false, _) => self.curved(pass, cell, weights, width, before),
         }
     }
 
@@ -217,7 +240,7 @@ impl<'a> Walk<'a> {
         width: f64,
         before: Before,
     ) -> Estimate {
-        let Some(facets) = self.shadows.facets(before, &cell.hull) else {
+        let Some(facets) = self.shadows.facets(before, &cell.hull, &cell.hull, None) else {
             return Estimate { weights: [0.0; POINTS], error: 0.0 };
         };
         if facets.is_empty() {
@@ -239,8 +262,8 @@ impl<'a> Walk<'a> {
         Estimate { weights, error: near.max(factor * sum * form) }
     }
 
-    /// Gauss with a ray to each point.
-    fn by_rays(
+    /// Gauss, of the part that lines across the cell show as seen.
+    fn curved(
         &self,
         pass: &Pass,
         cell: &Cell,
@@ -248,45 +271,44 @@ impl<'a> Walk<'a> {
         width: f64,
         before: Before,
     ) -> Estimate {
-        let seen = self.seen(pass, cell, weights, before);
-        if cell.bend < STRAIGHT || (width > NEAR && !cell.is_flat()) {
-            return Estimate { weights: seen, error: f64::INFINITY };
-        }
         let whole: f64 = weights.iter().sum();
-        let sum: f64 = seen.iter().sum();
-        // Flat cells have Lambert's form for what nothing hides, and the points say how much of it is seen.
-        let factor = if cell.is_flat() { self.vantage.factor(&cell.hull) } else { whole };
-        let share = if whole > 0.0 { sum / whole } else { 0.0 };
-        let agreed = self.agrees(pass, cell, &weights, &seen, before);
-        let doubt = match (before.is_nothing(), agreed) {
-            (true, _) => 0.0,
-            (false, true) => factor * cell.brightness / AGREED,
-            (false, false) => factor * cell.brightness / DISPUTED,
+        let stake = whole * cell.brightness;
+        if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
+            return Estimate { weights, error: f64::INFINITY };
+        }
+        let near = if width > NEAR { NEAR_OWN * stake } else { whole * gauss_error(cell, width) };
+        let form = near + self.rim(cell);
+        if before.is_nothing() {
+            return Estimate { weights, error: form };
+        }
+        let Some(facets) = self.shadows.facets(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
+        else {
+            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
         };
-        let form = match cell.is_flat() {
-            true => factor * lambert_error(cell, width),
-            false => factor * gauss_error(cell, width) + self.rim(cell),
-        };
-        let weights = if cell.is_flat() { scaled(cell, seen, factor * share) } else { seen };
-        Estimate { weights, error: form.max(doubt) }
+        if facets.is_empty() {
+            return Estimate { weights, error: form };
+        }
+        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
+        let partial =
+            if share > 0.0 && share < 1.0 { stake * (1.0 - cell.bend) + whole * cell.spread } else { 0.0 };
+        Estimate { weights: weights.map(|weight| share * weight), error: form.max(partial) }
     }
 
-    /// Whether all points of a cell are seen, or none; the corners and the middle of a flat one are asked as well.
-    fn agrees(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: &[f64; POINTS],
-        seen: &[f64; POINTS],
-        before: Before,
-    ) -> bool {
-        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
-        let others = if cell.is_flat() { &cell.hull[..] } else { &[] };
-        let mut others = others.iter().chain(cell.is_flat().then_some(&cell.center));
-        match seen.iter().any(|weight| *weight > 0.0) {
-            true => weights == seen && !others.any(hides),
-            false => others.all(hides),
-        }
+    /// The kernel between any two points of the inside of a ball, of which `surface` is the whole, if the point is one.
+    fn dome(&self, surface: usize) -> Option<f64> {
+        let (center, radius) = self.visibility.whole_dome(surface)?;
+        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
+        (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
+    }
+
+    /// The constant kernel: only the areas of the cell's points and the field decide.
+    fn under_dome(&self, pass: &Pass, cell: &Cell) -> Estimate {
+        let weights = cell.nodes.map(|node| pass.dome.unwrap_or(0.0) * node.area);
+        let whole: f64 = weights.iter().sum();
+        let turn = 1.0 - cell.bend;
+        Estimate { weights, error: whole * (cell.brightness * turn * turn / AREA_RULE + cell.detail) }
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.

@@ -19,7 +19,7 @@ const TURN: f64 = 0.2;
 const MOST: usize = 64;
 const LOOKS: usize = 16;
 
-/// Most quarterings of a quad near the eye; what is left around the eye then is passed over.
+/// Most quarterings of a quad near the eye; what is left around it then of its own surface is passed over.
 const DEPTH: usize = 5;
 
 /// A quad is quartered if it is nearer to the eye than this times its size.
@@ -71,8 +71,8 @@ pub trait Region {
     fn eye(&self) -> DVec3;
     /// Whether a box may reach into the region.
     fn reaches(&self, bounds: &Aabb) -> bool;
-    /// Whether a quad around the eye, whose normals all lie within the angle of this sine, may reach into it.
-    fn reaches_from_eye(&self, turn: f64) -> bool;
+    /// Where the eye lies on the surface: how little (sine) normals must turn over a quad around it to keep that out.
+    fn own_turn(&self) -> Option<f64>;
 }
 
 impl Net {
@@ -107,11 +107,31 @@ impl Net {
     }
 
     fn quad(&self, rect: Rect) -> Quad {
-        let knot = |[u, v]: [f64; 2]| {
-            let jet = self.shape.jet(u, v);
-            Knot { parameters: [u, v], position: jet.position, normal: jet.normal }
+        Quad { knots: rect.corners().map(|at| self.knot(at)), rect, bounds: self.shape.bounds(&rect) }
+    }
+
+    fn knot(&self, [u, v]: [f64; 2]) -> Knot {
+        let jet = self.shape.jet(u, v);
+        Knot { parameters: [u, v], position: jet.position, normal: jet.normal }
+    }
+
+    /// The quarters of a quad, with boxes that leave them twice the room that an arc would need.
+    fn quarters(&self, quad: &Quad) -> [Quad; 4] {
+        let center = self.knot(quad.rect.center());
+        let middles: [Knot; 4] = std::array::from_fn(|k| {
+            let [a, b] = [quad.knots[k], quad.knots[(k + 1) % 4]].map(|knot| knot.parameters);
+            self.knot([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])])
+        });
+        let [low_left, low_right, high_left, high_right] = quad.rect.quarters();
+        let quarter = |k: usize, rect: Rect| {
+            let mut knots = [center; 4];
+            (knots[k], knots[(k + 1) % 4], knots[(k + 3) % 4]) =
+                (quad.knots[k], middles[k], middles[(k + 3) % 4]);
+            let mut quarter = Quad { knots, rect, bounds: Aabb::around(knots.map(|knot| knot.position)) };
+            quarter.bounds = quarter.bounds.inflate(0.25 * quarter.size() * quarter.turn());
+            quarter
         };
-        Quad { knots: rect.corners().map(knot), rect, bounds: self.shape.bounds(&rect) }
+        [quarter(0, low_left), quarter(1, low_right), quarter(2, high_right), quarter(3, high_left)]
     }
 
     /// The surface.
@@ -135,16 +155,19 @@ impl Net {
     }
 
     fn visit_quad(&self, quad: &Quad, region: &impl Region, rest: usize, take: &mut impl FnMut(&Quad)) {
-        let size = quad.knots[0].position.distance(quad.knots[2].position);
+        let size = quad.size();
         let gap = quad.bounds.distance_squared(region.eye());
         if gap > (NEAR * size).powi(2) {
             return take(quad);
         }
-        if rest == 0 || (gap == 0.0 && !region.reaches_from_eye(quad.turn())) {
+        let own = region.own_turn();
+        if own.is_some_and(|least| rest == 0 || (gap == 0.0 && quad.turn() < least)) {
             return;
         }
-        for quarter in quad.rect.quarters() {
-            let quarter = self.quad(quarter);
+        if rest == 0 {
+            return take(quad);
+        }
+        for quarter in self.quarters(quad) {
             if region.reaches(&quarter.bounds) {
                 self.visit_quad(&quarter, region, rest - 1, take);
             }
@@ -153,10 +176,17 @@ impl Net {
 }
 
 impl Quad {
+    /// Length of a diagonal.
+    fn size(&self) -> f64 {
+        self.knots[0].position.distance(self.knots[2].position)
+    }
+
     /// Sine of the angle by which normals may differ over it.
     fn turn(&self) -> f64 {
-        let pair = |k: usize| self.knots[k / 4].normal.cross(self.knots[k % 4].normal).length();
-        (0..16).map(pair).fold(0.0, f64::max)
+        let normal = |k: usize| self.knots[k].normal;
+        let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+        let sine = |(i, j): (usize, usize)| normal(i).cross(normal(j)).length_squared();
+        pairs.into_iter().map(sine).fold(0.0, f64::max).sqrt()
     }
 }
 
@@ -167,7 +197,8 @@ fn quads_along(shape: &dyn Surface, transposed: bool) -> usize {
     for other in 0..LOOKS {
         let mut last: Option<[DVec3; 2]> = None;
         for place in 0..LOOKS {
-            let jet = if transposed { shape.jet(at(other), at(place)) } else { shape.jet(at(place), at(other)) };
+            let jet =
+                if transposed { shape.jet(at(other), at(place)) } else { shape.jet(at(place), at(other)) };
             let tangent = if transposed { jet.dv } else { jet.du };
             let here = [jet.normal, tangent.normalize_or_zero()];
             if let Some(last) = last {
