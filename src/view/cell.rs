@@ -39,6 +39,8 @@ pub struct Cell {
     pub detail: f64,
     /// Smallest cosine between two normals.
     pub bend: f64,
+    /// About how far a curved cell lies from the quad of its corners, in its plane or out of it, over its radius.
+    pub warp: f64,
 }
 
 impl Cell {
@@ -62,6 +64,7 @@ impl Cell {
         let pairs =
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
+        let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,
             hull,
@@ -74,6 +77,7 @@ impl Cell {
             spread: 0.0,
             detail: 0.0,
             bend,
+            warp,
         }
     }
 

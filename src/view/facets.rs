@@ -5,6 +5,8 @@
 //! is left are corrected from the net to the surface itself ([`super::silhouette`]). The correction is what counts for the
 //! result: the net only has to find the outline.
 
+use std::borrow::Cow;
+
 use radiosity_geom::{Aabb, DVec3};
 
 use crate::view::screen::{Screen, TOUCHING};
@@ -15,6 +17,9 @@ use crate::visibility::net::{Net, Quad, Region};
 /// Gaps and overlaps of this part of the screen are none.
 const NONE: f64 = 1e-9;
 
+/// Ends so near each other, in parts of the screen, are both corrected, and the farther counts.
+const CLOSE: f64 = 0.02;
+
 /// Ends so far outside a line, in parts of it, are still corrected: the surface may reach farther than its net.
 const OUTSIDE: f64 = 0.1;
 
@@ -22,7 +27,7 @@ const OUTSIDE: f64 = 0.1;
 const STEEPER: f64 = 1.5;
 
 /// A correction is believed up to this part of the quad's size as it is seen.
-const BELIEVED: f64 = 0.6;
+const BELIEVED: f64 = 1.0;
 
 /// Blockers before a screen.
 #[derive(Debug)]
@@ -38,7 +43,7 @@ pub struct Facets<'a> {
 #[derive(Debug)]
 struct Facet<'a> {
     net: &'a Net,
-    quad: Quad,
+    quad: Cow<'a, Quad>,
     /// (S, T, λ) of its corners.
     seen: [DVec3; 4],
 }
@@ -100,7 +105,7 @@ impl<'a> Facets<'a> {
             let seen = quad.knots.map(|knot| self.screen.see(knot.position));
             if seen.iter().all(|p| p.z <= far) {
                 heights.push(height(&seen));
-                quads.push(Facet { net, quad: *quad, seen });
+                quads.push(Facet { net, quad, seen });
             }
         });
     }
@@ -108,6 +113,13 @@ impl<'a> Facets<'a> {
     /// Whether nothing stands before the screen.
     pub fn is_empty(&self) -> bool {
         self.quads.is_empty() && self.pyramids.is_empty()
+    }
+
+    /// The same with s and t exchanged: lines run the other way.
+    pub fn transposed(&self) -> Self {
+        let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
+        let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
+        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone() }
     }
 
     /// The screen.
@@ -171,6 +183,10 @@ impl<'a> Facets<'a> {
 }
 
 impl Facet<'_> {
+    fn transposed(&self) -> Self {
+        Self { net: self.net, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
+    }
+
     /// What the quad hides of line `t`: between pairs of edges that the line crosses.
     fn hide(&self, index: usize, t: f64, out: &mut Vec<Hidden>) {
         let height = self.seen.map(|p| p.y - t * p.z);
@@ -229,13 +245,16 @@ impl Hidden {
 
     /// Takes in a part that begins at or after its own beginning.
     fn join(&mut self, other: &Self) {
-        if other.low.s <= self.low.s + NONE {
+        if other.low.s <= self.low.s + CLOSE {
             self.low.causes[1] = self.low.causes[1].or(other.low.causes[0]);
         }
-        if other.high.s > self.high.s + NONE {
-            self.high = other.high;
-        } else if other.high.s >= self.high.s - NONE {
-            self.high.causes[1] = self.high.causes[1].or(other.high.causes[0]);
+        let (far, near) = match other.high.s > self.high.s + NONE {
+            true => (other.high, self.high),
+            false => (self.high, other.high),
+        };
+        self.high = far;
+        if near.s >= far.s - CLOSE {
+            self.high.causes[1] = far.causes[1].or(near.causes[0]);
         }
     }
 }

@@ -58,6 +58,18 @@ impl Screen {
         Some(Self { eye, origin, along, across, dual, outline, sides, depth })
     }
 
+    /// The same with s and t exchanged.
+    pub fn transposed(&self) -> Self {
+        let [s, t, depth] = self.dual;
+        Self {
+            along: self.across,
+            across: self.along,
+            dual: [t, s, depth],
+            outline: self.outline.iter().map(|[s, t]| [*t, *s]).collect(),
+            ..self.clone()
+        }
+    }
+
     /// The point of the screen at (s, t).
     pub fn at(&self, s: f64, t: f64) -> DVec3 {
         self.origin + s * self.along + t * self.across

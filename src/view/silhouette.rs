@@ -19,10 +19,13 @@ use crate::visibility::net::Quad;
 
 /// Steps towards a border and, at the most, towards a silhouette.
 const BORDER_STEPS: usize = 2;
-const STEPS: usize = 3;
+const STEPS: usize = 5;
 
 /// Sine of the angle between view and surface below which a place counts as on the silhouette.
 const GRAZING: f64 = 1e-2;
+
+/// Sine of the angle to the plane of the line below which a place counts as on it.
+const ON_LINE: f64 = 1e-3;
 
 /// Where a line of a screen crosses the edge of a quad.
 #[derive(Clone, Copy, Debug)]
@@ -90,15 +93,14 @@ impl Line<'_> {
             let offset = jet.position - self.screen.eye;
             let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
             let near = GRAZING * offset.length();
-            if off.abs() <= near && height.abs() <= near * self.normal.length() {
+            if off.abs() <= near && height.abs() <= ON_LINE * offset.length() * self.normal.length() {
                 return self.tangent(offset, jet.normal);
             }
             let across = DVec2::new(self.normal.dot(jet.du), self.normal.dot(jet.dv));
             let step = DVec2::new(across.y * off - slope.y * height, slope.x * height - across.x * off)
                 / across.perp_dot(slope);
-            at += step;
-            let within = at.clamp(low - width, low + 2.0 * width).clamp(DVec2::NEG_ONE, DVec2::ONE);
-            if at != within {
+            at = (at + step).clamp(low - width, low + 2.0 * width).clamp(DVec2::NEG_ONE, DVec2::ONE);
+            if !at.is_finite() {
                 return None;
             }
         }

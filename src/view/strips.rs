@@ -7,7 +7,8 @@
 //! with N_k the bilinear functions of the cell's 2 × 2 points. Along a line the visible parts are known
 //! ([`super::facets`]), and κ is integrated over each by Gauss's rule. Across the lines the integrand is continuous, with
 //! bends where the outline meets the border of the cell and roots where it touches a line: Simpson's rule on halves of
-//! halves, as long as a half's two estimates differ by more than the tolerance.
+//! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
+//! that one sees all and another nothing, lines of the other direction are taken.
 
 use radiosity_geom::DVec3;
 
@@ -19,11 +20,15 @@ use crate::view::vantage::Vantage;
 const POINTS: usize = 3;
 
 /// Panels across at first, and most halvings of one.
-const PANELS: usize = 4;
+const PANELS: usize = 3;
+const LINES: usize = 2 * PANELS + 1;
 const DEEPEST: usize = 6;
 
 /// Part of the difference between two estimates by which the better of them errs where the integrand has a bend.
 const BEND: f64 = 0.7;
+
+/// Variation of the visible part from line to line above which an outline is taken to run along the lines.
+const ALONG: f64 = 0.6;
 
 /// Of one line, and their integrals: what is visible by point, and all.
 #[derive(Clone, Copy, Debug, Default)]
@@ -50,6 +55,8 @@ pub struct Strips<'a> {
     gauss: &'a UnitRule,
     /// Places of the cell's points along a side.
     places: &'a [f64],
+    /// Whether the lines run the other way already.
+    is_turned: bool,
     room: Vec<[f64; 2]>,
 }
 
@@ -57,29 +64,36 @@ impl<'a> Strips<'a> {
     /// Of the polygon that is the screen of `facets`, from a point.
     pub fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
-        Self { vantage, facets, gauss: UnitRule::of(POINTS), places, room: Vec::new() }
+        Self { vantage, facets, gauss: UnitRule::of(POINTS), places, is_turned: false, room: Vec::new() }
     }
 
-    /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen. None
-    /// where the point sees the cell's front end on.
+    /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
     pub fn shares(&mut self, tolerance: f64) -> [f64; 4] {
-        let outline = &self.facets.screen().outline;
-        let heights = || outline.iter().map(|[_, t]| *t);
-        let (low, high) =
-            (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+        let (low, high) = self.heights();
         let step = (high - low) / PANELS as f64;
-        let lines: [Sums; 2 * PANELS + 1] = std::array::from_fn(|k| self.line(low + 0.5 * step * k as f64));
-        let panel = |k: usize| simpson(step, [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
-        let all: f64 = (0..PANELS).map(|k| panel(k).all).sum();
+        let lines: [Sums; LINES] = std::array::from_fn(|k| self.line(low + 0.5 * step * k as f64));
+        if !self.is_turned && variation(&lines) > ALONG {
+            let facets = self.facets.transposed();
+            let [a, b, c, d] =
+                Strips { is_turned: true, ..Strips::new(self.vantage, &facets) }.shares(tolerance);
+            return [a, c, b, d];
+        }
+        let panels = (0..PANELS).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
+        let all: f64 = panels.clone().map(|panel| simpson(step, panel).all).sum();
         let mut sums = Sums::default();
         if lines.iter().any(|line| line.seen() > 0.0) {
-            for k in 0..PANELS {
+            for (k, panel) in panels.enumerate() {
                 let start = low + step * k as f64;
-                let ends = [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]];
-                sums = sums.plus(self.panel(start, step, ends, tolerance * all, DEEPEST), 1.0);
+                sums = sums.plus(self.panel(start, step, panel, tolerance * all, DEEPEST), 1.0);
             }
         }
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+    }
+
+    /// Lowest and highest t of the cell.
+    fn heights(&self) -> (f64, f64) {
+        let heights = || self.facets.screen().outline.iter().map(|[_, t]| *t);
+        (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
     }
 
     /// Integral over a panel with the lines at its ends and in its middle.
@@ -146,6 +160,12 @@ impl<'a> Strips<'a> {
         }
         sums
     }
+}
+
+/// Largest difference of the part that is seen between lines.
+fn variation(lines: &[Sums]) -> f64 {
+    let parts = || lines.iter().filter(|line| line.all > 0.0).map(|line| line.seen() / line.all);
+    parts().fold(f64::NEG_INFINITY, f64::max) - parts().fold(f64::INFINITY, f64::min)
 }
 
 /// Linear functions that are 1 at one of two places and 0 at the other.

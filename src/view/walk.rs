@@ -35,6 +35,9 @@ const DISPUTED: f64 = 1.0;
 /// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
 const NEAR_OWN: f64 = 0.1;
 
+/// How much more than a flat cell a curved one errs.
+const CURVED: f64 = 2.0;
+
 /// How close a point and its normal must come to those of a ball, in parts of its radius.
 const ON_DOME: f64 = 1e-9;
 
@@ -276,7 +279,7 @@ impl<'a> Walk<'a> {
         if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
             return Estimate { weights, error: f64::INFINITY };
         }
-        let near = if width > NEAR { NEAR_OWN * stake } else { whole * gauss_error(cell, width) };
+        let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
         let form = near + self.rim(cell);
         if before.is_nothing() {
             return Estimate { weights, error: form };
@@ -291,7 +294,7 @@ impl<'a> Walk<'a> {
         let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
         let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
         let partial =
-            if share > 0.0 && share < 1.0 { stake * (1.0 - cell.bend) + whole * cell.spread } else { 0.0 };
+            if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
         Estimate { weights: weights.map(|weight| share * weight), error: form.max(partial) }
     }
 

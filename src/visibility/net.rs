@@ -8,6 +8,7 @@
 //! the eye than its own size is quartered on the spot, again and again: of a surface that the eye lies on, the chords of
 //! a quad would otherwise rise over the eye.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
@@ -140,7 +141,7 @@ impl Net {
     }
 
     /// Hands every quad that may reach into `region` to `take`.
-    pub fn visit(&self, region: &impl Region, take: &mut impl FnMut(&Quad)) {
+    pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
         let mut stack = vec![0];
         while let Some(index) = stack.pop() {
             let node = &self.nodes[index];
@@ -149,12 +150,18 @@ impl Net {
             }
             match &node.kind {
                 Kind::Halves(halves) => stack.extend(halves),
-                Kind::Leaf(quad) => self.visit_quad(quad, region, DEPTH, take),
+                Kind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, DEPTH, take),
             }
         }
     }
 
-    fn visit_quad(&self, quad: &Quad, region: &impl Region, rest: usize, take: &mut impl FnMut(&Quad)) {
+    fn visit_quad<'a>(
+        &'a self,
+        quad: Cow<'a, Quad>,
+        region: &impl Region,
+        rest: usize,
+        take: &mut impl FnMut(Cow<'a, Quad>),
+    ) {
         let size = quad.size();
         let gap = quad.bounds.distance_squared(region.eye());
         if gap > (NEAR * size).powi(2) {
@@ -167,9 +174,9 @@ impl Net {
         if rest == 0 {
             return take(quad);
         }
-        for quarter in self.quarters(quad) {
+        for quarter in self.quarters(&quad) {
             if region.reaches(&quarter.bounds) {
-                self.visit_quad(&quarter, region, rest - 1, take);
+                self.visit_quad(Cow::Owned(quarter), region, rest - 1, take);
             }
         }
     }
