@@ -12,7 +12,10 @@ use radiosity_geom::shapes::{Bezier, Cylinder, Disk, FULL_TURN, Parallelogram, S
 use radiosity_geom::{DVec3, Surface};
 
 /// Rays to a lamp.
-const RAYS: usize = 30_000;
+const RAYS: usize = 10_000;
+
+/// Factor below which a point counts as out of sight of all lamps.
+const FAINT: f64 = 1e-3;
 
 fn scene(shapes: Vec<Arc<dyn Surface>>, emits: impl Fn(usize) -> bool) -> Scene {
     let mut builder = SceneBuilder::new("test", ["grey"]);
@@ -58,41 +61,31 @@ fn by_rays(scene: &Scene, visibility: &Visibility, lamp: usize, x: DVec3, n: DVe
     sums
 }
 
-/// Largest and root-mean-square error at places (surface, u, v), relative to the light without blockers.
-fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> [f64; 2] {
+/// Errors at places (surface, u, v), relative to the light without blockers, where there is any; ascending.
+fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     let solution = dark(scene);
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
     let direct = DirectLight::new(&solution, &visibility);
-    let lamps: Vec<usize> =
-        (0..scene.surfaces.len()).filter(|s| scene.surfaces[*s].material.emission[0] > 0.0).collect();
-    let (mut largest, mut squares) = (0.0f64, 0.0);
-    let mut shadowed = 0;
-    for (surface, u, v) in places {
+    let emits = |surface: &usize| scene.surfaces[*surface].material.emission[0] > 0.0;
+    let lamps: Vec<usize> = (0..scene.surfaces.len()).filter(emits).collect();
+    let error = |(surface, u, v): &(usize, f64, f64)| {
         let jet = scene.surfaces[*surface].shape.jet(*u, *v);
-        let Some(element) = solution.elements().at(*surface, [*u, *v]) else { continue };
+        let element = solution.elements().at(*surface, [*u, *v])?;
         let found: f64 = direct.factors(element, jet.position, jet.normal).iter().map(|(_, f)| f).sum();
         let rays = lamps.iter().map(|lamp| by_rays(scene, &visibility, *lamp, jet.position, jet.normal));
         let [exact, whole] = rays.fold([0.0; 2], |sum, rays| [sum[0] + rays[0], sum[1] + rays[1]]);
-        let error = if whole > 0.0 { (found - exact).abs() / whole } else { found };
-        shadowed += usize::from(exact < 0.999 * whole);
-        if whole < 1e-3 {
-            continue;
-        }
-        if error > 2.0 * ACCURACY {
-            println!(
-                "surface {surface} at {u:.3}, {v:.3}, {:.3}: {found:.6} instead of {exact:.6} of {whole:.6}: {error:.2e}",
-                jet.position
-            );
-        }
-        largest = largest.max(error);
-        squares += error * error;
-    }
-    println!(
-        "{shadowed} of {} in shadow; largest {largest:.2e}, rms {:.2e}",
-        places.len(),
-        (squares / places.len() as f64).sqrt()
-    );
-    [largest, (squares / places.len() as f64).sqrt()]
+        (whole > FAINT).then(|| (found - exact).abs() / whole)
+    };
+    let mut errors: Vec<f64> = places.iter().filter_map(error).collect();
+    errors.sort_by(f64::total_cmp);
+    errors
+}
+
+/// Each error is below 2.5 times the accuracy, the rays' own noise included, and the mean square below half of it.
+fn assert_accurate(errors: &[f64]) {
+    let mean = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
+    let largest = errors[errors.len() - 1];
+    assert!(largest < 2.5 * ACCURACY && mean.sqrt() < 0.5 * ACCURACY, "{largest:.1e}, {:.1e}", mean.sqrt());
 }
 
 /// Places of a surface that follow no grid (fractional parts of multiples of the golden ratio's relatives).
@@ -120,12 +113,12 @@ fn under_a_lamp(blockers: Vec<Arc<dyn Surface>>) -> Scene {
 fn balls_and_rings() {
     let center = DVec3::new(0.1, 0.2, 1.2);
     let ball = Sphere::new(center, 0.5, DVec3::Z, [-0.5, 0.5], FULL_TURN).expect("a ball");
-    errors(&under_a_lamp(vec![Arc::new(ball)]), &scattered(0, 60));
+    assert_accurate(&errors(&under_a_lamp(vec![Arc::new(ball)]), &scattered(0, 40)));
     let axis = DVec3::new(0.3, 0.2, 1.0);
     let ring = Torus::new(center, axis, 0.5, 0.15, FULL_TURN, FULL_TURN).expect("a ring");
     let scene = under_a_lamp(vec![Arc::new(ring)]);
-    errors(&scene, &scattered(0, 60));
-    errors(&scene, &scattered(2, 60));
+    assert_accurate(&errors(&scene, &scattered(0, 40)));
+    assert_accurate(&errors(&scene, &scattered(2, 40)));
 }
 
 #[test]
@@ -133,8 +126,8 @@ fn cans() {
     let can = Cylinder::new(DVec3::new(0.0, 0.0, 0.5), DVec3::new(0.3, 0.0, 1.0), 0.4, FULL_TURN);
     let lid = Disk::new(DVec3::new(0.3, 0.0, 1.5), DVec3::new(0.3, 0.0, 1.0), 0.4, 0.0, FULL_TURN);
     let scene = under_a_lamp(vec![Arc::new(can.expect("a can")), Arc::new(lid.expect("a lid"))]);
-    errors(&scene, &scattered(0, 60));
-    errors(&scene, &scattered(2, 60));
+    assert_accurate(&errors(&scene, &scattered(0, 40)));
+    assert_accurate(&errors(&scene, &scattered(2, 40)));
 }
 
 #[test]
@@ -145,14 +138,16 @@ fn sheets() {
     };
     let sheet = Bezier::new(std::array::from_fn(|i| std::array::from_fn(|j| p(i, j)))).expect("a sheet");
     let scene = under_a_lamp(vec![Arc::new(sheet)]);
-    errors(&scene, &scattered(0, 60));
-    errors(&scene, &scattered(2, 60));
+    assert_accurate(&errors(&scene, &scattered(0, 40)));
+    assert_accurate(&errors(&scene, &scattered(2, 40)));
 }
 
 #[test]
 fn teapot() {
     let scene = Scene::builtin("teapot").expect("built in");
-    errors(&scene, &scattered(0, 30));
+    assert_accurate(&errors(&scene, &scattered(0, 20)));
+    // On the pot itself a few places beside folds and inside the spout and the handle are worse.
     let pot: Vec<_> = (8..40).flat_map(|patch| scattered(patch, 4)).collect();
-    errors(&scene, &pot);
+    let errors = errors(&scene, &pot);
+    assert_accurate(&errors[..errors.len() * 95 / 100]);
 }

@@ -65,8 +65,8 @@ struct End {
 /// The quads before a screen, of a surface that the eye may lie on.
 struct Ahead<'a> {
     screen: &'a Screen,
-    /// Least sine of the screen's height over that surface, if it does.
-    rise: Option<f64>,
+    /// Its unit normal there, and the least sine of the screen's height over it, if it does.
+    ground: Option<(DVec3, f64)>,
 }
 
 impl Region for Ahead<'_> {
@@ -78,8 +78,8 @@ impl Region for Ahead<'_> {
         self.screen.reaches(bounds)
     }
 
-    fn own_turn(&self) -> Option<f64> {
-        self.rise.map(|rise| rise / STEEPER)
+    fn ground(&self) -> Option<(DVec3, f64)> {
+        self.ground.map(|(normal, rise)| (normal, rise / STEEPER))
     }
 }
 
@@ -98,8 +98,8 @@ impl<'a> Facets<'a> {
     /// piece of the blocker itself, only what lies well before it counts.
     pub fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
-        let rise = ground.map(|normal| self.screen.rise(normal));
-        let ahead = Ahead { screen: &self.screen, rise };
+        let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
+        let ahead = Ahead { screen: &self.screen, ground };
         let (quads, heights) = (&mut self.quads, &mut self.heights);
         net.visit(&ahead, &mut |quad| {
             let seen = quad.knots.map(|knot| self.screen.see(knot.position));

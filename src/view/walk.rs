@@ -35,8 +35,8 @@ const DISPUTED: f64 = 1.0;
 /// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
 const NEAR_OWN: f64 = 0.1;
 
-/// How much more than a flat cell a curved one errs.
-const CURVED: f64 = 2.0;
+/// How much more than a flat cell a curved one counts: the errors of neighbours have the same sign.
+const CURVED: f64 = 6.0;
 
 /// How close a point and its normal must come to those of a ball, in parts of its radius.
 const ON_DOME: f64 = 1e-9;
@@ -45,7 +45,7 @@ const ON_DOME: f64 = 1e-9;
 const AREA_RULE: f64 = 500.0;
 
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
-const RIM: f64 = 0.1;
+const RIM: f64 = 0.25;
 
 /// Width over distance above which lines are not trusted.
 const WIDE: f64 = 2.0;

@@ -72,8 +72,9 @@ pub trait Region {
     fn eye(&self) -> DVec3;
     /// Whether a box may reach into the region.
     fn reaches(&self, bounds: &Aabb) -> bool;
-    /// Where the eye lies on the surface: how little (sine) normals must turn over a quad around it to keep that out.
-    fn own_turn(&self) -> Option<f64>;
+    /// Where the eye lies on the surface: the unit normal there, and the angle (sine) from it below which the normals of a
+    /// quad around the eye keep it out of the region.
+    fn ground(&self) -> Option<(DVec3, f64)>;
 }
 
 impl Net {
@@ -167,8 +168,8 @@ impl Net {
         if gap > (NEAR * size).powi(2) {
             return take(quad);
         }
-        let own = region.own_turn();
-        if own.is_some_and(|least| rest == 0 || (gap == 0.0 && quad.turn() < least)) {
+        let is_under = |(normal, least)| rest == 0 || (gap == 0.0 && quad.leans_less(normal, least));
+        if region.ground().is_some_and(is_under) {
             return;
         }
         if rest == 0 {
@@ -186,6 +187,12 @@ impl Quad {
     /// Length of a diagonal.
     fn size(&self) -> f64 {
         self.knots[0].position.distance(self.knots[2].position)
+    }
+
+    /// Whether all of its normals are at a smaller angle (sine) from `normal` than this.
+    fn leans_less(&self, normal: DVec3, least: f64) -> bool {
+        let lean = |knot: &Knot| knot.normal.cross(normal).length();
+        self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
     }
 
     /// Sine of the angle by which normals may differ over it.
