@@ -215,6 +215,22 @@ impl Pyramid {
         self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
     }
 
+    /// The s between which it hides the points `start` + s `along` of a line.
+    pub fn shadow_on(&self, start: DVec3, along: DVec3) -> Option<[f64; 2]> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for plane in &self.planes {
+            let (height, slope) = (plane.height(start - self.eye), along.dot(plane.inward));
+            if slope > 0.0 {
+                low = low.max(-height / slope);
+            } else if slope < 0.0 {
+                high = high.min(-height / slope);
+            } else if height <= 0.0 {
+                return None;
+            }
+        }
+        (low < high).then_some([low, high])
+    }
+
     /// What it leaves of a convex polygon, as convex polygons.
     fn outer_parts(&self, polygon: &[DVec3]) -> SmallVec<[Corners; 5]> {
         let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
