@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use radiosity::coating::Coating;
 use radiosity::direct::{ACCURACY, DirectLight};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::{Material, Scene, SceneBuilder};
