@@ -1,53 +1,73 @@
-//! Error against time of the three ways to read a solution: the Cornell box against path tracing.
+//! Error against time of the presets, and of the ways to read a solution: the Cornell box against path tracing.
 //!
-//! `cargo run --release --example read_off -- [ORDER] [EPS]`: floor and back wall, 16 × 16 cell means of irradiance, pooled
-//! area-weighted relative L2 over both faces and the three bands, %; the reference's own noise is 0.14 %.
+//! `cargo run --release --example read_off -- [QUALITY]`: floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted
+//! relative L2 over both faces and the three bands, %; the reference's own noise is 0.14 %. Samples and rays are those of the
+//! transfers; solve, ready and cells are wall times of the solution, of what is tabulated, and of the cells of all faces.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
 use std::time::Instant;
 
-use radiosity::output::grid::{Cell, Rates, grid};
+use radiosity::output::grid::{Cell, grid};
+use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, in_threads, solve};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::solve::{Options, Outcome, in_threads, solve};
+use radiosity::visibility::Visibility;
 use serde_json::Value;
 
 /// Emission of the scene file over unit exitance, per band: π × the published values.
 const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 
 fn main() {
-    let mut numbers = std::env::args().skip(1).map(|text| text.parse::<f64>().expect("a number"));
-    let order = numbers.next().unwrap_or(3.0) as usize;
-    let eps = numbers.next().unwrap_or(1e-3);
+    let only = std::env::args().nth(1);
     let scene = Scene::builtin("cornell-box").expect("the scene is built in");
-    let options = Options { order, ..Options::default() };
-    let start = Instant::now();
-    let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
-    println!("order {order}: solved in {:.2} s, {} threads", start.elapsed().as_secs_f64(), options.threads);
-    let visibility = Visibility::new(&scene, Shadows::Rays(options.shadow_eps));
-    println!("read         samples  ready s  cells s  floor %  back wall %  both %");
-    let read = |name: &str, read: Read, rates: Rates| {
-        let start = Instant::now();
-        let reader = Reader::new(&outcome.solution, &visibility, read, eps);
-        let ready = start.elapsed().as_secs_f64();
-        let cells = grid(&reader, [16, 16], rates, &|_, _| {});
-        let seconds = start.elapsed().as_secs_f64() - ready;
-        let [floor, wall, both] = errors(&scene, &cells);
+    let work = || {
         println!(
-            "{name:12} {:>3}, {:<3} {ready:8.3} {seconds:8.3} {floor:8.3} {wall:12.3} {both:7.3}",
-            rates.direct, rates.indirect
+            "quality  solve s read          unknowns  samples    rays  ready s  cells s  floor %  back wall %  both %"
         );
-    };
-    let table = || {
-        read("basis", Read::Basis, Rates::default());
-        read("direct", Read::Direct, Rates::default());
-        for (direct, indirect) in [(8, 1), (8, 2), (8, 3)] {
-            read("gather", Read::Gather, Rates { direct, indirect });
+        for (name, quality) in [
+            ("quick", Quality::Quick),
+            ("default", Quality::Default),
+            ("fine", Quality::Fine),
+            ("finest", Quality::Finest),
+        ] {
+            if only.as_ref().is_some_and(|only| only != name) {
+                continue;
+            }
+            let start = Instant::now();
+            let options = quality.options();
+            let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
+            let solved = start.elapsed().as_secs_f64();
+            let preset = quality.reading();
+            let mut readings = vec![preset];
+            if quality == Quality::Default && only.is_none() {
+                readings.extend([Read::Basis, Read::Direct].map(|read| Reading { read, ..preset }));
+            }
+            for reading in readings {
+                let row = read(&scene, &outcome, &options, reading);
+                println!("{name:8} {solved:7.3} {row}");
+            }
         }
     };
-    in_threads(options.threads, table).expect("threads can be started");
+    in_threads(Options::default().threads, work).expect("threads can be started");
+}
+
+/// Times and errors of a reading, as a row of the table.
+fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -> String {
+    let visibility = Visibility::new(scene, options.into());
+    let start = Instant::now();
+    let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
+    let ready = start.elapsed().as_secs_f64();
+    let cells = grid(&reader, [16, 16], reading.rates, &|_, _| {});
+    let seconds = start.elapsed().as_secs_f64() - ready;
+    let [floor, wall, both] = errors(scene, &cells);
+    let name = format!("{:?} {},{}", reading.read, reading.rates.direct, reading.rates.indirect);
+    let unknowns = outcome.solution.elements().coefficients();
+    let (samples, rays) = (outcome.samples, outcome.rays);
+    format!(
+        "{name:16} {unknowns:5} {samples:8} {rays:7} {ready:8.3} {seconds:8.3} {floor:8.3} {wall:12.3} {both:7.3}"
+    )
 }
 
 /// Of the floor, the back wall and both, in %.

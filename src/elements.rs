@@ -22,6 +22,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
 use serde::{Deserialize, Serialize};
+use smallvec::{SmallVec, smallvec};
 
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, HIGHEST_ORDER};
@@ -122,11 +123,15 @@ impl Element {
     ///
     /// `position` matters on flat elements, `parameters` on curved ones.
     pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
+        self.raw_values(position, parameters).iter().zip(raw).map(|(x, y)| x * y).sum()
+    }
+
+    /// R_k at a point, for several polynomials there.
+    pub fn raw_values(&self, position: DVec3, parameters: [f64; 2]) -> SmallVec<[f64; 28]> {
         let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
-        let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];
-        let values = &mut values[..self.basis.len()];
-        self.basis.raw(place, values);
-        values.iter().zip(raw).map(|(x, y)| x * y).sum()
+        let mut values = smallvec![0.0; self.basis.len()];
+        self.basis.raw(place, &mut values);
+        values
     }
 
     /// ∬ |φ_k| dA for each k, by a Gauss rule: a measure, good to a few percent.

@@ -14,6 +14,7 @@ pub mod lettering;
 pub mod picture;
 pub mod pinhole;
 pub mod probe;
+pub mod quality;
 pub mod raster;
 pub mod render;
 pub mod report;

@@ -4,8 +4,9 @@
 
 use radiosity_geom::DVec3;
 
+use crate::coating::Coating;
 use crate::elements::Elements;
-use crate::system::{Coating, Coefficients};
+use crate::system::Coefficients;
 
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -78,6 +79,11 @@ impl Solution {
         &self.bands
     }
 
+    /// Reflectance and exitance per element, band after band.
+    pub fn coatings(&self) -> Vec<&Coating> {
+        self.bands.iter().map(|band| &band.coating).collect()
+    }
+
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn irradiance(&self, band: usize, element: usize, place: &Place) -> f64 {
         let raw = &self.bands[band].raw[element];
@@ -99,6 +105,14 @@ impl Solution {
     pub fn indirect(&self, band: usize, element: usize, place: &Place) -> f64 {
         let raw = &self.bands[band].raw_indirect[element];
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
+    }
+
+    /// The same of all bands, into `out`.
+    pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+        let values = self.elements.list()[element].raw_values(place.position, place.parameters);
+        for (band, out) in self.bands.iter().zip(out) {
+            *out = values.iter().zip(&band.raw_indirect[element]).map(|(x, y)| x * y).sum();
+        }
     }
 
     /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use radiosity::coating::Coating;
 use radiosity::direct::{ACCURACY, DirectLight};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solution::{Band, Solution};
-use radiosity::system::{Coating, Coefficients};
+use radiosity::system::Coefficients;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{Bezier, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, Torus};
 use radiosity_geom::{DVec3, Surface};
@@ -65,7 +66,7 @@ fn by_rays(scene: &Scene, visibility: &Visibility, lamp: usize, x: DVec3, n: DVe
 fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     let solution = dark(scene);
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
-    let direct = DirectLight::new(&solution, &visibility);
+    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
     let emits = |surface: &usize| scene.surfaces[*surface].material.emission[0] > 0.0;
     let lamps: Vec<usize> = (0..scene.surfaces.len()).filter(emits).collect();
     let error = |(surface, u, v): &(usize, f64, f64)| {

@@ -148,7 +148,7 @@ fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a
     };
     let accuracy = match args.method.kernel.rules() {
         Some(_) => "the rules of 1993".to_owned(),
-        None => format!("transfers to {:e}", args.method.eps),
+        None => format!("transfers to {:e}", options(&args.method).eps),
     };
     Chart {
         title: format!("{title}: error by order"),

@@ -37,9 +37,9 @@ pub(crate) struct GridArgs {
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
-    /// Points along each side of a cell at which direct and gathered light are computed
-    #[arg(long, value_name = "D,I", default_value = "8,2")]
-    pub(crate) read_samples: Samples,
+    /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as --quality says]
+    #[arg(long, value_name = "D,I")]
+    pub(crate) read_samples: Option<Samples>,
 
     /// Form of the table [default: that of the file's ending, or csv]
     #[arg(long, value_name = "FORMAT")]
@@ -67,9 +67,11 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
+    let reading = args.read.reading(args.method.quality);
+    let rates = args.read_samples.map_or(reading.rates, |samples| samples.0);
     let cells = run.in_threads(|| {
-        let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
-        grid(&reader, sides, args.read_samples.0, &observe)
+        let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
+        grid(&reader, sides, rates, &observe)
     })?;
     let table = match format {
         Format::Csv => csv(scene, &cells)?,

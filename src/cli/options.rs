@@ -11,8 +11,10 @@ use clap::{
     parser::ValueSource,
 };
 use radiosity::kernel::paper::{Reading, Rules};
+use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
+use radiosity::solve::Direct;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, memory, output_file::OutputFile};
@@ -67,7 +69,11 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Method")]
 pub(crate) struct MethodArgs {
-    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3]
+    /// Preset of order, accuracies and points read; single options go before it
+    #[arg(long, value_name = "Q", default_value = "default")]
+    pub(crate) quality: QualityMode,
+
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as --quality says]
     #[arg(long, value_name = "N|auto")]
     pub(crate) order: Option<Order>,
 
@@ -91,9 +97,9 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "Q", default_value = "0.25", value_parser = fraction)]
     pub(crate) ratio: f64,
 
-    /// Accuracy of the transfers between elements, between 0 and 1
-    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
-    pub(crate) eps: f64,
+    /// Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as --quality says]
+    #[arg(long, value_name = "E", value_parser = fraction)]
+    pub(crate) eps: Option<f64>,
 
     /// Rules of the transfers between elements; those of 1993 ignore --eps
     #[arg(long, value_name = "MODE", default_value = "default")]
@@ -119,9 +125,14 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) shadows: Shadows,
 
-    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
-    #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
-    pub(crate) shadow_eps: f64,
+    /// How light straight from emitters enters the solution
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) direct: DirectMode,
+
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default: 3e-3; as
+    /// --quality says]
+    #[arg(long, value_name = "E", value_parser = fraction)]
+    pub(crate) shadow_eps: Option<f64>,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
     #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
@@ -185,8 +196,8 @@ impl FromStr for Order {
     }
 }
 
-/// The options that work with a solution file as well: they change no solution.
-const FREE: [&str; 2] = ["memory", "threads"];
+/// The options that work with a solution file as well: they change no solution, or how it is read as well.
+const FREE: [&str; 3] = ["memory", "quality", "threads"];
 
 impl MethodArgs {
     /// The options of the method that were typed and change the solution, e.g. `--order`; `typed` are those of a verb.
@@ -221,6 +232,51 @@ pub(crate) enum Shadows {
     Off,
     /// Rays where something can stand between
     Rays,
+}
+
+/// `--quality`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum QualityMode {
+    /// A draft
+    Quick,
+    /// What most need
+    Default,
+    /// A higher order, gathered more accurately
+    Fine,
+    /// Light gathered twice
+    Finest,
+}
+
+impl From<QualityMode> for Quality {
+    fn from(mode: QualityMode) -> Self {
+        match mode {
+            QualityMode::Quick => Self::Quick,
+            QualityMode::Default => Self::Default,
+            QualityMode::Fine => Self::Fine,
+            QualityMode::Finest => Self::Finest,
+        }
+    }
+}
+
+/// `--direct`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DirectMode {
+    /// Split where flat emitters cast shadows of flat surfaces, else projected
+    Auto,
+    /// An exact source at every point, with its shadows
+    Split,
+    /// Carried by the polynomials like all other light
+    Projected,
+}
+
+impl From<DirectMode> for Direct {
+    fn from(mode: DirectMode) -> Self {
+        match mode {
+            DirectMode::Auto => Self::Auto,
+            DirectMode::Split => Self::Split,
+            DirectMode::Projected => Self::Projected,
+        }
+    }
 }
 
 /// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.

@@ -85,8 +85,9 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);
+    let reading = args.read.reading(args.method.quality);
     let readings = run.in_threads(|| {
-        let reader = Reader::new(&outcome.solution, &visibility, args.read.read.into(), args.read.read_eps);
+        let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
         probe(&reader, &points.probes, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;

@@ -4,20 +4,33 @@ use std::str::FromStr;
 
 use clap::{Args, ValueEnum};
 use radiosity::output::grid::Rates;
+use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::Read;
 
-use crate::cli::options::fraction;
+use crate::cli::options::{QualityMode, fraction};
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
 pub(crate) struct ReadArgs {
-    /// What is read
-    #[arg(long, value_name = "MODE", default_value = "gather")]
-    pub(crate) read: ReadMode,
+    /// What is read [default: gather; with --quality finest gather-twice]
+    #[arg(long, value_name = "MODE")]
+    pub(crate) read: Option<ReadMode>,
 
-    /// Accuracy of gathered light, relative, between 0 and 1
-    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
-    pub(crate) read_eps: f64,
+    /// Accuracy of gathered light, relative, between 0 and 1 [default: 1e-3; as --quality says]
+    #[arg(long, value_name = "E", value_parser = fraction)]
+    pub(crate) read_eps: Option<f64>,
+}
+
+impl ReadArgs {
+    /// As typed, the rest as `quality` says.
+    pub(crate) fn reading(&self, quality: QualityMode) -> Reading {
+        let usual = Quality::from(quality).reading();
+        Reading {
+            read: self.read.map_or(usual.read, Read::from),
+            eps: self.read_eps.unwrap_or(usual.eps),
+            rates: usual.rates,
+        }
+    }
 }
 
 /// `--read`.
@@ -29,6 +42,8 @@ pub(crate) enum ReadMode {
     Direct,
     /// Direct light exact, and the reflected light of all surfaces gathered anew at every point, with shadows
     Gather,
+    /// The same, with the light of those surfaces gathered as well: slower, for the last digit
+    GatherTwice,
 }
 
 impl From<ReadMode> for Read {
@@ -37,6 +52,7 @@ impl From<ReadMode> for Read {
             ReadMode::Basis => Read::Basis,
             ReadMode::Direct => Read::Direct,
             ReadMode::Gather => Read::Gather,
+            ReadMode::GatherTwice => Read::GatherTwice,
         }
     }
 }

@@ -7,6 +7,7 @@ use std::time::Instant;
 use radiosity::adaptation::{Achieved, Goal};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
+use radiosity::output::quality::Quality;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::Scene;
@@ -236,7 +237,7 @@ impl Run {
 
 /// The library's options of a method as typed.
 pub(crate) fn options(method: &MethodArgs) -> Options {
-    let defaults = Options::default();
+    let defaults = Quality::from(method.quality).options();
     Options {
         order: match method.order {
             Some(Order::Degree(order)) => order,
@@ -249,11 +250,12 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
             Subdivide::Parts(parts) => Some(parts),
         },
         layers: Layers { count: method.layers, ratio: method.ratio },
-        eps: method.eps,
+        eps: method.eps.unwrap_or(defaults.eps),
         kernel: method.kernel.rules(),
         closure: method.closure_correction,
-        shadow_eps: method.shadow_eps,
+        shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
         shadows: method.shadows != Shadows::Off,
+        direct: method.direct.into(),
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,

@@ -17,6 +17,8 @@ pub enum Read {
     Direct,
     /// Direct light recomputed at every point, and the reflected light gathered there from all surfaces.
     Gather,
+    /// The same, with the light of those surfaces gathered as well.
+    GatherTwice,
 }
 
 /// A solution ready to be read.
@@ -43,8 +45,12 @@ impl<'a> Reader<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Basis => Light::Basis,
-            Read::Direct => Light::Direct(DirectLight::new(solution, visibility)),
+            Read::Direct => {
+                let list = solution.elements().list();
+                Light::Direct(DirectLight::new(list, &solution.coatings(), visibility))
+            }
             Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
+            Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
         };
         Self { solution, visibility, light }
     }

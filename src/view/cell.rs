@@ -2,9 +2,14 @@
 //!
 //! The field is kept per channel (a band, or the constant 1). What decides about division is kept in multiples of a scale
 //! per channel, the largest over the channels: how bright the cell is, how much the field varies over it, and how far its
-//! mean is off that of its quarters. Quarters that are made on the way take the bilinear interpolant of the four points.
+//! mean is off that of its quarters. Quarters that were not given their own field take the bilinear interpolant of the four
+//! points; they are made when they are first asked for, and kept near the root, where many ask.
+
+use std::ops::Deref;
+use std::sync::OnceLock;
 
 use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
@@ -15,16 +20,25 @@ const LONG: f64 = 2.0;
 /// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
 pub const POINTS: usize = 4;
 
+/// Levels below the root down to which quarters are kept.
+const KEPT: u8 = 5;
+
+/// Cosine between its normals from which on a cell with straight sides is much like a flat one.
+const LEVEL: f64 = 0.999;
+
 /// A patch with a field at its Gauss points.
 #[derive(Clone, Debug)]
 pub struct Cell {
     patch: Patch,
+    /// Quarterings that made it.
+    level: u8,
+    quarters: OnceLock<Box<[Cell; 4]>>,
     /// Points whose convex hull contains it: its corners if it is flat.
-    pub hull: Vec<DVec3>,
+    pub hull: SmallVec<[DVec3; 4]>,
     /// The Gauss points; the area of each is its part of the cell's.
     pub nodes: [Node; POINTS],
     /// The field at each point, channel after channel.
-    pub values: Vec<f64>,
+    values: SmallVec<[f64; 12]>,
     /// Places and normals at the corners of a curved cell and at its Gauss points.
     pub facets: Vec<(DVec3, DVec3)>,
     /// Middle of the hull.
@@ -39,14 +53,20 @@ pub struct Cell {
     pub detail: f64,
     /// Smallest cosine between two normals.
     pub bend: f64,
+    /// Whether its border is the polygon of its hull: Lambert's form follows the border alone.
+    pub is_straight: bool,
     /// About how far a curved cell lies from the quad of its corners, in its plane or out of it, over its radius.
     pub warp: f64,
 }
 
 impl Cell {
-    /// A cell without a field.
+    /// A patch of an element without a field.
     pub fn bare(patch: Patch) -> Self {
-        let hull = patch.hull();
+        Self::at_level(patch, 0)
+    }
+
+    fn at_level(patch: Patch, level: u8) -> Self {
+        let hull = SmallVec::from_vec(patch.hull());
         let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
         let (places, weights) = UnitRule::of(2).line();
@@ -64,25 +84,29 @@ impl Cell {
         let pairs =
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
+        let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,
+            level,
+            quarters: OnceLock::new(),
             hull,
             nodes,
             facets,
-            values: Vec::new(),
+            values: SmallVec::new(),
             center,
             radius,
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,
             bend,
+            is_straight,
             warp,
         }
     }
 
     /// The same cell with a field at its points.
-    pub fn with_values(mut self, values: Vec<f64>, scale: &[f64]) -> Self {
+    pub fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
         self.values = values;
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
@@ -132,8 +156,8 @@ impl Cell {
         self.patch.is_parallelogram()
     }
 
-    /// Takes over what its quarters, which carry the same field, show of it.
-    pub fn look_at(&mut self, quarters: &[Cell], scale: &[f64]) {
+    /// Gives it its quarters, with the same field, and takes over what they show of it.
+    pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
@@ -144,6 +168,16 @@ impl Cell {
             if whole > 0.0 {
                 self.detail = self.detail.max((parts / whole - mean).abs() / scale);
             }
+        }
+        self.quarters = OnceLock::from(Box::new(quarters));
+    }
+
+    /// The four quarters, index 2 a + b like the points.
+    pub fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
+        if self.level < KEPT || self.quarters.get().is_some() {
+            Quarters::Kept(self.quarters.get_or_init(|| Box::new(self.interpolated(scale))))
+        } else {
+            Quarters::Passing(Box::new(self.interpolated(scale)))
         }
     }
 
@@ -163,11 +197,11 @@ impl Cell {
         let [first, second] = self.directions();
         let halves = self.patch.halves(first).map(|half| half.halves(second));
         let [[a, b], [c, d]] = halves;
-        [a, b, c, d].map(Cell::bare)
+        [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
     }
 
     /// The four quarters with the bilinear interpolant of the field, which does not leave the range of the four points.
-    pub fn quarters(&self, scale: &[f64]) -> [Cell; 4] {
+    fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
         let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
         let directions = self.directions();
@@ -197,5 +231,24 @@ impl Cell {
             let values = (0..POINTS * channels).map(value).collect();
             quarter.with_values(values, scale)
         })
+    }
+}
+
+/// The quarters of a cell.
+pub enum Quarters<'a> {
+    /// Kept with it.
+    Kept(&'a [Cell; 4]),
+    /// Made for once.
+    Passing(Box<[Cell; 4]>),
+}
+
+impl Deref for Quarters<'_> {
+    type Target = [Cell; 4];
+
+    fn deref(&self) -> &[Cell; 4] {
+        match self {
+            Self::Kept(quarters) => quarters,
+            Self::Passing(quarters) => quarters,
+        }
     }
 }

@@ -10,7 +10,7 @@ use crate::view::screen::Screen;
 use crate::view::surroundings::Surroundings;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{Cover, Pyramid, outside_all};
+use crate::visibility::exact::{Cover, Pyramid};
 
 /// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
 const ENDS: f64 = 1e-9;
@@ -68,6 +68,11 @@ impl<'a> Shadows<'a> {
         Self { vantage, visibility, blockers, of_obstacle, asked: Vec::new() }
     }
 
+    /// Whether no obstacle is curved.
+    pub fn all_flat(&self) -> bool {
+        self.blockers.iter().all(|blocker| matches!(blocker, Blocker::Flat(_)))
+    }
+
     /// Empties the stack and puts the blockers of some obstacles of the surroundings on it, by their places there.
     pub fn ask(&mut self, places: &[usize]) -> Before {
         self.asked.clear();
@@ -81,7 +86,7 @@ impl<'a> Shadows<'a> {
         for place in above.start..above.end {
             let blocker = self.asked[place];
             let cover = match &self.blockers[blocker] {
-                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull),
+                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull, cell.center, cell.radius),
                 Blocker::Curved(surface) => self.curved_cover(*surface, cell),
             };
             match cover {
@@ -98,13 +103,12 @@ impl<'a> Shadows<'a> {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
-    /// The part of a convex planar polygon that planar blockers leave, as convex polygons.
-    pub fn visible_parts(&self, before: Before, polygon: &[DVec3]) -> Vec<Vec<DVec3>> {
-        let pyramids = self.of(before).filter_map(|blocker| match blocker {
+    /// The planar ones.
+    pub fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
+        self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(pyramid) => Some(pyramid),
             Blocker::Curved(_) => None,
-        });
-        outside_all(polygon, pyramids)
+        })
     }
 
     /// What stands before a convex planar polygon; None where the point lies in its plane.

@@ -5,6 +5,7 @@
 
 use radiosity_geom::{Aabb, DVec3};
 
+use crate::elements::Element;
 use crate::view::tree::Tree;
 use crate::visibility::Visibility;
 
@@ -20,6 +21,14 @@ pub struct Site<'a> {
     pub horizon: Option<DVec3>,
     /// Index of the surface it lies on, if any.
     pub surface: Option<usize>,
+}
+
+impl<'a> Site<'a> {
+    /// An element as a receiver.
+    pub fn of(element: &'a Element) -> Self {
+        let horizon = element.plane.map(|(_, normal)| normal);
+        Self { points: &element.hull, horizon, surface: Some(element.surface) }
+    }
 }
 
 /// The obstacles between a site and each of some elements.
@@ -66,6 +75,25 @@ impl Surroundings {
         });
         let ranges = ranges.collect();
         Self { obstacles, places, ranges }
+    }
+
+    /// The same without those that a plane parts from a site and an element together, where an element is given by the
+    /// points of its hull.
+    pub fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
+        let mut kept = Vec::with_capacity(self.places.len());
+        let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {
+            let (first, last) = (*range)?;
+            let start = kept.len();
+            let reaches = |obstacle: &usize| visibility.reaches(*obstacle, site.points, hull);
+            kept.extend(self.places[first..last].iter().map(|place| self.obstacles[*place]).filter(reaches));
+            Some((start, kept.len()))
+        });
+        let ranges = ranges.collect();
+        let mut obstacles = kept.clone();
+        obstacles.sort_unstable();
+        obstacles.dedup();
+        let place = |obstacle: &usize| obstacles.partition_point(|other| other < obstacle);
+        Self { places: kept.iter().map(place).collect(), ranges, obstacles }
     }
 
     /// Places in `obstacles` of those before an element; None where the element is out of sight.

@@ -1,6 +1,7 @@
 //! The walk from a point over the cells of elements.
 
 use std::f64::consts::PI;
+use std::iter;
 
 use radiosity_geom::DVec3;
 
@@ -29,9 +30,6 @@ const OWN_DEPTH: usize = 8;
 /// Most cells that one sum may look at: beyond them every cell is taken as it is, and may err by all that it contributes.
 const MOST_CELLS: usize = 20_000;
 
-/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of it.
-const DISPUTED: f64 = 1.0;
-
 /// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
 const NEAR_OWN: f64 = 0.1;
 
@@ -43,6 +41,11 @@ const ON_DOME: f64 = 1e-9;
 
 /// (1 − cos ϑ)²/AREA_RULE is about the relative error of two-point rules for the area of a piece of a ball ϑ wide.
 const AREA_RULE: f64 = 500.0;
+
+/// What a flat cell half hidden by flat blockers may contribute, in multiples of the tolerance, where its points alone decide
+/// what is seen of it: when some are seen and some not, and when all agree. Shadow edges cross cells this way and that, and what the points miss cancels.
+const SHADED: f64 = 4.0;
+const AGREED: f64 = 12.0;
 
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
 const RIM: f64 = 0.25;
@@ -102,6 +105,11 @@ impl<'a> Walk<'a> {
         }
     }
 
+    /// Whether all obstacles are flat, so that flat cells that shine evenly are exact.
+    pub fn is_flat(&self) -> bool {
+        self.shadows.all_flat()
+    }
+
     /// The irradiance from all of `trees`, those of the surroundings, as `sum` takes it from [`Walk::add`] with a given
     /// tolerance: `share` of the irradiance, about which `other` comes on top, in multiples of the scales.
     ///
@@ -129,12 +137,16 @@ impl<'a> Walk<'a> {
         if self.is_out_of_sight(index, tree) {
             return 0.0;
         }
-        let bound = |root: usize| {
-            let cell = tree.cell(root);
-            let near = 2.0 * cell.radius > self.distance(cell);
-            cell.brightness * if near { 1.0 } else { self.weights(cell).iter().sum::<f64>().min(1.0) }
+        let bound = |cell: &Cell| {
+            let far = 2.0 * cell.radius < self.distance(cell);
+            let factor = match (far, self.is_like_flat(cell)) {
+                (true, _) => self.weights(cell).iter().sum::<f64>().min(1.0),
+                (false, true) => self.vantage.factor(&cell.hull, iter::empty()),
+                (false, false) => 1.0,
+            };
+            cell.brightness * factor
         };
-        tree.roots().map(bound).sum()
+        tree.roots().iter().map(bound).sum()
     }
 
     /// Adds the irradiance from element `index`, channel after channel, to `out`; each cell is allowed the error
@@ -154,7 +166,7 @@ impl<'a> Walk<'a> {
         let dome = if own { self.dome(tree.surface) } else { None };
         let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
         for root in tree.roots() {
-            self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
+            self.visit(&mut pass, root, before, 0);
         }
     }
 
@@ -163,8 +175,8 @@ impl<'a> Walk<'a> {
         self.surroundings.before(index).is_none() || tree.plane.is_some_and(behind)
     }
 
-    fn visit(&mut self, pass: &mut Pass, cell: &Cell, index: Option<usize>, above: Before, depth: usize) {
-        if self.vantage.is_above(&cell.hull) {
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: Before, depth: usize) {
+        if !self.vantage.clears(cell.center, cell.radius) && self.vantage.is_above(&cell.hull) {
             return;
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
@@ -175,46 +187,45 @@ impl<'a> Walk<'a> {
             pass.take(cell, &estimate.weights);
             return;
         }
-        match index.and_then(|index| pass.tree.quarters(index)) {
-            Some(first) => {
-                for quarter in first..first + 4 {
-                    self.visit(pass, pass.tree.cell(quarter), Some(quarter), before, depth + 1);
-                }
-            }
-            None => {
-                for quarter in &cell.quarters(pass.tree.scale()) {
-                    self.visit(pass, quarter, None, before, depth + 1);
-                }
-            }
+        for quarter in cell.quarters(pass.tree.scale()).iter() {
+            self.visit(pass, quarter, before, depth + 1);
         }
     }
 
     fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
         let weights = self.weights(cell);
         let width = 2.0 * cell.radius / self.distance(cell);
-        match (cell.is_flat(), before.is_nothing()) {
+        match (self.is_like_flat(cell), before.is_nothing()) {
             (true, true) => self.clear_flat(pass, cell, weights, width),
             (true, false) if self.shadows.are_flat(before) => {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
-            (true, false) => self.by_lines(pass, cell, weights, width, before),
-            (false, _) if pass.dome.is_some() => self.under_dome(pass, cell),
-            (false, _) => self.curved(pass, cell, weights, width, before),
+            (true, false) if cell.is_flat() => self.by_lines(pass, cell, weights, width, before),
+            _ if pass.dome.is_some() => self.under_dome(pass, cell),
+            _ => self.curved(pass, cell, weights, width, before),
         }
+    }
+
+    /// Whether a cell is flat, or straight and seen from before all of it: Lambert's form holds for both.
+    fn is_like_flat(&self, cell: &Cell) -> bool {
+        let faces = |(point, normal): &(DVec3, DVec3)| (self.vantage.position - point).dot(*normal) > 0.0;
+        cell.is_straight && cell.facets.iter().all(faces)
     }
 
     /// Gauss far away, Lambert's form near by.
     fn clear_flat(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], width: f64) -> Estimate {
         let sum: f64 = weights.iter().sum();
         let error = sum * gauss_error(cell, width);
-        if width < 1.0 && error <= pass.tolerance && self.vantage.overlooks(&cell.hull) {
+        let overlooks =
+            || self.vantage.clears(cell.center, cell.radius) || self.vantage.overlooks(&cell.hull);
+        if width < 1.0 && error <= pass.tolerance && overlooks() {
             return Estimate { weights, error };
         }
-        let factor = self.vantage.factor(&cell.hull);
+        let factor = self.vantage.factor(&cell.hull, iter::empty());
         Estimate { weights: scaled(cell, weights, factor), error: factor * lambert_error(cell, width) }
     }
 
-    /// Lambert's form of the visible pieces, or the points alone where little is at stake.
+    /// Lambert's form of the visible pieces of what is near or shines evenly; of other cells the points alone.
     fn hidden_flat(
         &self,
         pass: &Pass,
@@ -223,15 +234,40 @@ impl<'a> Walk<'a> {
         width: f64,
         before: Before,
     ) -> Estimate {
-        let seen = self.seen(pass, cell, weights, before);
+        if width >= 1.0 || cell.spread == 0.0 {
+            let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
+            let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
+            let weights = scaled(cell, seen, factor);
+            return Estimate { weights, error: factor * (cell.spread + cell.detail) };
+        }
         let sum: f64 = weights.iter().sum();
         let geometry = sum * gauss_error(cell, width);
-        if width < 1.0 && sum * cell.brightness <= DISPUTED * pass.tolerance && geometry <= pass.tolerance {
-            return Estimate { weights: seen, error: geometry };
+        if geometry > pass.tolerance {
+            return Estimate { weights, error: geometry };
         }
-        let parts = self.shadows.visible_parts(before, &cell.hull);
-        let factor: f64 = parts.iter().map(|part| self.vantage.factor(part)).sum();
-        Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
+        let seen = self.seen(pass, cell, weights, before);
+        let at_stake = sum * cell.brightness;
+        let is_little = at_stake <= SHADED * pass.tolerance;
+        let agreed = !is_little && self.agrees(pass, cell, &weights, &seen, before);
+        let doubt = at_stake / if agreed { AGREED } else { SHADED };
+        Estimate { weights: seen, error: doubt.max(geometry) }
+    }
+
+    /// Whether all points of a cell, its corners and its middle are seen, or none.
+    fn agrees(
+        &self,
+        pass: &Pass,
+        cell: &Cell,
+        weights: &[f64; POINTS],
+        seen: &[f64; POINTS],
+        before: Before,
+    ) -> bool {
+        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
+        let mut others = cell.hull.iter().chain([&cell.center]);
+        match seen.iter().any(|weight| *weight > 0.0) {
+            true => weights == seen && !others.any(hides),
+            false => others.all(hides),
+        }
     }
 
     /// The visible parts of lines.
@@ -249,7 +285,7 @@ impl<'a> Walk<'a> {
         if facets.is_empty() {
             return self.clear_flat(pass, cell, weights, width);
         }
-        let factor = self.vantage.factor(&cell.hull);
+        let factor = self.vantage.factor(&cell.hull, iter::empty());
         let stake = factor * cell.brightness;
         let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
         let sum: f64 = shares.iter().sum();

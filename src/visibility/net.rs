@@ -1,7 +1,7 @@
 //! A net over a curved surface: quads of parameters, so fine that normals and edges turn little over each.
 //!
 //! ```text
-//! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   outline from afar: see [`crate::view`]
+//! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   outline from afar: see the module `view`
 //! ```
 //!
 //! The quads stand in a tree of boxes that hold the surface itself, so what a region misses is certain. A quad nearer to

@@ -1,0 +1,63 @@
+//! Presets: how finely a scene is solved and read, from a draft to the last digit that is worth having.
+//!
+//! | quality | order | transfers | gathered light | points a cell side, direct and gathered |
+//! | --- | --- | --- | --- | --- |
+//! | quick | 2 | 1e-2 | 2e-3 | 3, 1 |
+//! | default | 3 | 1e-3 | 1e-3 | 4, 2 |
+//! | fine | 4 | 1e-3 | 7e-4 | 4, 2 |
+//! | finest | 4 | 1e-3 | 4e-4, twice | 4, 3 |
+//!
+//! Chosen on the Cornell box, where the errors of all stages are then about alike.
+
+use crate::output::grid::Rates;
+use crate::output::reader::Read;
+use crate::solve::Options;
+
+/// A preset.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// A draft.
+    Quick,
+    /// What most need.
+    #[default]
+    Default,
+    /// Half the error of the draft.
+    Fine,
+    /// Light gathered twice.
+    Finest,
+}
+
+/// How light is read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// From what, where cells and points are read.
+    pub read: Read,
+    /// Relative accuracy of gathered light.
+    pub eps: f64,
+    /// Points along each side of a cell.
+    pub rates: Rates,
+}
+
+impl Quality {
+    /// Options to solve with, the rest those of [`Options::default`].
+    pub fn options(self) -> Options {
+        let (order, eps, shadow_eps) = match self {
+            Self::Quick => (2, 1e-2, 1e-2),
+            Self::Default => return Options::default(),
+            Self::Fine => (4, 1e-3, 3e-3),
+            Self::Finest => (4, 1e-3, 3e-3),
+        };
+        Options { order, eps, shadow_eps, ..Options::default() }
+    }
+
+    /// How to read what was solved so.
+    pub fn reading(self) -> Reading {
+        let (read, eps, direct, indirect) = match self {
+            Self::Quick => (Read::Gather, 2e-3, 3, 1),
+            Self::Default => (Read::Gather, 1e-3, 4, 2),
+            Self::Fine => (Read::Gather, 7e-4, 4, 2),
+            Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
+        };
+        Reading { read, eps, rates: Rates { direct, indirect } }
+    }
+}
