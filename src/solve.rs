@@ -160,7 +160,7 @@ fn solve_in_pool(
         Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
     progress(Progress::Finished("visibility", seconds.visibility));
     require_memory(scene, &how, options)?;
-    let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
+    let elements = timed(&mut seconds.elements, || options.elements(scene, &how))?;
     progress(Progress::Finished("elements", seconds.elements));
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
     let blocks =

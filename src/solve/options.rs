@@ -7,7 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
+use crate::elements::{Discretization, ElementError, Elements};
 use crate::kernel::paper;
+use crate::scene::Scene;
 use crate::visibility::Shadows;
 
 /// What to solve and how well.
@@ -68,6 +70,20 @@ impl Default for Options {
             keep_partial: false,
             memory: None,
             threads: all_threads(),
+        }
+    }
+}
+
+impl Options {
+    /// The elements of `scene`, cut as `how` says: whole surfaces for the rules of 1993, which know no footings.
+    ///
+    /// # Errors
+    /// Those of [`Elements::new`].
+    pub fn elements(&self, scene: &Scene, how: &Discretization) -> Result<Elements, ElementError> {
+        if self.kernel.is_some() {
+            Elements::of_whole_surfaces(scene, how)
+        } else {
+            Elements::new(scene, how)
         }
     }
 }
