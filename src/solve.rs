@@ -12,7 +12,7 @@ use crate::checks::Checks;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::footprint::Footprint;
-use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
+use crate::kernel::{Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coating, System};
@@ -224,9 +224,8 @@ fn blocks(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Blocks, Failure> {
     let Some(rules) = options.kernel else {
-        let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress);
+        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, options.accuracy(), progress);
         if options.closure {
             blocks.close(&elements.constant());
         }

@@ -12,6 +12,7 @@ pub mod exact;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface, separated};
+use serde::{Deserialize, Serialize};
 
 use crate::scene::Scene;
 use ball::Ball;
@@ -49,12 +50,38 @@ pub enum Shadows {
     /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
     /// of the light between them at the most.
     Rays(f64),
+    /// The same, but planar surfaces behind planar blockers by their outlines.
+    Outlines(f64),
 }
 
-impl Shadows {
-    /// Rays to the accuracy `eps`, or nothing where surfaces do not hide each other.
-    pub fn to_accuracy(hiding: bool, eps: f64) -> Self {
-        if hiding { Self::Rays(eps) } else { Self::Off }
+/// How it is found out what surfaces hide from each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Hiding {
+    /// Nothing hides anything.
+    Off,
+    /// Rays wherever something can stand between.
+    Rays,
+    /// Planar surfaces behind planar blockers by their outlines, all else by rays.
+    #[default]
+    Auto,
+    /// The same, to the accuracy of the transfers.
+    Exact,
+}
+
+impl Hiding {
+    /// Accuracy of visibility within a transfer of accuracy `eps`, where `shadow_eps` is asked for.
+    pub fn accuracy(self, eps: f64, shadow_eps: f64) -> f64 {
+        if self == Self::Exact { eps.min(shadow_eps) } else { shadow_eps }
+    }
+
+    /// The shadows of this kind to the accuracy `eps`.
+    pub fn shadows(self, eps: f64) -> Shadows {
+        match self {
+            Self::Off => Shadows::Off,
+            Self::Rays => Shadows::Rays(eps),
+            Self::Auto | Self::Exact => Shadows::Outlines(eps),
+        }
     }
 }
 
@@ -101,7 +128,9 @@ impl Visibility {
 
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
+        let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
+            return Vec::new();
+        };
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
@@ -191,6 +220,12 @@ impl Visibility {
     pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
         let [only] = blockers else { return None };
         self.obstacles[*only].shape.ball()
+    }
+
+    /// Whether the shadows of `blockers` are to be found by outlines: all of them are planar.
+    pub fn has_outlines(&self, blockers: &[usize]) -> bool {
+        let is_planar = |index: &usize| self.obstacles[*index].pieces.is_some();
+        matches!(self.shadows, Shadows::Outlines(_)) && blockers.iter().all(is_planar)
     }
 
     /// Convex polygons that make up a planar surface; None for curved ones.

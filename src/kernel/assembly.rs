@@ -23,6 +23,7 @@ use super::curved;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
 use super::rough::Rough;
+use super::shade::Limit;
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -80,6 +81,8 @@ struct Goal {
     row: f64,
     /// What may pass unseen between two elements if no ray of a few does.
     unseen: f64,
+    /// Where shadows are found by outlines.
+    outlined: Option<Limit>,
 }
 
 /// What sorting makes of a pair.
@@ -270,7 +273,7 @@ impl Scene<'_> {
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
             if task.blockers.is_empty() {
-                return Goal { accuracy, least, row, unseen: 0.0 };
+                return Goal { accuracy, least, row, unseen: 0.0, outlined: None };
             }
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
@@ -278,9 +281,20 @@ impl Scene<'_> {
                 if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
             let factor = (shadowed / (roughness * task.rough)).min(most);
             let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
-            Goal { accuracy: accuracy.loosened(factor), least, row, unseen }
+            if self.has_outlines(task) {
+                let error = accuracy.shadow_eps * row.max(task.rough);
+                let outlined = Some(Limit { error, entry: task.rough });
+                return Goal { accuracy, least, row, unseen, outlined };
+            }
+            Goal { accuracy: accuracy.loosened(factor), least, row, unseen, outlined: None }
         };
         tasks.iter().map(goal).collect()
+    }
+
+    /// Whether both elements of a task and all that may stand between them are planar, and found by their outlines.
+    fn has_outlines(&self, task: &Task) -> bool {
+        let is_planar = |index: u32| self.list[index as usize].plane.is_some();
+        is_planar(task.row) && is_planar(task.column) && self.visibility.has_outlines(&task.blockers)
     }
 
     /// The largest `entry` of the tasks in each row.
@@ -352,6 +366,9 @@ impl Scene<'_> {
         let blockers = &task.blockers;
         if task.row == task.column {
             return curved::self_block(receiver, blockers, self.visibility, accuracy, [goal.least, goal.row]);
+        }
+        if let Some(limit) = goal.outlined {
+            return block::shaded_block(receiver, emitter, blockers, self.visibility, (accuracy, limit));
         }
         if let Some(hidden) = self.hidden_block(task, goal) {
             return hidden;

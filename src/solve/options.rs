@@ -8,9 +8,9 @@ use serde::{Deserialize, Serialize};
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
-use crate::kernel::paper;
+use crate::kernel::{Accuracy, paper};
 use crate::scene::Scene;
-use crate::visibility::Shadows;
+use crate::visibility::{Hiding, Shadows};
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -32,8 +32,8 @@ pub struct Options {
     pub closure: bool,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
-    /// Whether surfaces hide each other.
-    pub shadows: bool,
+    /// How surfaces hide each other.
+    pub shadows: Hiding,
     /// The solver.
     #[serde(with = "method_name")]
     pub method: &'static Method,
@@ -63,7 +63,7 @@ impl Default for Options {
             kernel: None,
             closure: false,
             shadow_eps: 3e-3,
-            shadows: true,
+            shadows: Hiding::Auto,
             method: Method::named("auto").expect("auto is always listed"),
             tolerance: 1e-8,
             max_iterations: 1000,
@@ -75,6 +75,11 @@ impl Default for Options {
 }
 
 impl Options {
+    /// What accuracy the blocks are asked to have.
+    pub fn accuracy(&self) -> Accuracy {
+        Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
+    }
+
     /// The elements of `scene`, cut as `how` says: whole surfaces for the rules of 1993, which know no footings.
     ///
     /// # Errors
@@ -91,7 +96,7 @@ impl Options {
 impl From<&Options> for Shadows {
     /// How surfaces hide each other in a solution of these options, and where it is read.
     fn from(options: &Options) -> Self {
-        Self::to_accuracy(options.shadows, options.shadow_eps)
+        options.shadows.shadows(options.accuracy().shadow_eps)
     }
 }
 

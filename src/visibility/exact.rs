@@ -17,6 +17,9 @@ use radiosity_geom::{DVec3, clip_polygon};
 /// Points within this part of their distance from a bounding plane count as touching it.
 const TOUCHING: f64 = 1e-9;
 
+/// Points within this part of the polygon's reach from a plane lie on it.
+const ON_PLANE: f64 = 1e-12;
+
 /// Irradiance at `x` with unit normal `n` from a polygon of exitance 1, wholly visible; what lies behind the
 /// horizon is left out.
 pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
@@ -49,6 +52,25 @@ pub fn outside_all<'a>(polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyr
         }
     }
     parts
+}
+
+/// The part of the convex `polygon` inside any of `pyramids`, as convex polygons that do not overlap; and whether that is
+/// all of it.
+pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, bool) {
+    let (mut hidden, mut rest) = (Vec::new(), vec![polygon.to_vec()]);
+    for pyramid in pyramids {
+        let mut kept = Vec::new();
+        for part in rest {
+            let (outside, inside) = pyramid.divided(part);
+            kept.extend(outside);
+            hidden.extend(inside);
+        }
+        rest = kept;
+        if rest.is_empty() {
+            return (hidden, true);
+        }
+    }
+    (hidden, false)
 }
 
 /// How a set of points stands to what a blocker hides.
@@ -117,25 +139,64 @@ impl Pyramid {
 
     /// The parts of a convex polygon outside the pyramid.
     fn outside(&self, polygon: Vec<DVec3>) -> Vec<Vec<DVec3>> {
+        self.divided(polygon).0
+    }
+
+    /// The parts of a convex polygon outside the pyramid, and the one inside it.
+    fn divided(&self, polygon: Vec<DVec3>) -> (Vec<Vec<DVec3>>, Option<Vec<DVec3>>) {
         match self.cover(&polygon) {
-            Cover::Clear => return vec![polygon],
-            Cover::Hidden => return Vec::new(),
+            Cover::Clear => return (vec![polygon], None),
+            Cover::Hidden => return (Vec::new(), Some(polygon)),
             Cover::Mixed => {}
         }
         let mut kept = Vec::new();
         let mut inside = polygon;
-        for (point, inward) in &self.planes {
-            let outer = clip_polygon(&inside, *point, -*inward);
-            if outer.len() > 2 {
-                kept.push(outer);
-            }
-            inside = clip_polygon(&inside, *point, *inward);
+        for plane in &self.planes {
+            let [outer, inner] = split(inside, *plane);
+            kept.extend((outer.len() > 2).then_some(outer));
+            inside = inner;
             if inside.len() < 3 {
-                break;
+                return (kept, None);
             }
         }
-        kept
+        (kept, Some(inside))
     }
+}
+
+/// The parts of a convex polygon outside and inside a plane, given by a point and its inward unit normal; as
+/// [`radiosity_geom::clip_polygon`] on either side, but with the heights computed once. An empty part has no corners.
+fn split(polygon: Vec<DVec3>, (point, inward): (DVec3, DVec3)) -> [Vec<DVec3>; 2] {
+    let heights = polygon.iter().map(|x| (*x - point).dot(inward));
+    let (low, high) = heights.fold((f64::MAX, f64::MIN), |(low, high), h| (low.min(h), high.max(h)));
+    let reach = polygon.iter().map(|x| x.distance_squared(point)).fold(0.0, f64::max).sqrt();
+    let tolerance = ON_PLANE * reach;
+    if low >= -tolerance {
+        return [Vec::new(), polygon];
+    }
+    if high <= tolerance {
+        return [polygon, Vec::new()];
+    }
+    let mut parts = [0, 1].map(|_| Vec::with_capacity(polygon.len() + 1));
+    let height = |x: DVec3| {
+        let h = (x - point).dot(inward);
+        if h.abs() <= tolerance { 0.0 } else { h }
+    };
+    let mut previous = (polygon[polygon.len() - 1], height(polygon[polygon.len() - 1]));
+    for x in polygon {
+        let h = height(x);
+        if previous.1 * h < 0.0 {
+            let crossing = previous.0.lerp(x, previous.1 / (previous.1 - h));
+            parts.iter_mut().for_each(|part| part.push(crossing));
+        }
+        if h <= 0.0 {
+            parts[0].push(x);
+        }
+        if h >= 0.0 {
+            parts[1].push(x);
+        }
+        previous = (x, h);
+    }
+    parts
 }
 
 #[cfg(test)]
