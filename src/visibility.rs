@@ -20,6 +20,10 @@ use ball::Ball;
 /// A segment may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
 
+/// Errors of exact shadows relative to those of the transfers: they have one sign where those of rules have either, and add
+/// up in rows.
+const EXACT: f64 = 0.25;
+
 /// Points in each parameter at which a curved surface is looked at.
 const LOOKS: usize = 5;
 
@@ -46,7 +50,7 @@ pub struct Visibility {
 pub enum Shadows {
     /// Everything sees everything it faces.
     Off,
-    /// Rays against the candidates of each pair. A blocker that reaches into the shaft of a pair by less
+    /// Rays against the candidates of each pair. A curved blocker that reaches into the shaft of a pair by less
     /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
     /// of the light between them at the most.
     Rays(f64),
@@ -72,7 +76,7 @@ pub enum Hiding {
 impl Hiding {
     /// Accuracy of visibility within a transfer of accuracy `eps`, where `shadow_eps` is asked for.
     pub fn accuracy(self, eps: f64, shadow_eps: f64) -> f64 {
-        if self == Self::Exact { eps.min(shadow_eps) } else { shadow_eps }
+        if self == Self::Exact { shadow_eps.min(EXACT * eps) } else { shadow_eps }
     }
 
     /// The shadows of this kind to the accuracy `eps`.
@@ -134,7 +138,9 @@ impl Visibility {
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
-            let Obstacle { ball, hull, .. } = &self.obstacles[*index];
+            let Obstacle { ball, hull, pieces, .. } = &self.obstacles[*index];
+            // A plate flush before a surface reaches in by little, and hides much.
+            let tolerance = if pieces.is_some() { END } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).collect()

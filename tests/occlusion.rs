@@ -75,7 +75,7 @@ fn cases() -> Vec<(&'static str, Vec<Quad>, f64)> {
     let door: Vec<Quad> = frame
         .iter()
         .enumerate()
-        .map(|(k, (x, y))| level(&format!("frame-{k}"), *x, *y, 1.0 - 1e-9 * (k + 1) as f64, false))
+        .map(|(k, (x, y))| level(&format!("frame-{k}"), *x, *y, 1.0 - 3e-8 * (k + 1) as f64, false))
         .collect();
     let window = exchange(&floor, &part([0.3, 0.7], [0.2, 0.6], 1.0, false));
     let front = quad("front", [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [0., 0., 1.]]);
@@ -86,28 +86,28 @@ fn cases() -> Vec<(&'static str, Vec<Quad>, f64)> {
         other.1.reverse();
         other
     }];
-    let sides = exchange(&part([0.0, 0.4], unit, 0.0, true), &part([0.0, 0.4], unit, 1.0, false))
-        + exchange(&part([0.6, 1.0], unit, 0.0, true), &part([0.6, 1.0], unit, 1.0, false));
+    let chamber = |x| exchange(&part(x, unit, 0.0, true), &part(x, unit, 1.0, false));
+    let chambers = [[0.0, 0.4], [0.4, 0.6], [0.6, 1.0]].into_iter().map(chamber).sum();
     vec![
         (
             "plate flush before half the emitter",
-            vec![floor.clone(), lamp.clone(), level("plate", low, unit, 1.0 - 1e-9, false)],
+            vec![floor.clone(), lamp.clone(), level("plate", low, unit, 1.0 - 1e-7, false)],
             half,
         ),
         (
             "plate flush before half the receiver",
-            vec![lamp.clone(), floor.clone(), level("plate", low, unit, 1e-9, true)],
+            vec![lamp.clone(), floor.clone(), level("plate", low, unit, 1e-7, true)],
             exchange(&lamp, &part(high, unit, 0.0, true)),
         ),
         ("wall from floor to lamp", vec![floor.clone(), lamp.clone(), wall("wall", 0.5)], halves),
-        ("wall of some thickness", [vec![floor.clone(), lamp.clone()], thick.to_vec()].concat(), sides),
+        ("two walls", [vec![floor.clone(), lamp.clone()], thick.to_vec()].concat(), chambers),
         ("doorway of four overlapping plates", [vec![floor.clone(), lamp.clone()], door].concat(), window),
         (
             "lower half of a wall behind a board",
             vec![
                 apart.clone(),
                 front,
-                quad("board", [[1e-9, 0., 0.], [1e-9, 1., 0.], [1e-9, 1., 0.5], [1e-9, 0., 0.5]]),
+                quad("board", [[1e-7, 0., 0.], [1e-7, 1., 0.], [1e-7, 1., 0.5], [1e-7, 0., 0.5]]),
             ],
             exchange(&apart, &upper),
         ),
