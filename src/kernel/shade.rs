@@ -39,7 +39,7 @@ const STANDING: f64 = 1e-2;
 /// Sides of a cell of which one is longer by this are halved alone.
 const SLENDER: f64 = 1.5;
 /// Most halvings of a cell, and of a piece of the inner element.
-const DEPTH: usize = 24;
+const DEPTH: usize = 14;
 const INNER_DEPTH: usize = 40;
 /// By how much two levels may differ, in multiples of what the finer one may be wrong by.
 const AGREED: f64 = 2.5;
@@ -120,26 +120,26 @@ fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Vi
     if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
 }
 
-/// A facet cut along the sides of blockers that stand on it, or almost.
+/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane.
 fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
     let mut parts = vec![facet.clone()];
     for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {
-        for (a, b) in piece.iter().zip(piece.iter().cycle().skip(1)) {
-            let height = |x: &DVec3| (*x - facet.corners[0]).dot(facet.normal).abs();
-            let across = facet.normal.cross(*b - *a);
-            if height(a).max(height(b)) > STANDING * a.distance(*b) {
-                continue;
+        let above = clip_polygon(piece, facet.corners[0], facet.normal);
+        let height = |x: DVec3| (x - facet.corners[0]).dot(facet.normal).abs();
+        for (a, b) in above.iter().copied().zip(above.iter().copied().cycle().skip(1)) {
+            if height(a).max(height(b)) <= STANDING * a.distance(b) {
+                parts = parts.iter().flat_map(|part| halves(part, a, facet.normal.cross(b - a))).collect();
             }
-            let halves = |part: &Facet| {
-                [across, -across].map(|inward| Facet {
-                    corners: clip_polygon(&part.corners, *a, inward),
-                    normal: part.normal,
-                })
-            };
-            parts = parts.iter().flat_map(halves).filter(|part| part.corners.len() > 2).collect();
         }
     }
     parts
+}
+
+/// The parts of a facet on either side of a line through `point`, `across` which they lie.
+fn halves(part: &Facet, point: DVec3, across: DVec3) -> impl Iterator<Item = Facet> {
+    let sides = [across, -across].map(|inward| clip_polygon(&part.corners, point, inward));
+    let normal = part.normal;
+    sides.into_iter().filter(|side| side.len() > 2).map(move |corners| Facet { corners, normal })
 }
 
 /// The shade of one pair under way.
