@@ -29,6 +29,7 @@ mod horizon;
 mod integrand;
 mod moments;
 mod near;
+mod obstruction;
 mod pair;
 pub mod paper;
 mod parts;

@@ -10,7 +10,9 @@
 //! * a flat cell nearer by: F_c is Lambert's closed form, so that contacts cost nothing where B varies little;
 //! * a flat cell that planar blockers hide in part: F_c is Lambert's form on its visible pieces
 //!   ([`crate::visibility::exact`]);
-//! * where a cell or a blocker is curved: the Gauss rule with a ray to each point.
+//! * where a cell or a blocker is curved: the Gauss rule or Lambert's form, times the part that lines across the cell show
+//!   as seen ([`strips`]). A blocker's net of quads shows where its outline crosses a line ([`facets`]), and Newton steps
+//!   move the crossing from the net to the surface itself ([`silhouette`]).
 //!
 //! A cell is divided while the error expected of its rule is above the tolerance: for a clear cell of width h at distance r
 //! about F (B 0.02 (h/r)⁴ + ΔB 0.05 (h/r)³), with ΔB the variation of B over it, F ΔB where Lambert's form is used. Blockers
@@ -21,5 +23,9 @@ pub mod cell;
 pub mod tree;
 pub mod surroundings;
 pub mod vantage;
+pub mod screen;
+pub mod silhouette;
+pub mod facets;
+pub mod strips;
 pub mod shadows;
 pub mod walk;

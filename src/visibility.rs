@@ -8,14 +8,16 @@
 
 mod ball;
 pub mod exact;
+pub mod net;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface, separated};
 use serde::{Deserialize, Serialize};
 
 use crate::scene::Scene;
 use ball::Ball;
+use net::Net;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
@@ -99,6 +101,8 @@ struct Obstacle {
     pieces: Option<Vec<Vec<DVec3>>>,
     /// How it lies to itself.
     bend: Bend,
+    /// Made when it is first asked for.
+    net: OnceLock<Net>,
 }
 
 impl Visibility {
@@ -234,9 +238,20 @@ impl Visibility {
         matches!(self.shadows, Shadows::Outlines(_)) && blockers.iter().all(is_planar)
     }
 
+    /// Centre and radius of the ball whose whole inside a surface is, if it is one.
+    pub fn whole_dome(&self, surface: usize) -> Option<(DVec3, f64)> {
+        if self.is_hollow(surface) { self.obstacles[surface].shape.ball() } else { None }
+    }
+
     /// Convex polygons that make up a planar surface; None for curved ones.
     pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
         self.obstacles[surface].pieces.as_deref()
+    }
+
+    /// A net over a surface.
+    pub fn net(&self, surface: usize) -> &Net {
+        let Obstacle { shape, net, .. } = &self.obstacles[surface];
+        net.get_or_init(|| Net::new(shape))
     }
 
     /// Whether any surface of the scene may stand between any two others.
@@ -270,7 +285,8 @@ impl Obstacle {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let pieces = shape.region().map(|region| region.convex_pieces());
         let bend = if pieces.is_some() { Bend::Outward } else { Bend::of(shape.as_ref()) };
-        Self { shape: Arc::clone(shape), ball: Ball::around(&hull), hull, pieces, bend }
+        let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
+        Self { shape, ball, hull, pieces, bend, net: OnceLock::new() }
     }
 
     fn is_convex(&self) -> bool {

@@ -225,8 +225,7 @@ fn a_ball_on_the_floor_tells_what_it_reached() {
     for eps in [1e-2, 1e-3] {
         let transport = Transport::unoccluded(shapes.clone(), 0, eps);
         let error = (transport.factor(0, 1) / exact - 1.0).abs();
-        // An estimate: it was seen to be 2.6 times too small.
-        assert!(error <= 3.0 * eps.max(transport.blocks.accuracy_reached), "{eps:e}: {error:e}");
+        assert!(error <= 2.0 * eps.max(transport.blocks.accuracy_reached), "{eps:e}: {error:e}");
         assert!(error < 0.05, "{eps:e}: {error:e}");
     }
 }

@@ -93,17 +93,41 @@ fn plate(origin: DVec3, edge1: DVec3, edge2: DVec3) -> Arc<dyn Surface> {
 #[test]
 fn factors_of_a_point_agree_with_closed_forms() {
     let rectangle = |a: f64, b: f64, c: f64| plate(c * DVec3::Z, b * DVec3::Y, a * DVec3::X);
-    let cases: [(&str, Arc<dyn Surface>, f64, f64); 6] = [
+    let cases: [(&str, Arc<dyn Surface>, f64, f64); 7] = [
         ("square over its corner", rectangle(1.0, 1.0, 1.0), 0.138531605994893, 1e-14),
         ("rectangle over its corner", rectangle(3.0, 1.0, 0.5), 0.22269468089180286, 1e-14),
         ("disk r = h", Arc::new(disk(1.0, 1.0)), 0.5, EPS),
         ("disk r = h/4", Arc::new(disk(2.0, 0.5)), 0.058823529411764705, EPS),
         ("ball r = h/2", Arc::new(ball(2.0 * DVec3::Z, 1.0)), 0.25, 2.0 * EPS),
+        ("ball near by", Arc::new(ball(1.01 * DVec3::Z, 1.0)), 0.9802960494069208, 2.0 * EPS),
         ("ball r = h/5", Arc::new(ball(5.0 * DVec3::Z, 1.0)), 0.04, EPS),
     ];
     for (name, shape, exact, tolerance) in cases {
         let found = lit_at_origin(vec![(shape, 1.0)]);
         assert!((found / exact - 1.0).abs() < tolerance, "{name}: {found} instead of {exact}");
+    }
+}
+
+/// Inside a ball everything is 2, at its poles as well, where its parameters end.
+#[test]
+fn the_poles_of_a_ball_see_what_the_rest_sees() {
+    let scene = scene(vec![(inside(ball(DVec3::X, 0.7)), 1.0)]);
+    let solution = solution(&scene, 2.0, 1.0);
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let gather = Gather::new(&solution, &visibility, EPS);
+    for v in [0.0, 0.9, 0.999, 0.999_999, 1.0] {
+        let jet = scene.surfaces[0].shape.jet(0.3, v);
+        let found = gather.at(&Vantage::on(0, jet.position, jet.normal))[0];
+        assert!((found / 2.0 - 1.0).abs() < EPS, "{found} at v = {v}");
+        // Askew by ϑ the kernel is no constant, and (1 + cos ϑ)/2 of what the normal faces lies over the ground.
+        let askew = Vantage {
+            normal: (jet.normal + 0.1 * DVec3::Y).normalize(),
+            ground: Some(jet.normal),
+            ..Vantage::on(0, jet.position, jet.normal)
+        };
+        let found = gather.at(&askew)[0];
+        let exact = 1.0 + askew.normal.dot(jet.normal);
+        assert!((found / exact - 1.0).abs() < 2.0 * EPS, "{found} instead of {exact} at v = {v}");
     }
 }
 

@@ -214,7 +214,7 @@ fn blocks_of_any_order_keep_the_accuracy_of_shadows() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(12))]
+    #![proptest_config(ProptestConfig::with_cases(8))]
 
     /// A box anywhere in a room takes light away and adds none, and what it takes it receives.
     #[test]

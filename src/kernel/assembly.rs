@@ -12,6 +12,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_geom::Aabb;
 use rayon::prelude::*;
 
+use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::visibility::Visibility;
 
@@ -20,9 +21,11 @@ use super::blocks::Blocks;
 use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
+use super::obstruction::Obstruction;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
 use super::rough::Rough;
+use super::sectors::sectors;
 use super::shade::Limit;
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
@@ -43,6 +46,8 @@ const LARGEST_NEAR_FACTOR: f64 = 8.0;
 const UNSEEN: f64 = 3.0;
 /// Fewer rays tell nothing.
 const FEWEST_RAYS: u64 = 16;
+/// More rays than this are left to the block itself.
+const MOST_RAYS: f64 = 2e4;
 
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
@@ -51,6 +56,8 @@ struct Scene<'a> {
     reaches: Vec<Reach>,
     roughs: Vec<Rough>,
     boxes: Vec<Aabb>,
+    /// The sectors of each.
+    parts: Vec<Vec<Patch>>,
     visibility: &'a Visibility,
     accuracy: Accuracy,
     wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
@@ -117,6 +124,7 @@ pub(super) fn assemble(
         reaches: list.iter().map(Reach::of).collect(),
         roughs: list.par_iter().map(Rough::of).collect(),
         boxes: list.iter().map(Element::bounds).collect(),
+        parts: list.par_iter().map(sectors).collect(),
         visibility,
         accuracy,
         wanted,
@@ -361,22 +369,47 @@ impl Scene<'_> {
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
-        let accuracy = goal.accuracy;
         let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
-        let blockers = &task.blockers;
-        if task.row == task.column {
-            return curved::self_block(receiver, blockers, self.visibility, accuracy, [goal.least, goal.row]);
+        if receiver.plane.is_none() || emitter.plane.is_none() {
+            return self.curved_block(task, goal);
         }
         if let Some(limit) = goal.outlined {
-            return block::shaded_block(receiver, emitter, blockers, self.visibility, (accuracy, limit));
+            let wanted = (goal.accuracy, limit);
+            return block::shaded_block(receiver, emitter, &task.blockers, self.visibility, wanted);
         }
-        if let Some(hidden) = self.hidden_block(task, goal) {
-            return hidden;
+        let hidden = self.hidden_block(task, goal);
+        hidden.unwrap_or_else(|| {
+            block::block(receiver, emitter, &task.blockers, self.visibility, goal.accuracy)
+        })
+    }
+
+    /// The block of two elements of which at least one is curved. Surfaces that reach between them but are not met by enough rays
+    /// are passed over.
+    fn curved_block(&self, task: &Task, goal: Goal) -> Block {
+        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        let Goal { accuracy, least, row: largest, unseen, .. } = goal;
+        let enough = UNSEEN * task.rough / unseen;
+        let (mut blockers, mut rays) = (Cow::Borrowed(&task.blockers), 0);
+        if !blockers.is_empty() && enough <= MOST_RAYS {
+            let enough = enough.max(FEWEST_RAYS as f64);
+            let parts = [&self.parts[row][..], &self.parts[column][..]];
+            let met = Obstruction::between(parts, &blockers, self.visibility, enough);
+            rays = met.rays;
+            if rays as f64 >= enough {
+                if met.hidden {
+                    return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
+                }
+                blockers = Cow::Owned(met.blockers);
+            }
         }
-        if receiver.plane.is_some() && emitter.plane.is_some() {
-            return block::block(receiver, emitter, blockers, self.visibility, accuracy);
-        }
-        curved::block(receiver, emitter, blockers, self.visibility, accuracy, [goal.least, goal.row])
+        let mut block = if row == column {
+            curved::self_block(receiver, &blockers, self.visibility, accuracy, [least, largest])
+        } else {
+            curved::block(receiver, emitter, &blockers, self.visibility, accuracy, [least, largest])
+        };
+        block.rays += rays;
+        block
     }
 
     /// The zero block of two elements between which none of a few rays passes; None where one does, or where too few are

@@ -48,11 +48,17 @@ const CONTACT_SAMPLES: f64 = 5e5;
 const HORIZON_SAMPLES: f64 = 1e6;
 /// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
 const SMALL_IN_ROW: f64 = 0.25;
-const LEAST_WORTH: f64 = 1.0 / 16.0;
+const LEAST_WORTH: f64 = 0.25;
 /// Rays of one block after which shadows are sampled by the coarsest rule, times the square of their accuracy.
 const RAYS: f64 = 1.0;
 /// Most points a direction of the corner rule, which takes their fourth power.
 const MOST_CORNER_POINTS: usize = 20;
+/// How many times the samples of contacts and horizons together a block may take before what is left is summed at once.
+const OVERDRAFT: u64 = 2;
+/// Samples, about, of all that is left then, and points a direction of each part of it.
+const LEFT_SAMPLES: f64 = 2e5;
+const FEWEST_LEFT: usize = 1;
+const MOST_LEFT: usize = 4;
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
 const FEWEST_POINTS: usize = 4;
 /// The same where shadows are sampled once the samples are spent.
@@ -61,8 +67,16 @@ const POINTS_WHEN_SPENT: usize = 3;
 const LARGEST_ATTEMPT: f64 = 0.25;
 /// Parts up to this size are attempted before they are halved for nearness, or cut at their horizons.
 const SMALL_PART: f64 = 0.02;
-/// Part of the block's error that one attempt may make.
+/// Cosine of the angle at a common edge below which two patches go on smoothly: the kernel is bounded there, and plain rules
+/// cost a small part of those that know the edge.
+const SMOOTH: f64 = -0.99;
+/// Part of the block's error that one attempt may make, and the power of the digits by which it falls beyond four of them: ever
+/// more parts are attempted.
 const ATTEMPT_SHARE: f64 = 0.03;
+const MORE_ATTEMPTS: i32 = 6;
+/// By how much less two rules may differ than they err on near parts, where both miss the kernel's peak: measured on a ball
+/// that lies on a floor.
+const PEAKED: f64 = 2.0;
 /// Least error of an attempt that was not good enough, as a part of what it carries.
 const DOUBT: f64 = 0.1;
 /// What of the sum so far counts as a lower bound of the block's first entry.
@@ -268,6 +282,10 @@ impl<'a> Job<'a> {
 
     fn run(&mut self) {
         while let Some(task) = self.tasks.pop_front() {
+            if self.overdrawn() {
+                self.tasks.push_front(task);
+                return self.leave();
+            }
             match task {
                 Task::Same(patch, state) => self.same(&patch, state),
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
@@ -275,6 +293,33 @@ impl<'a> Job<'a> {
             }
             // As κ ≥ 0, what was found so far bounds the first entry from below, but for its own error.
             self.scale = self.scale.max(FOUND_SHARE * self.moments.exchanged() / self.unit);
+        }
+    }
+
+    /// Sums all that is left by as few points as keep the whole affordable.
+    fn leave(&mut self) {
+        let mut left = Vec::new();
+        for task in std::mem::take(&mut self.tasks) {
+            match task {
+                Task::Same(patch, state) => left.push((patch.clone(), patch, state.blockers, 0.5)),
+                Task::Pair(p, q, state) => left.push((p, q, state.blockers, 1.0)),
+                Task::Fan(outer, inner) => {
+                    for part in inner {
+                        let (p, q) = if self.swapped { (part, outer.clone()) } else { (outer.clone(), part) };
+                        let blockers = self.between(&p, &q);
+                        left.push((p, q, blockers, 1.0));
+                    }
+                }
+            }
+        }
+        self.unresolved |= !left.is_empty();
+        let each = LEFT_SAMPLES / left.len().max(1) as f64;
+        let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
+        for (p, q, blockers, factor) in left {
+            let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
+            part.scale(factor);
+            self.error += DOUBT * part.exchanged() / self.unit;
+            self.moments.merge(&part, true);
         }
     }
 
@@ -291,6 +336,11 @@ impl<'a> Job<'a> {
         }
     }
 
+    /// Whether nothing is looked at closer any more: parts that were queued when the samples were spent take their own.
+    fn overdrawn(&self) -> bool {
+        self.moments.distinct > OVERDRAFT * (self.most(CONTACT_SAMPLES) + self.most_for_horizons())
+    }
+
     /// Whether contacts may be refined no more.
     fn spent(&self) -> bool {
         self.moments.distinct - self.horizons > self.most(CONTACT_SAMPLES)
@@ -298,7 +348,17 @@ impl<'a> Job<'a> {
 
     /// Whether horizons may be cut no more.
     fn horizons_spent(&self) -> bool {
-        self.horizons > self.most(HORIZON_SAMPLES)
+        self.horizons > self.most_for_horizons()
+    }
+
+    /// Samples that horizons may take: beyond four digits their need grows faster still.
+    fn most_for_horizons(&self) -> u64 {
+        (self.beyond() * self.most(HORIZON_SAMPLES) as f64) as u64
+    }
+
+    /// Digits over four where more are asked, else 1.
+    fn beyond(&self) -> f64 {
+        (-0.25 * self.accuracy.eps.log10()).max(1.0)
     }
 
     /// Whether enough rays were cast for the accuracy of shadows: that of n rays is about 1/√n.
@@ -312,11 +372,12 @@ impl<'a> Job<'a> {
         (self.scale / (SMALL_IN_ROW * self.row)).clamp(LEAST_WORTH, 1.0)
     }
 
-    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked, and for a block
-    /// that is small beside its row.
+    /// Samples that go with a number for each squared digit; fewer where less than four digits are asked and for a block that
+    /// is small beside its row, more beyond four digits.
     fn most(&self, per_digit: f64) -> u64 {
         let digits = -self.accuracy.eps.log10().min(-2.0);
-        (self.worth() * per_digit * (digits * digits).min(digits.powi(4) / 16.0)) as u64
+        let squared = (digits * digits).min(digits.powi(4) / 16.0);
+        (self.worth() * per_digit * squared * self.beyond().powi(2)) as u64
     }
 
     /// What two sectors start with: each counts as halved as often as makes its part of its element.
@@ -668,7 +729,7 @@ impl<'a> Job<'a> {
         let outer = Side { patch: outer, basis: &self.elements[first].basis, points, ball };
         // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
         let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
-        let budget = self.most(HORIZON_SAMPLES).saturating_sub(self.horizons);
+        let budget = self.most_for_horizons().saturating_sub(self.horizons);
         let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, budget);
         self.horizons += cut.samples;
         self.moments.add_raw(&cut.moments, self.swapped, cut.samples);
@@ -681,24 +742,33 @@ impl<'a> Job<'a> {
     /// for a patch with itself. Whether it was good enough, or has to be since the samples are spent.
     fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
         let share = area(p).min(area(q)) / self.unit;
-        if share > LARGEST_ATTEMPT * self.scale && !self.spent() {
+        if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.scale {
             return false;
         }
         let coarsest = self.spent() && !state.blockers.is_empty();
         let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
         let error = 4.0 * fine.difference(&coarse) / self.unit;
-        let enough = error <= ATTEMPT_SHARE * self.accuracy.eps * self.scale;
+        let may_err = ATTEMPT_SHARE / self.beyond().powi(MORE_ATTEMPTS) * self.accuracy.eps * self.scale;
+        let enough = error <= may_err;
         let kept = enough || self.spent();
         self.moments.merge(&coarse, false);
         self.moments.merge(&fine, kept);
         if kept {
             // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
             let doubt = if enough { 0.0 } else { DOUBT * fine.exchanged() / self.unit };
-            self.error += error.max(doubt);
+            let reach = SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
+            self.error += doubt.max(if is_near { PEAKED * error } else { error });
             self.unresolved |= !enough;
         }
         kept
+    }
+
+    /// What a part of so large a `share` carries at the most.
+    fn carried(&self, p: &Patch, q: &Patch, share: f64) -> f64 {
+        let rough = scale(std::slice::from_ref(p), std::slice::from_ref(q), self.unit);
+        share.min(ROUGHNESS * rough)
     }
 
     /// A part whose shadows are sampled although the rays are spent.
@@ -724,11 +794,18 @@ impl<'a> Job<'a> {
         let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
         let free = |x, y| self.visibility.free(blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        let plain = [n, n, n + 1, n + 1];
         match contact {
-            None => same::integrate(&mut moments, p, [n; 3], sees),
-            Some(Touch::Edge { p, q, matched: true }) => edge::integrate(&mut moments, p, q, [n; 3], sees),
+            None => {
+                // Half of a patch with itself.
+                moments.tensor(p, p, plain, sees);
+                moments.scale(0.5);
+            }
+            Some(Touch::Edge { p, q, matched: true }) if Wedge::of(p, q).cosine > SMOOTH => {
+                edge::integrate(&mut moments, p, q, [n; 3], sees);
+            }
             Some(Touch::Vertex(p, q)) => vertex::integrate(&mut moments, p, q, [n; 2], sees),
-            Some(_) => moments.tensor(p, q, [n, n, n + 1, n + 1], sees),
+            Some(_) => moments.tensor(p, q, plain, sees),
         }
         moments
     }

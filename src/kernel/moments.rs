@@ -133,6 +133,11 @@ impl<'a> Moments<'a> {
         self.rays += other.rays;
     }
 
+    /// Multiplies what was added.
+    pub(super) fn scale(&mut self, factor: f64) {
+        self.values.iter_mut().for_each(|value| *value *= factor);
+    }
+
     /// ∫∫κ over what was added: the first polynomials are ½.
     pub(super) fn exchanged(&self) -> f64 {
         4.0 * self.values[0]

@@ -9,6 +9,9 @@ use radiosity_geom::DVec3;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 
+/// Length over breadth above which a curved cell is only cut across.
+const LONG: f64 = 2.0;
+
 /// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
 pub const POINTS: usize = 4;
 
@@ -36,6 +39,8 @@ pub struct Cell {
     pub detail: f64,
     /// Smallest cosine between two normals.
     pub bend: f64,
+    /// About how far a curved cell lies from the quad of its corners, in its plane or out of it, over its radius.
+    pub warp: f64,
 }
 
 impl Cell {
@@ -59,6 +64,7 @@ impl Cell {
         let pairs =
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
+        let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,
             hull,
@@ -71,6 +77,7 @@ impl Cell {
             spread: 0.0,
             detail: 0.0,
             bend,
+            warp,
         }
     }
 
@@ -104,9 +111,25 @@ impl Cell {
         self.nodes.iter().map(|node| node.area).sum()
     }
 
+    /// Its corners in order, each once.
+    pub fn outline(&self) -> Vec<DVec3> {
+        let mut corners = self.patch.corners().to_vec();
+        let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= 1e-9 * self.radius;
+        corners.dedup_by(|a, b| same(a, b));
+        if corners.len() > 1 && same(&corners[0], &corners[corners.len() - 1]) {
+            corners.pop();
+        }
+        corners
+    }
+
     /// Whether it lies in a plane.
     pub fn is_flat(&self) -> bool {
         self.patch.is_flat()
+    }
+
+    /// Whether it is a flat parallelogram.
+    pub fn is_parallelogram(&self) -> bool {
+        self.patch.is_parallelogram()
     }
 
     /// Takes over what its quarters, which carry the same field, show of it.
@@ -124,9 +147,21 @@ impl Cell {
         }
     }
 
-    /// The four quarters without a field, index 2 a + b like the points.
+    /// The directions in which it is halved: a long curved cell, as at a pole, twice along its length.
+    fn directions(&self) -> [Direction; 2] {
+        let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
+        let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
+        match self.is_flat() {
+            false if along > LONG * across => [Direction::Along; 2],
+            false if across > LONG * along => [Direction::Across; 2],
+            _ => [Direction::Along, Direction::Across],
+        }
+    }
+
+    /// The four quarters without a field, index 2 a + b, a for the first halving and b for the second.
     pub fn bare_quarters(&self) -> [Cell; 4] {
-        let halves = self.patch.halves(Direction::Along).map(|half| half.halves(Direction::Across));
+        let [first, second] = self.directions();
+        let halves = self.patch.halves(first).map(|half| half.halves(second));
         let [[a, b], [c, d]] = halves;
         [a, b, c, d].map(Cell::bare)
     }
@@ -135,15 +170,25 @@ impl Cell {
     pub fn quarters(&self, scale: &[f64]) -> [Cell; 4] {
         let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
-        // Share of the point at the far side of the cell, at the c-th point of the a-th half.
-        let share = |a: usize, c: usize| (0.5 * (a as f64 + places[c]) - places[0]) / (places[1] - places[0]);
+        let directions = self.directions();
+        // Share of the points at the far side of the cell in a direction, at the c-th point of a quarter.
+        let share = |direction: Direction, [a, b]: [usize; 2], c: usize| {
+            let place = match directions.map(|halved| halved == direction) {
+                [true, true] => 0.25 * ((2 * a + b) as f64 + places[c]),
+                [true, false] => 0.5 * (a as f64 + places[c]),
+                [false, true] => 0.5 * (b as f64 + places[c]),
+                [false, false] => places[c],
+            };
+            (place - places[0]) / (places[1] - places[0])
+        };
         let mut index = 0;
         self.bare_quarters().map(|quarter| {
-            let (a, b) = (index / 2, index % 2);
+            let part = [index / 2, index % 2];
             index += 1;
             let value = |place: usize| {
                 let (point, channel) = (place / channels, place % channels);
-                let (s, t) = (share(a, point / 2), share(b, point % 2));
+                let (s, t) =
+                    (share(Direction::Along, part, point / 2), share(Direction::Across, part, point % 2));
                 let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
                 let known = || (0..POINTS).map(|k| self.value(k, channel));
                 let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));

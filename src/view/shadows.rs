@@ -5,6 +5,8 @@ use std::ops::Range;
 use radiosity_geom::{Aabb, DVec3, separated};
 
 use crate::view::cell::Cell;
+use crate::view::facets::Facets;
+use crate::view::screen::Screen;
 use crate::view::surroundings::Surroundings;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
@@ -105,6 +107,30 @@ impl<'a> Shadows<'a> {
         outside_all(polygon, pyramids)
     }
 
+    /// What stands before a convex planar polygon; None where the point lies in its plane.
+    ///
+    /// It may stand for a curved piece of `surface` within the convex hull of `hull`.
+    pub fn facets(
+        &self,
+        before: Before,
+        polygon: &[DVec3],
+        hull: &[DVec3],
+        curved: Option<usize>,
+    ) -> Option<Facets<'_>> {
+        let Vantage { position, normal, ground, surface } = *self.vantage;
+        let mut facets = Facets::new(Screen::new(position, polygon, hull)?);
+        for blocker in self.of(before) {
+            match blocker {
+                Blocker::Flat(pyramid) => facets.add_flat(pyramid),
+                Blocker::Curved(other) => {
+                    let ground = (surface == Some(*other)).then_some(ground.unwrap_or(normal));
+                    facets.add_curved(self.visibility.net(*other), ground, curved == Some(*other));
+                }
+            }
+        }
+        Some(facets)
+    }
+
     /// Whether a point of `surface` is hidden.
     pub fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
         let own = [Some(surface), self.vantage.surface];
@@ -131,7 +157,8 @@ impl<'a> Shadows<'a> {
             let reach = 0.5 * bounds.diagonal() + cell.radius;
             distance_squared(bounds.center(), eye[0], cell.center) > reach * reach
         };
-        match !shaft.overlaps(&bounds) || far() || separated(&eye, &cell.hull, hull, 0.0) {
+        let apart = || !cell.is_flat() && separated(&eye, &cell.hull, hull, 0.0);
+        match !shaft.overlaps(&bounds) || far() || apart() {
             true => Cover::Clear,
             false => Cover::Mixed,
         }

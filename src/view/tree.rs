@@ -11,6 +11,9 @@ use crate::view::cell::{Cell, POINTS};
 /// Levels of quarters below the patches of an element.
 const DEEPEST: usize = 4;
 
+/// Cosine between the normals of a cell of a uniform element below which it is divided beforehand.
+const STRAIGHT: f64 = 0.8;
+
 /// Variation of the field, relative to its scale, below which a cell is not divided, in multiples of the accuracy asked.
 const FINE: f64 = 30.0;
 
@@ -37,10 +40,21 @@ impl Tree {
     /// An element with the constant 1 in a single channel, that counts as `brightness` (positive) times the scale.
     pub fn uniform(element: &Element, brightness: f64) -> Self {
         let mut tree = Self::bare(element, &[1.0 / brightness]);
+        let one: Field<'_> = &|_, out| out.fill(1.0);
         for patch in &element.patches {
-            tree.push(Cell::bare(patch.clone()), &|_, out| out.fill(1.0));
+            tree.push(Cell::bare(patch.clone()), one);
         }
         tree.roots = tree.cells.len();
+        let (mut level, mut start) = (0, 0);
+        while level < DEEPEST && start < tree.cells.len() {
+            let end = tree.cells.len();
+            for index in start..end {
+                if tree.cells[index].bend < STRAIGHT {
+                    tree.divide(index, one);
+                }
+            }
+            (level, start) = (level + 1, end);
+        }
         tree
     }
 

@@ -8,6 +8,7 @@ use crate::elements::patch::Node;
 use crate::kernel::kernel;
 use crate::view::cell::{Cell, POINTS};
 use crate::view::shadows::{Before, Shadows};
+use crate::view::strips::Strips;
 use crate::view::surroundings::Surroundings;
 use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
@@ -25,13 +26,32 @@ const DEPTH: usize = 24;
 const CURVED_DEPTH: usize = 12;
 const OWN_DEPTH: usize = 8;
 
-/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of
-/// it: when some are seen and some not, and when all agree.
+/// Most cells that one sum may look at: beyond them every cell is taken as it is, and may err by all that it contributes.
+const MOST_CELLS: usize = 20_000;
+
+/// What a half-hidden cell may contribute, in multiples of the tolerance, where its points alone decide what is seen of it.
 const DISPUTED: f64 = 1.0;
-const AGREED: f64 = 12.0;
+
+/// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
+const NEAR_OWN: f64 = 0.1;
+
+/// How much more than a flat cell a curved one counts: the errors of neighbours have the same sign.
+const CURVED: f64 = 6.0;
+
+/// How close a point and its normal must come to those of a ball, in parts of its radius.
+const ON_DOME: f64 = 1e-9;
+
+/// (1 − cos ϑ)²/AREA_RULE is about the relative error of two-point rules for the area of a piece of a ball ϑ wide.
+const AREA_RULE: f64 = 500.0;
 
 /// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
-const RIM: f64 = 0.1;
+const RIM: f64 = 0.25;
+
+/// Width over distance above which lines are not trusted.
+const WIDE: f64 = 2.0;
+
+/// Part of the variation of a field over a cell that its bilinear interpolant misses.
+const LINEAR: f64 = 0.1;
 
 /// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
 const DARK: f64 = 0.4;
@@ -40,10 +60,13 @@ const LEAST: f64 = 0.05;
 /// What a vantage point sees of elements.
 pub struct Walk<'a> {
     vantage: &'a Vantage,
+    visibility: &'a Visibility,
     surroundings: &'a Surroundings,
     shadows: Shadows<'a>,
     /// Largest error of a cell so far, in multiples of the scales.
     coarsest: f64,
+    /// Cells looked at in this sum.
+    visited: usize,
 }
 
 /// The walk over one element.
@@ -52,6 +75,10 @@ struct Pass<'a> {
     /// Error allowed a cell, in multiples of the channels' scales.
     tolerance: f64,
     deepest: usize,
+    /// Whether the point lies on the element's surface.
+    own: bool,
+    /// The kernel, where the surface is a ball around the point: 1/(4πR²) everywhere.
+    dome: Option<f64>,
     out: &'a mut [f64],
 }
 
@@ -67,9 +94,11 @@ impl<'a> Walk<'a> {
     pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
         Self {
             vantage,
+            visibility,
             surroundings,
             shadows: Shadows::new(vantage, visibility, surroundings),
             coarsest: 0.0,
+            visited: 0,
         }
     }
 
@@ -89,6 +118,7 @@ impl<'a> Walk<'a> {
         let (first, found) = sum(self, share * (other + bound));
         let level = (other + found).max(LEAST * bound);
         if level < DARK * (other + bound) && self.coarsest > share * level {
+            self.visited = 0;
             return sum(self, share * level).0;
         }
         first
@@ -121,7 +151,8 @@ impl<'a> Walk<'a> {
             (false, None) => CURVED_DEPTH,
             (false, Some(_)) => DEPTH,
         };
-        let mut pass = Pass { tree, tolerance, deepest, out };
+        let dome = if own { self.dome(tree.surface) } else { None };
+        let mut pass = Pass { tree, tolerance, deepest, own, dome, out };
         for root in tree.roots() {
             self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
         }
@@ -138,7 +169,8 @@ impl<'a> Walk<'a> {
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
         let estimate = self.estimate(pass, cell, before);
-        if estimate.error <= pass.tolerance || depth == pass.deepest {
+        self.visited += 1;
+        if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
             pass.take(cell, &estimate.weights);
             return;
@@ -165,7 +197,9 @@ impl<'a> Walk<'a> {
             (true, false) if self.shadows.are_flat(before) => {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
-            _ => self.by_rays(pass, cell, weights, width, before),
+            (true, false) => self.by_lines(pass, cell, weights, width, before),
+            (false, _) if pass.dome.is_some() => self.under_dome(pass, cell),
+            (false, _) => self.curved(pass, cell, weights, width, before),
         }
     }
 
@@ -200,8 +234,8 @@ impl<'a> Walk<'a> {
         Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
     }
 
-    /// Gauss with a ray to each point.
-    fn by_rays(
+    /// The visible parts of lines.
+    fn by_lines(
         &self,
         pass: &Pass,
         cell: &Cell,
@@ -209,45 +243,75 @@ impl<'a> Walk<'a> {
         width: f64,
         before: Before,
     ) -> Estimate {
-        let seen = self.seen(pass, cell, weights, before);
-        if cell.bend < STRAIGHT || (width > NEAR && !cell.is_flat()) {
-            return Estimate { weights: seen, error: f64::INFINITY };
+        let Some(facets) = self.shadows.facets(before, &cell.hull, &cell.hull, None) else {
+            return Estimate { weights: [0.0; POINTS], error: 0.0 };
+        };
+        if facets.is_empty() {
+            return self.clear_flat(pass, cell, weights, width);
         }
-        let whole: f64 = weights.iter().sum();
-        let sum: f64 = seen.iter().sum();
-        // Flat cells have Lambert's form for what nothing hides, and the points say how much of it is seen.
-        let factor = if cell.is_flat() { self.vantage.factor(&cell.hull) } else { whole };
-        let share = if whole > 0.0 { sum / whole } else { 0.0 };
-        let agreed = self.agrees(pass, cell, &weights, &seen, before);
-        let doubt = match (before.is_nothing(), agreed) {
-            (true, _) => 0.0,
-            (false, true) => factor * cell.brightness / AGREED,
-            (false, false) => factor * cell.brightness / DISPUTED,
+        let factor = self.vantage.factor(&cell.hull);
+        let stake = factor * cell.brightness;
+        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let sum: f64 = shares.iter().sum();
+        let weights = match cell.is_parallelogram() {
+            true => shares.map(|share| factor * share),
+            false => scaled(cell, weights, factor * sum),
         };
-        let form = match cell.is_flat() {
-            true => factor * lambert_error(cell, width),
-            false => factor * gauss_error(cell, width) + self.rim(cell),
+        let form = match cell.is_parallelogram() {
+            true => cell.detail + LINEAR * cell.spread,
+            false => cell.detail + cell.spread,
         };
-        let weights = if cell.is_flat() { scaled(cell, seen, factor * share) } else { seen };
-        Estimate { weights, error: form.max(doubt) }
+        let near = if width > WIDE { stake } else { 0.0 };
+        Estimate { weights, error: near.max(factor * sum * form) }
     }
 
-    /// Whether all points of a cell are seen, or none; the corners and the middle of a flat one are asked as well.
-    fn agrees(
+    /// Gauss, of the part that lines across the cell show as seen.
+    fn curved(
         &self,
         pass: &Pass,
         cell: &Cell,
-        weights: &[f64; POINTS],
-        seen: &[f64; POINTS],
+        weights: [f64; POINTS],
+        width: f64,
         before: Before,
-    ) -> bool {
-        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
-        let others = if cell.is_flat() { &cell.hull[..] } else { &[] };
-        let mut others = others.iter().chain(cell.is_flat().then_some(&cell.center));
-        match seen.iter().any(|weight| *weight > 0.0) {
-            true => weights == seen && !others.any(hides),
-            false => others.all(hides),
+    ) -> Estimate {
+        let whole: f64 = weights.iter().sum();
+        let stake = whole * cell.brightness;
+        if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
+            return Estimate { weights, error: f64::INFINITY };
         }
+        let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
+        let form = near + self.rim(cell);
+        if before.is_nothing() {
+            return Estimate { weights, error: form };
+        }
+        let Some(facets) = self.shadows.facets(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
+        else {
+            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
+        };
+        if facets.is_empty() {
+            return Estimate { weights, error: form };
+        }
+        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
+        let partial =
+            if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
+        Estimate { weights: weights.map(|weight| share * weight), error: form.max(partial) }
+    }
+
+    /// The kernel between any two points of the inside of a ball, of which `surface` is the whole, if the point is one.
+    fn dome(&self, surface: usize) -> Option<f64> {
+        let (center, radius) = self.visibility.whole_dome(surface)?;
+        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
+        (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
+    }
+
+    /// The constant kernel: only the areas of the cell's points and the field decide.
+    fn under_dome(&self, pass: &Pass, cell: &Cell) -> Estimate {
+        let weights = cell.nodes.map(|node| pass.dome.unwrap_or(0.0) * node.area);
+        let whole: f64 = weights.iter().sum();
+        let turn = 1.0 - cell.bend;
+        Estimate { weights, error: whole * (cell.brightness * turn * turn / AREA_RULE + cell.detail) }
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.

@@ -137,6 +137,22 @@ impl Pyramid {
         self.planes.iter().all(|(point, inward)| (y - point).dot(*inward) > 0.0)
     }
 
+    /// The s between which it hides the points `start` + s `along` of a line.
+    pub fn shadow_on(&self, start: DVec3, along: DVec3) -> Option<[f64; 2]> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for (point, inward) in &self.planes {
+            let (height, slope) = ((start - point).dot(*inward), along.dot(*inward));
+            if slope > 0.0 {
+                low = low.max(-height / slope);
+            } else if slope < 0.0 {
+                high = high.min(-height / slope);
+            } else if height <= 0.0 {
+                return None;
+            }
+        }
+        (low < high).then_some([low, high])
+    }
+
     /// The parts of a convex polygon outside the pyramid.
     fn outside(&self, polygon: Vec<DVec3>) -> Vec<Vec<DVec3>> {
         self.divided(polygon).0

@@ -1,0 +1,260 @@
+//! What blockers hide of the lines of a screen.
+//!
+//! A planar piece hides an interval of a line. Of a curved blocker each quad of its net meets the plane through the eye and
+//! the line in a segment, which hides an interval; the intervals of all quads are put together, and only the ends of what
+//! is left are corrected from the net to the surface itself ([`super::silhouette`]). The correction is what counts for the
+//! result: the net only has to find the outline.
+
+use std::borrow::Cow;
+
+use radiosity_geom::{Aabb, DVec3};
+
+use crate::view::screen::{Screen, TOUCHING};
+use crate::view::silhouette::{Crossing, outline};
+use crate::visibility::exact::Pyramid;
+use crate::visibility::net::{Net, Quad, Region};
+
+/// Gaps and overlaps of this part of the screen are none.
+const NONE: f64 = 1e-9;
+
+/// Ends so near each other, in parts of the screen, are both corrected, and the farther counts.
+const CLOSE: f64 = 0.02;
+
+/// Ends so far outside a line, in parts of it, are still corrected: the surface may reach farther than its net.
+const OUTSIDE: f64 = 0.1;
+
+/// How much farther normals may turn between the corners of a quad than at them.
+const STEEPER: f64 = 1.5;
+
+/// A correction is believed up to this part of the quad's size as it is seen.
+const BELIEVED: f64 = 1.0;
+
+/// Blockers before a screen.
+#[derive(Debug)]
+pub struct Facets<'a> {
+    screen: Screen,
+    quads: Vec<Facet<'a>>,
+    /// Lowest and highest t at which each quad is seen.
+    heights: Vec<[f64; 2]>,
+    pyramids: Vec<&'a Pyramid>,
+}
+
+/// A quad as it is seen.
+#[derive(Debug)]
+struct Facet<'a> {
+    net: &'a Net,
+    quad: Cow<'a, Quad>,
+    /// (S, T, λ) of its corners.
+    seen: [DVec3; 4],
+}
+
+/// A hidden part of a line.
+#[derive(Clone, Copy, Debug)]
+struct Hidden {
+    low: End,
+    high: End,
+}
+
+/// An end of a hidden part, with the quads at whose edges it lies.
+#[derive(Clone, Copy, Debug)]
+struct End {
+    s: f64,
+    causes: [Option<(usize, Crossing)>; 2],
+}
+
+/// The quads before a screen, of a surface that the eye may lie on.
+struct Ahead<'a> {
+    screen: &'a Screen,
+    /// Its unit normal there, and the least sine of the screen's height over it, if it does.
+    ground: Option<(DVec3, f64)>,
+}
+
+impl Region for Ahead<'_> {
+    fn eye(&self) -> DVec3 {
+        self.screen.eye
+    }
+
+    fn reaches(&self, bounds: &Aabb) -> bool {
+        self.screen.reaches(bounds)
+    }
+
+    fn ground(&self) -> Option<(DVec3, f64)> {
+        self.ground.map(|(normal, rise)| (normal, rise / STEEPER))
+    }
+}
+
+impl<'a> Facets<'a> {
+    /// Before `screen`, nothing yet.
+    pub fn new(screen: Screen) -> Self {
+        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new() }
+    }
+
+    /// Adds a planar blocker.
+    pub fn add_flat(&mut self, pyramid: &'a Pyramid) {
+        self.pyramids.push(pyramid);
+    }
+
+    /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it. If the screen stands for a
+    /// piece of the blocker itself, only what lies well before it counts.
+    pub fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
+        let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
+        let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
+        let ahead = Ahead { screen: &self.screen, ground };
+        let (quads, heights) = (&mut self.quads, &mut self.heights);
+        net.visit(&ahead, &mut |quad| {
+            let seen = quad.knots.map(|knot| self.screen.see(knot.position));
+            if seen.iter().all(|p| p.z <= far) {
+                heights.push(height(&seen));
+                quads.push(Facet { net, quad, seen });
+            }
+        });
+    }
+
+    /// Whether nothing stands before the screen.
+    pub fn is_empty(&self) -> bool {
+        self.quads.is_empty() && self.pyramids.is_empty()
+    }
+
+    /// The same with s and t exchanged: lines run the other way.
+    pub fn transposed(&self) -> Self {
+        let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
+        let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
+        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone() }
+    }
+
+    /// The screen.
+    pub fn screen(&self) -> &Screen {
+        &self.screen
+    }
+
+    /// The visible parts of line `t` between `low` and `high`, ascending, into `out`.
+    pub fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
+        out.clear();
+        let outside = OUTSIDE * (high - low);
+        let mut start = low;
+        for hidden in self.hidden(t, [low - outside, high + outside]) {
+            let from = self.corrected(t, hidden.low, -1.0);
+            if from > start + NONE {
+                out.push([start, from.min(high)]);
+            }
+            start = start.max(self.corrected(t, hidden.high, 1.0));
+            if start >= high {
+                return;
+            }
+        }
+        out.push([start, high]);
+    }
+
+    /// The hidden parts by the net, ascending and apart.
+    fn hidden(&self, t: f64, [low, high]: [f64; 2]) -> Vec<Hidden> {
+        let mut parts = Vec::new();
+        for (index, [bottom, top]) in self.heights.iter().enumerate() {
+            if *bottom <= t && t <= *top {
+                self.quads[index].hide(index, t, &mut parts);
+            }
+        }
+        let (start, along) = (self.screen.at(0.0, t), self.screen.along);
+        let flat = self.pyramids.iter().filter_map(|pyramid| pyramid.shadow_on(start, along));
+        parts.extend(flat.map(|ends| Hidden::between(ends.map(|s| End { s, causes: [None; 2] }))));
+        parts.retain(|part| part.high.s > low && part.low.s < high);
+        parts.sort_unstable_by(|a, b| a.low.s.total_cmp(&b.low.s));
+        let mut apart: Vec<Hidden> = Vec::new();
+        for part in parts {
+            match apart.last_mut() {
+                Some(last) if part.low.s <= last.high.s + NONE => last.join(&part),
+                _ => apart.push(part),
+            }
+        }
+        apart
+    }
+
+    /// An end as the surface itself shows it; `side` is +1 for the high end.
+    fn corrected(&self, t: f64, end: End, side: f64) -> f64 {
+        let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
+            let Facet { net, quad, seen } = &self.quads[*index];
+            let s = outline(&self.screen, t, net.shape(), quad, *crossing, side)?;
+            let size = seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
+            let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size;
+            is_believed.then_some(s)
+        });
+        let farther = |a: f64, b: f64| if side > 0.0 { a.max(b) } else { a.min(b) };
+        found.reduce(farther).unwrap_or(end.s)
+    }
+}
+
+impl Facet<'_> {
+    fn transposed(&self) -> Self {
+        Self { net: self.net, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
+    }
+
+    /// What the quad hides of line `t`: between pairs of edges that the line crosses.
+    fn hide(&self, index: usize, t: f64, out: &mut Vec<Hidden>) {
+        let height = self.seen.map(|p| p.y - t * p.z);
+        let above = height.map(|h| h > 0.0);
+        if above == [above[0]; 4] {
+            return;
+        }
+        let mut last: Option<(DVec3, Crossing)> = None;
+        for edge in 0..4 {
+            let next = (edge + 1) % 4;
+            if above[edge] == above[next] {
+                continue;
+            }
+            let place = height[edge] / (height[edge] - height[next]);
+            let point = self.seen[edge].lerp(self.seen[next], place);
+            let crossing = Crossing { edge, place };
+            match last.take() {
+                None => last = Some((point, crossing)),
+                Some((start, other)) => out.extend(between((start, other), (point, crossing), index)),
+            }
+        }
+    }
+}
+
+/// Lowest and highest t at which a quad is seen.
+fn height(seen: &[DVec3; 4]) -> [f64; 2] {
+    if seen.iter().any(|p| p.z <= TOUCHING) {
+        return [f64::NEG_INFINITY, f64::INFINITY];
+    }
+    let t = seen.map(|p| p.y / p.z);
+    [t.into_iter().fold(f64::INFINITY, f64::min), t.into_iter().fold(f64::NEG_INFINITY, f64::max)]
+}
+
+/// What a segment before the screen hides of its line.
+fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
+    let (near, far) = (TOUCHING, 1.0 - TOUCHING);
+    let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));
+    if high <= near || low >= far {
+        return None;
+    }
+    let end = |(point, crossing): (DVec3, Crossing), other: DVec3| {
+        let depth = point.z.clamp(near, far);
+        if depth == point.z {
+            return End { s: point.x / depth, causes: [Some((index, crossing)), None] };
+        }
+        let x = point.x + (other.x - point.x) * (depth - point.z) / (other.z - point.z);
+        End { s: x / depth, causes: [None; 2] }
+    };
+    Some(Hidden::between([end(a, b.0), end(b, a.0)]))
+}
+
+impl Hidden {
+    fn between([a, b]: [End; 2]) -> Self {
+        if a.s <= b.s { Self { low: a, high: b } } else { Self { low: b, high: a } }
+    }
+
+    /// Takes in a part that begins at or after its own beginning.
+    fn join(&mut self, other: &Self) {
+        if other.low.s <= self.low.s + CLOSE {
+            self.low.causes[1] = self.low.causes[1].or(other.low.causes[0]);
+        }
+        let (far, near) = match other.high.s > self.high.s + NONE {
+            true => (other.high, self.high),
+            false => (self.high, other.high),
+        };
+        self.high = far;
+        if near.s >= far.s - CLOSE {
+            self.high.causes[1] = far.causes[1].or(near.causes[0]);
+        }
+    }
+}

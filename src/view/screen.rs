@@ -1,0 +1,114 @@
+//! A plane that a point looks at, with what stands before it seen in perspective.
+//!
+//! With a corner o of the screen, its axes a, b, and the eye x, every point is
+//!
+//! ```text
+//! P − x = λ (o − x) + S a + T b ,      (S, T, λ) = [a, b, o − x]⁻¹ (P − x)
+//! ```
+//!
+//! so it is seen at (s, t) = (S, T)/λ, and it lies before the screen if 0 < λ < 1. The plane through x and the line t of the
+//! screen is T − t λ = 0, linear in P.
+
+use radiosity_geom::{Aabb, DVec3};
+
+/// What comes nearer to the screen than this part of the distance to it is taken to touch it.
+pub const TOUCHING: f64 = 1e-9;
+
+/// The plane of a convex polygon with at least three corners, seen from a point.
+#[derive(Clone, Debug)]
+pub struct Screen {
+    /// The point.
+    pub eye: DVec3,
+    /// First corner of the polygon.
+    pub origin: DVec3,
+    /// Along its first side.
+    pub along: DVec3,
+    /// Along its last side, backwards.
+    pub across: DVec3,
+    dual: [DVec3; 3],
+    /// The polygon in (s, t).
+    pub outline: Vec<[f64; 2]>,
+    /// Inward normals of planes through the eye, and how low, times them, what the polygon stands for reaches.
+    sides: Vec<(DVec3, f64)>,
+    /// Largest depth of what the polygon stands for.
+    depth: f64,
+}
+
+impl Screen {
+    /// Of a polygon that stands for a piece of surface within a hull; None where the eye lies in the polygon's plane.
+    pub fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
+        let (origin, along, across) =
+            (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
+        let towards = origin - eye;
+        let volume = along.cross(across).dot(towards);
+        if volume.abs() <= 1e-12 * along.length() * across.length() * towards.length() {
+            return None;
+        }
+        let dual = [across.cross(towards), towards.cross(along), along.cross(across)].map(|d| d / volume);
+        let seen = |y: &DVec3| [dual[0].dot(y - eye), dual[1].dot(y - eye)];
+        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
+        let side = |k: usize| {
+            let inward = (polygon[k] - eye).cross(polygon[(k + 1) % polygon.len()] - eye);
+            let inward = if inward.dot(middle - eye) < 0.0 { -inward } else { inward };
+            (inward, hull.iter().map(|y| inward.dot(y - eye)).fold(0.0, f64::min))
+        };
+        let depth = hull.iter().map(|y| dual[2].dot(y - eye)).fold(1.0, f64::max);
+        let sides = (0..polygon.len()).map(side).collect();
+        let outline = polygon.iter().map(seen).collect();
+        Some(Self { eye, origin, along, across, dual, outline, sides, depth })
+    }
+
+    /// The same with s and t exchanged.
+    pub fn transposed(&self) -> Self {
+        let [s, t, depth] = self.dual;
+        Self {
+            along: self.across,
+            across: self.along,
+            dual: [t, s, depth],
+            outline: self.outline.iter().map(|[s, t]| [*t, *s]).collect(),
+            ..self.clone()
+        }
+    }
+
+    /// The point of the screen at (s, t).
+    pub fn at(&self, s: f64, t: f64) -> DVec3 {
+        self.origin + s * self.along + t * self.across
+    }
+
+    /// (S, T, λ) of a point.
+    pub fn see(&self, point: DVec3) -> DVec3 {
+        self.see_direction(point - self.eye)
+    }
+
+    /// (S, T, λ) of a direction from the eye.
+    pub fn see_direction(&self, direction: DVec3) -> DVec3 {
+        DVec3::from_array(self.dual.map(|dual| dual.dot(direction)))
+    }
+
+    /// Normal of the plane through the eye and the line t.
+    pub fn slice(&self, t: f64) -> DVec3 {
+        self.dual[1] - t * self.dual[2]
+    }
+
+    /// Whether a box may reach into the pyramid between the eye and the polygon.
+    pub fn reaches(&self, bounds: &Aabb) -> bool {
+        let (low, high) = (bounds.min - self.eye, bounds.max - self.eye);
+        let top = |n: DVec3| (low * n).max(high * n).element_sum();
+        let bottom = |n: DVec3| (low * n).min(high * n).element_sum();
+        bottom(self.dual[2]) < self.depth - TOUCHING
+            && top(self.dual[2]) > 0.0
+            && self.sides.iter().all(|(side, low)| top(*side) > *low)
+    }
+
+    /// How much of its depth the polygon is wide.
+    pub fn width(&self) -> f64 {
+        let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
+        far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)
+    }
+
+    /// Least sine of the height of the polygon over the plane through the eye with unit normal `normal`.
+    pub fn rise(&self, normal: DVec3) -> f64 {
+        let corner = |[s, t]: &[f64; 2]| (self.at(*s, *t) - self.eye).normalize_or_zero().dot(normal);
+        self.outline.iter().map(corner).fold(f64::INFINITY, f64::min)
+    }
+}

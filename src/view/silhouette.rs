@@ -1,0 +1,120 @@
+//! Where the outline of a curved surface crosses a line of a screen.
+//!
+//! The outline of a surface X(u, v) from x consists of its borders and of its silhouette g = n · (X − x) = 0. A net shows
+//! about where it crosses the line: on an edge of a quad. From there
+//!
+//! ```text
+//! border      h(w)    = m · (X(w) − x) = 0                 m the normal of the plane through x and the line
+//! silhouette  h(u, v) = 0 ,   g(u, v) = 0
+//! ```
+//!
+//! are solved by Newton steps, with the slopes of g taken from the corners of the quad. A place that is off the silhouette by
+//! ε is seen off the outline by κ ε²/2 only, and the outline crosses the line where its tangent, in the plane of X − x and
+//! the silhouette, does: along m × n. So one step from a net of width h leaves an error of order h⁴.
+
+use radiosity_geom::{DVec2, DVec3, Surface};
+
+use crate::view::screen::Screen;
+use crate::visibility::net::Quad;
+
+/// Steps towards a border and, at the most, towards a silhouette.
+const BORDER_STEPS: usize = 2;
+const STEPS: usize = 5;
+
+/// Sine of the angle between view and surface below which a place counts as on the silhouette.
+const GRAZING: f64 = 1e-2;
+
+/// Sine of the angle to the plane of the line below which a place counts as on it.
+const ON_LINE: f64 = 1e-3;
+
+/// Where a line of a screen crosses the edge of a quad.
+#[derive(Clone, Copy, Debug)]
+pub struct Crossing {
+    /// The edge, from this corner to the next.
+    pub edge: usize,
+    /// Place on the edge, 0 to 1.
+    pub place: f64,
+}
+
+/// Where the true outline crosses line `t`, near where the net's does; None where it is not found.
+///
+/// Of two places, of a border and of a silhouette, the one farther towards `side` (±1) counts.
+pub fn outline(
+    screen: &Screen,
+    t: f64,
+    shape: &dyn Surface,
+    quad: &Quad,
+    crossing: Crossing,
+    side: f64,
+) -> Option<f64> {
+    let line = Line { screen, normal: screen.slice(t) };
+    let (start, end) = (&quad.knots[crossing.edge], &quad.knots[(crossing.edge + 1) % 4]);
+    let [a, b] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
+    let is_border = (a.x == b.x && a.x.abs() == 1.0) || (a.y == b.y && a.y.abs() == 1.0);
+    let heights = quad.knots.map(|knot| knot.normal.dot(knot.position - screen.eye));
+    let turns = heights.iter().any(|g| *g < 0.0) && heights.iter().any(|g| *g > 0.0);
+    let border = if is_border { line.border(shape, a, b, crossing.place) } else { None };
+    let silhouette = match turns || !is_border {
+        true => line.silhouette(shape, quad, heights, a.lerp(b, crossing.place)),
+        false => None,
+    };
+    match (border, silhouette) {
+        (Some(a), Some(b)) => Some(if side > 0.0 { a.max(b) } else { a.min(b) }),
+        (a, b) => a.or(b),
+    }
+}
+
+struct Line<'a> {
+    screen: &'a Screen,
+    /// Of the plane through the eye and the line.
+    normal: DVec3,
+}
+
+impl Line<'_> {
+    fn border(&self, shape: &dyn Surface, a: DVec2, b: DVec2, mut place: f64) -> Option<f64> {
+        let mut seen = DVec3::ZERO;
+        for _ in 0..BORDER_STEPS {
+            let at = a.lerp(b, place);
+            let jet = shape.jet(at.x, at.y);
+            let (offset, slope) = (jet.position - self.screen.eye, jet.du * (b - a).x + jet.dv * (b - a).y);
+            let step = -self.normal.dot(offset) / self.normal.dot(slope);
+            seen = self.screen.see_direction(offset + step * slope);
+            place = (place + step).clamp(0.0, 1.0);
+        }
+        at_line(seen)
+    }
+
+    fn silhouette(&self, shape: &dyn Surface, quad: &Quad, g: [f64; 4], mut at: DVec2) -> Option<f64> {
+        let low = DVec2::from_array(quad.knots[0].parameters);
+        let width = DVec2::from_array(quad.knots[2].parameters) - low;
+        let slope = DVec2::new(g[1] - g[0] + g[2] - g[3], g[3] - g[0] + g[2] - g[1]) / (2.0 * width);
+        for _ in 0..STEPS {
+            let jet = shape.jet(at.x, at.y);
+            let offset = jet.position - self.screen.eye;
+            let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
+            let near = GRAZING * offset.length();
+            if off.abs() <= near && height.abs() <= ON_LINE * offset.length() * self.normal.length() {
+                return self.tangent(offset, jet.normal);
+            }
+            let across = DVec2::new(self.normal.dot(jet.du), self.normal.dot(jet.dv));
+            let step = DVec2::new(across.y * off - slope.y * height, slope.x * height - across.x * off)
+                / across.perp_dot(slope);
+            at = (at + step).clamp(low - width, low + 2.0 * width).clamp(DVec2::NEG_ONE, DVec2::ONE);
+            if !at.is_finite() {
+                return None;
+            }
+        }
+        None
+    }
+
+    /// Where the plane through the eye that touches the surface at `offset` from it, but for a trifle, meets the line.
+    fn tangent(&self, offset: DVec3, normal: DVec3) -> Option<f64> {
+        let along = self.normal.cross(normal.reject_from(offset));
+        at_line(self.screen.see_direction(if along.dot(offset) < 0.0 { -along } else { along }))
+    }
+}
+
+fn at_line(seen: DVec3) -> Option<f64> {
+    let s = seen.x / seen.z;
+    (seen.z > 0.0 && s.is_finite()).then_some(s)
+}

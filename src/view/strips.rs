@@ -1,0 +1,196 @@
+//! How much of a planar cell is seen past blockers, line by line.
+//!
+//! ```text
+//! shares_k = ∫∫_visible κ N_k ds dt / ∫∫ κ ds dt
+//! ```
+//!
+//! with N_k the bilinear functions of the cell's 2 × 2 points. Along a line the visible parts are known
+//! ([`super::facets`]), and κ is integrated over each by Gauss's rule. Across the lines the integrand is continuous, with
+//! bends where the outline meets the border of the cell and roots where it touches a line: Simpson's rule on halves of
+//! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
+//! that one sees all and another nothing, lines of the other direction are taken.
+
+use radiosity_geom::DVec3;
+
+use crate::elements::rule::UnitRule;
+use crate::view::facets::Facets;
+use crate::view::vantage::Vantage;
+
+/// Gauss points on a visible part of a line.
+const POINTS: usize = 3;
+
+/// Panels across at first, and most halvings of one.
+const PANELS: usize = 3;
+const LINES: usize = 2 * PANELS + 1;
+const DEEPEST: usize = 6;
+
+/// Part of the difference between two estimates by which the better of them errs where the integrand has a bend.
+const BEND: f64 = 0.7;
+
+/// Variation of the visible part from line to line above which an outline is taken to run along the lines.
+const ALONG: f64 = 0.6;
+
+/// Of one line, and their integrals: what is visible by point, and all.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    visible: [f64; 4],
+    all: f64,
+}
+
+impl Sums {
+    fn plus(self, other: Self, factor: f64) -> Self {
+        let visible = std::array::from_fn(|k| self.visible[k] + factor * other.visible[k]);
+        Self { visible, all: self.all + factor * other.all }
+    }
+
+    fn seen(&self) -> f64 {
+        self.visible.iter().sum()
+    }
+}
+
+/// A planar cell in lines.
+pub struct Strips<'a> {
+    vantage: &'a Vantage,
+    facets: &'a Facets<'a>,
+    gauss: &'a UnitRule,
+    /// Places of the cell's points along a side.
+    places: &'a [f64],
+    /// Whether the lines run the other way already.
+    is_turned: bool,
+    room: Vec<[f64; 2]>,
+}
+
+impl<'a> Strips<'a> {
+    /// Of the polygon that is the screen of `facets`, from a point.
+    pub fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+        let places = &UnitRule::of(2).nodes;
+        Self { vantage, facets, gauss: UnitRule::of(POINTS), places, is_turned: false, room: Vec::new() }
+    }
+
+    /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
+    pub fn shares(&mut self, tolerance: f64) -> [f64; 4] {
+        let (low, high) = self.heights();
+        let step = (high - low) / PANELS as f64;
+        let lines: [Sums; LINES] = std::array::from_fn(|k| self.line(low + 0.5 * step * k as f64));
+        if !self.is_turned && variation(&lines) > ALONG {
+            let facets = self.facets.transposed();
+            let [a, b, c, d] =
+                Strips { is_turned: true, ..Strips::new(self.vantage, &facets) }.shares(tolerance);
+            return [a, c, b, d];
+        }
+        let panels = (0..PANELS).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
+        let all: f64 = panels.clone().map(|panel| simpson(step, panel).all).sum();
+        let mut sums = Sums::default();
+        if lines.iter().any(|line| line.seen() > 0.0) {
+            for (k, panel) in panels.enumerate() {
+                let start = low + step * k as f64;
+                sums = sums.plus(self.panel(start, step, panel, tolerance * all, DEEPEST), 1.0);
+            }
+        }
+        if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+    }
+
+    /// Lowest and highest t of the cell.
+    fn heights(&self) -> (f64, f64) {
+        let heights = || self.facets.screen().outline.iter().map(|[_, t]| *t);
+        (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
+    }
+
+    /// Integral over a panel with the lines at its ends and in its middle.
+    fn panel(&mut self, low: f64, width: f64, [a, b, c]: [Sums; 3], error: f64, rest: usize) -> Sums {
+        let whole = simpson(width, [a, b, c]);
+        let half = 0.5 * width;
+        let (left, right) = (self.line(low + 0.5 * half), self.line(low + 1.5 * half));
+        let halves = [simpson(half, [a, left, b]), simpson(half, [b, right, c])];
+        let sum = halves[0].plus(halves[1], 1.0);
+        let difference = (sum.seen() - whole.seen()).abs().max((sum.all - whole.all).abs());
+        if rest == 0 || BEND * difference <= error {
+            return sum;
+        }
+        let left = self.panel(low, half, [a, left, b], error, rest - 1);
+        left.plus(self.panel(low + half, half, [b, right, c], error, rest - 1), 1.0)
+    }
+
+    /// One line.
+    fn line(&mut self, t: f64) -> Sums {
+        let mut sums = Sums::default();
+        let Some(range) = self.range(t) else { return sums };
+        sums.all = self.over(t, range).iter().sum();
+        let mut room = std::mem::take(&mut self.room);
+        self.facets.visible(t, range, &mut room);
+        for part in &room {
+            let weights = self.over(t, *part);
+            sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
+        }
+        self.room = room;
+        sums
+    }
+
+    /// Where line `t` lies within the cell and above the horizons.
+    fn range(&self, t: f64) -> Option<[f64; 2]> {
+        let screen = self.facets.screen();
+        let (mut low, mut high) = crossed(&screen.outline, t)?;
+        let Vantage { position, normal, ground, .. } = *self.vantage;
+        for horizon in std::iter::once(normal).chain(ground) {
+            let (start, slope) = ((screen.at(0.0, t) - position).dot(horizon), screen.along.dot(horizon));
+            match slope {
+                _ if slope > 0.0 => low = low.max(-start / slope),
+                _ if slope < 0.0 => high = high.min(-start / slope),
+                _ if start <= 0.0 => return None,
+                _ => {}
+            }
+        }
+        (low < high).then_some([low, high])
+    }
+
+    /// ∫ κ N_k ds, but for a factor that is the same everywhere.
+    fn over(&self, t: f64, [low, high]: [f64; 2]) -> [f64; 4] {
+        let Vantage { position, normal, .. } = *self.vantage;
+        let screen = self.facets.screen();
+        let across = shape(t, self.places);
+        let mut sums = [0.0; 4];
+        for (place, weight) in self.gauss.iter() {
+            let s = low + (high - low) * place;
+            let y: DVec3 = screen.at(s, t) - position;
+            let kernel = weight * (high - low) * y.dot(normal).max(0.0) / y.length_squared().powi(2);
+            let along = shape(s, self.places);
+            for (k, sum) in sums.iter_mut().enumerate() {
+                *sum += kernel * along[k / 2] * across[k % 2];
+            }
+        }
+        sums
+    }
+}
+
+/// Largest difference of the part that is seen between lines.
+fn variation(lines: &[Sums]) -> f64 {
+    let parts = || lines.iter().filter(|line| line.all > 0.0).map(|line| line.seen() / line.all);
+    parts().fold(f64::NEG_INFINITY, f64::max) - parts().fold(f64::INFINITY, f64::min)
+}
+
+/// Linear functions that are 1 at one of two places and 0 at the other.
+fn shape(x: f64, places: &[f64]) -> [f64; 2] {
+    let far = (x - places[0]) / (places[1] - places[0]);
+    [1.0 - far, far]
+}
+
+fn simpson(width: f64, [a, b, c]: [Sums; 3]) -> Sums {
+    Sums::default().plus(a, width / 6.0).plus(b, 4.0 * width / 6.0).plus(c, width / 6.0)
+}
+
+/// Lowest and highest s of a convex outline on line `t`.
+fn crossed(outline: &[[f64; 2]], t: f64) -> Option<(f64, f64)> {
+    let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+    for (k, [s, here]) in outline.iter().enumerate() {
+        let [next_s, next] = outline[(k + 1) % outline.len()];
+        let (below, above) = (here.min(next), here.max(next));
+        if t < below || t > above {
+            continue;
+        }
+        let place = if next == *here { 0.0 } else { (t - here) / (next - here) };
+        for s in [s + (next_s - s) * place, if next == *here { next_s } else { *s + (next_s - s) * place }] {
+            (low, high) = (low.min(s), high.max(s));
+        }
+    }
+    (low < high).then_some((low, high))
+}

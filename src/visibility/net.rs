@@ -1,0 +1,226 @@
+//! A net over a curved surface: quads of parameters, so fine that normals and edges turn little over each.
+//!
+//! ```text
+//! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   outline from afar: see [`crate::view`]
+//! ```
+//!
+//! The quads stand in a tree of boxes that hold the surface itself, so what a region misses is certain. A quad nearer to
+//! the eye than its own size is quartered on the spot, again and again: of a surface that the eye lies on, the chords of
+//! a quad would otherwise rise over the eye.
+
+use std::borrow::Cow;
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, DVec3, Rect, Surface};
+
+/// Largest angle (radians) by which normals and edges turn over a quad, about.
+const TURN: f64 = 0.2;
+
+/// Most quads along a parameter, and places along it where the turning is looked at.
+const MOST: usize = 64;
+const LOOKS: usize = 16;
+
+/// Most quarterings of a quad near the eye; what is left around it then of its own surface is passed over.
+const DEPTH: usize = 5;
+
+/// A quad is quartered if it is nearer to the eye than this times its size.
+const NEAR: f64 = 0.7;
+
+/// A surface as a net.
+#[derive(Debug)]
+pub struct Net {
+    shape: Arc<dyn Surface>,
+    nodes: Vec<Node>,
+}
+
+/// A corner of a quad.
+#[derive(Clone, Copy, Debug)]
+pub struct Knot {
+    /// Parameters of the surface.
+    pub parameters: [f64; 2],
+    /// Where it is.
+    pub position: DVec3,
+    /// Unit normal of the surface.
+    pub normal: DVec3,
+}
+
+/// The part of a surface over a rectangle of its parameters, taken for the quad of its corners.
+#[derive(Clone, Copy, Debug)]
+pub struct Quad {
+    /// Corners, counter-clockwise in the parameters.
+    pub knots: [Knot; 4],
+    rect: Rect,
+    bounds: Aabb,
+}
+
+#[derive(Debug)]
+struct Node {
+    bounds: Aabb,
+    kind: Kind,
+}
+
+#[derive(Debug)]
+enum Kind {
+    /// Indices of both halves.
+    Halves([usize; 2]),
+    Leaf(Box<Quad>),
+}
+
+/// Where the quads are looked for.
+pub trait Region {
+    /// The point they are seen from.
+    fn eye(&self) -> DVec3;
+    /// Whether a box may reach into the region.
+    fn reaches(&self, bounds: &Aabb) -> bool;
+    /// Where the eye lies on the surface: the unit normal there, and the angle (sine) from it below which the normals of a
+    /// quad around the eye keep it out of the region.
+    fn ground(&self) -> Option<(DVec3, f64)>;
+}
+
+impl Net {
+    /// Of a surface.
+    pub fn new(shape: &Arc<dyn Surface>) -> Self {
+        let mut net = Self { shape: Arc::clone(shape), nodes: Vec::new() };
+        let counts = [false, true].map(|transposed| quads_along(shape.as_ref(), transposed));
+        net.grow([0, counts[0]], [0, counts[1]], counts);
+        net
+    }
+
+    /// Adds the node of a range of quads; returns its index.
+    fn grow(&mut self, u: [usize; 2], v: [usize; 2], counts: [usize; 2]) -> usize {
+        let index = self.nodes.len();
+        let place = |k: usize, count: usize| 2.0 * k as f64 / count as f64 - 1.0;
+        let (wide, high) = (u[1] - u[0], v[1] - v[0]);
+        if wide.max(high) == 1 {
+            let rect = Rect { u: u.map(|k| place(k, counts[0])), v: v.map(|k| place(k, counts[1])) };
+            let quad = self.quad(rect);
+            self.nodes.push(Node { bounds: quad.bounds, kind: Kind::Leaf(Box::new(quad)) });
+            return index;
+        }
+        self.nodes.push(Node { bounds: Aabb::EMPTY, kind: Kind::Halves([0, 0]) });
+        let middle = |range: [usize; 2]| usize::midpoint(range[0], range[1]);
+        let halves = match wide >= high {
+            true => [[u[0], middle(u)], [middle(u), u[1]]].map(|u| self.grow(u, v, counts)),
+            false => [[v[0], middle(v)], [middle(v), v[1]]].map(|v| self.grow(u, v, counts)),
+        };
+        let bounds = self.nodes[halves[0]].bounds.union(self.nodes[halves[1]].bounds);
+        self.nodes[index] = Node { bounds, kind: Kind::Halves(halves) };
+        index
+    }
+
+    fn quad(&self, rect: Rect) -> Quad {
+        Quad { knots: rect.corners().map(|at| self.knot(at)), rect, bounds: self.shape.bounds(&rect) }
+    }
+
+    fn knot(&self, [u, v]: [f64; 2]) -> Knot {
+        let jet = self.shape.jet(u, v);
+        Knot { parameters: [u, v], position: jet.position, normal: jet.normal }
+    }
+
+    /// The quarters of a quad, with boxes that leave them twice the room that an arc would need.
+    fn quarters(&self, quad: &Quad) -> [Quad; 4] {
+        let center = self.knot(quad.rect.center());
+        let middles: [Knot; 4] = std::array::from_fn(|k| {
+            let [a, b] = [quad.knots[k], quad.knots[(k + 1) % 4]].map(|knot| knot.parameters);
+            self.knot([0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])])
+        });
+        let [low_left, low_right, high_left, high_right] = quad.rect.quarters();
+        let quarter = |k: usize, rect: Rect| {
+            let mut knots = [center; 4];
+            (knots[k], knots[(k + 1) % 4], knots[(k + 3) % 4]) =
+                (quad.knots[k], middles[k], middles[(k + 3) % 4]);
+            let mut quarter = Quad { knots, rect, bounds: Aabb::around(knots.map(|knot| knot.position)) };
+            quarter.bounds = quarter.bounds.inflate(0.25 * quarter.size() * quarter.turn());
+            quarter
+        };
+        [quarter(0, low_left), quarter(1, low_right), quarter(2, high_right), quarter(3, high_left)]
+    }
+
+    /// The surface.
+    pub fn shape(&self) -> &dyn Surface {
+        self.shape.as_ref()
+    }
+
+    /// Hands every quad that may reach into `region` to `take`.
+    pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
+        let mut stack = vec![0];
+        while let Some(index) = stack.pop() {
+            let node = &self.nodes[index];
+            if !region.reaches(&node.bounds) {
+                continue;
+            }
+            match &node.kind {
+                Kind::Halves(halves) => stack.extend(halves),
+                Kind::Leaf(quad) => self.visit_quad(Cow::Borrowed(&**quad), region, DEPTH, take),
+            }
+        }
+    }
+
+    fn visit_quad<'a>(
+        &'a self,
+        quad: Cow<'a, Quad>,
+        region: &impl Region,
+        rest: usize,
+        take: &mut impl FnMut(Cow<'a, Quad>),
+    ) {
+        let size = quad.size();
+        let gap = quad.bounds.distance_squared(region.eye());
+        if gap > (NEAR * size).powi(2) {
+            return take(quad);
+        }
+        let is_under = |(normal, least)| rest == 0 || (gap == 0.0 && quad.leans_less(normal, least));
+        if region.ground().is_some_and(is_under) {
+            return;
+        }
+        if rest == 0 {
+            return take(quad);
+        }
+        for quarter in self.quarters(&quad) {
+            if region.reaches(&quarter.bounds) {
+                self.visit_quad(Cow::Owned(quarter), region, rest - 1, take);
+            }
+        }
+    }
+}
+
+impl Quad {
+    /// Length of a diagonal.
+    fn size(&self) -> f64 {
+        self.knots[0].position.distance(self.knots[2].position)
+    }
+
+    /// Whether all of its normals are at a smaller angle (sine) from `normal` than this.
+    fn leans_less(&self, normal: DVec3, least: f64) -> bool {
+        let lean = |knot: &Knot| knot.normal.cross(normal).length();
+        self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
+    }
+
+    /// Sine of the angle by which normals may differ over it.
+    fn turn(&self) -> f64 {
+        let normal = |k: usize| self.knots[k].normal;
+        let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
+        let sine = |(i, j): (usize, usize)| normal(i).cross(normal(j)).length_squared();
+        pairs.into_iter().map(sine).fold(0.0, f64::max).sqrt()
+    }
+}
+
+/// How many quads a surface needs along u, or along v.
+fn quads_along(shape: &dyn Surface, transposed: bool) -> usize {
+    let at = |k: usize| 2.0 * (k as f64 + 0.5) / LOOKS as f64 - 1.0;
+    let mut sharpest = 0.0f64;
+    for other in 0..LOOKS {
+        let mut last: Option<[DVec3; 2]> = None;
+        for place in 0..LOOKS {
+            let jet =
+                if transposed { shape.jet(at(other), at(place)) } else { shape.jet(at(place), at(other)) };
+            let tangent = if transposed { jet.dv } else { jet.du };
+            let here = [jet.normal, tangent.normalize_or_zero()];
+            if let Some(last) = last {
+                let angle = |k: usize| here[k].cross(last[k]).length().atan2(here[k].dot(last[k]));
+                sharpest = sharpest.max(angle(0)).max(angle(1));
+            }
+            last = Some(here);
+        }
+    }
+    ((sharpest * LOOKS as f64 / TURN - 1e-9).ceil() as usize).clamp(1, MOST)
+}
