@@ -2,8 +2,8 @@
 //!
 //! A box on a floor hides what lies under it. The darkness there has a sharp edge that no polynomial follows, and what lies
 //! under the box is no part of the room: its elements have to end at the foot of the box. A footing is a face of the planar
-//! map that the surface's outline and all [`lines`] of contact draw ([`faces`]), from where nothing but backs of surfaces is
-//! seen, or the footings of others ([`seal`]). It is cut out of what receives and sends light; as a blocker the surface
+//! map that the surface's outline and all lines of contact draw (`faces`), from where nothing but backs of surfaces is
+//! seen, or the footings of others (`seal`). It is cut out of what receives and sends light; as a blocker the surface
 //! stays whole.
 
 mod faces;
