@@ -7,7 +7,7 @@ use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, solve};
-use radiosity::visibility::{Shadows, Visibility};
+use radiosity::visibility::{Hiding, Shadows, Visibility};
 
 /// Blocks of the empty box, six elements: edge and face pairs, no shadows.
 fn blocks_of_the_empty_box(criterion: &mut Criterion) {
@@ -31,9 +31,12 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
 /// The Cornell box at the defaults, one thread, with and without shadows: their ratio is the price of visibility.
 fn cornell_box(criterion: &mut Criterion) {
     let scene = Scene::builtin("cornell-box").expect("the scene is built in");
-    for shadows in [false, true] {
+    for shadows in [Hiding::Off, Hiding::Auto] {
         let options = Options { shadows, threads: 1, ..Options::default() };
-        let name = format!("solve the Cornell box, {} shadows", if shadows { "with" } else { "without" });
+        let name = format!(
+            "solve the Cornell box, {} shadows",
+            if shadows == Hiding::Off { "without" } else { "with" }
+        );
         criterion.bench_function(&name, |bench| {
             bench.iter(|| solve(&scene, &options, &|_| {}).expect("the box can be solved"));
         });

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::distance::distance;
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
-use crate::elements::{Discretization, Elements, Subdivide};
+use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
 use crate::solve::{Failure, Fit, Options, Outcome, Progress, solve};
 use crate::visibility::Visibility;
@@ -214,5 +214,5 @@ impl Rung {
 fn unknowns(scene: &Scene, options: &Options, occluded: bool) -> Result<usize, Failure> {
     let Options { order, space, layers, .. } = *options;
     let subdivide = options.subdivide.map_or(Subdivide::Auto { occluded }, Subdivide::Uniform);
-    Ok(Elements::new(scene, &Discretization { order, space, subdivide, layers })?.coefficients())
+    Ok(options.elements(scene, &Discretization { order, space, subdivide, layers })?.coefficients())
 }

@@ -1,6 +1,6 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, holes included, with polynomials of order N in affine
+//! A planar element is any polygon, holes and footings left out, with polynomials of order N in affine
 //! coordinates of its plane; a curved element is a rectangle of its surface's parameters, with
 //! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
 //! an element is covered by [`patch`]es.
@@ -24,6 +24,7 @@ use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_ar
 use serde::{Deserialize, Serialize};
 use smallvec::{SmallVec, smallvec};
 
+use crate::footings::bare_shapes;
 use crate::scene::{Scene, SceneSurface};
 use basis::{AreaBasis, HIGHEST_ORDER};
 use cells::{Layers, breaks, cells_between, interval};
@@ -176,26 +177,42 @@ struct Cut {
 }
 
 impl Elements {
-    /// Cuts `scene` as `how` says.
+    /// Cuts `scene` as `how` says, its footings ([`crate::footings`]) left out.
     ///
     /// # Errors
     /// A degree out of range, or a surface without area at the degree asked.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        Self::of_shapes(scene, how, bare_shapes(scene))
+    }
+
+    /// Cuts `scene` as `how` says, the surfaces whole whatever stands on them.
+    ///
+    /// # Errors
+    /// Those of [`Elements::new`].
+    pub fn of_whole_surfaces(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+        Self::of_shapes(scene, how, scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect())
+    }
+
+    fn of_shapes(
+        scene: &Scene,
+        how: &Discretization,
+        shapes: Vec<Arc<dyn Surface>>,
+    ) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
         }
         let extent = scene_extent(scene);
         let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
-        for (index, surface) in scene.surfaces.iter().enumerate() {
+        for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
             let order = surface.order.unwrap_or(how.order);
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
             let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
             let breaks = parts.map(|parts| breaks(parts, how.layers));
-            let mut cut = Cut { shape: Arc::clone(&surface.shape), breaks, element: Vec::new() };
+            let mut cut = Cut { shape, breaks, element: Vec::new() };
             for rect in cells_between(&cut.breaks) {
-                let element = element(index, surface, rect, (how.space, order))?;
+                let element = element((index, surface), &cut.shape, rect, (how.space, order))?;
                 cut.element.push(element.is_some().then_some(elements.list.len()));
                 elements.list.extend(element);
             }
@@ -339,15 +356,14 @@ fn scene_extent(scene: &Scene) -> f64 {
     (bounds.max - bounds.min).max_element()
 }
 
-/// The element of one cell, or None where the cell lies in a hole.
+/// The element of one cell of a surface, whose shape is `shape`; None where the cell lies in a hole.
 fn element(
-    index: usize,
-    surface: &SceneSurface,
+    (index, surface): (usize, &SceneSurface),
+    shape: &Arc<dyn Surface>,
     rect: Rect,
     (space, order): (Space, usize),
 ) -> Result<Option<Element>, ElementError> {
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
-    let shape = &surface.shape;
     let (patches, plane) = match shape.region() {
         Some(region) => flat_patches(shape, &region.convex_pieces(), region.area(), &rect),
         None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),

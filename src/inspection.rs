@@ -15,6 +15,7 @@ pub use contact::{Contact, Touch};
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 
+use crate::footings::{Footing, footings};
 use crate::scene::{Scene, SceneSurface};
 use rayon::prelude::*;
 use sheet::Sheets;
@@ -29,6 +30,8 @@ pub struct Inspection {
     pub areas: Vec<f64>,
     /// Surfaces that touch; the back of a two-sided surface is left out, here and below.
     pub contacts: Vec<Contact>,
+    /// Parts of planar surfaces that others stand on: they neither send nor receive.
+    pub footings: Vec<Footing>,
     /// Closed surfaces.
     pub shells: Vec<Shell>,
     /// What looks wrong.
@@ -51,7 +54,7 @@ impl Inspection {
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
-        Inspection { areas, contacts, shells, warnings }
+        Inspection { areas, contacts, footings: footings(scene), shells, warnings }
     }
 }
 

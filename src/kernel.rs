@@ -41,6 +41,7 @@ mod same;
 mod seam;
 mod sectors;
 mod separated;
+mod shade;
 mod touch;
 mod trial;
 mod vertex;

@@ -46,6 +46,7 @@
 pub mod rows;
 pub mod scene;
 pub mod visibility;
+pub mod footings;
 pub mod inspection;
 pub mod elements;
 pub mod coating;

@@ -15,7 +15,7 @@ use crate::coating::Coating;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::footprint::Footprint;
-use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
+use crate::kernel::{Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coefficients, System};
@@ -171,7 +171,7 @@ fn solve_in_pool(
         Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
     progress(Progress::Finished("visibility", seconds.visibility));
     require_memory(scene, &how, options)?;
-    let elements = timed(&mut seconds.elements, || Elements::new(scene, &how))?;
+    let elements = timed(&mut seconds.elements, || options.elements(scene, &how))?;
     progress(Progress::Finished("elements", seconds.elements));
     let report_pairs = |done, total| progress(Progress::Blocks(done, total));
     let blocks =
@@ -243,9 +243,8 @@ fn blocks(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Blocks, Failure> {
     let Some(rules) = options.kernel else {
-        let accuracy = Accuracy { eps: options.eps, shadow_eps: options.shadow_eps };
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, accuracy, progress);
+        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, options.accuracy(), progress);
         if options.closure {
             blocks.close(&elements.constant());
         }

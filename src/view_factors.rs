@@ -21,7 +21,7 @@ use crate::elements::{Discretization, Elements, Subdivide};
 use crate::kernel::{Accuracy, Blocks, PairCounts};
 use crate::scene::Scene;
 use crate::solve::{Failure, in_threads};
-use crate::visibility::{Shadows, Visibility};
+use crate::visibility::{Hiding, Visibility};
 
 /// How well view factors are computed.
 #[derive(Clone, Copy, Debug)]
@@ -31,8 +31,8 @@ pub struct Options {
     pub subdivide: Option<usize>,
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
-    /// Whether surfaces hide each other.
-    pub shadows: bool,
+    /// How surfaces hide each other.
+    pub shadows: Hiding,
     /// Threads; the result does not depend on it.
     pub threads: usize,
 }
@@ -140,15 +140,16 @@ fn constants(
 ) -> Result<(Elements, Blocks), Failure> {
     let mut scene = scene.clone();
     scene.surfaces.iter_mut().for_each(|surface| surface.order = None);
-    let shadows = Shadows::to_accuracy(options.shadows, options.accuracy.shadow_eps);
-    let visibility = Visibility::new(&scene, shadows);
+    let Accuracy { eps, shadow_eps } = options.accuracy;
+    let accuracy = Accuracy { eps, shadow_eps: options.shadows.accuracy(eps, shadow_eps) };
+    let visibility = Visibility::new(&scene, options.shadows.shadows(accuracy.shadow_eps));
     let auto = || Subdivide::Auto { occluded: visibility.any_shadow() };
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
     let how = Discretization { order: 0, space: Space::Total, subdivide, layers: Layers::NONE };
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let blocks = Blocks::assemble_pairs(&elements, &wanted, &visibility, options.accuracy, progress);
+    let blocks = Blocks::assemble_pairs(&elements, &wanted, &visibility, accuracy, progress);
     Ok((elements, blocks))
 }
 
@@ -188,7 +189,7 @@ mod tests {
 
     fn factors(scene: &Scene, subdivide: usize) -> ViewFactors {
         let accuracy = Accuracy { eps: 1e-6, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(subdivide), accuracy, shadows: true, threads: 2 };
+        let options = Options { subdivide: Some(subdivide), accuracy, shadows: Hiding::Auto, threads: 2 };
         ViewFactors::new(scene, &options, &|_, _| {}).expect("all have area")
     }
 
@@ -210,7 +211,7 @@ mod tests {
     fn only_the_pairs_wanted_are_integrated() {
         let scene = Scene::builtin("empty-box").expect("it is built in");
         let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-2 };
-        let options = Options { subdivide: Some(1), accuracy, shadows: true, threads: 1 };
+        let options = Options { subdivide: Some(1), accuracy, shadows: Hiding::Auto, threads: 1 };
         let wanted = |i, j| (i, j) == (4, 1);
         let some = ViewFactors::of_pairs(&scene, &wanted, &options, &|_, _| {}).expect("all have area");
         let all = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");

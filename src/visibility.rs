@@ -13,6 +13,7 @@ pub mod net;
 use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface, separated};
+use serde::{Deserialize, Serialize};
 
 use crate::scene::Scene;
 use ball::Ball;
@@ -20,6 +21,10 @@ use net::Net;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
+
+/// Errors of exact shadows relative to those of the transfers: they have one sign where those of rules have either, and add
+/// up in rows.
+const EXACT: f64 = 0.25;
 
 /// Points in each parameter at which a curved surface is looked at.
 const LOOKS: usize = 5;
@@ -47,16 +52,42 @@ pub struct Visibility {
 pub enum Shadows {
     /// Everything sees everything it faces.
     Off,
-    /// Rays against the candidates of each pair. A blocker that reaches into the shaft of a pair by less
+    /// Rays against the candidates of each pair. A curved blocker that reaches into the shaft of a pair by less
     /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
     /// of the light between them at the most.
     Rays(f64),
+    /// The same, but planar surfaces behind planar blockers by their outlines.
+    Outlines(f64),
 }
 
-impl Shadows {
-    /// Rays to the accuracy `eps`, or nothing where surfaces do not hide each other.
-    pub fn to_accuracy(hiding: bool, eps: f64) -> Self {
-        if hiding { Self::Rays(eps) } else { Self::Off }
+/// How it is found out what surfaces hide from each other.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Hiding {
+    /// Nothing hides anything.
+    Off,
+    /// Rays wherever something can stand between.
+    Rays,
+    /// Planar surfaces behind planar blockers by their outlines, all else by rays.
+    #[default]
+    Auto,
+    /// The same, to the accuracy of the transfers.
+    Exact,
+}
+
+impl Hiding {
+    /// Accuracy of visibility within a transfer of accuracy `eps`, where `shadow_eps` is asked for.
+    pub fn accuracy(self, eps: f64, shadow_eps: f64) -> f64 {
+        if self == Self::Exact { shadow_eps.min(EXACT * eps) } else { shadow_eps }
+    }
+
+    /// The shadows of this kind to the accuracy `eps`.
+    pub fn shadows(self, eps: f64) -> Shadows {
+        match self {
+            Self::Off => Shadows::Off,
+            Self::Rays => Shadows::Rays(eps),
+            Self::Auto | Self::Exact => Shadows::Outlines(eps),
+        }
     }
 }
 
@@ -105,11 +136,15 @@ impl Visibility {
 
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        let Shadows::Rays(tolerance) = self.shadows else { return Vec::new() };
+        let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
+            return Vec::new();
+        };
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
-            let Obstacle { ball, hull, .. } = &self.obstacles[*index];
+            let Obstacle { ball, hull, pieces, .. } = &self.obstacles[*index];
+            // A plate flush before a surface reaches in by little, and hides much.
+            let tolerance = if pieces.is_some() { END } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).collect()
@@ -196,6 +231,12 @@ impl Visibility {
     pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
         let [only] = blockers else { return None };
         self.obstacles[*only].shape.ball()
+    }
+
+    /// Whether the shadows of `blockers` are to be found by outlines: all of them are planar.
+    pub fn has_outlines(&self, blockers: &[usize]) -> bool {
+        let is_planar = |index: &usize| self.obstacles[*index].pieces.is_some();
+        matches!(self.shadows, Shadows::Outlines(_)) && blockers.iter().all(is_planar)
     }
 
     /// Centre and radius of the ball whose whole inside a surface is, if it is one.

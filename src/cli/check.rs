@@ -6,6 +6,7 @@ use std::{
 };
 
 use clap::{Args, ValueEnum};
+use radiosity::footings::Footing;
 use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Touch};
 use radiosity::scene::{Camera, Scene, SceneSurface};
 use serde_json::{Value, json};
@@ -56,6 +57,9 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
     if !inspection.contacts.is_empty() {
         writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
+    }
+    for footing in &inspection.footings {
+        writeln!(text, "covered: {}", footing_line(scene, footing))?;
     }
     for shell in &inspection.shells {
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
@@ -120,6 +124,13 @@ fn shell_line(scene: &Scene, shell: &Shell) -> String {
     format!("{}; volume {volume:.6}, fronts {}", names.join(", "), side(*fronts))
 }
 
+fn footing_line(scene: &Scene, footing: &Footing) -> String {
+    let name = |index: &usize| scene.surfaces[*index].name.as_str();
+    let standing: Vec<&str> = footing.standing.iter().map(name).collect();
+    let area = footing.region.area();
+    format!("{:.6} of {}, where {} stand", area, name(&footing.surface), standing.join(", "))
+}
+
 fn side(fronts: Fronts) -> &'static str {
     match fronts {
         Fronts::Inside => "inside",
@@ -147,6 +158,10 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         let surfaces: Vec<&str> = shell.surfaces.iter().map(name).collect();
         json!({ "surfaces": surfaces, "volume": shell.volume, "fronts": side(shell.fronts) })
     });
+    let footings = inspection.footings.iter().map(|footing| {
+        let standing: Vec<&str> = footing.standing.iter().map(name).collect();
+        json!({ "surface": name(&footing.surface), "area": footing.region.area(), "standing": standing })
+    });
     let camera = scene.camera.as_ref().map(|camera| {
         json!({
             "eye": camera.eye.to_array(), "target": camera.target.to_array(), "up": camera.up.to_array(),
@@ -157,7 +172,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "scene": scene.name, "title": scene.title, "bands": scene.bands,
         "area": inspection.areas.iter().sum::<f64>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
-        "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
+        "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
     })
 }
 

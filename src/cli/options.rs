@@ -15,6 +15,7 @@ use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity::solve::Direct;
+use radiosity::visibility::Hiding;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, memory, output_file::OutputFile};
@@ -226,12 +227,26 @@ pub(crate) enum Subdivide {
 /// `--shadows`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Shadows {
-    /// As the scene needs: rays where something can stand between
+    /// Planar surfaces behind planar ones by their outlines, all else by rays
     Auto,
     /// Nothing hides anything
     Off,
     /// Rays where something can stand between
     Rays,
+    /// As auto, but to the accuracy --eps
+    Exact,
+}
+
+impl Shadows {
+    /// The same, for the library.
+    pub(crate) fn hiding(self) -> Hiding {
+        match self {
+            Shadows::Auto => Hiding::Auto,
+            Shadows::Off => Hiding::Off,
+            Shadows::Rays => Hiding::Rays,
+            Shadows::Exact => Hiding::Exact,
+        }
+    }
 }
 
 /// `--quality`.

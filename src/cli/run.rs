@@ -17,7 +17,7 @@ use radiosity::solved::Solved;
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
-use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Subdivide};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -254,7 +254,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         kernel: method.kernel.rules(),
         closure: method.closure_correction,
         shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
-        shadows: method.shadows != Shadows::Off,
+        shadows: method.shadows.hiding(),
         direct: method.direct.into(),
         method: method.solver,
         tolerance: method.tolerance,

@@ -155,7 +155,7 @@ impl ViewFactorsArgs {
                 Subdivide::Parts(parts) => Some(parts),
             },
             accuracy: Accuracy { eps: self.eps, shadow_eps: self.shadow_eps },
-            shadows: self.shadows != Shadows::Off,
+            shadows: self.shadows.hiding(),
             threads: self.threads.unwrap_or(solve::Options::default().threads),
         }
     }

@@ -26,6 +26,7 @@ use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
 use super::rough::Rough;
 use super::sectors::sectors;
+use super::shade::Limit;
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -87,6 +88,8 @@ struct Goal {
     row: f64,
     /// What may pass unseen between two elements if no ray of a few does.
     unseen: f64,
+    /// Where shadows are found by outlines.
+    outlined: Option<Limit>,
 }
 
 /// What sorting makes of a pair.
@@ -278,7 +281,7 @@ impl Scene<'_> {
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
             if task.blockers.is_empty() {
-                return Goal { accuracy, least, row, unseen: 0.0 };
+                return Goal { accuracy, least, row, unseen: 0.0, outlined: None };
             }
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
@@ -286,9 +289,20 @@ impl Scene<'_> {
                 if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
             let factor = (shadowed / (roughness * task.rough)).min(most);
             let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
-            Goal { accuracy: accuracy.loosened(factor), least, row, unseen }
+            if self.has_outlines(task) {
+                let error = accuracy.shadow_eps * row.max(task.rough);
+                let outlined = Some(Limit { error, entry: task.rough });
+                return Goal { accuracy, least, row, unseen, outlined };
+            }
+            Goal { accuracy: accuracy.loosened(factor), least, row, unseen, outlined: None }
         };
         tasks.iter().map(goal).collect()
+    }
+
+    /// Whether both elements of a task and all that may stand between them are planar, and found by their outlines.
+    fn has_outlines(&self, task: &Task) -> bool {
+        let is_planar = |index: u32| self.list[index as usize].plane.is_some();
+        is_planar(task.row) && is_planar(task.column) && self.visibility.has_outlines(&task.blockers)
     }
 
     /// The largest `entry` of the tasks in each row.
@@ -359,6 +373,10 @@ impl Scene<'_> {
         if receiver.plane.is_none() || emitter.plane.is_none() {
             return self.curved_block(task, goal);
         }
+        if let Some(limit) = goal.outlined {
+            let wanted = (goal.accuracy, limit);
+            return block::shaded_block(receiver, emitter, &task.blockers, self.visibility, wanted);
+        }
         let hidden = self.hidden_block(task, goal);
         hidden.unwrap_or_else(|| {
             block::block(receiver, emitter, &task.blockers, self.visibility, goal.accuracy)
@@ -370,7 +388,7 @@ impl Scene<'_> {
     fn curved_block(&self, task: &Task, goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        let Goal { accuracy, least, row: largest, unseen } = goal;
+        let Goal { accuracy, least, row: largest, unseen, .. } = goal;
         let enough = UNSEEN * task.rough / unseen;
         let (mut blockers, mut rays) = (Cow::Borrowed(&task.blockers), 0);
         if !blockers.is_empty() && enough <= MOST_RAYS {

@@ -13,7 +13,8 @@
 //! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`super::near`];
 //!   else the longest extent is halved.
 //!
-//! A pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
+//! What planar blockers hide is taken away afterwards, by its outline ([`super::shade`]). Where rays are asked for,
+//! a pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
 //! rule, parts wholly hidden are dropped, and in the rest every sample is multiplied by its own
 //! visibility.
 
@@ -32,6 +33,7 @@ use super::moments::Moments;
 use super::near::Plan;
 use super::pair::{Contact, classify, gap};
 use super::separated::{self, SMALLEST_RATIO};
+use super::shade::{Limit, Shade};
 use super::vertex;
 
 /// Corners closer than this part of the pair's size coincide.
@@ -124,6 +126,30 @@ impl Block {
             rays,
         }
     }
+}
+
+/// The block between two elements with planar `blockers`, whose shade is found to `limit`.
+pub(super) fn shaded_block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    (accuracy, limit): (Accuracy, Limit),
+) -> Block {
+    let shade = Shade::of([receiver, emitter], blockers, visibility, limit);
+    if shade.dark {
+        return Block { samples: shade.samples, ..Block::hidden(shade.values.len(), 0) };
+    }
+    let mut block = block(receiver, emitter, &[], visibility, accuracy);
+    block.values.iter_mut().zip(&shade.values).for_each(|(value, hidden)| *value -= hidden);
+    if let [factor] = &mut block.values[..] {
+        *factor = factor.max(0.0);
+    }
+    block.partly_hidden = shade.hides;
+    block.error += shade.error;
+    block.samples += shade.samples;
+    block.distinct += shade.samples;
+    block
 }
 
 /// The block between two elements; `blockers` are the surfaces that may stand between them.

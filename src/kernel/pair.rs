@@ -104,7 +104,7 @@ fn to_polygon(points: &[DVec3], polygon: &[DVec3]) -> f64 {
 }
 
 /// Distance between two convex polygons that do not cross.
-fn polygon_distance(p: &[DVec3], q: &[DVec3]) -> f64 {
+pub(super) fn polygon_distance(p: &[DVec3], q: &[DVec3]) -> f64 {
     let corners = p.iter().map(|x| point_to_polygon(*x, q)).chain(q.iter().map(|y| point_to_polygon(*y, p)));
     let sides = sides(p).flat_map(|a| sides(q).map(move |b| segment_to_segment(a, b)));
     corners.chain(sides).fold(f64::INFINITY, f64::min)
@@ -114,7 +114,7 @@ fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone + '_ {
     (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]])
 }
 
-fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
+pub(super) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
     let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
     let normal = doubled.normalize_or_zero();
     let inside = sides(polygon).all(|[a, b]| normal.cross(b - a).dot(x - a) >= 0.0);

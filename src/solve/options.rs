@@ -7,8 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
-use crate::kernel::paper;
-use crate::visibility::Shadows;
+use crate::elements::{Discretization, ElementError, Elements};
+use crate::kernel::{Accuracy, paper};
+use crate::scene::Scene;
+use crate::visibility::{Hiding, Shadows};
 
 use super::direct::Direct;
 
@@ -32,8 +34,8 @@ pub struct Options {
     pub closure: bool,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
-    /// Whether surfaces hide each other.
-    pub shadows: bool,
+    /// How surfaces hide each other.
+    pub shadows: Hiding,
     /// How direct light enters. Solutions written before there was a choice have it projected.
     #[serde(default = "projected")]
     pub direct: Direct,
@@ -66,7 +68,7 @@ impl Default for Options {
             kernel: None,
             closure: false,
             shadow_eps: 3e-3,
-            shadows: true,
+            shadows: Hiding::Auto,
             direct: Direct::Auto,
             method: Method::named("auto").expect("auto is always listed"),
             tolerance: 1e-8,
@@ -78,10 +80,29 @@ impl Default for Options {
     }
 }
 
+impl Options {
+    /// What accuracy the blocks are asked to have.
+    pub fn accuracy(&self) -> Accuracy {
+        Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
+    }
+
+    /// The elements of `scene`, cut as `how` says: whole surfaces for the rules of 1993, which know no footings.
+    ///
+    /// # Errors
+    /// Those of [`Elements::new`].
+    pub fn elements(&self, scene: &Scene, how: &Discretization) -> Result<Elements, ElementError> {
+        if self.kernel.is_some() {
+            Elements::of_whole_surfaces(scene, how)
+        } else {
+            Elements::new(scene, how)
+        }
+    }
+}
+
 impl From<&Options> for Shadows {
     /// How surfaces hide each other in a solution of these options, and where it is read.
     fn from(options: &Options) -> Self {
-        Self::to_accuracy(options.shadows, options.shadow_eps)
+        options.shadows.shadows(options.accuracy().shadow_eps)
     }
 }
 

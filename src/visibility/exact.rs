@@ -113,7 +113,7 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     let Some((first, rest)) = mixed.split_first() else { return lambert(n, polygon) };
     let rest = || rest.iter().copied();
     if mixed.len() > FEW {
-        return first.outer_parts(polygon).iter().map(|part| outside(n, part, rest())).sum();
+        return first.divided(polygon).0.iter().map(|part| outside(n, part, rest())).sum();
     }
     let mut parts = [Corners::from_slice(polygon), Corners::new()];
     for plane in &first.planes {
@@ -138,6 +138,34 @@ fn lambert(n: DVec3, polygon: &[DVec3]) -> f64 {
         a = b;
     }
     sum.abs() / TAU
+}
+
+/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons that do not
+/// overlap; and whether that is all of it.
+pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, bool) {
+    let Some(&Pyramid { eye, .. }) = pyramids.first() else { return (Vec::new(), false) };
+    let back = |part: &[DVec3]| -> Vec<DVec3> { part.iter().map(|a| a + eye).collect() };
+    let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
+    let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
+    for pyramid in pyramids {
+        let mut kept = Vec::new();
+        for part in rest {
+            match pyramid.cover_seen(part.iter().copied()) {
+                Cover::Clear => kept.push(part),
+                Cover::Hidden => hidden.push(back(&part)),
+                Cover::Mixed => {
+                    let (outer, inner) = pyramid.divided(&part);
+                    kept.extend(outer);
+                    hidden.extend((inner.len() > 2).then(|| back(&inner)));
+                }
+            }
+        }
+        rest = kept;
+        if rest.is_empty() {
+            return (hidden, true);
+        }
+    }
+    (hidden, false)
 }
 
 /// How a set of points stands to what a blocker hides.
@@ -231,8 +259,8 @@ impl Pyramid {
         (low < high).then_some([low, high])
     }
 
-    /// What it leaves of a convex polygon, as convex polygons.
-    fn outer_parts(&self, polygon: &[DVec3]) -> SmallVec<[Corners; 5]> {
+    /// What it leaves of a convex polygon, as convex polygons, and what it hides.
+    fn divided(&self, polygon: &[DVec3]) -> (SmallVec<[Corners; 5]>, Corners) {
         let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
         let mut inside = Corners::from_slice(polygon);
         for plane in &self.planes {
@@ -243,7 +271,7 @@ impl Pyramid {
             inside = inner;
         }
         parts.retain(|part| part.len() > 2);
-        parts
+        (parts, inside)
     }
 }
 

@@ -105,6 +105,7 @@ impl SavedElement {
         fits(self.rectangle == [element.rect.u, element.rect.v], "the rectangle")?;
         fits(self.order == element.basis.order(), "the order")?;
         fits(self.basis == element.basis.space().into(), "the basis")?;
+        fits(same(&[self.area], &[element.area]), "the area")?;
         fits(self.reflectance == surface.material.reflectance, "the reflectance")?;
         fits(self.exitance == surface.material.emission, "the exitance")?;
         let Orthonormal { irradiance, direct } = &self.orthonormal;

@@ -64,7 +64,7 @@ impl SolutionFile {
         if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
             return Err(SolutionFault::Whole(Mismatch("the list of bands")));
         }
-        let elements = Elements::new(&scene, checked(&self.discretization)?)?;
+        let elements = self.options.elements(&scene, checked(&self.discretization)?)?;
         check_elements(&self.elements, &scene, &elements)?;
         let bands = (0..scene.bands.len())
             .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))

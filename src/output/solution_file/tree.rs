@@ -12,7 +12,7 @@ use crate::solved::Solved;
 pub(super) const FORMAT: &str = "radiosity-solution";
 
 /// What the key `format_version` says: the one version that is written and read.
-pub const VERSION: u32 = 2;
+pub const VERSION: u32 = 3;
 
 /// How to read the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \

@@ -1,0 +1,80 @@
+//! Footings: the parts of planar surfaces on which others stand, so that no light comes there.
+//!
+//! A box on a floor hides what lies under it. The darkness there has a sharp edge that no polynomial follows, and what lies
+//! under the box is no part of the room: its elements have to end at the foot of the box. A footing is a face of the planar
+//! map that the surface's outline and all lines of contact draw (`faces`), from where nothing but backs of surfaces is
+//! seen, or the footings of others (`seal`). It is cut out of what receives and sends light; as a blocker the surface
+//! stays whole.
+
+mod faces;
+mod lines;
+mod seal;
+
+use std::sync::Arc;
+
+use radiosity_geom::{PlanarRegion, Surface, shapes::Trimmed};
+use rayon::prelude::*;
+
+use crate::scene::Scene;
+use crate::visibility::{Shadows, Visibility};
+use seal::Suspect;
+
+/// What has to be left of a surface beside a footing, relative to it.
+const LEAST: f64 = 1e-6;
+
+/// A part of a planar surface that others cover.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Footing {
+    /// Index of the surface.
+    pub surface: usize,
+    /// The part of it, a polygon.
+    pub region: PlanarRegion,
+    /// Indices of the surfaces that stand around it, ascending.
+    pub standing: Vec<usize>,
+}
+
+/// All footings of a scene, by their surfaces.
+pub fn footings(scene: &Scene) -> Vec<Footing> {
+    let obstacles = Visibility::new(scene, Shadows::Off);
+    let all = 0..scene.surfaces.len();
+    let suspects: Vec<Vec<Suspect>> =
+        all.into_par_iter().map(|surface| suspects(scene, &obstacles, surface)).collect();
+    let suspects: Vec<Suspect> = suspects.into_iter().flatten().collect();
+    let sealed = seal::sealed(scene, &obstacles, &suspects);
+    suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footing).collect()
+}
+
+/// The shapes of all surfaces of a scene without their footings.
+pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
+    let mut shapes: Vec<Arc<dyn Surface>> = scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect();
+    for Footing { surface, region, .. } in footings(scene) {
+        let hole = vec![region.outer().to_vec()];
+        let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
+        // A footing that does not fit beside the holes there are stays in, and so does the last of a surface covered all over.
+        if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEAST * region.area()) {
+            shapes[surface] = Arc::new(cut);
+        }
+    }
+    shapes
+}
+
+/// The faces that lines of contact cut off from a planar surface.
+fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
+    let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
+    let lines = lines::on(scene, obstacles, surface, region);
+    if lines.is_empty() {
+        return Vec::new();
+    }
+    let tolerance = lines::TOUCH * region.extent();
+    let ends = lines::outline(region).into_iter().chain(lines.iter().map(|line| line.ends));
+    let loops = faces::faces(&ends.collect::<Vec<_>>(), &|x| region.to_plane(x), tolerance);
+    let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());
+    let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
+    let suspect = |face: PlanarRegion| {
+        let standing = lines::around(&lines, &face);
+        Suspect::new(scene, Footing { surface, region: face, standing }, region)
+    };
+    let mut found: Vec<Suspect> = proper.map(suspect).collect();
+    seal::keep_apart(&mut found);
+    found
+}

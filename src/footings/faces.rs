@@ -1,0 +1,190 @@
+//! The faces of a planar map.
+//!
+//! Segments are cut where they meet, and pieces that end blindly are dropped. Every piece then is run through once in
+//! either sense, at each end turning into the next piece clockwise: that goes once around each face, with the face to the
+//! left, and a face is bounded where the way encloses a positive area.
+
+use std::collections::BTreeSet;
+
+use radiosity_geom::{DVec2, DVec3};
+
+/// A point where segments end or meet.
+#[derive(Clone, Copy, Debug)]
+struct Node {
+    point: DVec3,
+    place: DVec2,
+}
+
+/// The points of the map, none twice.
+struct Nodes {
+    list: Vec<Node>,
+    tolerance: f64,
+}
+
+impl Nodes {
+    fn index(&mut self, node: Node) -> usize {
+        let known = self.list.iter().position(|other| other.place.distance(node.place) <= self.tolerance);
+        known.unwrap_or_else(|| {
+            self.list.push(node);
+            self.list.len() - 1
+        })
+    }
+}
+
+/// The bounded faces of the map that `segments` draw in a plane with the coordinates `to_plane`, counter-clockwise; points
+/// closer than `tolerance` are one.
+pub(super) fn faces(
+    segments: &[[DVec3; 2]],
+    to_plane: &dyn Fn(DVec3) -> DVec2,
+    tolerance: f64,
+) -> Vec<Vec<DVec3>> {
+    let ends: Vec<[Node; 2]> =
+        segments.iter().map(|ends| ends.map(|point| Node { point, place: to_plane(point) })).collect();
+    let mut nodes = Nodes { list: Vec::new(), tolerance };
+    let mut edges = BTreeSet::new();
+    for (index, own) in ends.iter().enumerate() {
+        let others = ends.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, ends)| ends);
+        let places = places_on(own, others, tolerance);
+        let indices: Vec<usize> = places.into_iter().map(|node| nodes.index(node)).collect();
+        for pair in indices.windows(2).filter(|pair| pair[0] != pair[1]) {
+            edges.insert([pair[0].min(pair[1]), pair[0].max(pair[1])]);
+        }
+    }
+    drop_blind(&mut edges);
+    let rings = ways(&nodes.list, &edges);
+    let points = |ring: Vec<usize>| ring.into_iter().map(|node| nodes.list[node].point).collect();
+    rings.into_iter().filter(|ring| enclosed(&nodes.list, ring) > tolerance.powi(2)).map(points).collect()
+}
+
+/// The nodes along a segment: its ends, and where others end on it or cross it.
+fn places_on<'a>(own: &[Node; 2], others: impl Iterator<Item = &'a [Node; 2]>, tolerance: f64) -> Vec<Node> {
+    let [a, b] = own.map(|end| end.place);
+    let (direction, length) = ((b - a).normalize_or_zero(), a.distance(b));
+    let mut found = vec![(0.0, own[0]), (length, own[1])];
+    for other in others {
+        let on_own = |end: &&Node| {
+            let (along, across) = (direction.dot(end.place - a), direction.perp_dot(end.place - a));
+            across.abs() <= tolerance && (-tolerance..=length + tolerance).contains(&along)
+        };
+        let touching: Vec<&Node> = other.iter().filter(on_own).collect();
+        if touching.is_empty() {
+            found.extend(crossing(own, other, direction, tolerance));
+        }
+        found.extend(touching.into_iter().map(|end| (direction.dot(end.place - a), *end)));
+    }
+    found.sort_by(|x, y| x.0.total_cmp(&y.0));
+    found.into_iter().map(|(_, node)| node).collect()
+}
+
+/// Where two segments cross away from their ends, and how far along the first.
+fn crossing(own: &[Node; 2], other: &[Node; 2], direction: DVec2, tolerance: f64) -> Option<(f64, Node)> {
+    let [c, d] = other.map(|end| direction.perp_dot(end.place - own[0].place));
+    if c * d >= 0.0 || c.abs().min(d.abs()) <= tolerance {
+        return None;
+    }
+    let t = c / (c - d);
+    let node =
+        Node { point: other[0].point.lerp(other[1].point, t), place: other[0].place.lerp(other[1].place, t) };
+    let along = direction.dot(node.place - own[0].place);
+    let length = own[0].place.distance(own[1].place);
+    (tolerance < along && along < length - tolerance).then_some((along, node))
+}
+
+/// Drops edges that end where no other begins, again and again.
+fn drop_blind(edges: &mut BTreeSet<[usize; 2]>) {
+    loop {
+        let degree = |node: usize| edges.iter().filter(|edge| edge.contains(&node)).count();
+        let blind: Vec<[usize; 2]> =
+            edges.iter().filter(|edge| edge.iter().any(|node| degree(*node) < 2)).copied().collect();
+        if blind.is_empty() {
+            return;
+        }
+        edges.retain(|edge| !blind.contains(edge));
+    }
+}
+
+/// The ways around the faces, the unbounded ones included.
+fn ways(nodes: &[Node], edges: &BTreeSet<[usize; 2]>) -> Vec<Vec<usize>> {
+    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
+    for [a, b] in edges {
+        neighbours[*a].push(*b);
+        neighbours[*b].push(*a);
+    }
+    for (node, around) in neighbours.iter_mut().enumerate() {
+        let angle = |other: &usize| (nodes[*other].place - nodes[node].place).to_angle();
+        around.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
+    }
+    let next = |[from, to]: [usize; 2]| {
+        let around = &neighbours[to];
+        let place = around.iter().position(|node| *node == from).expect("edges are known at both ends");
+        [to, around[(place + around.len() - 1) % around.len()]]
+    };
+    let mut done = BTreeSet::new();
+    let mut rings = Vec::new();
+    for start in edges.iter().flat_map(|[a, b]| [[*a, *b], [*b, *a]]) {
+        let (mut ring, mut edge) = (Vec::new(), start);
+        while done.insert(edge) {
+            ring.push(edge[0]);
+            edge = next(edge);
+        }
+        if !ring.is_empty() {
+            rings.push(ring);
+        }
+    }
+    rings
+}
+
+/// Twice the area inside a ring, positive where it runs counter-clockwise.
+fn enclosed(nodes: &[Node], ring: &[usize]) -> f64 {
+    let place = |k: usize| nodes[ring[k % ring.len()]].place - nodes[ring[0]].place;
+    (0..ring.len()).map(|k| place(k).perp_dot(place(k + 1))).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn areas(segments: &[[f64; 4]]) -> Vec<f64> {
+        let segments: Vec<[DVec3; 2]> =
+            segments.iter().map(|[a, b, c, d]| [DVec3::new(*a, *b, 0.0), DVec3::new(*c, *d, 0.0)]).collect();
+        let area = |ring: &Vec<DVec3>| radiosity_geom::polygon_area(ring);
+        let mut areas: Vec<f64> = faces(&segments, &|x| x.truncate(), 1e-9).iter().map(area).collect();
+        areas.sort_by(f64::total_cmp);
+        areas
+    }
+
+    const SQUARE: [[f64; 4]; 4] = [[0., 0., 4., 0.], [4., 0., 4., 4.], [4., 4., 0., 4.], [0., 4., 0., 0.]];
+
+    #[test]
+    fn loops_inside_and_at_the_border_are_faces() {
+        let inner = [[1., 1., 2., 1.], [2., 2., 2., 1.], [2., 2., 1., 2.], [1., 1., 1., 2.]];
+        assert_eq!(areas(&[&SQUARE[..], &inner].concat()), [1.0, 16.0]);
+        let corner = [[3., 4., 3., 2.], [3., 2., 4., 2.]];
+        assert_eq!(areas(&[&SQUARE[..], &corner].concat()), [2.0, 14.0]);
+        // Beyond the border.
+        let across = [[3., 1., 5., 1.], [5., 1., 5., 2.], [5., 2., 3., 2.], [3., 2., 3., 1.]];
+        assert_eq!(areas(&[&SQUARE[..], &across].concat()), [1.0, 1.0, 15.0]);
+    }
+
+    #[test]
+    fn lines_that_enclose_nothing_make_no_faces() {
+        let walls = [[1., 1., 3., 1.], [2., 0., 2., 3.], [3., 3., 3.5, 3.5]];
+        assert_eq!(areas(&[&SQUARE[..], &walls].concat()), [16.0]);
+        assert_eq!(areas(&walls), [0.0; 0]);
+    }
+
+    #[test]
+    fn touching_loops_are_faces_of_their_own() {
+        let pair = [
+            [1., 1., 2., 1.],
+            [2., 1., 2., 2.],
+            [2., 2., 1., 2.],
+            [1., 2., 1., 1.],
+            [2., 1., 3., 1.],
+            [3., 1., 3., 3.],
+            [3., 3., 2., 3.],
+            [2., 3., 2., 1.],
+        ];
+        assert_eq!(areas(&pair), [1.0, 2.0]);
+    }
+}

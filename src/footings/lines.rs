@@ -1,0 +1,66 @@
+//! Lines along which other planar surfaces stand on one.
+
+use radiosity_geom::{Aabb, DVec3, PlanarRegion};
+
+use crate::scene::Scene;
+use crate::visibility::Visibility;
+
+/// Below this part of the smaller extent lengths count as zero.
+pub(super) const TOUCH: f64 = 1e-6;
+/// Sine of the angle of two planes below which they count as parallel.
+const PARALLEL: f64 = 1e-6;
+
+/// A side of a surface that lies in the plane of another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line {
+    /// From where to where.
+    pub(super) ends: [DVec3; 2],
+    /// Index of the surface it belongs to.
+    owner: usize,
+}
+
+/// The sides of other surfaces that lie on the face of `surface`; those along its own outline are left out.
+pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: &PlanarRegion) -> Vec<Line> {
+    let bounds = Aabb::around(region.outer().iter().copied()).inflate(TOUCH * region.extent());
+    let own = outline(region);
+    let mut found = Vec::new();
+    for other in obstacles.near(&bounds).into_iter().filter(|other| *other != surface) {
+        let Some(standing) = scene.surfaces[other].shape.region() else { continue };
+        if standing.normal().cross(region.normal()).length() < PARALLEL {
+            continue;
+        }
+        let tolerance = TOUCH * region.extent().min(standing.extent());
+        let in_plane = |x: &DVec3| (*x - region.origin()).dot(region.normal()).abs() <= tolerance;
+        let is_own =
+            |line: &[DVec3; 2]| own.iter().any(|side| line.iter().all(|x| distance(*x, *side) <= tolerance));
+        let lines = outline(standing).into_iter().filter(|line| line.iter().all(in_plane) && !is_own(line));
+        found.extend(lines.map(|ends| Line { ends, owner: other }));
+    }
+    found
+}
+
+/// The sides of a region, those of its holes included.
+pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
+    let rings = std::iter::once(region.outer()).chain(region.holes().iter().map(Vec::as_slice));
+    let sides = |ring: &[DVec3]| -> Vec<[DVec3; 2]> {
+        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]).collect()
+    };
+    rings.flat_map(sides).collect()
+}
+
+/// The owners of those `lines` that run along the sides of `face`, ascending.
+pub(super) fn around(lines: &[Line], face: &PlanarRegion) -> Vec<usize> {
+    let tolerance = 2.0 * TOUCH * face.extent();
+    let middles: Vec<DVec3> = outline(face).iter().map(|[a, b]| a.midpoint(*b)).collect();
+    let bounds = |line: &&Line| middles.iter().any(|x| distance(*x, line.ends) <= tolerance);
+    let mut owners: Vec<usize> = lines.iter().filter(bounds).map(|line| line.owner).collect();
+    owners.sort_unstable();
+    owners.dedup();
+    owners
+}
+
+/// Distance of a point from a segment.
+fn distance(x: DVec3, [a, b]: [DVec3; 2]) -> f64 {
+    let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+    x.distance(a.lerp(b, along))
+}

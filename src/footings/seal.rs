@@ -1,0 +1,119 @@
+//! Whether light can come to a part of a surface.
+//!
+//! From places all over it rays go out in directions all over the half-space. It is sealed off if each of them meets the
+//! back of a surface first. Where two bodies touch, one side alone may stand between them, or none at all: a ray may then
+//! end on the front of a part that is sealed off itself. Parts that hold each other up so have to be the smaller parts of
+//! surfaces that do not shine, or a whole dark room would count as a footing.
+
+use radiosity_geom::{DVec3, PlanarRegion, Ray};
+use rayon::prelude::*;
+
+use super::Footing;
+use crate::scene::Scene;
+use crate::visibility::Visibility;
+
+/// Rays from each place.
+const RAYS: usize = 64;
+/// Where between the middle of a piece and its corners places lie.
+const OUTWARD: f64 = 0.95;
+/// How far from its start a ray begins, relative to the scene.
+const CLEAR: f64 = 1e-9;
+
+/// A part of a surface that may be sealed off.
+pub(super) struct Suspect {
+    pub(super) footing: Footing,
+    places: Vec<DVec3>,
+    /// Whether others may count it as dark before it is known to be.
+    is_minor: bool,
+}
+
+impl Suspect {
+    /// Of a part of a surface that covers `region` as a whole.
+    pub(super) fn new(scene: &Scene, footing: Footing, region: &PlanarRegion) -> Self {
+        let pieces = footing.region.convex_pieces();
+        let inside = |piece: &Vec<DVec3>| {
+            let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
+            let corners = piece.iter().map(move |corner| middle.lerp(*corner, OUTWARD));
+            std::iter::once(middle).chain(corners).collect::<Vec<_>>()
+        };
+        let places = pieces.iter().flat_map(inside).filter(|x| region.contains(*x)).collect();
+        let small = footing.region.area() < 0.5 * region.area();
+        let is_minor = small && !scene.surfaces[footing.surface].material.emits();
+        Self { footing, places, is_minor }
+    }
+}
+
+/// Takes the places out of each part that lie in a smaller one.
+pub(super) fn keep_apart(suspects: &mut [Suspect]) {
+    let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footing.region.clone()).collect();
+    for (own, suspect) in suspects.iter_mut().enumerate() {
+        let smaller = |other: &&PlanarRegion| other.area() < regions[own].area();
+        suspect.places.retain(|x| !regions.iter().filter(smaller).any(|region| region.contains(*x)));
+    }
+}
+
+/// Which of the suspects are sealed off.
+pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]) -> Vec<bool> {
+    let bounds = obstacles.bounds();
+    let clear = CLEAR * bounds.diagonal();
+    let seen: Vec<Option<Vec<usize>>> =
+        suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, suspects, suspect, clear)).collect();
+    let mut sealed: Vec<bool> = seen.iter().map(Option::is_some).collect();
+    loop {
+        let holds = |own: usize| {
+            let fronts = seen[own].as_deref().unwrap_or_default();
+            sealed[own] && fronts.iter().all(|other| sealed[*other])
+        };
+        let next: Vec<bool> = (0..suspects.len()).map(holds).collect();
+        if next == sealed {
+            return sealed;
+        }
+        sealed = next;
+    }
+}
+
+/// The suspects whose fronts one of them sees, ascending; None where it sees another front, or out of the scene.
+fn fronts_seen(
+    scene: &Scene,
+    obstacles: &Visibility,
+    suspects: &[Suspect],
+    own: &Suspect,
+    clear: f64,
+) -> Option<Vec<usize>> {
+    if own.places.is_empty() {
+        return None;
+    }
+    let normal = own.footing.region.normal();
+    let first = (own.footing.region.outer()[1] - own.footing.region.outer()[0]).normalize();
+    let axes = [first, normal.cross(first), normal];
+    let mut seen = Vec::new();
+    for origin in &own.places {
+        for direction in directions(axes) {
+            let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
+            let (surface, hit) = obstacles.nearest(&ray)?;
+            let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
+            if there.normal.dot(direction) >= 0.0 {
+                continue;
+            }
+            let holds = |other: &Suspect| {
+                other.is_minor
+                    && other.footing.surface == surface
+                    && other.footing.region.contains(there.position)
+            };
+            let met = suspects.iter().position(holds).filter(|_| own.is_minor)?;
+            seen.push(met);
+        }
+    }
+    seen.sort_unstable();
+    seen.dedup();
+    Some(seen)
+}
+
+/// Directions spread evenly over the half-space of the last axis (a spiral of the golden angle).
+fn directions([first, second, up]: [DVec3; 3]) -> impl Iterator<Item = DVec3> {
+    (0..RAYS).map(move |k| {
+        let cosine = (k as f64 + 0.5) / RAYS as f64;
+        let (sin, cos) = (2.399_963_229_728_653 * k as f64).sin_cos();
+        (1.0 - cosine * cosine).sqrt() * (cos * first + sin * second) + cosine * up
+    })
+}

@@ -1,0 +1,342 @@
+//! What planar blockers take from the transfer between two flat elements.
+//!
+//! ```text
+//! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
+//! ```
+//!
+//! with G⁰ the block were nothing in between, and H(x) the part of one element that is hidden from the point x of the other:
+//! polygons, by clipping ([`crate::visibility::exact`]). What is hidden lies apart from x, behind a blocker, so that the
+//! inner integral is smooth where that over all y is singular. Constants are summed by Lambert's form, higher functions by
+//! Gauss rules over the polygons, halved while they are near ([`super::separated`]).
+//!
+//! The outer integral is taken over the element that is farther from the blockers, measured by its size: the shadows on
+//! the other one then move smoothly with x. Where blockers stand on it the outer element is cut along their sides, where the
+//! inner integral jumps. Elsewhere that has kinks, where an edge of one blocker passes a corner of another or of the element:
+//! cells are halved until two levels agree.
+
+use core::f64::consts::FRAC_1_PI;
+
+use radiosity_geom::{DVec2, DVec3, clip_polygon, polygon_area};
+
+use crate::elements::Element;
+use crate::elements::basis::HIGHEST_ORDER;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+use crate::elements::space::Space;
+use crate::visibility::Visibility;
+use crate::visibility::exact::{Pyramid, inside_any, irradiance};
+
+use super::clip::Facet;
+use super::moments::{Moments, Side};
+use super::pair::{point_to_polygon, polygon_distance};
+use super::separated::{self, SMALLEST_RATIO};
+
+/// Heights below this part of the pair's size count as lying in a plane.
+const COPLANAR: f64 = 1e-9;
+/// A blocker's side nearer to the plane of the outer element than this part of its length makes shadows there that are
+/// almost edges.
+const STANDING: f64 = 1e-2;
+/// Sides of a cell of which one is longer by this are halved alone.
+const SLENDER: f64 = 1.5;
+/// Most halvings of a cell, and of a piece of the inner element.
+const DEPTH: usize = 14;
+const INNER_DEPTH: usize = 40;
+/// By how much two levels may differ, in multiples of what the finer one may be wrong by.
+const AGREED: f64 = 2.5;
+
+/// What is asked of a block.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Limit {
+    /// Largest error of an entry.
+    pub error: f64,
+    /// About the largest entry were nothing in between.
+    pub entry: f64,
+}
+
+/// What blockers take from a block.
+#[derive(Debug)]
+pub(super) struct Shade {
+    /// S_kl, row-major, receiver functions by emitter functions.
+    pub values: Vec<f64>,
+    /// Whether anything is hidden.
+    pub hides: bool,
+    /// Whether all is hidden, as far as was looked.
+    pub dark: bool,
+    /// Estimate of the largest error that cells left at the smallest size make.
+    pub error: f64,
+    /// Terms of the rules.
+    pub samples: u64,
+}
+
+impl Shade {
+    /// What `blockers`, all of them planar, take from the transfer between two flat elements.
+    pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
+        let [receivers, emitters] = facing(pair);
+        let polygons =
+            [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
+        let side = outer_side(&polygons, blockers, visibility);
+        let (outer, inner) = match side {
+            Side::Receiver => (receivers, emitters),
+            Side::Emitter => (emitters, receivers),
+        };
+        let mut work = Work::new(pair, side, &inner, visibility, limit);
+        let parts: Vec<Facet> =
+            outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
+        let whole: f64 = parts.iter().map(|part| polygon_area(&part.corners)).sum();
+        for part in &parts {
+            for patch in Patch::of_polygon(&part.corners, part.normal) {
+                let share = (polygon_area(&patch.polygon()) / whole).sqrt();
+                work.visit(&patch, blockers, None, limit.error * share, DEPTH);
+            }
+        }
+        work.finish()
+    }
+}
+
+/// The parts of the patches of either element in front of the other's plane.
+fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
+    let size = pair[0].bounds().union(pair[1].bounds()).diagonal();
+    [[pair[0], pair[1]], [pair[1], pair[0]]].map(|[own, other]| {
+        let (Some((_, normal)), Some((point, up))) = (own.plane, other.plane) else { return Vec::new() };
+        let plane = Facet { corners: vec![point], normal: up };
+        let facet =
+            |patch: &Patch| Facet { corners: patch.polygon(), normal }.in_front_of(&plane, COPLANAR * size);
+        own.patches.iter().filter_map(facet).collect()
+    })
+}
+
+/// The side that the outer integral is taken over.
+fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
+    let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
+    let [receiver, emitter] = polygons.each_ref().map(|side| {
+        let pairs =
+            side.iter().flat_map(|polygon| pieces().map(move |piece| polygon_distance(polygon, piece)));
+        let gap = pairs.fold(f64::INFINITY, f64::min);
+        let corners = || side.iter().flat_map(|polygon| polygon.iter());
+        let size = corners().flat_map(|a| corners().map(move |b| a.distance(*b))).fold(0.0, f64::max);
+        gap / size
+    });
+    let fewer = polygons[1].len() < polygons[0].len();
+    if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
+}
+
+/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane.
+fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
+    let mut parts = vec![facet.clone()];
+    for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {
+        let above = clip_polygon(piece, facet.corners[0], facet.normal);
+        let height = |x: DVec3| (x - facet.corners[0]).dot(facet.normal).abs();
+        for (a, b) in above.iter().copied().zip(above.iter().copied().cycle().skip(1)) {
+            if height(a).max(height(b)) <= STANDING * a.distance(b) {
+                parts = parts.iter().flat_map(|part| halves(part, a, facet.normal.cross(b - a))).collect();
+            }
+        }
+    }
+    parts
+}
+
+/// The parts of a facet on either side of a line through `point`, `across` which they lie.
+fn halves(part: &Facet, point: DVec3, across: DVec3) -> impl Iterator<Item = Facet> {
+    let sides = [across, -across].map(|inward| clip_polygon(&part.corners, point, inward));
+    let normal = part.normal;
+    sides.into_iter().filter(|side| side.len() > 2).map(move |corners| Facet { corners, normal })
+}
+
+/// The shade of one pair under way.
+struct Work<'a> {
+    visibility: &'a Visibility,
+    side: Side,
+    outer: &'a Element,
+    inner: &'a Element,
+    /// The parts of the inner element that face the outer one.
+    polygons: Vec<Vec<DVec3>>,
+    hull: Vec<DVec3>,
+    normal: DVec3,
+    moments: Moments<'a>,
+    /// About the largest φ_k φ_l of the raw functions.
+    unit: f64,
+    points: usize,
+    /// Relative accuracy of the inner integrals.
+    accuracy: f64,
+    hides: bool,
+    dark: bool,
+    error: f64,
+    samples: u64,
+}
+
+impl<'a> Work<'a> {
+    fn new(
+        pair: [&'a Element; 2],
+        side: Side,
+        inner: &[Facet],
+        visibility: &'a Visibility,
+        limit: Limit,
+    ) -> Self {
+        let [outer, other] = match side {
+            Side::Receiver => pair,
+            Side::Emitter => [pair[1], pair[0]],
+        };
+        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, 0.02);
+        Self {
+            visibility,
+            side,
+            outer,
+            inner: other,
+            polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
+            hull: inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect(),
+            normal: other.plane.map_or(DVec3::ZERO, |(_, normal)| normal),
+            moments: Moments::new(&pair[0].basis, &pair[1].basis),
+            unit: pair.iter().map(|element| element.basis.transform()[0]).product(),
+            points: points(outer.basis.total_degree(), accuracy),
+            accuracy,
+            hides: false,
+            dark: true,
+            error: 0.0,
+            samples: 0,
+        }
+    }
+
+    fn finish(self) -> Shade {
+        let Self { hides, dark, error, samples, moments, .. } = self;
+        Shade { values: moments.into_block(), hides, dark: dark && hides, error, samples }
+    }
+
+    /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
+    fn visit(
+        &mut self,
+        cell: &Patch,
+        blockers: &[usize],
+        coarse: Option<Vec<f64>>,
+        limit: f64,
+        depth: usize,
+    ) {
+        let blockers = self.visibility.narrow(blockers, &cell.polygon(), &self.hull);
+        if blockers.is_empty() {
+            self.dark = false;
+            return;
+        }
+        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers));
+        let parts = parts(cell);
+        let sums: Vec<Vec<f64>> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
+        let fine = |k: usize| sums.iter().map(|sum| sum[k]).sum::<f64>();
+        let difference = (0..coarse.len()).map(|k| (coarse[k] - fine(k)).abs()).fold(0.0, f64::max);
+        let difference = difference * self.unit;
+        // The first two levels, of few points, may agree by chance.
+        let agreed = if depth == DEPTH { limit } else { AGREED * limit };
+        if difference <= agreed || depth == 0 {
+            self.error += if difference <= agreed { 0.0 } else { difference };
+            for sum in &sums {
+                self.moments.add_raw(sum, false, 0);
+            }
+            return;
+        }
+        let share = limit / (parts.len() as f64).sqrt();
+        for (part, sum) in parts.iter().zip(sums) {
+            self.visit(part, &blockers, Some(sum), share, depth - 1);
+        }
+    }
+
+    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's.
+    fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Vec<f64> {
+        let (own, other) = (self.outer.basis.len(), self.inner.basis.len());
+        let (mut sum, mut left, mut right) = (vec![0.0; own * other], vec![0.0; own], vec![0.0; other]);
+        let rule = UnitRule::of(self.points);
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let x = cell.node(s, t);
+            right.fill(0.0);
+            if !self.hidden(&x, blockers, &mut right) {
+                continue;
+            }
+            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            let weight = ws * wt * x.area;
+            let (rows, columns) = match self.side {
+                Side::Receiver => (&left, &right),
+                Side::Emitter => (&right, &left),
+            };
+            for (row, l) in sum.chunks_exact_mut(columns.len()).zip(rows) {
+                row.iter_mut().zip(columns).for_each(|(value, r)| *value += weight * l * r);
+            }
+        }
+        sum
+    }
+
+    /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; whether anything is.
+    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> bool {
+        let pieces = blockers.iter().filter_map(|blocker| self.visibility.pieces(*blocker)).flatten();
+        let pyramids: Vec<Pyramid> = pieces.filter_map(|piece| Pyramid::over(piece, x.position)).collect();
+        let mut any = false;
+        for index in 0..self.polygons.len() {
+            let (hidden, all) = inside_any(&self.polygons[index], &pyramids);
+            self.dark &= all;
+            any |= !hidden.is_empty();
+            hidden.iter().for_each(|polygon| self.gather(x, polygon, out));
+        }
+        self.hides |= any;
+        any
+    }
+
+    fn gather(&mut self, x: &Node, polygon: &[DVec3], out: &mut [f64]) {
+        if out.len() == 1 {
+            self.samples += polygon.len() as u64;
+            let mut constant = [0.0];
+            self.inner.basis.raw([0.0; 2], &mut constant);
+            out[0] += constant[0] * irradiance(x.position, x.normal, polygon);
+            return;
+        }
+        for patch in Patch::of_polygon(polygon, self.normal) {
+            self.gauss(x, &patch, out, INNER_DEPTH);
+        }
+    }
+
+    fn gauss(&mut self, x: &Node, patch: &Patch, out: &mut [f64], depth: usize) {
+        let [along, across] = patch.extents();
+        let gap = point_to_polygon(x.position, &patch.polygon());
+        if gap < SMALLEST_RATIO * along.max(across) && depth > 0 {
+            let direction = if along >= across { Direction::Along } else { Direction::Across };
+            return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
+        }
+        let basis = &self.inner.basis;
+        let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
+        let rule = |extent: f64| {
+            let ratio = (gap / extent).max(SMALLEST_RATIO);
+            let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
+            UnitRule::of(separated::points(degree, self.accuracy, rho))
+        };
+        let (first, second) = (rule(along), rule(across));
+        let [a, b, c, d] = patch.corners();
+        let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
+        let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
+        let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];
+        let values = &mut values[..out.len()];
+        for ((s, ws), (t, wt)) in first.iter().flat_map(|s| second.iter().map(move |t| (s, t))) {
+            let y = a + (b - a) * s + ((d - a) * (1.0 - s) + (c - b) * s) * t;
+            let offset = y - x.position;
+            let square = offset.length_squared();
+            // The area element is linear in s and t.
+            let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
+            let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
+            basis.raw(basis.frame().locate(y, DVec2::ZERO), values);
+            out.iter_mut().zip(&*values).for_each(|(sum, value)| *sum += weight * value);
+            self.samples += 1;
+        }
+    }
+}
+
+/// Points a direction of the outer rule: for functions of that degree times what is hidden, which is smooth but for its
+/// kinks.
+fn points(degree: usize, accuracy: f64) -> usize {
+    (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
+}
+
+/// The quarters of a cell, or the halves of a slender one.
+fn parts(cell: &Patch) -> Vec<Patch> {
+    let [along, across] = cell.extents();
+    let halves = |direction| cell.halves(direction).to_vec();
+    if along > SLENDER * across {
+        halves(Direction::Along)
+    } else if across > SLENDER * along {
+        halves(Direction::Across)
+    } else {
+        halves(Direction::Along).iter().flat_map(|half| half.halves(Direction::Across)).collect()
+    }
+}

@@ -1,0 +1,243 @@
+//! View factors behind planar blockers, against sums and differences of exact factors of rectangles, and the balance of
+//! closed rooms with boxes in them.
+
+use std::collections::HashMap;
+
+use proptest::prelude::*;
+use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
+use radiosity::scene::Scene;
+use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::visibility::{Hiding, Shadows, Visibility};
+use radiosity_geom::DVec3;
+
+type Quad = (String, [[f64; 3]; 4]);
+
+fn quad(name: &str, vertices: [[f64; 3]; 4]) -> Quad {
+    (name.to_owned(), vertices)
+}
+
+/// The upright rectangle x0..x1 × y0..y1 at height z, its front up or down.
+fn level(name: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2], z: f64, up: bool) -> Quad {
+    let mut vertices = [[x0, y0, z], [x1, y0, z], [x1, y1, z], [x0, y1, z]];
+    if !up {
+        vertices.reverse();
+    }
+    quad(name, vertices)
+}
+
+fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
+    vec![
+        level("floor", [0.0, a], [0.0, b], 0.0, true),
+        level("ceiling", [0.0, a], [0.0, b], c, false),
+        quad("x0", [[0., 0., 0.], [0., b, 0.], [0., b, c], [0., 0., c]]),
+        quad("x1", [[a, 0., 0.], [a, 0., c], [a, b, c], [a, b, 0.]]),
+        quad("y0", [[0., 0., 0.], [0., 0., c], [a, 0., c], [a, 0., 0.]]),
+        quad("y1", [[0., b, 0.], [a, b, 0.], [a, b, c], [0., b, c]]),
+    ]
+}
+
+/// Sides, top and, where it hovers, bottom of an upright box over a counter-clockwise base, fronts outside.
+fn upright(base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
+    let at = |k: usize, z: f64| [base[k % 4][0], base[k % 4][1], z];
+    let side =
+        |k: usize| quad(&format!("side-{k}"), [at(k, low), at(k + 1, low), at(k + 1, high), at(k, high)]);
+    let top = quad("top", [at(0, high), at(1, high), at(2, high), at(3, high)]);
+    let bottom = (low > 0.0).then(|| quad("bottom", [at(3, low), at(2, low), at(1, low), at(0, low)]));
+    (0..4).map(side).chain([top]).chain(bottom).collect()
+}
+
+fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
+    let mut text = String::new();
+    for (name, vertices) in quads {
+        text += &format!("[[surfaces]]\nname = {name:?}\nquad = {{ vertices = {vertices:?} }}\n");
+    }
+    let scene = Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"));
+    let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
+    let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
+    ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area")
+}
+
+/// ∫∫κ of two quads with nothing between.
+fn exchange(a: &Quad, b: &Quad) -> f64 {
+    let corners = |quad: &Quad| quad.1.map(DVec3::from_array);
+    polygon_exchange(&corners(a), &corners(b))
+}
+
+/// Scenes whose first two surfaces have a factor that is a sum of exact ones: name, scene, A₀F₀₁.
+fn cases() -> Vec<(&'static str, Vec<Quad>, f64)> {
+    let (unit, low, high) = ([0.0, 1.0], [0.0, 0.5], [0.5, 1.0]);
+    let floor = level("floor", unit, unit, 0.0, true);
+    let lamp = level("lamp", unit, unit, 1.0, false);
+    let part = |x, y, z, up| level("part", x, y, z, up);
+    let half = exchange(&floor, &part(high, unit, 1.0, false));
+    let wall = |name: &str, x: f64| quad(name, [[x, 0., 0.], [x, 1., 0.], [x, 1., 1.], [x, 0., 1.]]);
+    let halves = exchange(&part(low, unit, 0.0, true), &part(low, unit, 1.0, false)) * 2.0;
+    // A frame flush before the lamp leaves a window of it; its sides overlap in projection, as plates do.
+    let frame = [([0.0, 0.3], unit), ([0.7, 1.0], unit), (unit, [0.0, 0.2]), (unit, [0.6, 1.0])];
+    let door: Vec<Quad> = frame
+        .iter()
+        .enumerate()
+        .map(|(k, (x, y))| level(&format!("frame-{k}"), *x, *y, 1.0 - 3e-8 * (k + 1) as f64, false))
+        .collect();
+    let window = exchange(&floor, &part([0.3, 0.7], [0.2, 0.6], 1.0, false));
+    let front = quad("front", [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [0., 0., 1.]]);
+    let upper = quad("upper", [[0., 0., 0.5], [0., 1., 0.5], [0., 1., 1.], [0., 0., 1.]]);
+    let apart = level("apart", [0.0, 2.0], unit, 0.0, true);
+    let thick = [wall("thick-0", 0.4), {
+        let mut other = wall("thick-1", 0.6);
+        other.1.reverse();
+        other
+    }];
+    let chamber = |x| exchange(&part(x, unit, 0.0, true), &part(x, unit, 1.0, false));
+    let chambers = [[0.0, 0.4], [0.4, 0.6], [0.6, 1.0]].into_iter().map(chamber).sum();
+    vec![
+        (
+            "plate flush before half the emitter",
+            vec![floor.clone(), lamp.clone(), level("plate", low, unit, 1.0 - 1e-7, false)],
+            half,
+        ),
+        (
+            "plate flush before half the receiver",
+            vec![lamp.clone(), floor.clone(), level("plate", low, unit, 1e-7, true)],
+            exchange(&lamp, &part(high, unit, 0.0, true)),
+        ),
+        ("wall from floor to lamp", vec![floor.clone(), lamp.clone(), wall("wall", 0.5)], halves),
+        ("two walls", [vec![floor.clone(), lamp.clone()], thick.to_vec()].concat(), chambers),
+        ("doorway of four overlapping plates", [vec![floor.clone(), lamp.clone()], door].concat(), window),
+        (
+            "lower half of a wall behind a board",
+            vec![
+                apart.clone(),
+                front,
+                quad("board", [[1e-7, 0., 0.], [1e-7, 1., 0.], [1e-7, 1., 0.5], [1e-7, 0., 0.5]]),
+            ],
+            exchange(&apart, &upper),
+        ),
+        ("plate that hides all", vec![floor, lamp, level("plate", [-0.5, 1.5], [-0.5, 1.5], 0.5, true)], 0.0),
+    ]
+}
+
+#[test]
+fn exact_shadows_leave_the_exact_factors() {
+    for (name, quads, exact) in cases() {
+        let found = factors(&quads, Hiding::Exact, 1e-6);
+        let (own, other) = (found.factor(0, 1) * found.areas[0], found.factor(1, 0) * found.areas[1]);
+        assert!(
+            (own - exact).abs() <= 1e-6 && (own - other).abs() < 1e-15,
+            "{name}: {own} instead of {exact}"
+        );
+    }
+}
+
+#[test]
+fn sampled_shadows_leave_them_roughly() {
+    for (name, quads, exact) in cases() {
+        let found = factors(&quads, Hiding::Rays, 1e-3);
+        let own = found.factor(0, 1) * found.areas[0];
+        assert!((own - exact).abs() <= 2e-2, "{name}: {own} instead of {exact}");
+        let auto = factors(&quads, Hiding::Auto, 1e-3);
+        let own = auto.factor(0, 1) * auto.areas[0];
+        assert!((own - exact).abs() <= 1e-3, "{name}: {own} instead of {exact}");
+    }
+}
+
+/// Row sums less 1 of all surfaces, the largest in size.
+fn closure(found: &ViewFactors) -> f64 {
+    found.row_sums().iter().map(|sum| (sum - 1.0).abs()).fold(0.0, f64::max)
+}
+
+/// Closed rooms: with a box on the floor, one that hovers a hair above it, a thin wall, and a lamp close above a table.
+#[test]
+fn closed_rooms_keep_all_light() {
+    let base = [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]];
+    let square = [[1.0, 1.0], [2.0, 1.0], [2.0, 2.0], [1.0, 2.0]];
+    let wall = vec![
+        quad("wall", [[2., 0., 0.], [2., 2.5, 0.], [2., 2.5, 3.], [2., 0., 3.]]),
+        quad("wall:back", [[2., 0., 0.], [2., 0., 3.], [2., 2.5, 3.], [2., 2.5, 0.]]),
+    ];
+    let table = vec![
+        level("table", [1.0, 3.0], [1.0, 3.0], 1.0, true),
+        level("table:back", [1.0, 3.0], [1.0, 3.0], 1.0, false),
+        level("lamp", [1.5, 2.0], [1.5, 2.0], 1.001, false),
+        level("lamp:back", [1.5, 2.0], [1.5, 2.0], 1.001, true),
+    ];
+    let contents = [
+        ("box", upright(base, [0.0, 1.1])),
+        ("square box", upright(square, [0.0, 2.0])),
+        ("hovering box", upright(base, [1e-3, 1.1])),
+        ("thin wall", wall),
+        ("lamp on a table", table),
+    ];
+    for (name, content) in contents {
+        let quads = [room([4.0, 3.5, 3.0]), content].concat();
+        let usual = closure(&factors(&quads, Hiding::Auto, 1e-3));
+        assert!(usual <= 1e-3, "{name}: {usual:e}");
+    }
+    let exact =
+        closure(&factors(&[room([4.0, 3.5, 3.0]), upright(base, [0.0, 1.1])].concat(), Hiding::Exact, 1e-7));
+    assert!(exact <= 1e-5, "{exact:e}");
+}
+
+/// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest entry of the
+/// row, the largest.
+fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
+    let how =
+        Discretization { subdivide: Subdivide::Auto { occluded: true }, ..Discretization::uniform(order, 1) };
+    let elements = Elements::new(scene, &how).expect("all have area");
+    let blocks = |accuracy: Accuracy| {
+        let visibility = Visibility::new(scene, Shadows::Outlines(accuracy.shadow_eps));
+        Blocks::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &|_, _| {})
+    };
+    let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
+    let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });
+    let usual: HashMap<(usize, usize), &[f64]> = usual.iter().map(|(i, j, block)| ((i, j), block)).collect();
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let mut rows = vec![0.0f64; elements.list().len()];
+    for (i, j, block) in exact.iter() {
+        [i, j].iter().for_each(|k| rows[*k] = rows[*k].max(largest(&mut block.iter().copied())));
+    }
+    let error = |(i, j, block): (usize, usize, &[f64])| {
+        let found = usual[&(i, j)];
+        largest(&mut block.iter().zip(found).map(|(a, b)| a - b)) / rows[i].min(rows[j])
+    };
+    exact.iter().map(error).fold(0.0, f64::max)
+}
+
+#[test]
+fn blocks_of_any_order_keep_the_accuracy_of_shadows() {
+    for order in [0, 2] {
+        let scene = Scene::builtin("occluder-box").expect("it is built in");
+        let error = largest_error(&scene, order, 1e-4);
+        assert!(error <= 3e-3, "order {order}: {error:e}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// A box anywhere in a room takes light away and adds none, and what it takes it receives.
+    #[test]
+    fn blockers_only_take(
+        at in (1.2..2.3, 1.2..2.3), sides in (0.1..0.8, 0.1..0.8), turn in 0.0..1.5f64,
+        low in prop_oneof![Just(0.0), 1e-3..1.0], height in 0.2..1.5,
+    ) {
+        let (sin, cos) = turn.sin_cos();
+        let corner = |[x, y]: [f64; 2]| {
+            let (x, y) = (x * sides.0, y * sides.1);
+            [at.0 + cos * x - sin * y, at.1 + sin * x + cos * y]
+        };
+        let base = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(corner);
+        let quads = [room([4.0, 3.5, 3.0]), upright(base, [low, low + height])].concat();
+        let found = factors(&quads, Hiding::Auto, 1e-3);
+        let free = factors(&quads, Hiding::Off, 1e-3);
+        for i in 0..quads.len() {
+            let sum: f64 = found.row(i).iter().sum();
+            prop_assert!((sum - 1.0).abs() <= 5e-3, "row {i}: {sum}");
+            for j in 0..quads.len() {
+                let (f, most) = (found.factor(i, j), free.factor(i, j));
+                prop_assert!((0.0..=1.0).contains(&f) && f <= most + 1e-12, "{i} {j}: {f} of {most}");
+            }
+        }
+    }
+}
