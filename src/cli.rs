@@ -3,6 +3,7 @@
 mod check;
 mod completions;
 mod convergence;
+mod data;
 mod decimals;
 mod destination;
 mod error;
