@@ -55,6 +55,7 @@ pub mod solution;
 pub mod distance;
 pub mod view;
 pub mod direct;
+pub mod mask;
 pub mod gather;
 pub mod checks;
 pub mod solve;
