@@ -8,16 +8,25 @@
 //! ```
 //!
 //! an identity of the discrete solution whatever the quadrature, up to the solver's residual (with Gᵀ c for G c where G
-//! is not symmetric).
+//! is not symmetric). Where direct light is split off, G transports the radiosity ρS of the light that was reflected at
+//! least once and no more, and what is lost is
+//!
+//! ```text
+//! ∫(E₀ − D) dA + ∫(ρD − g) dA + ⟨ρS, c − G c⟩ .
+//! ```
+//!
+//! Either way what is lost in a closed room tells how well the integrals agree.
 
 use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::bounce::Bounce;
+use crate::coating::Coating;
 use crate::elements::Element;
 use crate::kernel::Blocks;
 use crate::solution::{Place, Solution};
-use crate::system::Coating;
+use crate::system::Coefficients;
 
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -45,8 +54,8 @@ pub struct Checks {
 }
 
 impl Checks {
-    /// Of a solution that was computed with `blocks`.
-    pub fn of(solution: &Solution, blocks: &Blocks) -> Self {
+    /// Of a solution that was computed with `blocks`, and with the first bounce where direct light was split off.
+    pub fn of(solution: &Solution, blocks: &Blocks, bounce: Option<&Bounce>) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.apply(&ones);
@@ -55,7 +64,8 @@ impl Checks {
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
         let kept = blocks.apply_transposed(&ones);
         let lost: Vec<f64> = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();
-        let [energy_in, energy_absorbed, energy_lost] = energy(solution, &ones, &lost, blocks.starts());
+        let [energy_in, energy_absorbed, energy_lost] =
+            energy(solution, &ones, &lost, blocks.starts(), bounce);
         let bounds = solution.bands().iter().map(|band| spectral_bound(blocks, &band.coating, &ones));
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
@@ -105,15 +115,29 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
 }
 
 /// Emitted, absorbed and lost power, summed over bands with compensation: their balance is a check.
-fn energy(solution: &Solution, ones: &[f64], lost: &[f64], starts: &[usize]) -> [f64; 3] {
+fn energy(
+    solution: &Solution,
+    ones: &[f64],
+    lost: &[f64],
+    starts: &[usize],
+    bounce: Option<&Bounce>,
+) -> [f64; 3] {
     let mut sums = [Compensated::default(); 3];
-    for band in solution.bands() {
+    for (index, band) in solution.bands().iter().enumerate() {
+        let Coefficients { irradiance, radiosity, .. } = &band.coefficients;
+        let split = bounce.map(|bounce| (&bounce.direct[index], &bounce.reflected[index]));
         for (i, range) in starts.windows(2).enumerate() {
-            let (exitance, absorptance) = (band.coating.exitance[i], 1.0 - band.coating.reflectance[i]);
+            let (exitance, reflectance) = (band.coating.exitance[i], band.coating.reflectance[i]);
             for k in range[0]..range[1] {
                 sums[0].add(exitance * ones[k] * ones[k]);
-                sums[1].add(absorptance * ones[k] * band.coefficients.irradiance[k]);
-                sums[2].add(band.coefficients.radiosity[k] * lost[k]);
+                sums[1].add((1.0 - reflectance) * ones[k] * irradiance[k]);
+                let Some((direct, once)) = split else {
+                    sums[2].add(radiosity[k] * lost[k]);
+                    continue;
+                };
+                sums[2].add(ones[k] * (exitance * ones[k] - direct[k]));
+                sums[2].add(ones[k] * (reflectance * direct[k] - once[k]));
+                sums[2].add(reflectance * (irradiance[k] - direct[k]) * lost[k]);
             }
         }
     }

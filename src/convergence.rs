@@ -120,7 +120,8 @@ fn run(options: &Options, outcome: &Outcome, error: Option<f64>) -> Run {
         unknowns: elements.coefficients(),
         samples: outcome.samples,
         rays: outcome.rays,
-        seconds: (stages.elements + stages.visibility + stages.blocks + stages.solve).as_secs_f64(),
+        seconds: (stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve)
+            .as_secs_f64(),
         error,
         rate: None,
     }

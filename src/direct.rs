@@ -1,19 +1,17 @@
 //! Direct light at a point, as it is, instead of its projection on polynomials.
 //!
-//! Polynomials smear shadow edges. Reading off with
-//!
 //! ```text
-//! E(x) = D(x) + Σ_k (h − G e)_k φ_k(x)
+//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y
 //! ```
 //!
-//! recomputes the light D that comes straight from the emitters with its exact shadows, and takes only the rest
-//! from the polynomials. D is exact ([`crate::visibility::exact`]) for planar emitters behind planar blockers; where a
-//! blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good to [`ACCURACY`].
+//! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::visibility::exact`]) for planar emitters
+//! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good
+//! to [`ACCURACY`].
 
 use radiosity_geom::DVec3;
 
+use crate::coating::Coating;
 use crate::elements::Element;
-use crate::solution::{Band, Solution};
 use crate::view::surroundings::{Site, Surroundings};
 use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
@@ -29,49 +27,62 @@ const PER_CELL: f64 = 0.3;
 /// Who emits, and what may stand between an emitter and each element.
 #[derive(Debug)]
 pub struct DirectLight<'a> {
-    solution: &'a Solution,
+    elements: &'a [Element],
     visibility: &'a Visibility,
-    /// Indices of the emitting elements.
-    emitters: Vec<usize>,
+    emitters: Vec<Emitter>,
     trees: Vec<Tree>,
     /// Per receiving element.
     surroundings: Vec<Surroundings>,
+    bands: usize,
     eps: f64,
 }
 
+/// An element that emits.
+#[derive(Debug)]
+struct Emitter {
+    element: usize,
+    /// Exitance per band (W m⁻²).
+    exitance: Vec<f64>,
+}
+
 impl<'a> DirectLight<'a> {
-    /// The direct light of a solution's scene, good to [`ACCURACY`] where it is sampled.
-    pub fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
-        Self::within(solution, visibility, ACCURACY)
+    /// The direct light of elements with their coatings, one a band, good to [`ACCURACY`] where it is sampled.
+    pub fn new(elements: &'a [Element], coatings: &[&Coating], visibility: &'a Visibility) -> Self {
+        Self::within(elements, coatings, visibility, ACCURACY)
     }
 
     /// The same, good to `eps` where it is sampled.
-    pub fn within(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
-        let list = solution.elements().list();
-        let emits = |i: &usize| solution.bands().iter().any(|band| band.coating.exitance[*i] > 0.0);
-        let emitters: Vec<usize> = (0..list.len()).filter(emits).collect();
-        let power = |i: &usize| solution.bands().iter().map(|band| band.coating.exitance[*i]).sum::<f64>();
-        let trees: Vec<Tree> =
-            emitters.iter().map(|emitter| Tree::uniform(&list[*emitter], power(emitter))).collect();
-        let around = |element: &Element| {
-            let horizon = element.plane.map(|(_, normal)| normal);
-            let site = Site { points: &element.hull, horizon, surface: Some(element.surface) };
-            Surroundings::new(visibility, &trees, &site)
+    pub fn within(
+        elements: &'a [Element],
+        coatings: &[&Coating],
+        visibility: &'a Visibility,
+        eps: f64,
+    ) -> Self {
+        let emitter = |element: usize| {
+            let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[element]).collect();
+            exitance.iter().any(|exitance| *exitance > 0.0).then_some(Emitter { element, exitance })
         };
-        let surroundings = list.iter().map(around).collect();
-        Self { solution, visibility, emitters, trees, surroundings, eps }
+        let emitters: Vec<Emitter> = (0..elements.len()).filter_map(emitter).collect();
+        let tree =
+            |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
+        let trees: Vec<Tree> = emitters.iter().map(tree).collect();
+        let around = |element: &Element| Surroundings::new(visibility, &trees, &Site::of(element));
+        let surroundings = elements.iter().map(around).collect();
+        Self { elements, visibility, emitters, trees, surroundings, bands: coatings.len(), eps }
     }
 
     /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
     /// exitance.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
-        let vantage = Vantage::on(self.solution.elements().list()[receiver].surface, x, n);
-        self.from(&vantage, &self.surroundings[receiver])
+        let vantage = Vantage::on(self.elements[receiver].surface, x, n);
+        let factors = self.from(&vantage, &self.surroundings[receiver]);
+        self.emitters.iter().map(|emitter| emitter.element).zip(factors).collect()
     }
 
     /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
     pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
-        self.per_band(&self.factors(receiver, x, n))
+        let vantage = Vantage::on(self.elements[receiver].surface, x, n);
+        self.irradiance(&vantage, &self.surroundings[receiver])
     }
 
     /// What may stand between the emitters and a site.
@@ -81,27 +92,23 @@ impl<'a> DirectLight<'a> {
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
     pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
-        self.per_band(&self.from(vantage, surroundings))
+        let mut sums = vec![0.0; self.bands];
+        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings)) {
+            sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
+        }
+        sums
     }
 
-    fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<(usize, f64)> {
+    /// Irradiance from each emitter, per unit of its exitance.
+    fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
         walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, |walk, tolerance| {
-            let (mut factors, mut level) = (Vec::with_capacity(self.trees.len()), 0.0);
-            for (index, tree) in self.trees.iter().enumerate() {
-                let mut factor = [0.0];
-                walk.add(index, tree, tolerance, &mut factor);
-                level += factor[0] / tree.scale()[0];
-                factors.push((self.emitters[index], factor[0]));
+            let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
+            for ((index, tree), factor) in self.trees.iter().enumerate().zip(&mut factors) {
+                walk.add(index, tree, tolerance, std::slice::from_mut(factor));
+                level += *factor / tree.scale()[0];
             }
             (factors, level)
         })
-    }
-
-    fn per_band(&self, factors: &[(usize, f64)]) -> Vec<f64> {
-        let lit = |band: &Band| {
-            factors.iter().map(|(emitter, factor)| factor * band.coating.exitance[*emitter]).sum()
-        };
-        self.solution.bands().iter().map(lit).collect()
     }
 }

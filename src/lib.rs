@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The modules are the nouns that flow from a scene to its picture, each a function of those before it:
-//! scene → (visibility) → elements → blocks → system → solution → output. A module imports only modules
+//! scene → (visibility) → elements → blocks → direct light → system → solution → output. A module imports only modules
 //! listed above it.
 //!
 //! ```
@@ -48,14 +48,18 @@ pub mod scene;
 pub mod visibility;
 pub mod inspection;
 pub mod elements;
+pub mod coating;
 pub mod footprint;
 pub mod kernel;
-pub mod system;
-pub mod solution;
-pub mod distance;
 pub mod view;
 pub mod direct;
 pub mod mask;
+pub mod masked;
+pub mod reflection;
+pub mod bounce;
+pub mod system;
+pub mod solution;
+pub mod distance;
 pub mod gather;
 pub mod checks;
 pub mod solve;

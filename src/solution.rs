@@ -4,8 +4,9 @@
 
 use radiosity_geom::DVec3;
 
+use crate::coating::Coating;
 use crate::elements::Elements;
-use crate::system::{Coating, Coefficients};
+use crate::system::Coefficients;
 
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -76,6 +77,11 @@ impl Solution {
     /// The bands, in the scene's order.
     pub fn bands(&self) -> &[Band] {
         &self.bands
+    }
+
+    /// Reflectance and exitance per element, band after band.
+    pub fn coatings(&self) -> Vec<&Coating> {
+        self.bands.iter().map(|band| &band.coating).collect()
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.

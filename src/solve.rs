@@ -1,5 +1,6 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
+mod direct;
 mod fit;
 mod options;
 
@@ -8,16 +9,19 @@ use std::time::{Duration, Instant};
 use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
+use crate::bounce::Bounce;
 use crate::checks::Checks;
+use crate::coating::Coating;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::footprint::Footprint;
 use crate::kernel::{Accuracy, Blocks, PairCounts, paper};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
-use crate::system::{Coating, System};
+use crate::system::{Coefficients, System};
 use crate::visibility::Visibility;
 
+pub use direct::Direct;
 pub use fit::Fit;
 pub use options::Options;
 
@@ -56,6 +60,8 @@ pub struct Outcome {
     pub iterations: usize,
     /// Relative residual of the original system, the largest of any band.
     pub residual: f64,
+    /// Whether direct light was split off.
+    pub split: bool,
     /// Whether the solver reached its tolerance in every band; if not, the solution is the best it had.
     pub converged: bool,
     /// Wall time of each stage.
@@ -71,6 +77,8 @@ pub struct Stages {
     pub visibility: Duration,
     /// Blocks of G, visibility within them included.
     pub blocks: Duration,
+    /// Direct light and its first bounce, where they are split off.
+    pub direct: Duration,
     /// The linear systems.
     pub solve: Duration,
 }
@@ -166,7 +174,12 @@ fn solve_in_pool(
     let blocks =
         timed(&mut seconds.blocks, || blocks(scene, &elements, &visibility, options, &report_pairs))?;
     progress(Progress::Finished("blocks", seconds.blocks));
-    let solved = timed(&mut seconds.solve, || solve_bands(scene, &elements, &blocks, options, progress))?;
+    let coatings: Vec<Coating> =
+        (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
+    let bounce = timed(&mut seconds.direct, || bounce(&elements, &coatings, &visibility, options));
+    progress(Progress::Finished("direct", seconds.direct));
+    let known = Known { elements: &elements, blocks: &blocks, bounce: bounce.as_ref() };
+    let solved = timed(&mut seconds.solve, || solve_bands(scene, coatings, &known, options, progress))?;
     progress(Progress::Finished("solve", seconds.solve));
     let slowest = solved.iter().filter_map(|(_, effort)| effort.as_ref()).max_by_key(|e| e.iterations);
     let (solver, iterations) = slowest.map_or((options.method.name, 0), |e| (e.method, e.iterations));
@@ -174,7 +187,7 @@ fn solve_in_pool(
     let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands);
-    let checks = Checks::of(&solution, &blocks);
+    let checks = Checks::of(&solution, &blocks, bounce.as_ref());
     let Blocks { pairs, samples, distinct, rays, accuracy_reached, .. } = blocks;
     Ok(Outcome {
         solution,
@@ -187,6 +200,7 @@ fn solve_in_pool(
         solver,
         iterations,
         residual,
+        split: bounce.is_some(),
         converged,
         seconds,
     })
@@ -236,19 +250,54 @@ fn blocks(
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }
 
+/// The first bounce, where direct light is split off.
+fn bounce(
+    elements: &Elements,
+    coatings: &[Coating],
+    visibility: &Visibility,
+    options: &Options,
+) -> Option<Bounce> {
+    let (list, coatings) = (elements.list(), coatings.iter().collect::<Vec<_>>());
+    let plain = options.kernel.is_none() && !options.closure;
+    let splits = options.direct.splits(list, &coatings, visibility, plain);
+    splits.then(|| Bounce::new(list, &coatings, visibility, options.shadow_eps))
+}
+
+/// What the bands have in common.
+struct Known<'a> {
+    elements: &'a Elements,
+    blocks: &'a Blocks,
+    bounce: Option<&'a Bounce>,
+}
+
+impl Known<'_> {
+    fn system<'a>(&'a self, band: usize, coating: &'a Coating) -> System<'a> {
+        let list = self.elements.list();
+        match self.bounce {
+            None => System::new(list, self.blocks, coating),
+            Some(Bounce { direct, reflected }) => {
+                System::split(list, self.blocks, coating, direct[band].clone(), reflected[band].clone())
+            }
+        }
+    }
+}
+
 fn solve_bands(
     scene: &Scene,
-    elements: &Elements,
-    blocks: &Blocks,
+    coatings: Vec<Coating>,
+    known: &Known,
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Vec<(Band, Option<Effort>)>, Failure> {
-    let solve = |(index, name): (usize, &String)| {
+    let solve = |(index, coating): (usize, Coating)| {
+        let name = &scene.bands[index];
         let mut observe = |step: &Step<'_>| progress(Progress::Solve(index, step.iteration, step.residual));
-        solve_band(Coating::of(scene, elements.list(), index), name, elements, blocks, options, &mut observe)
-            .map_err(|source| Failure::Solver { band: name.clone(), source })
+        let solved = solve_band(&known.system(index, &coating), options, &mut observe);
+        let (coefficients, effort) =
+            solved.map_err(|source| Failure::Solver { band: name.clone(), source })?;
+        Ok((Band::new(name.clone(), known.elements, coating, coefficients), effort))
     };
-    scene.bands.iter().enumerate().map(solve).collect()
+    coatings.into_iter().enumerate().map(solve).collect()
 }
 
 /// What a band's linear system took.
@@ -270,14 +319,10 @@ fn effort(ended: Result<Report, SolveError>, keep_partial: bool) -> Result<Effor
 }
 
 fn solve_band(
-    coating: Coating,
-    name: &str,
-    elements: &Elements,
-    blocks: &Blocks,
+    system: &System,
     options: &Options,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Band, Option<Effort>), SolveError> {
-    let system = System::new(elements.list(), blocks, &coating);
+) -> Result<(Coefficients, Option<Effort>), SolveError> {
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
     // Only shooting asks for it, and it costs as much as a basis.
@@ -295,8 +340,7 @@ fn solve_band(
         let ended = solver.solve(&system.matrix()?, &right, &mut unknowns, &settings, observe);
         needed = Some(effort(ended, options.keep_partial)?);
     }
-    let coefficients = system.coefficients(&unknowns);
-    Ok((Band::new(name.to_owned(), elements, coating.clone(), coefficients), needed))
+    Ok((system.coefficients(&unknowns), needed))
 }
 
 fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {

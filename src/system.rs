@@ -11,37 +11,22 @@
 //! 1996 in another notation). By the rules of 1993, for comparison, G is not symmetric and neither is the system. Nothing is
 //! divided by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. Irradiance is h = G b, on black
 //! elements too.
+//!
+//! Where direct light is split off ([`crate::bounce`]), d of the direct irradiance and g of what is reflected once are
+//! known, and the irradiance s that was reflected at least once is the unknown: with s = g + G √ρ z,
+//!
+//! ```text
+//! (I − √ρ G √ρ) z = √ρ g ,     h = d + s ,     b = e + ρ h .
+//! ```
+//!
+//! Both are one system: the unknown radiosity √ρ y (or z) is sent besides a known one, e (or e + ρ d), and the irradiance
+//! is a known one, 0 (or d), and that of the first transport, G e (or g), besides G times what is unknown.
 
 use radiosity_solvers::{Dense, Partition, SolveError};
 
+use crate::coating::Coating;
 use crate::elements::Element;
 use crate::kernel::Blocks;
-use crate::scene::Scene;
-
-/// What the elements are made of in one band.
-#[derive(Clone, Debug)]
-pub struct Coating {
-    /// ρ per element, in [0, 1).
-    pub reflectance: Vec<f64>,
-    /// Emitted exitance per element (W m⁻²), constant over it.
-    pub exitance: Vec<f64>,
-}
-
-impl Coating {
-    /// That of a scene's elements in band `band`.
-    pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
-        let material = |element: &Element| &scene.surfaces[element.surface].material;
-        Self {
-            reflectance: elements.iter().map(|element| material(element).reflectance[band]).collect(),
-            exitance: elements.iter().map(|element| material(element).emission[band]).collect(),
-        }
-    }
-
-    /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).
-    pub fn radiosity(&self, element: usize, irradiance: f64) -> f64 {
-        self.exitance[element] + self.reflectance[element] * irradiance
-    }
-}
 
 /// The system of one band.
 #[derive(Debug)]
@@ -52,7 +37,12 @@ pub struct System<'a> {
     /// Elements with ρ > 0, ascending: the blocks of unknowns.
     reflecting: Vec<usize>,
     emitted: Vec<f64>,
-    direct: Vec<f64>,
+    /// Radiosity that is known beforehand: e, or e + ρ d.
+    known: Vec<f64>,
+    /// Irradiance that no radiosity of this system sends: none, or d.
+    split: Option<Vec<f64>>,
+    /// Irradiance of the first transport: G e, or g.
+    first: Vec<f64>,
 }
 
 /// Coefficients of one band's solution, element by element.
@@ -60,7 +50,7 @@ pub struct System<'a> {
 pub struct Coefficients {
     /// h of the irradiance (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// G e, the part of h that comes straight from the emitters (W m⁻²).
+    /// The part of h that comes straight from the emitters (W m⁻²): G e, or d where it was split off.
     pub direct: Vec<f64>,
     /// b of the radiosity (W m⁻²), b = e + ρ h.
     pub radiosity: Vec<f64>,
@@ -69,7 +59,7 @@ pub struct Coefficients {
 }
 
 impl Coefficients {
-    /// Those of a known irradiance h and its direct part G e, both element by element; b = e + ρ h.
+    /// Those of a known irradiance h and its direct part, both element by element; b = e + ρ h.
     pub fn of_irradiance(
         elements: &[Element],
         coating: &Coating,
@@ -83,12 +73,27 @@ impl Coefficients {
 }
 
 impl<'a> System<'a> {
-    /// The system of `coating` over `elements` with transport `blocks`.
+    /// The system of `coating` over `elements` with transport `blocks`: emitted light is transported by G.
     pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
-        let reflecting = (0..elements.len()).filter(|i| coating.reflectance[*i] > 0.0).collect();
         let emitted = emitted(elements, coating);
-        let direct = blocks.apply(&emitted);
-        Self { elements, blocks, coating, reflecting, emitted, direct }
+        let (known, first) = (emitted.clone(), blocks.apply(&emitted));
+        let reflecting = reflecting(coating);
+        Self { elements, blocks, coating, reflecting, emitted, known, split: None, first }
+    }
+
+    /// The system with direct light split off, given the coefficients d of the direct irradiance and g of that which was
+    /// reflected once.
+    pub fn split(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        coating: &'a Coating,
+        direct: Vec<f64>,
+        once: Vec<f64>,
+    ) -> Self {
+        let emitted = emitted(elements, coating);
+        let known = radiosity(elements, coating, &direct);
+        let reflecting = reflecting(coating);
+        Self { elements, blocks, coating, reflecting, emitted, known, split: Some(direct), first: once }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -118,9 +123,9 @@ impl<'a> System<'a> {
         Dense::new(partition, values, self.blocks.symmetric())
     }
 
-    /// √ρ G e on the reflecting elements.
+    /// √ρ G e, or √ρ g, on the reflecting elements.
     pub fn right_hand_side(&self) -> Vec<f64> {
-        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.direct[offset])
+        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.first[offset])
     }
 
     /// Shooting measure of the unknowns: √ρ ∬ |φ_k| dA, so that |y_k| times it is the power that an
@@ -130,21 +135,26 @@ impl<'a> System<'a> {
         self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * absolute[offset])
     }
 
-    /// Radiosity and irradiance from the unknowns y: b = e + √ρ y, h = G b, then b = e + ρ h once more.
+    /// Radiosity and irradiance from the unknowns y or z: b = e + √ρ y and h = G b, or h = d + g + G √ρ z; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
-        let mut solved = self.emitted.clone();
+        let mut unknown = vec![0.0; self.known.len()];
         let mut next = unknowns.iter();
         for i in &self.reflecting {
             let root = self.coating.reflectance[*i].sqrt();
-            for (b, y) in solved[self.range(*i)].iter_mut().zip(&mut next) {
-                *b += root * y;
-            }
+            unknown[self.range(*i)].iter_mut().zip(&mut next).for_each(|(b, y)| *b = root * y);
         }
-        let irradiance = self.blocks.apply(&solved);
+        let solved = sum(&self.known, &unknown);
+        let (irradiance, direct) = match &self.split {
+            None => (self.blocks.apply(&solved), &self.first),
+            Some(direct) => {
+                let reflected = sum(&self.first, &self.blocks.apply(&unknown));
+                (sum(direct, &reflected), direct)
+            }
+        };
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
         let (difference, scale) = (distance(&solved, &radiosity), norm(&self.emitted));
         let residual = if scale > 0.0 { difference / scale } else { 0.0 };
-        Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
+        Coefficients { irradiance, direct: direct.clone(), radiosity, residual }
     }
 
     /// Coefficients e of the emitted exitance.
@@ -163,6 +173,11 @@ impl<'a> System<'a> {
             .flat_map(|i| self.range(*i).map(|k| value(*i, k)).collect::<Vec<_>>())
             .collect()
     }
+}
+
+/// Elements with ρ > 0, ascending.
+fn reflecting(coating: &Coating) -> Vec<usize> {
+    (0..coating.reflectance.len()).filter(|i| coating.reflectance[*i] > 0.0).collect()
 }
 
 /// e, the coefficients of the emitted exitance.
@@ -189,6 +204,10 @@ fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Ve
     let mut all = Vec::new();
     (0..elements.len()).for_each(|i| write(i, &mut all));
     all
+}
+
+fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x + y).collect()
 }
 
 fn norm(x: &[f64]) -> f64 {

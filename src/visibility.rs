@@ -75,7 +75,7 @@ impl Visibility {
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| Obstacle::new(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
-        let standing = standing(&obstacles, &boxes);
+        let standing = standing(&obstacles, &boxes, shadows);
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
@@ -240,18 +240,23 @@ impl Obstacle {
 /// The surfaces that can stand between two others, ascending.
 ///
 /// A planar surface that has the whole scene on one side of its plane stands between no two points of it: the walls of a
-/// convex room drop out here once and for all.
-fn standing(obstacles: &[Obstacle], boxes: &[Aabb]) -> Vec<usize> {
+/// convex room drop out here once and for all. So does a bent wall, such as a twisted one of a measured room, whose depth
+/// is no more than the accuracy of the shadows allows, as part of its size.
+fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
     let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
-    let tolerance = END * scene.diagonal();
-    let walls_in = |obstacle: &Obstacle| {
-        let (Some(_), [point, ..]) = (&obstacle.pieces, &obstacle.hull[..]) else { return false };
-        let normal = obstacle.shape.jet(0.0, 0.0).normal;
-        let height = |x: &DVec3| (x - point).dot(normal);
-        let points = || obstacles.iter().flat_map(|other| &other.hull).map(height);
-        points().all(|h| h >= -tolerance) || points().all(|h| h <= tolerance)
+    let rounding = END * scene.diagonal();
+    let tolerance = if let Shadows::Rays(eps) = shadows { eps } else { 0.0 };
+    let walls_in = |index: &usize| {
+        let Obstacle { shape, hull, .. } = &obstacles[*index];
+        let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
+        let height = |x: &DVec3| (x - position).dot(normal);
+        let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
+        let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
+        let others = || obstacles.iter().flat_map(|other| &other.hull).map(height);
+        high - low <= rounding.max(tolerance * boxes[*index].diagonal())
+            && (others().all(|h| h >= low - rounding) || others().all(|h| h <= high + rounding))
     };
-    (0..obstacles.len()).filter(|index| !walls_in(&obstacles[*index])).collect()
+    (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
 }
 
 /// Largest distance of points from the line through the first and the point farthest from it.

@@ -4,6 +4,7 @@ use std::sync::Mutex;
 
 use proptest::prelude::*;
 use radiosity::adaptation::{Achieved, Adapted, End, Goal, adapt};
+use radiosity::coating::Coating;
 use radiosity::convergence::{Reference, convergence};
 use radiosity::distance::{Incomparable, distance};
 use radiosity::elements::cells::Layers;
@@ -14,7 +15,7 @@ use radiosity::footprint::Footprint;
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::{Options, solve};
-use radiosity::system::{Coating, Coefficients};
+use radiosity::system::Coefficients;
 use radiosity_geom::DVec3;
 use serde_json::Value;
 

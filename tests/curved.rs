@@ -4,10 +4,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use proptest::prelude::*;
+use radiosity::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Material, Scene, SceneBuilder};
-use radiosity::system::{Coating, System};
+use radiosity::system::System;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
     Bezier, Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, SpherePatch, Torus,

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
 use proptest::prelude::*;
+use radiosity::coating::Coating;
 use radiosity::direct::DirectLight;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::gather::Gather;
@@ -12,7 +13,7 @@ use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solution::{Band, Solution};
-use radiosity::system::{Coating, Coefficients};
+use radiosity::system::Coefficients;
 use radiosity::view::vantage::Vantage;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
@@ -68,7 +69,7 @@ fn lit_at_origin(shapes: Shapes) -> f64 {
     let scene = scene(shapes);
     let solution = solution(&scene, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(&solution, &visibility);
+    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
     let vantage = Vantage::free(DVec3::ZERO, DVec3::Z);
     direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
 }

@@ -1,6 +1,7 @@
 //! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
 
 use radiosity::checks::Checks;
+use radiosity::coating::Coating;
 use radiosity::direct::DirectLight;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
@@ -11,7 +12,7 @@ use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::{Options, Outcome, solve};
-use radiosity::system::{Coating, System};
+use radiosity::system::System;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
@@ -63,7 +64,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
         let residual = coefficients.residual;
         let band = Band::new("grey".into(), &elements, coating.clone(), coefficients);
         let solution = Solution::new(elements, vec![band]);
-        let checks = Checks::of(&solution, &blocks);
+        let checks = Checks::of(&solution, &blocks, None);
         (method.name, solution, checks, residual)
     };
     Method::ALL.iter().map(solve_with).collect()
@@ -169,7 +170,8 @@ fn direct_light_is_exact_at_a_point() {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(&outcome.solution, &visibility);
+    let direct =
+        DirectLight::new(outcome.solution.elements().list(), &outcome.solution.coatings(), &visibility);
     let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
     let lit: f64 = direct.at(floor, jet.position, jet.normal)[0];

@@ -13,6 +13,7 @@ use clap::{
 use radiosity::kernel::paper::{Reading, Rules};
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
+use radiosity::solve::Direct;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{error::CliError, memory, output_file::OutputFile};
@@ -119,6 +120,10 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) shadows: Shadows,
 
+    /// How light straight from emitters enters the solution
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) direct: DirectMode,
+
     /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1
     #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
     pub(crate) shadow_eps: f64,
@@ -221,6 +226,27 @@ pub(crate) enum Shadows {
     Off,
     /// Rays where something can stand between
     Rays,
+}
+
+/// `--direct`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DirectMode {
+    /// Split where flat emitters cast shadows of flat surfaces, else projected
+    Auto,
+    /// An exact source at every point, with its shadows
+    Split,
+    /// Carried by the polynomials like all other light
+    Projected,
+}
+
+impl From<DirectMode> for Direct {
+    fn from(mode: DirectMode) -> Self {
+        match mode {
+            DirectMode::Auto => Self::Auto,
+            DirectMode::Split => Self::Split,
+            DirectMode::Projected => Self::Projected,
+        }
+    }
 }
 
 /// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.

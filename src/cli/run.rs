@@ -254,6 +254,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         closure: method.closure_correction,
         shadow_eps: method.shadow_eps,
         shadows: method.shadows != Shadows::Off,
+        direct: method.direct.into(),
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,

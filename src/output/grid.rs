@@ -20,8 +20,8 @@ use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::gather::Gather;
 use crate::output::reader::{Light, Reader};
+use crate::reflection::Reflection;
 use crate::solution::Place;
 use crate::view::surroundings::Site;
 use crate::view::vantage::Vantage;
@@ -151,10 +151,11 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (
         Light::Direct(direct) => {
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
         }
-        Light::Gather(gather) => sum(
-            lit(gather.direct(), owner.surface, patch, horizon, rates.direct),
-            &gathered(gather, owner.surface, patch, horizon, rates.indirect),
-        ),
+        Light::Gather(gather) => {
+            let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
+            let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
+            sum(lit, &gathered)
+        }
     };
     (mean.into_iter().map(|mean| mean * area).collect(), area)
 }
@@ -180,19 +181,18 @@ fn lit(
     mean(patch, points, value)
 }
 
-/// Mean of E − D per band over a patch.
+/// Mean of E − D per band over a patch, where the mean of D is `lit`.
 fn gathered(
-    gather: &Gather,
+    reflection: &Reflection,
     surface: usize,
     patch: &Patch,
     horizon: Option<DVec3>,
     points: usize,
+    lit: &[f64],
 ) -> Vec<f64> {
-    let company = gather.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    let surroundings = reflection.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
     mean(patch, points, |node| {
-        let vantage = Vantage::on(surface, node.position, node.normal);
-        let direct = gather.direct().irradiance(&vantage, &company.direct);
-        gather.indirect(&vantage, &company.indirect, &direct)
+        reflection.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings, lit)
     })
 }
 

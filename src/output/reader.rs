@@ -43,7 +43,10 @@ impl<'a> Reader<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Basis => Light::Basis,
-            Read::Direct => Light::Direct(DirectLight::new(solution, visibility)),
+            Read::Direct => {
+                let list = solution.elements().list();
+                Light::Direct(DirectLight::new(list, &solution.coatings(), visibility))
+            }
             Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
         };
         Self { solution, visibility, light }

@@ -47,6 +47,8 @@ pub struct Report {
     pub accuracy_reached: f64,
     /// Estimated relative error of the radiosity, where an accuracy was asked for and more than one run could be done.
     pub accuracy_estimate: Option<f64>,
+    /// How direct light entered: `split` or `projected`.
+    pub direct: &'static str,
     /// Iterations of the solver, the most of any band.
     pub iterations: usize,
     /// ‖b − e − ρ G b‖₂ / ‖e‖₂, the largest of any band.
@@ -70,6 +72,8 @@ pub struct Seconds {
     pub blocks: f64,
     /// Looking for surfaces that can cast a shadow.
     pub visibility: f64,
+    /// Direct light and its first bounce, where they are split off.
+    pub direct: f64,
     /// The linear systems.
     pub solve: f64,
     /// Pictures, grids and files.
@@ -112,6 +116,7 @@ impl Report {
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
             accuracy_estimate: achieved.and_then(|achieved| achieved.estimate),
+            direct: if outcome.split { "split" } else { "projected" },
             iterations: outcome.iterations,
             residual: outcome.residual,
             converged: outcome.converged,
@@ -127,6 +132,7 @@ fn seconds(outcome: &Outcome) -> Seconds {
         elements: stages.elements.as_secs_f64(),
         blocks: stages.blocks.as_secs_f64(),
         visibility: stages.visibility.as_secs_f64(),
+        direct: stages.direct.as_secs_f64(),
         solve: stages.solve.as_secs_f64(),
         ..Seconds::default()
     }

@@ -10,6 +10,8 @@ use crate::elements::space::Space;
 use crate::kernel::paper;
 use crate::visibility::Shadows;
 
+use super::direct::Direct;
+
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
@@ -32,6 +34,9 @@ pub struct Options {
     pub shadow_eps: f64,
     /// Whether surfaces hide each other.
     pub shadows: bool,
+    /// How direct light enters. Solutions written before there was a choice have it projected.
+    #[serde(default = "projected")]
+    pub direct: Direct,
     /// The solver.
     #[serde(with = "method_name")]
     pub method: &'static Method,
@@ -50,7 +55,7 @@ pub struct Options {
 }
 
 impl Default for Options {
-    /// Order 3, blocks to 1e-3, shadows to 3e-3, the solver chosen by the system, all threads.
+    /// Order 3, blocks to 1e-3, shadows to 3e-3, direct light and solver as the scene needs, all threads.
     fn default() -> Self {
         Self {
             order: 3,
@@ -62,6 +67,7 @@ impl Default for Options {
             closure: false,
             shadow_eps: 3e-3,
             shadows: true,
+            direct: Direct::Auto,
             method: Method::named("auto").expect("auto is always listed"),
             tolerance: 1e-8,
             max_iterations: 1000,
@@ -77,6 +83,10 @@ impl From<&Options> for Shadows {
     fn from(options: &Options) -> Self {
         Self::to_accuracy(options.shadows, options.shadow_eps)
     }
+}
+
+fn projected() -> Direct {
+    Direct::Projected
 }
 
 fn all_threads() -> usize {

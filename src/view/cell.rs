@@ -2,9 +2,14 @@
 //!
 //! The field is kept per channel (a band, or the constant 1). What decides about division is kept in multiples of a scale
 //! per channel, the largest over the channels: how bright the cell is, how much the field varies over it, and how far its
-//! mean is off that of its quarters. Quarters that are made on the way take the bilinear interpolant of the four points.
+//! mean is off that of its quarters. Quarters that were not given their own field take the bilinear interpolant of the four
+//! points; they are made when they are first asked for, and kept near the root, where many ask.
+
+use std::ops::Deref;
+use std::sync::OnceLock;
 
 use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
@@ -12,16 +17,22 @@ use crate::elements::rule::UnitRule;
 /// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
 pub const POINTS: usize = 4;
 
+/// Levels below the root down to which quarters are kept.
+const KEPT: u8 = 5;
+
 /// A patch with a field at its Gauss points.
 #[derive(Clone, Debug)]
 pub struct Cell {
     patch: Patch,
+    /// Quarterings that made it.
+    level: u8,
+    quarters: OnceLock<Box<[Cell; 4]>>,
     /// Points whose convex hull contains it: its corners if it is flat.
-    pub hull: Vec<DVec3>,
+    pub hull: SmallVec<[DVec3; 4]>,
     /// The Gauss points; the area of each is its part of the cell's.
     pub nodes: [Node; POINTS],
     /// The field at each point, channel after channel.
-    pub values: Vec<f64>,
+    values: SmallVec<[f64; 12]>,
     /// Places and normals at the corners of a curved cell and at its Gauss points.
     pub facets: Vec<(DVec3, DVec3)>,
     /// Middle of the hull.
@@ -39,9 +50,13 @@ pub struct Cell {
 }
 
 impl Cell {
-    /// A cell without a field.
+    /// A patch of an element without a field.
     pub fn bare(patch: Patch) -> Self {
-        let hull = patch.hull();
+        Self::at_level(patch, 0)
+    }
+
+    fn at_level(patch: Patch, level: u8) -> Self {
+        let hull = SmallVec::from_vec(patch.hull());
         let center = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let radius = hull.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max).sqrt();
         let (places, weights) = UnitRule::of(2).line();
@@ -61,10 +76,12 @@ impl Cell {
         let bend = pairs.fold(1.0, f64::min);
         Self {
             patch,
+            level,
+            quarters: OnceLock::new(),
             hull,
             nodes,
             facets,
-            values: Vec::new(),
+            values: SmallVec::new(),
             center,
             radius,
             brightness: 0.0,
@@ -75,7 +92,7 @@ impl Cell {
     }
 
     /// The same cell with a field at its points.
-    pub fn with_values(mut self, values: Vec<f64>, scale: &[f64]) -> Self {
+    pub fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
         self.values = values;
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
@@ -109,8 +126,8 @@ impl Cell {
         self.patch.is_flat()
     }
 
-    /// Takes over what its quarters, which carry the same field, show of it.
-    pub fn look_at(&mut self, quarters: &[Cell], scale: &[f64]) {
+    /// Gives it its quarters, with the same field, and takes over what they show of it.
+    pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
@@ -122,17 +139,27 @@ impl Cell {
                 self.detail = self.detail.max((parts / whole - mean).abs() / scale);
             }
         }
+        self.quarters = OnceLock::from(Box::new(quarters));
     }
 
-    /// The four quarters without a field, index 2 a + b like the points.
+    /// The four quarters, index 2 a + b like the points.
+    pub fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
+        if self.level < KEPT || self.quarters.get().is_some() {
+            Quarters::Kept(self.quarters.get_or_init(|| Box::new(self.interpolated(scale))))
+        } else {
+            Quarters::Passing(Box::new(self.interpolated(scale)))
+        }
+    }
+
+    /// The four quarters without a field.
     pub fn bare_quarters(&self) -> [Cell; 4] {
         let halves = self.patch.halves(Direction::Along).map(|half| half.halves(Direction::Across));
         let [[a, b], [c, d]] = halves;
-        [a, b, c, d].map(Cell::bare)
+        [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
     }
 
     /// The four quarters with the bilinear interpolant of the field, which does not leave the range of the four points.
-    pub fn quarters(&self, scale: &[f64]) -> [Cell; 4] {
+    fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
         let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
         // Share of the point at the far side of the cell, at the c-th point of the a-th half.
@@ -152,5 +179,24 @@ impl Cell {
             let values = (0..POINTS * channels).map(value).collect();
             quarter.with_values(values, scale)
         })
+    }
+}
+
+/// The quarters of a cell.
+pub enum Quarters<'a> {
+    /// Kept with it.
+    Kept(&'a [Cell; 4]),
+    /// Made for once.
+    Passing(Box<[Cell; 4]>),
+}
+
+impl Deref for Quarters<'_> {
+    type Target = [Cell; 4];
+
+    fn deref(&self) -> &[Cell; 4] {
+        match self {
+            Self::Kept(quarters) => quarters,
+            Self::Passing(quarters) => quarters,
+        }
     }
 }

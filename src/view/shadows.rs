@@ -8,7 +8,7 @@ use crate::view::cell::Cell;
 use crate::view::surroundings::Surroundings;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{Cover, Pyramid, outside_all};
+use crate::visibility::exact::{Cover, Pyramid};
 
 /// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
 const ENDS: f64 = 1e-9;
@@ -79,7 +79,10 @@ impl<'a> Shadows<'a> {
         for place in above.start..above.end {
             let blocker = self.asked[place];
             let cover = match &self.blockers[blocker] {
-                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull),
+                Blocker::Flat(pyramid) => match pyramid.cover_ball(cell.center, cell.radius) {
+                    Cover::Mixed => pyramid.cover(&cell.hull),
+                    cover => cover,
+                },
                 Blocker::Curved(surface) => self.curved_cover(*surface, cell),
             };
             match cover {
@@ -96,13 +99,12 @@ impl<'a> Shadows<'a> {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
-    /// The part of a convex planar polygon that planar blockers leave, as convex polygons.
-    pub fn visible_parts(&self, before: Before, polygon: &[DVec3]) -> Vec<Vec<DVec3>> {
-        let pyramids = self.of(before).filter_map(|blocker| match blocker {
+    /// The planar ones.
+    pub fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
+        self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(pyramid) => Some(pyramid),
             Blocker::Curved(_) => None,
-        });
-        outside_all(polygon, pyramids)
+        })
     }
 
     /// Whether a point of `surface` is hidden.

@@ -5,6 +5,7 @@
 
 use radiosity_geom::{Aabb, DVec3};
 
+use crate::elements::Element;
 use crate::view::tree::Tree;
 use crate::visibility::Visibility;
 
@@ -20,6 +21,14 @@ pub struct Site<'a> {
     pub horizon: Option<DVec3>,
     /// Index of the surface it lies on, if any.
     pub surface: Option<usize>,
+}
+
+impl<'a> Site<'a> {
+    /// An element as a receiver.
+    pub fn of(element: &'a Element) -> Self {
+        let horizon = element.plane.map(|(_, normal)| normal);
+        Self { points: &element.hull, horizon, surface: Some(element.surface) }
+    }
 }
 
 /// The obstacles between a site and each of some elements.

@@ -3,6 +3,7 @@
 //! A tree is as fine as the radiosity varies, and so fine that the points of its cells see every polynomial.
 
 use radiosity_geom::{Aabb, DVec3};
+use smallvec::smallvec;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
@@ -17,10 +18,8 @@ const FINE: f64 = 30.0;
 /// An element as an emitter.
 #[derive(Debug)]
 pub struct Tree {
-    cells: Vec<Cell>,
-    /// First of the four quarters of each cell, where the tree has them.
-    quarters: Vec<Option<usize>>,
-    roots: usize,
+    /// The cells that cover the element, one a patch.
+    roots: Vec<Cell>,
     scale: Vec<f64>,
     /// Index of its surface.
     pub surface: usize,
@@ -36,42 +35,25 @@ pub type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 impl Tree {
     /// An element with the constant 1 in a single channel, that counts as `brightness` (positive) times the scale.
     pub fn uniform(element: &Element, brightness: f64) -> Self {
-        let mut tree = Self::bare(element, &[1.0 / brightness]);
-        for patch in &element.patches {
-            tree.push(Cell::bare(patch.clone()), &|_, out| out.fill(1.0));
-        }
-        tree.roots = tree.cells.len();
-        tree
+        Self::grown(element, &[1.0 / brightness], |bare, scale| {
+            with_field(bare, scale, &|_, out| out.fill(1.0))
+        })
     }
 
     /// An element with `field`, whose channels are measured by `scale` (positive), kept so finely that differences of `eps`
     /// times that are followed.
     pub fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
-        let mut tree = Self::bare(element, scale);
         // So many quarterings that 2 × 2 points a cell see every polynomial of the element.
         let least = element.basis.total_degree().div_ceil(4);
-        for patch in &element.patches {
-            tree.push(Cell::bare(patch.clone()), field);
-        }
-        tree.roots = tree.cells.len();
-        let (mut level, mut start) = (0, 0);
-        while level < DEEPEST && start < tree.cells.len() {
-            let end = tree.cells.len();
-            for index in start..end {
-                if level < least || tree.cells[index].spread > FINE * eps {
-                    tree.divide(index, field);
-                }
-            }
-            (level, start) = (level + 1, end);
-        }
-        tree
+        Self::grown(element, scale, |bare, scale| {
+            let growth = Growth { field, scale, least, rough: FINE * eps };
+            growth.of(bare, 0)
+        })
     }
 
-    fn bare(element: &Element, scale: &[f64]) -> Self {
+    fn grown(element: &Element, scale: &[f64], grow: impl Fn(Cell, &[f64]) -> Cell) -> Self {
         Self {
-            cells: Vec::new(),
-            quarters: Vec::new(),
-            roots: 0,
+            roots: element.patches.iter().map(|patch| grow(Cell::bare(patch.clone()), scale)).collect(),
             scale: scale.to_vec(),
             surface: element.surface,
             plane: element.plane,
@@ -79,43 +61,42 @@ impl Tree {
         }
     }
 
-    fn push(&mut self, cell: Cell, field: Field<'_>) {
-        let channels = self.scale.len();
-        let mut values = vec![0.0; POINTS * channels];
-        for (node, out) in cell.nodes.iter().zip(values.chunks_exact_mut(channels)) {
-            field(node, out);
-        }
-        self.cells.push(cell.with_values(values, &self.scale));
-        self.quarters.push(None);
-    }
-
-    fn divide(&mut self, index: usize, field: Field<'_>) {
-        let first = self.cells.len();
-        for quarter in self.cells[index].bare_quarters() {
-            self.push(quarter, field);
-        }
-        self.quarters[index] = Some(first);
-        let (above, below) = self.cells.split_at_mut(first);
-        above[index].look_at(below, &self.scale);
-    }
-
     /// The cells that cover the element, one a patch.
-    pub fn roots(&self) -> std::ops::Range<usize> {
-        0..self.roots
-    }
-
-    /// A cell.
-    pub fn cell(&self, index: usize) -> &Cell {
-        &self.cells[index]
-    }
-
-    /// Index of the first of the four quarters of a cell, which follow each other.
-    pub fn quarters(&self, index: usize) -> Option<usize> {
-        self.quarters[index]
+    pub fn roots(&self) -> &[Cell] {
+        &self.roots
     }
 
     /// The scale of each channel.
     pub fn scale(&self) -> &[f64] {
         &self.scale
     }
+}
+
+/// How cells are divided for a field.
+struct Growth<'a> {
+    field: Field<'a>,
+    scale: &'a [f64],
+    /// Levels that are divided anyhow.
+    least: usize,
+    /// Variation over the scale above which a cell is divided.
+    rough: f64,
+}
+
+impl Growth<'_> {
+    fn of(&self, bare: Cell, level: usize) -> Cell {
+        let mut cell = with_field(bare, self.scale, self.field);
+        if level < DEEPEST && (level < self.least || cell.spread > self.rough) {
+            let quarters = cell.bare_quarters().map(|quarter| self.of(quarter, level + 1));
+            cell.divide(quarters, self.scale);
+        }
+        cell
+    }
+}
+
+fn with_field(bare: Cell, scale: &[f64], field: Field<'_>) -> Cell {
+    let mut values = smallvec![0.0; POINTS * scale.len()];
+    for (node, out) in bare.nodes.iter().zip(values.chunks_exact_mut(scale.len())) {
+        field(node, out);
+    }
+    bare.with_values(values, scale)
 }

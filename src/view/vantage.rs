@@ -3,7 +3,7 @@
 use radiosity_geom::{DVec3, clip_polygon};
 
 use crate::view::surroundings::Site;
-use crate::visibility::exact::irradiance;
+use crate::visibility::exact::{Pyramid, visible_irradiance};
 
 /// Heights below this part of the distance count as on the horizon.
 const ON_HORIZON: f64 = 1e-12;
@@ -50,12 +50,19 @@ impl Vantage {
         above(self.normal) && self.ground.is_none_or(above)
     }
 
-    /// Irradiance from a visible planar convex polygon of exitance 1.
-    pub fn factor(&self, polygon: &[DVec3]) -> f64 {
+    /// Whether a ball lies above the horizons as a whole.
+    pub fn clears(&self, center: DVec3, radius: f64) -> bool {
+        let above = |horizon: DVec3| (center - self.position).dot(horizon) > radius;
+        above(self.normal) && self.ground.is_none_or(above)
+    }
+
+    /// Irradiance from the part of a planar convex polygon of exitance 1 that no pyramid hides.
+    pub fn factor<'a>(&self, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
         match self.ground {
-            None => irradiance(self.position, self.normal, polygon),
+            None => visible_irradiance(self.position, self.normal, polygon, pyramids),
             Some(ground) => {
-                irradiance(self.position, self.normal, &clip_polygon(polygon, self.position, ground))
+                let above = clip_polygon(polygon, self.position, ground);
+                visible_irradiance(self.position, self.normal, &above, pyramids)
             }
         }
     }

@@ -1,6 +1,7 @@
 //! The walk from a point over the cells of elements.
 
 use std::f64::consts::PI;
+use std::iter;
 
 use radiosity_geom::DVec3;
 
@@ -99,12 +100,11 @@ impl<'a> Walk<'a> {
         if self.is_out_of_sight(index, tree) {
             return 0.0;
         }
-        let bound = |root: usize| {
-            let cell = tree.cell(root);
+        let bound = |cell: &Cell| {
             let near = 2.0 * cell.radius > self.distance(cell);
             cell.brightness * if near { 1.0 } else { self.weights(cell).iter().sum::<f64>().min(1.0) }
         };
-        tree.roots().map(bound).sum()
+        tree.roots().iter().map(bound).sum()
     }
 
     /// Adds the irradiance from element `index`, channel after channel, to `out`; each cell is allowed the error
@@ -123,7 +123,7 @@ impl<'a> Walk<'a> {
         };
         let mut pass = Pass { tree, tolerance, deepest, out };
         for root in tree.roots() {
-            self.visit(&mut pass, tree.cell(root), Some(root), before, 0);
+            self.visit(&mut pass, root, before, 0);
         }
     }
 
@@ -132,8 +132,8 @@ impl<'a> Walk<'a> {
         self.surroundings.before(index).is_none() || tree.plane.is_some_and(behind)
     }
 
-    fn visit(&mut self, pass: &mut Pass, cell: &Cell, index: Option<usize>, above: Before, depth: usize) {
-        if self.vantage.is_above(&cell.hull) {
+    fn visit(&mut self, pass: &mut Pass, cell: &Cell, above: Before, depth: usize) {
+        if !self.vantage.clears(cell.center, cell.radius) && self.vantage.is_above(&cell.hull) {
             return;
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
@@ -143,17 +143,8 @@ impl<'a> Walk<'a> {
             pass.take(cell, &estimate.weights);
             return;
         }
-        match index.and_then(|index| pass.tree.quarters(index)) {
-            Some(first) => {
-                for quarter in first..first + 4 {
-                    self.visit(pass, pass.tree.cell(quarter), Some(quarter), before, depth + 1);
-                }
-            }
-            None => {
-                for quarter in &cell.quarters(pass.tree.scale()) {
-                    self.visit(pass, quarter, None, before, depth + 1);
-                }
-            }
+        for quarter in cell.quarters(pass.tree.scale()).iter() {
+            self.visit(pass, quarter, before, depth + 1);
         }
     }
 
@@ -173,10 +164,12 @@ impl<'a> Walk<'a> {
     fn clear_flat(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], width: f64) -> Estimate {
         let sum: f64 = weights.iter().sum();
         let error = sum * gauss_error(cell, width);
-        if width < 1.0 && error <= pass.tolerance && self.vantage.overlooks(&cell.hull) {
+        let overlooks =
+            || self.vantage.clears(cell.center, cell.radius) || self.vantage.overlooks(&cell.hull);
+        if width < 1.0 && error <= pass.tolerance && overlooks() {
             return Estimate { weights, error };
         }
-        let factor = self.vantage.factor(&cell.hull);
+        let factor = self.vantage.factor(&cell.hull, iter::empty());
         Estimate { weights: scaled(cell, weights, factor), error: factor * lambert_error(cell, width) }
     }
 
@@ -195,8 +188,7 @@ impl<'a> Walk<'a> {
         if width < 1.0 && sum * cell.brightness <= DISPUTED * pass.tolerance && geometry <= pass.tolerance {
             return Estimate { weights: seen, error: geometry };
         }
-        let parts = self.shadows.visible_parts(before, &cell.hull);
-        let factor: f64 = parts.iter().map(|part| self.vantage.factor(part)).sum();
+        let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
         Estimate { weights: scaled(cell, seen, factor), error: factor * (cell.spread + cell.detail) }
     }
 
@@ -216,7 +208,7 @@ impl<'a> Walk<'a> {
         let whole: f64 = weights.iter().sum();
         let sum: f64 = seen.iter().sum();
         // Flat cells have Lambert's form for what nothing hides, and the points say how much of it is seen.
-        let factor = if cell.is_flat() { self.vantage.factor(&cell.hull) } else { whole };
+        let factor = if cell.is_flat() { self.vantage.factor(&cell.hull, iter::empty()) } else { whole };
         let share = if whole > 0.0 { sum / whole } else { 0.0 };
         let agreed = self.agrees(pass, cell, &weights, &seen, before);
         let doubt = match (before.is_nothing(), agreed) {

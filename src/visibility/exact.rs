@@ -7,48 +7,133 @@
 //! ```
 //!
 //! What a convex polygon hides of another from x is the part inside the pyramid from x over its edges, beyond its
-//! plane. The rest is convex pieces again: plane after plane of the pyramid, keep what lies outside and go on with
-//! what lies inside. Blockers are subtracted one after the other, so overlapping shadows count once.
+//! plane. With C₁, C₂, … what the blockers hide, and F the form of a polygon outside all of them,
+//!
+//! ```text
+//! F(P; C₁, C₂, …) = F(P; C₂, …) − F(P ∩ C₁; C₂, …) ,
+//! ```
+//!
+//! so that a single blocker costs two polygons. Where many overlap, P \ C₁ is cut into convex pieces instead, plane after
+//! plane of the pyramid. Either way overlapping shadows count once.
 
 use core::f64::consts::TAU;
 
-use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 /// Points within this part of their distance from a bounding plane count as touching it.
 const TOUCHING: f64 = 1e-9;
 
-/// Irradiance at `x` with unit normal `n` from a polygon of exitance 1, wholly visible; what lies behind the
+/// Points within this part of their distance from a plane that cuts a polygon count as lying on it.
+const ON_PLANE: f64 = 1e-12;
+
+/// Overlapping blockers up to which what they hide in common is subtracted and added.
+const FEW: usize = 4;
+
+/// Corners of a convex polygon as seen from a point, which is the origin.
+type Corners = SmallVec<[DVec3; 8]>;
+
+/// The half-space a·inward > depth of what is seen from a point.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    /// Unit normal.
+    inward: DVec3,
+    depth: f64,
+}
+
+impl Plane {
+    fn height(&self, a: DVec3) -> f64 {
+        a.dot(self.inward) - self.depth
+    }
+
+    /// The parts of a convex polygon inside and outside; what merely touches the plane counts for neither.
+    fn cut(&self, polygon: &[DVec3]) -> [Corners; 2] {
+        let reach = polygon.iter().map(|a| a.length_squared()).fold(0.0, f64::max).sqrt();
+        let height = |a: DVec3| {
+            let h = self.height(a);
+            if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
+        };
+        let mut parts = [Corners::new(), Corners::new()];
+        let mut proper = [false; 2];
+        let Some(last) = polygon.last() else { return parts };
+        let mut previous = (*last, height(*last));
+        for &a in polygon {
+            let h = height(a);
+            if previous.1 * h < 0.0 {
+                let crossing = previous.0.lerp(a, previous.1 / (previous.1 - h));
+                parts.iter_mut().for_each(|part| part.push(crossing));
+            }
+            if h >= 0.0 {
+                parts[0].push(a);
+            }
+            if h <= 0.0 {
+                parts[1].push(a);
+            }
+            proper = [proper[0] | (h > 0.0), proper[1] | (h < 0.0)];
+            previous = (a, h);
+        }
+        for (part, proper) in parts.iter_mut().zip(proper) {
+            if !proper {
+                part.clear();
+            }
+        }
+        parts
+    }
+}
+
+/// Irradiance at `x` with unit normal `n` from a convex planar polygon of exitance 1, wholly visible; what lies behind the
 /// horizon is left out.
 pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
-    match polygon.iter().all(|corner| (corner - x).dot(n) >= 0.0) {
-        true => around(x, n, polygon),
-        false => around(x, n, &clip_polygon(polygon, x, n)),
+    visible_irradiance(x, n, polygon, [].iter())
+}
+
+/// The same from the part of the polygon that no pyramid, all of them from x, hides.
+pub fn visible_irradiance<'a>(
+    x: DVec3,
+    n: DVec3,
+    polygon: &[DVec3],
+    pyramids: impl Iterator<Item = &'a Pyramid>,
+) -> f64 {
+    let mut corners: Corners = polygon.iter().map(|corner| corner - x).collect();
+    if corners.iter().any(|a| a.dot(n) < 0.0) {
+        [corners, _] = Plane { inward: n, depth: 0.0 }.cut(&corners);
     }
+    outside(n, &corners, pyramids)
+}
+
+/// From the part of a polygon above the horizon outside pyramids.
+fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
+    let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
+    for pyramid in pyramids {
+        match pyramid.cover_seen(polygon.iter().copied()) {
+            Cover::Clear => {}
+            Cover::Hidden => return 0.0,
+            Cover::Mixed => mixed.push(pyramid),
+        }
+    }
+    let Some((first, rest)) = mixed.split_first() else { return lambert(n, polygon) };
+    let rest = || rest.iter().copied();
+    if mixed.len() > FEW {
+        return first.outer_parts(polygon).iter().map(|part| outside(n, part, rest())).sum();
+    }
+    let free = outside(n, polygon, rest());
+    (free - outside(n, &first.inner_part(polygon), rest())).max(0.0)
 }
 
 /// Lambert's sum along the sides of a polygon above the horizon.
-fn around(x: DVec3, n: DVec3, above: &[DVec3]) -> f64 {
-    let term = |(v, w): (&DVec3, &DVec3)| {
-        let (a, b) = (v - x, w - x);
+fn lambert(n: DVec3, polygon: &[DVec3]) -> f64 {
+    let Some(mut a) = polygon.last().copied() else { return 0.0 };
+    let mut sum = 0.0;
+    for &b in polygon {
         let cross = a.cross(b);
         let sine = cross.length();
         // A side seen end on subtends no angle.
-        if sine > 0.0 { sine.atan2(a.dot(b)) * n.dot(cross) / sine } else { 0.0 }
-    };
-    let sum: f64 = above.iter().zip(above.iter().cycle().skip(1)).map(term).sum();
-    sum.abs() / TAU
-}
-
-/// What is left of the convex `polygon` outside all `pyramids`, as convex polygons.
-pub fn outside_all<'a>(polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> Vec<Vec<DVec3>> {
-    let mut parts = vec![polygon.to_vec()];
-    for pyramid in pyramids {
-        parts = parts.into_iter().flat_map(|part| pyramid.outside(part)).collect();
-        if parts.is_empty() {
-            break;
+        if sine > 0.0 {
+            sum += sine.atan2(a.dot(b)) * n.dot(cross) / sine;
         }
+        a = b;
     }
-    parts
+    sum.abs() / TAU
 }
 
 /// How a set of points stands to what a blocker hides.
@@ -65,41 +150,59 @@ pub enum Cover {
 /// The region that a convex polygon hides from a point: inside all of these half-spaces.
 #[derive(Clone, Debug)]
 pub struct Pyramid {
-    /// A point of each bounding plane and its inward unit normal.
-    planes: Vec<(DVec3, DVec3)>,
+    eye: DVec3,
+    planes: SmallVec<[Plane; 5]>,
 }
 
 impl Pyramid {
     /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
-        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
+        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64 - x;
         let normal: DVec3 =
             polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
         let normal = normal.normalize_or_zero();
-        let height = (middle - x).dot(normal);
-        if height.abs() <= 1e-9 * middle.distance(x) {
+        let height = middle.dot(normal);
+        if height.abs() <= 1e-9 * middle.length() {
             return None;
         }
         let side = |k: usize| {
             let inward = (polygon[k] - x).cross(polygon[(k + 1) % polygon.len()] - x).normalize_or_zero();
-            (x, if inward.dot(middle - x) < 0.0 { -inward } else { inward })
+            Plane { inward: if inward.dot(middle) < 0.0 { -inward } else { inward }, depth: 0.0 }
         };
-        let beyond = (middle, normal * height.signum());
-        let planes = (0..polygon.len()).map(side).chain([beyond]).filter(|plane| plane.1 != DVec3::ZERO);
-        Some(Self { planes: planes.collect() })
+        let beyond = Plane { inward: normal * height.signum(), depth: height.abs() };
+        let planes = (0..polygon.len()).map(side).chain([beyond]);
+        Some(Self { eye: x, planes: planes.filter(|plane| plane.inward != DVec3::ZERO).collect() })
     }
 
     /// Whether it hides the convex hull of `points`; what merely touches a bounding plane lies outside it.
     pub fn cover(&self, points: &[DVec3]) -> Cover {
+        self.cover_seen(points.iter().map(|y| y - self.eye))
+    }
+
+    /// Whether it hides a ball; mixed where its points may stand differently.
+    pub fn cover_ball(&self, center: DVec3, radius: f64) -> Cover {
+        let a = center - self.eye;
         let mut cover = Cover::Hidden;
-        for (point, inward) in &self.planes {
-            let (mut low, mut high, mut reach) = (f64::INFINITY, f64::NEG_INFINITY, 0.0f64);
-            for x in points {
-                let offset = x - point;
-                let height = offset.dot(*inward);
-                (low, high, reach) = (low.min(height), high.max(height), reach.max(offset.length_squared()));
+        for plane in &self.planes {
+            let height = plane.height(a);
+            if height <= -radius {
+                return Cover::Clear;
             }
-            let tolerance = TOUCHING * reach.sqrt();
+            if height < radius {
+                cover = Cover::Mixed;
+            }
+        }
+        cover
+    }
+
+    fn cover_seen(&self, points: impl Iterator<Item = DVec3> + Clone) -> Cover {
+        let reach = points.clone().map(|a| a.length_squared()).fold(0.0, f64::max);
+        let tolerance = TOUCHING * reach.sqrt();
+        let mut cover = Cover::Hidden;
+        for plane in &self.planes {
+            let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
+            let heights = points.clone().map(|a| plane.height(a));
+            let (low, high) = heights.fold((f64::INFINITY, f64::NEG_INFINITY), range);
             if high <= tolerance {
                 return Cover::Clear;
             }
@@ -112,24 +215,31 @@ impl Pyramid {
 
     /// Whether it hides the point `y`.
     pub fn hides(&self, y: DVec3) -> bool {
-        self.planes.iter().all(|(point, inward)| (y - point).dot(*inward) > 0.0)
+        self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
     }
 
-    /// The parts of a convex polygon outside the pyramid.
-    fn outside(&self, polygon: Vec<DVec3>) -> Vec<Vec<DVec3>> {
-        match self.cover(&polygon) {
-            Cover::Clear => return vec![polygon],
-            Cover::Hidden => return Vec::new(),
-            Cover::Mixed => {}
+    /// The part of a convex polygon that it hides.
+    fn inner_part(&self, polygon: &[DVec3]) -> Corners {
+        let mut inside = Corners::from_slice(polygon);
+        for plane in &self.planes {
+            [inside, _] = plane.cut(&inside);
+            if inside.len() < 3 {
+                return Corners::new();
+            }
         }
-        let mut kept = Vec::new();
-        let mut inside = polygon;
-        for (point, inward) in &self.planes {
-            let outer = clip_polygon(&inside, *point, -*inward);
+        inside
+    }
+
+    /// What it leaves of a convex polygon, as convex polygons.
+    fn outer_parts(&self, polygon: &[DVec3]) -> SmallVec<[Corners; 5]> {
+        let mut kept = SmallVec::new();
+        let mut inside = Corners::from_slice(polygon);
+        for plane in &self.planes {
+            let [inner, outer] = plane.cut(&inside);
             if outer.len() > 2 {
                 kept.push(outer);
             }
-            inside = clip_polygon(&inside, *point, *inward);
+            inside = inner;
             if inside.len() < 3 {
                 break;
             }
@@ -142,6 +252,7 @@ impl Pyramid {
 mod tests {
     use super::*;
     use proptest::prelude::*;
+    use radiosity_geom::clip_polygon;
 
     fn square(center: DVec3, half: f64) -> Vec<DVec3> {
         [[-1., -1.], [1., -1.], [1., 1.], [-1., 1.]]
@@ -151,7 +262,7 @@ mod tests {
 
     fn seen(x: DVec3, lamp: &[DVec3], blockers: &[Vec<DVec3>]) -> f64 {
         let pyramids: Vec<Pyramid> = blockers.iter().filter_map(|b| Pyramid::over(b, x)).collect();
-        outside_all(lamp, pyramids.iter()).iter().map(|part| irradiance(x, DVec3::Z, part)).sum()
+        visible_irradiance(x, DVec3::Z, lamp, pyramids.iter())
     }
 
     /// Below the corner of a rectangle a × b at distance c, with A = a/c, B = b/c:
@@ -187,6 +298,16 @@ mod tests {
         assert!((twice - half).abs() < 1e-15);
         let both = seen(DVec3::ZERO, &lamp, &[plate.clone(), square(DVec3::new(-1., 0., 1.5), 1.0)]);
         assert!(both.abs() < 1e-15);
+        let plates: Vec<_> = (0..12)
+            .map(|k| square(DVec3::new(1., 0.3 * f64::from(k % 3), 1.0 + 0.01 * f64::from(k)), 1.0))
+            .collect();
+        let of_many = seen(DVec3::ZERO, &lamp, &plates);
+        let at_once = square(DVec3::new(1., 0.3, 1.0), 1.3);
+        let of_one = seen(DVec3::ZERO, &lamp, &[at_once]);
+        assert!(
+            of_many <= half && of_many >= of_one,
+            "twelve plates {of_many}, one {half}, a larger one {of_one}"
+        );
         let behind = seen(DVec3::ZERO, &lamp, &[square(DVec3::new(0., 0., 3.), 2.0)]);
         assert!((behind - free).abs() < 1e-15);
     }

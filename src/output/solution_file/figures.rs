@@ -18,6 +18,9 @@ pub(super) struct Figures {
     converged: bool,
     iterations: usize,
     residual: f64,
+    /// Whether direct light was split off; never in files that do not tell.
+    #[serde(default)]
+    split: bool,
     /// Relative residual of each band.
     pub(super) residuals: Vec<f64>,
     kernel_samples: u64,
@@ -41,6 +44,7 @@ impl Figures {
             converged: outcome.converged,
             iterations: outcome.iterations,
             residual: outcome.residual,
+            split: outcome.split,
             residuals: bands.iter().map(|band| band.coefficients.residual).collect(),
             kernel_samples: outcome.samples,
             kernel_samples_distinct: outcome.distinct,
@@ -65,6 +69,7 @@ impl Figures {
             solver: Method::named(&self.solver).ok()?.name,
             iterations: self.iterations,
             residual: self.residual,
+            split: self.split,
             converged: self.converged,
             seconds: Stages::default(),
         })

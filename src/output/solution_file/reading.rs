@@ -8,11 +8,12 @@ use serde::Deserialize;
 use super::element::SavedElement;
 use super::error::{Mismatch, SolutionError, SolutionFault};
 use super::tree::{FORMAT, SavedScene, SolutionFile, VERSION};
+use crate::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};
 use crate::solution::{Band, Solution};
 use crate::solved::Solved;
-use crate::system::{Coating, Coefficients};
+use crate::system::Coefficients;
 
 /// What tells a solution file of any version.
 #[derive(Deserialize)]

@@ -1,0 +1,155 @@
+//! The first bounce: what arrives straight from the emitters, and what of it arrives reflected once, with all shadows.
+//!
+//! ```text
+//! D(x) = ∫ κ V E₀ dA_y ,     g(x) = ∫ κ V ρ D dA_y
+//! d_k = ∫ φ_k D dA ,         g_k = ∫ φ_k g dA
+//! ```
+//!
+//! Where direct light is split off, g feeds the polynomials in place of G ρ d: the shadow edges of D, which no polynomial
+//! holds, then are smoothed by one transport before anything is projected. D itself is never transported by
+//! polynomials; d serves those who read polynomials alone.
+//!
+//! The integrals over x are Gauss rules on m × m cells of each patch, exact for φ_k times a polynomial of degree 3 in
+//! each cell: D with its edges on many cells, the smooth g on few.
+
+use rayon::prelude::*;
+
+use crate::coating::Coating;
+use crate::direct::DirectLight;
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+use crate::reflection::Reflection;
+use crate::view::surroundings::{Site, Surroundings};
+use crate::view::vantage::Vantage;
+use crate::visibility::Visibility;
+
+/// Halvings of a patch in each direction for D and for g; a patch that is a small part of its element takes fewer for g.
+const DIRECT_HALVINGS: usize = 2;
+const REFLECTED_HALVINGS: usize = 1;
+
+/// Part of its element below which a patch counts as small.
+const SMALL: f64 = 0.25;
+
+/// Coefficients in the orthonormal bases, element by element, per band.
+#[derive(Debug)]
+pub struct Bounce {
+    /// d of the direct irradiance (W m⁻²).
+    pub direct: Vec<Vec<f64>>,
+    /// g of the irradiance (W m⁻²) that was reflected once.
+    pub reflected: Vec<Vec<f64>>,
+}
+
+impl Bounce {
+    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps`.
+    pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
+        let direct = DirectLight::within(elements, coatings, visibility, eps);
+        let nothing = |_: usize, _: &Node, out: &mut [f64]| out.fill(0.0);
+        let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {
+            let parts: Vec<_> = (0..elements.len()).into_par_iter().map(project).collect();
+            let bands = 0..coatings.len();
+            bands.map(|band| parts.iter().flat_map(|part| &part[band]).copied().collect()).collect()
+        };
+        let d = projected(&|index| of_direct(&elements[index], index, &direct, coatings.len()));
+        let scale = scale(elements, coatings, &d);
+        let reflection = Reflection::new(elements, coatings, visibility, &direct, &nothing, scale, eps);
+        let g = projected(&|index| of_reflected(&elements[index], &direct, &reflection, coatings.len()));
+        Self { direct: d, reflected: g }
+    }
+}
+
+/// Mean reflected radiosity ρ D of each band over the scene; 1 where nothing is reflected.
+fn scale(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
+    let area: f64 = elements.iter().map(|element| element.area).sum();
+    let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
+        let reflectances = elements.iter().zip(&coating.reflectance);
+        let weights = reflectances.flat_map(|(element, rho)| element.constant.iter().map(move |c| rho * c));
+        let power: f64 = weights.zip(direct).map(|(weight, d)| weight * d).sum();
+        if power > 0.0 { power / area } else { 1.0 }
+    };
+    coatings.iter().zip(direct).map(mean).collect()
+}
+
+/// d of an element, per band.
+fn of_direct(element: &Element, index: usize, direct: &DirectLight, bands: usize) -> Vec<Vec<f64>> {
+    let mut sums = Sums::new(element, bands);
+    for cell in element.patches.iter().flat_map(|patch| cells(patch, DIRECT_HALVINGS)) {
+        sums.add(&cell, DIRECT_HALVINGS, |node| direct.at(index, node.position, node.normal));
+    }
+    sums.finish()
+}
+
+/// g of an element, per band.
+fn of_reflected(
+    element: &Element,
+    direct: &DirectLight,
+    reflection: &Reflection,
+    bands: usize,
+) -> Vec<Vec<f64>> {
+    let mut sums = Sums::new(element, bands);
+    for patch in &element.patches {
+        let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
+        for cell in cells(patch, halvings) {
+            let site = Site { points: &cell.hull(), ..Site::of(element) };
+            let around: [Surroundings; 2] = [direct.around(&site), reflection.around(&site)];
+            sums.add(&cell, halvings, |node| {
+                let vantage = Vantage::on(element.surface, node.position, node.normal);
+                let lit = direct.irradiance(&vantage, &around[0]);
+                reflection.irradiance(&vantage, &around[1], &lit)
+            });
+        }
+    }
+    sums.finish()
+}
+
+/// The 2^halvings × 2^halvings cells of a patch.
+fn cells(patch: &Patch, halvings: usize) -> Vec<Patch> {
+    let mut cells = vec![patch.clone()];
+    for _ in 0..halvings {
+        let columns = cells.iter().flat_map(|cell| cell.halves(Direction::Along));
+        cells = columns.flat_map(|half| half.halves(Direction::Across)).collect();
+    }
+    cells
+}
+
+/// About the area of a patch.
+fn area(patch: &Patch) -> f64 {
+    patch.node(0.5, 0.5).area
+}
+
+/// ∫ R_k f dA in the raw polynomials R_k of an element, per band.
+struct Sums<'a> {
+    element: &'a Element,
+    raw: Vec<f64>,
+    sums: Vec<Vec<f64>>,
+}
+
+impl<'a> Sums<'a> {
+    fn new(element: &'a Element, bands: usize) -> Self {
+        let zero = vec![0.0; element.basis.len()];
+        Self { element, sums: vec![zero.clone(); bands], raw: zero }
+    }
+
+    /// Adds the integral over one of the cells that so many halvings make of a patch.
+    fn add(&mut self, cell: &Patch, halvings: usize, value: impl Fn(&Node) -> Vec<f64>) {
+        let basis = &self.element.basis;
+        let rule = UnitRule::of((basis.order() >> halvings) + 2);
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let node = cell.node(s, t);
+            basis.raw(basis.frame().coordinates(&node), &mut self.raw);
+            for (sums, value) in self.sums.iter_mut().zip(value(&node)) {
+                let weighted = ws * wt * node.area * value;
+                sums.iter_mut().zip(&self.raw).for_each(|(sum, raw)| *sum += weighted * raw);
+            }
+        }
+    }
+
+    /// ∫ φ_k f dA with φ_k = Σ_l T_kl R_l.
+    fn finish(self) -> Vec<Vec<f64>> {
+        let basis = &self.element.basis;
+        let rows = || basis.transform().chunks_exact(basis.len());
+        let orthonormal =
+            |sums: &Vec<f64>| rows().map(|row| row.iter().zip(sums).map(|(t, sum)| t * sum).sum()).collect();
+        self.sums.iter().map(orthonormal).collect()
+    }
+}

@@ -1,0 +1,33 @@
+//! What elements are made of: reflectance and emitted exitance, per band.
+//!
+//! ```text
+//! B(x) = E₀ + ρ E(x) ,     0 ≤ ρ < 1
+//! ```
+
+use crate::elements::Element;
+use crate::scene::Scene;
+
+/// What the elements are made of in one band.
+#[derive(Clone, Debug)]
+pub struct Coating {
+    /// ρ per element, in [0, 1).
+    pub reflectance: Vec<f64>,
+    /// Emitted exitance per element (W m⁻²), constant over it.
+    pub exitance: Vec<f64>,
+}
+
+impl Coating {
+    /// That of a scene's elements in band `band`.
+    pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
+        let material = |element: &Element| &scene.surfaces[element.surface].material;
+        Self {
+            reflectance: elements.iter().map(|element| material(element).reflectance[band]).collect(),
+            exitance: elements.iter().map(|element| material(element).emission[band]).collect(),
+        }
+    }
+
+    /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).
+    pub fn radiosity(&self, element: usize, irradiance: f64) -> f64 {
+        self.exitance[element] + self.reflectance[element] * irradiance
+    }
+}

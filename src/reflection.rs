@@ -1,0 +1,89 @@
+//! Reflected light, gathered at a point from all surfaces with all shadows.
+//!
+//! ```text
+//! E(x) = ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S(y)) dA_y ,
+//! ```
+//!
+//! with D the direct light ([`crate::direct`]), shadows included, and S what else is known to arrive at y. The reflected
+//! radiosity is tabulated once per element, and summed over from each point ([`crate::view`]).
+
+use rayon::prelude::*;
+
+use crate::coating::Coating;
+use crate::direct::DirectLight;
+use crate::elements::Element;
+use crate::elements::patch::Node;
+use crate::view::surroundings::{Site, Surroundings};
+use crate::view::tree::Tree;
+use crate::view::vantage::Vantage;
+use crate::view::walk::Walk;
+use crate::visibility::Visibility;
+
+/// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
+const PER_CELL: f64 = 1.0;
+
+/// What arrives beside the direct light: writes the irradiance (W m⁻²) per band at a node of an element.
+pub type Beside<'a> = &'a (dyn Fn(usize, &Node, &mut [f64]) + Sync);
+
+/// The radiosity that reflecting elements send.
+#[derive(Debug)]
+pub struct Reflection<'a> {
+    visibility: &'a Visibility,
+    trees: Vec<Tree>,
+    /// Size of the radiosity per band.
+    scale: Vec<f64>,
+    eps: f64,
+}
+
+impl<'a> Reflection<'a> {
+    /// That of elements with their coatings, one a band, under `direct` and `beside`; to be gathered to about the relative
+    /// accuracy `eps`. `scale` (positive) is the size of the radiosity per band.
+    pub fn new(
+        elements: &[Element],
+        coatings: &[&Coating],
+        visibility: &'a Visibility,
+        direct: &DirectLight,
+        beside: Beside<'_>,
+        scale: Vec<f64>,
+        eps: f64,
+    ) -> Self {
+        let reflects = |i: &usize| coatings.iter().any(|coating| coating.reflectance[*i] > 0.0);
+        let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
+        let tree = |element: &usize| {
+            let field = |node: &Node, out: &mut [f64]| {
+                beside(*element, node, out);
+                let lit = direct.at(*element, node.position, node.normal);
+                for ((out, lit), coating) in out.iter_mut().zip(lit).zip(coatings) {
+                    *out = coating.reflectance[*element] * (*out + lit);
+                }
+            };
+            Tree::new(&elements[*element], &scale, eps, &field)
+        };
+        let trees = reflecting.par_iter().map(tree).collect();
+        Self { visibility, trees, scale, eps }
+    }
+
+    /// What may stand between a site and the reflecting elements.
+    pub fn around(&self, site: &Site) -> Surroundings {
+        Surroundings::new(self.visibility, &self.trees, site)
+    }
+
+    /// Irradiance (W m⁻²) per band at a point of a site; `other` light is known to arrive there as well, and errors are
+    /// judged against both.
+    pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
+        let mut walk = Walk::new(vantage, self.visibility, surroundings);
+        walk.to_share(&self.trees, PER_CELL * self.eps, self.relative(other), |walk, tolerance| {
+            let mut sum = vec![0.0; self.scale.len()];
+            for (index, tree) in self.trees.iter().enumerate() {
+                walk.add(index, tree, tolerance, &mut sum);
+            }
+            let level = self.relative(&sum);
+            (sum, level)
+        })
+    }
+
+    /// The least of the bands, in multiples of its scale.
+    fn relative(&self, irradiance: &[f64]) -> f64 {
+        irradiance.iter().zip(&self.scale).map(|(e, scale)| e / scale).fold(f64::INFINITY, f64::min)
+    }
+}

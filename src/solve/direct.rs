@@ -1,0 +1,68 @@
+//! Whether direct light is split off.
+//!
+//! Split off, D is known as sharply as it is, but for the power that its own quadrature misses; projected, it is as smooth
+//! as polynomials, and power is kept to rounding. Sharp shadows need the one, furnaces the other.
+
+use serde::{Deserialize, Serialize};
+
+use crate::coating::Coating;
+use crate::elements::Element;
+use crate::visibility::Visibility;
+
+/// Part of the scene's area that emits from which on direct light counts as smooth.
+const LARGE: f64 = 0.25;
+
+/// How light that comes straight from emitters enters the solution.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Direct {
+    /// Split off where flat emitters cast shadows of flat obstacles, which are exact and cheap; projected elsewhere.
+    Auto,
+    /// An exact source at every point, with its shadows ([`crate::bounce`]).
+    Split,
+    /// Transported by the polynomials like all other light, as in the papers.
+    Projected,
+}
+
+impl Direct {
+    /// Whether direct light of elements with their coatings, one a band, is split off; `plain` tells whether the transfers are
+    /// those of the default kernel as they are.
+    pub(super) fn splits(
+        self,
+        elements: &[Element],
+        coatings: &[&Coating],
+        visibility: &Visibility,
+        plain: bool,
+    ) -> bool {
+        match self {
+            Self::Split => true,
+            Self::Projected => false,
+            Self::Auto => plain && casts_flat_shadows(elements, coatings, visibility),
+        }
+    }
+}
+
+/// Whether all emitters and all that may stand before them are flat, something does, and not much emits.
+fn casts_flat_shadows(elements: &[Element], coatings: &[&Coating], visibility: &Visibility) -> bool {
+    let emits = |i: &usize| coatings.iter().any(|coating| coating.exitance[*i] > 0.0);
+    let emitters: Vec<&Element> = (0..elements.len()).filter(emits).map(|i| &elements[i]).collect();
+    let area = |some: &mut dyn Iterator<Item = &Element>| some.map(|element| element.area).sum::<f64>();
+    if area(&mut emitters.iter().copied()) > LARGE * area(&mut elements.iter()) {
+        return false;
+    }
+    let mut shadows = false;
+    for emitter in &emitters {
+        if emitter.plane.is_none() {
+            return false;
+        }
+        for element in elements {
+            let surfaces = [element.surface, emitter.surface];
+            let blockers = visibility.candidates(&element.hull, &emitter.hull, surfaces);
+            if blockers.iter().any(|blocker| visibility.pieces(*blocker).is_none()) {
+                return false;
+            }
+            shadows |= !blockers.is_empty();
+        }
+    }
+    shadows
+}
