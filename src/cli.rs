@@ -10,6 +10,7 @@ mod error;
 mod format;
 mod grid;
 mod interrupt;
+mod masks;
 mod memory;
 mod options;
 mod output_file;

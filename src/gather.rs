@@ -39,9 +39,13 @@ impl<'a> Gather<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let direct = DirectLight::within(list, &coatings, visibility, eps);
-        let indirect = |element: usize, node: &Node, out: &mut [f64]| indirect(solution, element, node, out);
+        let lit = |element: usize, node: &Node| {
+            let mut lit = direct.at(element, node.position, node.normal);
+            add_indirect(solution, element, node, &mut lit);
+            lit
+        };
         let scale = scale(solution);
-        let reflection = Reflection::new(list, &coatings, visibility, &direct, &indirect, scale, eps);
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
 
@@ -85,11 +89,11 @@ fn scale(solution: &Solution) -> Vec<f64> {
     solution.bands().iter().map(mean).collect()
 }
 
-/// S_h per band at a node of an element, not below zero.
-fn indirect(solution: &Solution, element: usize, node: &Node, out: &mut [f64]) {
+/// Adds S_h per band at a node of an element, where it is not below zero.
+fn add_indirect(solution: &Solution, element: usize, node: &Node, sums: &mut [f64]) {
     let surface = solution.elements().list()[element].surface;
     let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };
-    for (band, out) in out.iter_mut().enumerate() {
-        *out = solution.indirect(band, element, &place).max(0.0);
+    for (band, sum) in sums.iter_mut().enumerate() {
+        *sum += solution.indirect(band, element, &place).max(0.0);
     }
 }

@@ -16,7 +16,7 @@ use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
 use radiosity::solve::Direct;
 use radiosity_solvers::method::Method;
 
-use crate::cli::{error::CliError, memory, output_file::OutputFile};
+use crate::cli::{error::CliError, masks::MaskArgs, memory, output_file::OutputFile};
 
 /// Help on the scene of verbs that read solutions as well.
 pub(crate) const SCENE_OR_SOLUTION: &str =
@@ -128,6 +128,9 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
     pub(crate) shadow_eps: f64,
 
+    #[command(flatten)]
+    pub(crate) masks: MaskArgs,
+
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
     #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
     pub(crate) memory: Option<u64>,
@@ -226,6 +229,8 @@ pub(crate) enum Shadows {
     Off,
     /// Rays where something can stand between
     Rays,
+    /// Rays, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them
+    Mask,
 }
 
 /// `--direct`.

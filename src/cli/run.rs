@@ -254,6 +254,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         closure: method.closure_correction,
         shadow_eps: method.shadow_eps,
         shadows: method.shadows != Shadows::Off,
+        masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
         direct: method.direct.into(),
         method: method.solver,
         tolerance: method.tolerance,

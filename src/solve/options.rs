@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::kernel::paper;
+use crate::masked::Masking;
 use crate::visibility::Shadows;
 
 use super::direct::Direct;
@@ -34,6 +35,9 @@ pub struct Options {
     pub shadow_eps: f64,
     /// Whether surfaces hide each other.
     pub shadows: bool,
+    /// Direct light as polynomials times shadow masks, made so; None takes it as `direct` tells.
+    #[serde(default)]
+    pub masks: Option<Masking>,
     /// How direct light enters. Solutions written before there was a choice have it projected.
     #[serde(default = "projected")]
     pub direct: Direct,
@@ -67,6 +71,7 @@ impl Default for Options {
             closure: false,
             shadow_eps: 3e-3,
             shadows: true,
+            masks: None,
             direct: Direct::Auto,
             method: Method::named("auto").expect("auto is always listed"),
             tolerance: 1e-8,
