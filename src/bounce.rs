@@ -19,8 +19,8 @@ use crate::direct::DirectLight;
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::reflection::Reflection;
-use crate::view::surroundings::{Site, Surroundings};
+use crate::reflection::{Lit, Reflection};
+use crate::view::surroundings::Site;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
@@ -44,20 +44,32 @@ pub struct Bounce {
 }
 
 impl Bounce {
-    /// That of elements with their coatings, one a band, good to about the relative accuracy `eps` and to [`LOOSEST`].
+    /// That of exact direct light on elements with their coatings, one a band, good to about the relative accuracy `eps` and
+    /// to [`LOOSEST`].
     pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(elements, coatings, visibility, eps);
-        let nothing = |_: usize, _: &Node, out: &mut [f64]| out.fill(0.0);
+        let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
+        Self::of(elements, coatings, visibility, &lit, eps)
+    }
+
+    /// That of any direct light `lit`.
+    pub fn of(
+        elements: &[Element],
+        coatings: &[&Coating],
+        visibility: &Visibility,
+        lit: Lit<'_>,
+        eps: f64,
+    ) -> Self {
         let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {
             let parts: Vec<_> = (0..elements.len()).into_par_iter().map(project).collect();
             let bands = 0..coatings.len();
             bands.map(|band| parts.iter().flat_map(|part| &part[band]).copied().collect()).collect()
         };
-        let d = projected(&|index| of_direct(&elements[index], index, &direct, coatings.len()));
+        let d = projected(&|index| of_direct(&elements[index], index, lit, coatings.len()));
         let scale = scale(elements, coatings, &d);
-        let reflection = Reflection::new(elements, coatings, visibility, &direct, &nothing, scale, eps);
-        let g = projected(&|index| of_reflected(&elements[index], &direct, &reflection, coatings.len()));
+        let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
+        let g = projected(&|index| of_reflected(&elements[index], index, lit, &reflection, coatings.len()));
         Self { direct: d, reflected: g }
     }
 }
@@ -75,10 +87,10 @@ fn scale(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Ve
 }
 
 /// d of an element, per band.
-fn of_direct(element: &Element, index: usize, direct: &DirectLight, bands: usize) -> Vec<Vec<f64>> {
+fn of_direct(element: &Element, index: usize, lit: Lit<'_>, bands: usize) -> Vec<Vec<f64>> {
     let mut sums = Sums::new(element, bands);
     for cell in element.patches.iter().flat_map(|patch| cells(patch, DIRECT_HALVINGS)) {
-        sums.add(&cell, DIRECT_HALVINGS, |node| direct.at(index, node.position, node.normal));
+        sums.add(&cell, DIRECT_HALVINGS, |node| lit(index, node));
     }
     sums.finish()
 }
@@ -86,7 +98,8 @@ fn of_direct(element: &Element, index: usize, direct: &DirectLight, bands: usize
 /// g of an element, per band.
 fn of_reflected(
     element: &Element,
-    direct: &DirectLight,
+    index: usize,
+    lit: Lit<'_>,
     reflection: &Reflection,
     bands: usize,
 ) -> Vec<Vec<f64>> {
@@ -95,11 +108,10 @@ fn of_reflected(
         let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
         for cell in cells(patch, halvings) {
             let site = Site { points: &cell.hull(), ..Site::of(element) };
-            let around: [Surroundings; 2] = [direct.around(&site), reflection.around(&site)];
+            let around = reflection.around(&site);
             sums.add(&cell, halvings, |node| {
                 let vantage = Vantage::on(element.surface, node.position, node.normal);
-                let lit = direct.irradiance(&vantage, &around[0]);
-                reflection.irradiance(&vantage, &around[1], &lit)
+                reflection.irradiance(&vantage, &around, &lit(index, node))
             });
         }
     }

@@ -3,12 +3,14 @@
 mod check;
 mod completions;
 mod convergence;
+mod data;
 mod decimals;
 mod destination;
 mod error;
 mod format;
 mod grid;
 mod interrupt;
+mod masks;
 mod memory;
 mod options;
 mod output_file;

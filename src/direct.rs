@@ -76,12 +76,17 @@ impl<'a> DirectLight<'a> {
         light
     }
 
+    /// Indices of the emitting elements.
+    pub fn emitters(&self) -> impl Iterator<Item = usize> {
+        self.emitters.iter().map(|emitter| emitter.element)
+    }
+
     /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
     /// exitance.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let vantage = Vantage::on(self.elements[receiver].surface, x, n);
         let factors = self.from(&vantage, &self.surroundings[receiver]);
-        self.emitters.iter().map(|emitter| emitter.element).zip(factors).collect()
+        self.emitters().zip(factors).collect()
     }
 
     /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.

@@ -43,9 +43,13 @@ impl<'a> Gather<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let direct = DirectLight::within(list, &coatings, visibility, eps);
-        let indirect = |element: usize, node: &Node, out: &mut [f64]| indirect(solution, element, node, out);
+        let lit = |element: usize, node: &Node| {
+            let mut lit = direct.at(element, node.position, node.normal);
+            add_indirect(solution, element, node, &mut lit);
+            lit
+        };
         let scale = scale(solution);
-        let reflection = Reflection::new(list, &coatings, visibility, &direct, &indirect, scale, eps);
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
 
@@ -55,13 +59,14 @@ impl<'a> Gather<'a> {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let around: Vec<Surroundings> =
             list.iter().map(|element| reflection.around(&Site::of(element))).collect();
-        let indirect = |element: usize, node: &Node, out: &mut [f64]| {
+        let lit = |element: usize, node: &Node| {
             let vantage = Vantage::on(list[element].surface, node.position, node.normal);
             let lit = direct.at(element, node.position, node.normal);
-            out.copy_from_slice(&reflection.irradiance(&vantage, &around[element], &lit));
+            let indirect = reflection.irradiance(&vantage, &around[element], &lit);
+            lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
         let scale = scale(solution);
-        let reflection = Reflection::new(list, &coatings, visibility, &direct, &indirect, scale, eps);
+        let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
 
@@ -105,10 +110,11 @@ fn scale(solution: &Solution) -> Vec<f64> {
     solution.bands().iter().map(mean).collect()
 }
 
-/// S_h per band at a node of an element, not below zero.
-fn indirect(solution: &Solution, element: usize, node: &Node, out: &mut [f64]) {
+/// Adds S_h per band at a node of an element, where it is not below zero.
+fn add_indirect(solution: &Solution, element: usize, node: &Node, sums: &mut [f64]) {
     let surface = solution.elements().list()[element].surface;
     let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };
-    solution.indirect_bands(element, &place, out);
-    out.iter_mut().for_each(|out| *out = out.max(0.0));
+    let mut indirect = vec![0.0; sums.len()];
+    solution.indirect_bands(element, &place, &mut indirect);
+    sums.iter_mut().zip(indirect).for_each(|(sum, indirect)| *sum += indirect.max(0.0));
 }

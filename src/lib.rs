@@ -54,6 +54,8 @@ pub mod footprint;
 pub mod kernel;
 pub mod view;
 pub mod direct;
+pub mod mask;
+pub mod masked;
 pub mod reflection;
 pub mod bounce;
 pub mod system;

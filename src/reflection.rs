@@ -1,16 +1,15 @@
 //! Reflected light, gathered at a point from all surfaces with all shadows.
 //!
 //! ```text
-//! E(x) = ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S(y)) dA_y ,
+//! E(x) = ∫ κ(x, y) V(x, y) ρ(y) L(y) dA_y ,
 //! ```
 //!
-//! with D the direct light ([`crate::direct`]), shadows included, and S what else is known to arrive at y. The reflected
+//! with L the irradiance that arrives at y, as it is there and not as polynomials would have it. The reflected
 //! radiosity is tabulated once per element, and summed over from each point ([`crate::view`]).
 
 use rayon::prelude::*;
 
 use crate::coating::Coating;
-use crate::direct::DirectLight;
 use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::view::surroundings::{Site, Surroundings};
@@ -22,8 +21,8 @@ use crate::visibility::Visibility;
 /// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
 const PER_CELL: f64 = 1.0;
 
-/// What arrives beside the direct light: writes the irradiance (W m⁻²) per band at a node of an element.
-pub type Beside<'a> = &'a (dyn Fn(usize, &Node, &mut [f64]) + Sync);
+/// What arrives: the irradiance (W m⁻²) per band at a node of an element.
+pub type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
 /// The radiosity that reflecting elements send.
 #[derive(Debug)]
@@ -36,14 +35,13 @@ pub struct Reflection<'a> {
 }
 
 impl<'a> Reflection<'a> {
-    /// That of elements with their coatings, one a band, under `direct` and `beside`; to be gathered to about the relative
+    /// That of elements with their coatings, one a band, under the irradiance `lit`; to be gathered to about the relative
     /// accuracy `eps`. `scale` (positive) is the size of the radiosity per band.
     pub fn new(
         elements: &[Element],
         coatings: &[&Coating],
         visibility: &'a Visibility,
-        direct: &DirectLight,
-        beside: Beside<'_>,
+        lit: Lit<'_>,
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
@@ -51,10 +49,8 @@ impl<'a> Reflection<'a> {
         let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
         let tree = |element: &usize| {
             let field = |node: &Node, out: &mut [f64]| {
-                beside(*element, node, out);
-                let lit = direct.at(*element, node.position, node.normal);
-                for ((out, lit), coating) in out.iter_mut().zip(lit).zip(coatings) {
-                    *out = coating.reflectance[*element] * (*out + lit);
+                for ((out, lit), coating) in out.iter_mut().zip(lit(*element, node)).zip(coatings) {
+                    *out = coating.reflectance[*element] * lit;
                 }
             };
             Tree::new(&elements[*element], &scale, eps, &field)

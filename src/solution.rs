@@ -1,11 +1,13 @@
 //! The solution: polynomials of irradiance and radiosity on every element, per band.
 //!
-//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻².
+//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻². Where direct light goes through shadow
+//! masks ([`crate::masked`]), E is that light plus the polynomials of the rest.
 
 use radiosity_geom::DVec3;
 
 use crate::coating::Coating;
 use crate::elements::Elements;
+use crate::masked::MaskedLight;
 use crate::system::Coefficients;
 
 /// A place on a surface.
@@ -24,6 +26,7 @@ pub struct Place {
 pub struct Solution {
     elements: Elements,
     bands: Vec<Band>,
+    masked: Option<MaskedLight>,
 }
 
 /// One band of the solution.
@@ -66,7 +69,17 @@ impl Band {
 impl Solution {
     /// The solution of all bands over `elements`.
     pub fn new(elements: Elements, bands: Vec<Band>) -> Self {
-        Self { elements, bands }
+        Self { elements, bands, masked: None }
+    }
+
+    /// The same with its direct light through masks, if there are any.
+    pub fn with_masks(self, masked: Option<MaskedLight>) -> Self {
+        Self { masked, ..self }
+    }
+
+    /// Direct light with its shadow masks, where there are any.
+    pub fn masked(&self) -> Option<&MaskedLight> {
+        self.masked.as_ref()
     }
 
     /// The elements that carry the polynomials.
@@ -86,6 +99,11 @@ impl Solution {
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn irradiance(&self, band: usize, element: usize, place: &Place) -> f64 {
+        if let Some(masked) = &self.masked {
+            let list = self.elements.list();
+            let direct = masked.at(band, list, element, place.position, place.parameters);
+            return direct + self.indirect(band, element, place);
+        }
         let raw = &self.bands[band].raw[element];
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }

@@ -13,13 +13,15 @@ use crate::bounce::Bounce;
 use crate::checks::Checks;
 use crate::coating::Coating;
 use crate::elements::cells::Layers;
+use crate::elements::patch::Node;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::footprint::Footprint;
 use crate::kernel::{Blocks, PairCounts, paper};
+use crate::masked::{MaskedLight, Setting};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coefficients, System};
-use crate::visibility::Visibility;
+use crate::visibility::{Shadows, Visibility};
 
 pub use direct::Direct;
 pub use fit::Fit;
@@ -179,7 +181,11 @@ fn solve_in_pool(
     progress(Progress::Finished("blocks", seconds.blocks));
     let coatings: Vec<Coating> =
         (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
-    let bounce = timed(&mut seconds.direct, || bounce(&elements, &coatings, &visibility, options));
+    let (masked, bounce) = timed(&mut seconds.direct, || {
+        let masked = masked_light(scene, &elements, &coatings, &visibility, options);
+        let bounce = bounce(&elements, &coatings, &visibility, masked.as_ref(), options);
+        (masked, bounce)
+    });
     if bounce.is_some() {
         progress(Progress::Finished("direct", seconds.direct));
     }
@@ -191,7 +197,7 @@ fn solve_in_pool(
     let converged = solved.iter().flat_map(|(_, effort)| effort).all(|effort| effort.converged);
     let bands: Vec<Band> = solved.into_iter().map(|(band, _)| band).collect();
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
-    let solution = Solution::new(elements, bands);
+    let solution = Solution::new(elements, bands).with_masks(masked);
     let checks = Checks::of(&solution, &blocks, bounce.as_ref());
     let Blocks { pairs, samples, distinct, rays, accuracy_reached, .. } = blocks;
     Ok(Outcome {
@@ -254,14 +260,38 @@ fn blocks(
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }
 
-/// The first bounce, where direct light is split off.
-fn bounce(
+/// The masked direct light, where masks are asked for.
+pub(crate) fn masked_light(
+    scene: &Scene,
     elements: &Elements,
     coatings: &[Coating],
     visibility: &Visibility,
     options: &Options,
+) -> Option<MaskedLight> {
+    let open = Visibility::new(scene, Shadows::Off);
+    let coatings: Vec<&Coating> = coatings.iter().collect();
+    let accuracy = options.accuracy();
+    let setting = Setting { elements, coatings: &coatings, visibility, open: &open, accuracy };
+    options.masks.map(|how| MaskedLight::new(&setting, how))
+}
+
+/// The first bounce, where direct light is split off or masked.
+fn bounce(
+    elements: &Elements,
+    coatings: &[Coating],
+    visibility: &Visibility,
+    masked: Option<&MaskedLight>,
+    options: &Options,
 ) -> Option<Bounce> {
     let (list, coatings) = (elements.list(), coatings.iter().collect::<Vec<_>>());
+    if let Some(masked) = masked {
+        let lit = |element: usize, node: &Node| {
+            let parameters = node.parameters.to_array();
+            let at = |band| masked.at(band, list, element, node.position, parameters);
+            (0..coatings.len()).map(at).collect()
+        };
+        return Some(Bounce::of(list, &coatings, visibility, &lit, options.shadow_eps));
+    }
     let plain = options.kernel.is_none() && !options.closure;
     let splits = options.direct.splits(list, &coatings, visibility, plain);
     splits.then(|| Bounce::new(list, &coatings, visibility, AT_A_POINT * options.shadow_eps))

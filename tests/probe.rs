@@ -35,7 +35,7 @@ fn assert_two(text: &str) {
     assert!((value - 2.0).abs() < 4e-3, "{value}");
 }
 
-const POINTS: &str = "0.5,0.5,0.5,0,0,3\n0.5,0.5,0,0,0,1\n";
+const POINTS: &str = "0.5,0.5,0.5,0,0,3\n0.25,1,0,0,0,1\n";
 
 #[test]
 fn a_probe_prints_irradiance_and_what_is_on_a_surface() {
@@ -47,6 +47,7 @@ fn a_probe_prints_irradiance_and_what_is_on_a_surface() {
         assert_two(&lines[1][6]);
         assert_eq!(lines[1][7..], ["", "", "", ""]);
         assert_eq!(lines[2][7], "floor");
+        assert_eq!(lines[2][8..10], ["-0.5", "1"]);
         assert_two(&lines[2][6]);
         assert_two(&lines[2][10]);
     }

@@ -1,7 +1,6 @@
 //! `radiosity grid`: mean irradiance and radiosity over the cells of every surface.
 
 use std::io;
-use std::path::PathBuf;
 
 use clap::Args;
 use radiosity::output::grid::{Cell, grid};
@@ -11,9 +10,8 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
-    destination::Destination,
+    data::DataArgs,
     error::CliError,
-    format::{self, Format},
     options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     read::{ReadArgs, Samples},
@@ -41,13 +39,8 @@ pub(crate) struct GridArgs {
     #[arg(long, value_name = "D,I")]
     pub(crate) read_samples: Option<Samples>,
 
-    /// Form of the table [default: that of the file's ending, or csv]
-    #[arg(long, value_name = "FORMAT")]
-    pub(crate) format: Option<Format>,
-
-    /// File of the table, .csv or .json [default: standard output]
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    data: DataArgs,
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
@@ -58,9 +51,7 @@ pub(crate) struct GridArgs {
 
 /// Solves the scene and prints the means.
 pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
-    let reserve = |path| loaded.reserve(path, &args.report);
-    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
-    let format = format::chosen(args.format, args.output.as_deref(), Format::Csv)?;
+    let data = args.data.reserve(&loaded, &args.report, Ok)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
@@ -73,12 +64,8 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
         let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
         grid(&reader, sides, rates, &observe)
     })?;
-    let table = match format {
-        Format::Csv => csv(scene, &cells)?,
-        Format::Json => json(scene, &cells)?,
-    };
-    destination.write(|writer| writer.write_all(&table))?;
-    run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
+    data.write(|| csv(scene, &cells), || json(scene, &cells))?;
+    run.finish(progress, data.written())
 }
 
 /// `surface,i,j,E_<band>…,B_<band>…,area`, a row per cell.

@@ -18,7 +18,7 @@ use radiosity::solve::Direct;
 use radiosity::visibility::Hiding;
 use radiosity_solvers::method::Method;
 
-use crate::cli::{error::CliError, memory, output_file::OutputFile};
+use crate::cli::{error::CliError, masks::MaskArgs, memory, output_file::OutputFile};
 
 /// Help on the scene of verbs that read solutions as well.
 pub(crate) const SCENE_OR_SOLUTION: &str =
@@ -135,6 +135,9 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "E", value_parser = fraction)]
     pub(crate) shadow_eps: Option<f64>,
 
+    #[command(flatten)]
+    pub(crate) masks: MaskArgs,
+
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
     #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
     pub(crate) memory: Option<u64>,
@@ -235,13 +238,15 @@ pub(crate) enum Shadows {
     Rays,
     /// As auto, but to the accuracy --eps
     Exact,
+    /// Rays, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them
+    Mask,
 }
 
 impl Shadows {
     /// The same, for the library.
     pub(crate) fn hiding(self) -> Hiding {
         match self {
-            Shadows::Auto => Hiding::Auto,
+            Shadows::Auto | Shadows::Mask => Hiding::Auto,
             Shadows::Off => Hiding::Off,
             Shadows::Rays => Hiding::Rays,
             Shadows::Exact => Hiding::Exact,

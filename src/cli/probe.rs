@@ -1,7 +1,7 @@
 //! `radiosity probe`: irradiance at single points.
 
 use std::io;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use radiosity::output::probe::{ProbeFault, Reading, probe};
@@ -11,10 +11,10 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
-    destination::Destination,
+    data::DataArgs,
     error::CliError,
-    format::{self, Format},
     options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    output_file::OutputFile,
     points::{COLUMNS, Points, PointsError},
     progress::Progress,
     read::ReadArgs,
@@ -41,13 +41,8 @@ pub(crate) struct ProbeArgs {
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
-    /// Form of the table [default: that of the file's ending, or csv]
-    #[arg(long, value_name = "FORMAT")]
-    pub(crate) format: Option<Format>,
-
-    /// File of the table, .csv or .json [default: standard output]
-    #[arg(short, long, value_name = "FILE")]
-    pub(crate) output: Option<PathBuf>,
+    #[command(flatten)]
+    data: DataArgs,
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
@@ -77,9 +72,8 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
     if let Some(report) = args.report.reserve()? {
         report.apart_from(points_file, "the points")?;
     }
-    let reserve = |path| loaded.reserve(path, &args.report)?.apart_from(points_file, "the points");
-    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
-    let format = format::chosen(args.format, args.output.as_deref(), Format::Csv)?;
+    let apart = |output: OutputFile| output.apart_from(points_file, "the points");
+    let data = args.data.reserve(&loaded, &args.report, apart)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
@@ -91,12 +85,8 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
         probe(&reader, &points.probes, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;
-    let table = match format {
-        Format::Csv => csv(scene, &readings)?,
-        Format::Json => json(scene, &readings)?,
-    };
-    destination.write(|writer| writer.write_all(&table))?;
-    run.finish(progress, args.output.as_ref().map(|path| path.display().to_string()).as_deref())
+    data.write(|| csv(scene, &readings), || json(scene, &readings))?;
+    run.finish(progress, data.written())
 }
 
 fn unreadable(points: &Points, index: usize, fault: ProbeFault) -> PointsError {

@@ -255,6 +255,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         closure: method.closure_correction,
         shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
         shadows: method.shadows.hiding(),
+        masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
         direct: method.direct.into(),
         method: method.solver,
         tolerance: method.tolerance,

@@ -92,6 +92,12 @@ pub(crate) enum Format {
 pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
+    if args.shadows == Shadows::Mask {
+        return Err(CliError::Refused {
+            message: "--shadows mask: masks carry light, and view factors have none".to_owned(),
+            cure: "choose auto, rays or off".to_owned(),
+        });
+    }
     let scene = args.scene.load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;

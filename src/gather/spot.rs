@@ -21,8 +21,10 @@ const AT_MOST: f64 = 1e-3;
 /// A point of a surface.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot {
-    /// Where it is.
+    /// Where light is looked for: the foot of the point that was asked for, moved as told above.
     pub place: Place,
+    /// Parameters of that foot itself, in [−1, 1]².
+    pub foot: [f64; 2],
     /// Index of the element that holds it.
     pub element: usize,
     /// Unit normal of the surface there.
@@ -87,7 +89,7 @@ impl Spot {
         let jet = shape.jet(parameters[0], parameters[1]);
         let element = elements.at(surface, parameters)?;
         let place = Place { surface, parameters, position: jet.position };
-        Some(Self { place, element, normal: jet.normal })
+        Some(Self { place, foot: at, element, normal: jet.normal })
     }
 }
 

@@ -147,6 +147,10 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (
     let polynomials = |node: &Node| reader.polynomials(element, &place(node));
     let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
     let mean = match reader.light() {
+        // Masks have edges, as direct light has.
+        Light::Basis if reader.solution().masked().is_some() => {
+            mean(patch, exact.max(rates.direct), polynomials)
+        }
         Light::Basis => mean(patch, exact, polynomials),
         Light::Direct(direct) => {
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))

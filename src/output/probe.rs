@@ -100,5 +100,5 @@ fn read(reader: &Reader, probe: &Probe) -> Result<Reading, ProbeFault> {
 fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {
     let bands = reader.solution().bands().iter();
     let radiosity = bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(spot.element, *e)).collect();
-    OnSurface { surface: spot.place.surface, parameters: spot.place.parameters, radiosity }
+    OnSurface { surface: spot.place.surface, parameters: spot.foot, radiosity }
 }

@@ -9,6 +9,7 @@ use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
 use crate::kernel::{Accuracy, paper};
+use crate::masked::Masking;
 use crate::scene::Scene;
 use crate::visibility::{Hiding, Shadows};
 
@@ -36,6 +37,9 @@ pub struct Options {
     pub shadow_eps: f64,
     /// How surfaces hide each other.
     pub shadows: Hiding,
+    /// Direct light as polynomials times shadow masks, made so; None takes it as `direct` tells.
+    #[serde(default)]
+    pub masks: Option<Masking>,
     /// How direct light enters. Solutions written before there was a choice have it projected.
     #[serde(default = "projected")]
     pub direct: Direct,
@@ -69,6 +73,7 @@ impl Default for Options {
             closure: false,
             shadow_eps: 3e-3,
             shadows: Hiding::Auto,
+            masks: None,
             direct: Direct::Auto,
             method: Method::named("auto").expect("auto is always listed"),
             tolerance: 1e-8,

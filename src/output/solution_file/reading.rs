@@ -12,8 +12,10 @@ use crate::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};
 use crate::solution::{Band, Solution};
+use crate::solve::masked_light;
 use crate::solved::Solved;
 use crate::system::Coefficients;
+use crate::visibility::Visibility;
 
 /// What tells a solution file of any version.
 #[derive(Deserialize)]
@@ -66,10 +68,14 @@ impl SolutionFile {
         }
         let elements = self.options.elements(&scene, checked(&self.discretization)?)?;
         check_elements(&self.elements, &scene, &elements)?;
-        let bands = (0..scene.bands.len())
+        let bands: Vec<Band> = (0..scene.bands.len())
             .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))
             .collect();
-        let solution = Solution::new(elements, bands);
+        let coatings: Vec<Coating> = bands.iter().map(|band| band.coating.clone()).collect();
+        let visibility = Visibility::new(&scene, (&self.options).into());
+        // Masks are made again: they follow from the scene and the options.
+        let masked = masked_light(&scene, &elements, &coatings, &visibility, &self.options);
+        let solution = Solution::new(elements, bands).with_masks(masked);
         let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);
         let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;

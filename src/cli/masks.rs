@@ -1,0 +1,63 @@
+//! Options of `--shadows mask`.
+
+use std::num::NonZeroUsize;
+
+use clap::{Args, ValueEnum};
+use radiosity::mask::Nodes;
+use radiosity::masked::{Average, Masking};
+
+/// How masks are made.
+#[derive(Debug, Args)]
+pub(crate) struct MaskArgs {
+    /// Cells of a shadow mask along each side, with --shadows mask
+    #[arg(long, value_name = "M", default_value = "40", value_parser = cells)]
+    pub(crate) mask_cells: NonZeroUsize,
+
+    /// Whether a mask is as fine everywhere
+    #[arg(long, value_name = "MODE", default_value = "even")]
+    pub(crate) mask_grid: MaskGrid,
+
+    /// What a mask tells
+    #[arg(long, value_name = "MODE", default_value = "weighted")]
+    pub(crate) mask_average: MaskAverage,
+}
+
+/// `--mask-grid`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MaskGrid {
+    /// M × M equal cells
+    Even,
+    /// Cells that are that small at shadow edges alone
+    Adaptive,
+}
+
+/// `--mask-average`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum MaskAverage {
+    /// The part of the emitter's light that arrives
+    Weighted,
+    /// The part of the emitter's area that is seen, as in Zatz 1993
+    Plain,
+}
+
+impl MaskArgs {
+    /// As the library has it.
+    pub(crate) fn masking(&self) -> Masking {
+        Masking {
+            nodes: match self.mask_grid {
+                MaskGrid::Even => Nodes::Even(self.mask_cells),
+                MaskGrid::Adaptive => Nodes::Adaptive(self.mask_cells),
+            },
+            average: match self.mask_average {
+                MaskAverage::Weighted => Average::Weighted,
+                MaskAverage::Plain => Average::Plain,
+            },
+        }
+    }
+}
+
+fn cells(text: &str) -> Result<NonZeroUsize, String> {
+    const MOST: usize = 1000;
+    let number = text.parse::<usize>().ok().filter(|number| *number <= MOST);
+    number.and_then(NonZeroUsize::new).ok_or_else(|| format!("expected a number from 1 to {MOST}"))
+}

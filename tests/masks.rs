@@ -1,0 +1,131 @@
+//! Shadow masks: direct light as polynomials without shadows times what part of the emitter is seen.
+
+use std::num::NonZeroUsize;
+use std::process::Command;
+
+use radiosity::direct::DirectLight;
+use radiosity::mask::Nodes;
+use radiosity::masked::{Average, Masking};
+use radiosity::output::grid::{Cell, Rates, grid};
+use radiosity::output::reader::{Read, Reader};
+use radiosity::scene::Scene;
+use radiosity::solve::{Direct, Options, Outcome, solve};
+use radiosity::visibility::{Hiding, Visibility};
+
+fn cells(count: usize) -> NonZeroUsize {
+    NonZeroUsize::new(count).expect("more than none")
+}
+
+fn solved(scene: &Scene, masks: Option<Masking>) -> Outcome {
+    let options = Options { order: 6, masks, direct: Direct::Projected, ..Options::default() };
+    solve(scene, &options, &|_| {}).expect("the scene can be solved")
+}
+
+fn weighted(nodes: Nodes) -> Option<Masking> {
+    Some(Masking { nodes, average: Average::Weighted })
+}
+
+/// Means over 16 × 16 cells.
+fn means(scene: &Scene, outcome: &Outcome, read: Read) -> Vec<Cell> {
+    let visibility = Visibility::new(scene, (&Options::default()).into());
+    let reader = Reader::new(&outcome.solution, &visibility, read, 1e-3);
+    grid(&reader, [16, 16], Rates::default(), &|_, _| {})
+}
+
+/// Relative L2 difference over the floor.
+fn difference(scene: &Scene, ours: &[Cell], exact: &[Cell]) -> f64 {
+    let floor = scene.surface_named("floor").expect("there is a floor");
+    let both = || ours.iter().zip(exact).filter(|(cell, _)| cell.surface == floor);
+    let sum = |term: &dyn Fn(&Cell, &Cell) -> f64| both().map(|(a, b)| a.area * term(a, b)).sum::<f64>();
+    let error = sum(&|a, b| (a.irradiance[0] - b.irradiance[0]).powi(2));
+    (error / sum(&|_, b| b.irradiance[0].powi(2))).sqrt()
+}
+
+/// A panel between lamp and floor: polynomials ring at the edge of its shadow, masks have the edge. On a quadtree they take fewer
+/// nodes for much the same.
+#[test]
+fn masks_keep_the_shadow_of_a_panel() {
+    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let plain = solved(&scene, None);
+    let exact = means(&scene, &plain, Read::Direct);
+    let ringing = difference(&scene, &means(&scene, &plain, Read::Basis), &exact);
+    let [even, adaptive] = [Nodes::Even(cells(40)), Nodes::Adaptive(cells(40))].map(|nodes| {
+        let outcome = solved(&scene, weighted(nodes));
+        let nodes: usize = outcome.solution.masked().expect("masks").pairs().map(|(_, _, nodes)| nodes).sum();
+        (difference(&scene, &means(&scene, &outcome, Read::Basis), &exact), nodes)
+    });
+    println!("floor: no masks {ringing:.4}, even {even:?}, adaptive {adaptive:?}");
+    assert!(even.0 < 0.25 * ringing && adaptive.0 < 0.25 * ringing);
+    assert!(2 * adaptive.1 < even.1);
+}
+
+/// The plain average of the paper helps as well, but less.
+#[test]
+fn the_papers_average_is_coarser() {
+    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let plain = solved(&scene, None);
+    let exact = means(&scene, &plain, Read::Direct);
+    let [weighted, paper] = [Average::Weighted, Average::Plain].map(|average| {
+        let masks = Masking { nodes: Nodes::Even(cells(40)), average };
+        difference(&scene, &means(&scene, &solved(&scene, Some(masks)), Read::Basis), &exact)
+    });
+    let ringing = difference(&scene, &means(&scene, &plain, Read::Basis), &exact);
+    println!("floor: no masks {ringing:.4}, the paper's {paper:.4}, weighted {weighted:.4}");
+    assert!(weighted <= paper && paper < ringing);
+}
+
+/// At the nodes of a mask, light is that of the emitter without shadows times the part that is seen, exactly.
+#[test]
+fn nodes_carry_the_exact_share() {
+    let scene = Scene::builtin("occluder-box").expect("the scene is built in");
+    let outcome = solved(&scene, weighted(Nodes::Even(cells(20))));
+    let solution = &outcome.solution;
+    let list = solution.elements().list();
+    let [visibility, open] = [Hiding::Auto, Hiding::Off]
+        .map(|shadows| Visibility::new(&scene, (&Options { shadows, ..Options::default() }).into()));
+    let [seen, free] = [&visibility, &open].map(|v| DirectLight::new(list, &solution.coatings(), v));
+    let floor = scene.surface_named("floor").expect("there is a floor");
+    let element = solution.elements().of_surface(floor).start;
+    let (_, normal) = list[element].plane.expect("it is flat");
+    let bounds = list[element].bounds();
+    let masked = solution.masked().expect("masks");
+    for (i, j) in [(3, 4), (10, 10), (6, 13), (7, 9)] {
+        let place = [i, j].map(|k| f64::from(k) / 20.0);
+        let x = bounds.min + (bounds.max - bounds.min) * radiosity_geom::DVec3::new(place[0], place[1], 0.0);
+        let share = seen.at(element, x, normal)[0] / free.at(element, x, normal)[0];
+        // The polynomial of the unshadowed light, from a place nearby that sees all of the lamp, is not known by itself:
+        // it is what the mask of 1 leaves, so the quotient of light and share is smooth.
+        let light = masked.at(0, list, element, x, [0.0, 0.0]);
+        let unshadowed = free.at(element, x, normal)[0];
+        assert!((light - share * unshadowed).abs() <= 5e-3 * unshadowed, "{light} {share} {unshadowed}");
+    }
+}
+
+#[test]
+fn nothing_is_masked_where_nothing_stands_between() {
+    let scene = Scene::builtin("empty-box").expect("the scene is built in");
+    let masked = solved(&scene, weighted(Nodes::Even(cells(10))));
+    assert_eq!(masked.solution.masked().expect("asked for").pairs().count(), 0);
+    let plain = solved(&scene, None);
+    let [a, b] = [&masked, &plain].map(|outcome| means(&scene, outcome, Read::Basis));
+    // Light reflected once is gathered on one side and transported by polynomials on the other.
+    assert!(difference(&scene, &a, &b) < 3e-3);
+}
+
+/// A solution that was read back shows the same bytes.
+#[test]
+fn masks_come_back_from_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let run = |args: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+        let output = command.current_dir(folder.path()).args(args).output().expect("the binary runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        output.stdout
+    };
+    let masks = ["--shadows", "mask", "--mask-cells", "10", "--order", "2"];
+    let read = ["--read", "basis", "--cells", "4x4"];
+    run(&[&["solve", "occluder-box", "-o", "saved.json"][..], &masks].concat());
+    let direct = run(&[&["grid", "occluder-box"][..], &masks, &read].concat());
+    let saved = run(&[&["grid", "saved.json"][..], &read].concat());
+    assert_eq!(direct, saved);
+}
