@@ -59,7 +59,7 @@ fn masks_keep_the_shadow_of_a_panel() {
     assert!(2 * adaptive.1 < even.1);
 }
 
-/// The plain average of the paper helps as well, but less.
+/// The plain average of the paper forgets that the near parts of an emitter weigh more.
 #[test]
 fn the_papers_average_is_coarser() {
     let scene = Scene::builtin("occluder-box").expect("the scene is built in");
@@ -69,9 +69,8 @@ fn the_papers_average_is_coarser() {
         let masks = Masking { nodes: Nodes::Even(cells(40)), average };
         difference(&scene, &means(&scene, &solved(&scene, Some(masks)), Read::Basis), &exact)
     });
-    let ringing = difference(&scene, &means(&scene, &plain, Read::Basis), &exact);
-    println!("floor: no masks {ringing:.4}, the paper's {paper:.4}, weighted {weighted:.4}");
-    assert!(weighted <= paper && paper < ringing);
+    println!("floor: the paper's {paper:.4}, weighted {weighted:.4}");
+    assert!(2.0 * weighted < paper && paper < 0.1);
 }
 
 /// At the nodes of a mask, light is that of the emitter without shadows times the part that is seen, exactly.

@@ -34,7 +34,7 @@ const MOST_CELLS: usize = 20_000;
 const NEAR_OWN: f64 = 0.1;
 
 /// How much more than a flat cell a curved one counts: the errors of neighbours have the same sign.
-const CURVED: f64 = 6.0;
+const CURVED: f64 = 20.0;
 
 /// How close a point and its normal must come to those of a ball, in parts of its radius.
 const ON_DOME: f64 = 1e-9;
