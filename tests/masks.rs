@@ -54,7 +54,6 @@ fn masks_keep_the_shadow_of_a_panel() {
         let nodes: usize = outcome.solution.masked().expect("masks").pairs().map(|(_, _, nodes)| nodes).sum();
         (difference(&scene, &means(&scene, &outcome, Read::Basis), &exact), nodes)
     });
-    println!("floor: no masks {ringing:.4}, even {even:?}, adaptive {adaptive:?}");
     assert!(even.0 < 0.25 * ringing && adaptive.0 < 0.25 * ringing);
     assert!(2 * adaptive.1 < even.1);
 }
@@ -69,7 +68,6 @@ fn the_papers_average_is_coarser() {
         let masks = Masking { nodes: Nodes::Even(cells(40)), average };
         difference(&scene, &means(&scene, &solved(&scene, Some(masks)), Read::Basis), &exact)
     });
-    println!("floor: the paper's {paper:.4}, weighted {weighted:.4}");
     assert!(2.0 * weighted < paper && paper < 0.1);
 }
 
