@@ -303,7 +303,10 @@ impl Obstacle {
 fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
     let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
     let rounding = END * scene.diagonal();
-    let tolerance = if let Shadows::Rays(eps) = shadows { eps } else { 0.0 };
+    let tolerance = match shadows {
+        Shadows::Off => 0.0,
+        Shadows::Rays(eps) | Shadows::Outlines(eps) => eps,
+    };
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
