@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::coating::Coating;
 use crate::direct::DirectLight;
-use crate::elements::basis::Frame;
+use crate::elements::frame::{Frame, duals};
 use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::kernel::{Accuracy, Blocks};
@@ -281,7 +281,7 @@ impl<'a> Receiver<'a> {
         let element = self.element();
         match (element.basis.frame(), element.plane) {
             (Frame::Plane { origin, first, second }, Some((_, normal))) => {
-                let [along, across] = duals(*first, *second);
+                let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
                 let covers = |patch: &Patch| covers(&patch.polygon(), normal, position, RIM * extent);
@@ -296,12 +296,6 @@ impl<'a> Receiver<'a> {
             (Frame::Plane { .. }, None) => None,
         }
     }
-}
-
-/// The sides along which the coordinates with these gradients grow by 1.
-fn duals(first: DVec3, second: DVec3) -> [DVec3; 2] {
-    let normal = first.cross(second);
-    [second.cross(normal), normal.cross(first)].map(|dual| dual / normal.length_squared())
 }
 
 /// Whether a convex polygon with unit normal `normal` covers a point of its plane, or comes within `rim` of it.

@@ -182,6 +182,7 @@ fn solve_in_pool(
     let coatings: Vec<Coating> =
         (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
     let (masked, bounce) = timed(&mut seconds.direct, || {
+        let coatings: Vec<&Coating> = coatings.iter().collect();
         let masked = masked_light(scene, &elements, &coatings, &visibility, options);
         let bounce = bounce(&elements, &coatings, &visibility, masked.as_ref(), options);
         (masked, bounce)
@@ -264,37 +265,36 @@ fn blocks(
 pub(crate) fn masked_light(
     scene: &Scene,
     elements: &Elements,
-    coatings: &[Coating],
+    coatings: &[&Coating],
     visibility: &Visibility,
     options: &Options,
 ) -> Option<MaskedLight> {
+    let how = options.masks?;
     let open = Visibility::new(scene, Shadows::Off);
-    let coatings: Vec<&Coating> = coatings.iter().collect();
-    let accuracy = options.accuracy();
-    let setting = Setting { elements, coatings: &coatings, visibility, open: &open, accuracy };
-    options.masks.map(|how| MaskedLight::new(&setting, how))
+    let setting = Setting { elements, coatings, visibility, open: &open, accuracy: options.accuracy() };
+    Some(MaskedLight::new(&setting, how))
 }
 
 /// The first bounce, where direct light is split off or masked.
 fn bounce(
     elements: &Elements,
-    coatings: &[Coating],
+    coatings: &[&Coating],
     visibility: &Visibility,
     masked: Option<&MaskedLight>,
     options: &Options,
 ) -> Option<Bounce> {
-    let (list, coatings) = (elements.list(), coatings.iter().collect::<Vec<_>>());
+    let list = elements.list();
     if let Some(masked) = masked {
         let lit = |element: usize, node: &Node| {
             let parameters = node.parameters.to_array();
             let at = |band| masked.at(band, list, element, node.position, parameters);
             (0..coatings.len()).map(at).collect()
         };
-        return Some(Bounce::of(list, &coatings, visibility, &lit, options.shadow_eps));
+        return Some(Bounce::of(list, coatings, visibility, &lit, options.shadow_eps));
     }
     let plain = options.kernel.is_none() && !options.closure;
-    let splits = options.direct.splits(list, &coatings, visibility, plain);
-    splits.then(|| Bounce::new(list, &coatings, visibility, AT_A_POINT * options.shadow_eps))
+    let splits = options.direct.splits(list, coatings, visibility, plain);
+    splits.then(|| Bounce::new(list, coatings, visibility, AT_A_POINT * options.shadow_eps))
 }
 
 /// What the bands have in common.

@@ -36,9 +36,7 @@ impl Frame {
     ///
     /// A parallelogram with its own sides fills its frame: its basis is as well conditioned as the square's.
     pub fn bounding(points: &[DVec3], sides: [DVec3; 2]) -> Self {
-        let normal = sides[0].cross(sides[1]);
-        // Gradients of the coordinates along the two sides: dual to them in the plane.
-        let duals = [sides[1].cross(normal), normal.cross(sides[0])].map(|d| d / normal.length_squared());
+        let duals = duals(sides);
         let bounds = duals.map(|dual| {
             points
                 .iter()
@@ -79,4 +77,11 @@ impl Frame {
             Self::Parameters { center, half } => ((parameters - center) / half).to_array(),
         }
     }
+}
+
+/// Gradients of the coordinates along two directions of a plane; of two gradients, the directions along which their
+/// coordinates grow by 1.
+pub fn duals([a, b]: [DVec3; 2]) -> [DVec3; 2] {
+    let normal = a.cross(b);
+    [b.cross(normal), normal.cross(a)].map(|dual| dual / normal.length_squared())
 }

@@ -12,7 +12,7 @@ use crate::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};
 use crate::solution::{Band, Solution};
-use crate::solve::masked_light;
+use crate::solve::{Options, masked_light};
 use crate::solved::Solved;
 use crate::system::Coefficients;
 use crate::visibility::Visibility;
@@ -71,16 +71,22 @@ impl SolutionFile {
         let bands: Vec<Band> = (0..scene.bands.len())
             .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))
             .collect();
-        let coatings: Vec<Coating> = bands.iter().map(|band| band.coating.clone()).collect();
-        let visibility = Visibility::new(&scene, (&self.options).into());
-        // Masks are made again: they follow from the scene and the options.
-        let masked = masked_light(&scene, &elements, &coatings, &visibility, &self.options);
-        let solution = Solution::new(elements, bands).with_masks(masked);
+        let solution = with_masks(Solution::new(elements, bands), &scene, &self.options);
         let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);
         let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
         Ok(Solved { scene, options: self.options, outcome, achieved })
     }
+}
+
+/// The solution with its masks made again, where it has any: they follow from the scene and the options.
+fn with_masks(solution: Solution, scene: &Scene, options: &Options) -> Solution {
+    if options.masks.is_none() {
+        return solution;
+    }
+    let visibility = Visibility::new(scene, options.into());
+    let masked = masked_light(scene, solution.elements(), &solution.coatings(), &visibility, options);
+    solution.with_masks(masked)
 }
 
 impl SavedScene {
