@@ -8,6 +8,7 @@
 
 mod ball;
 pub mod exact;
+mod bodies;
 pub mod net;
 
 use std::sync::{Arc, OnceLock};
@@ -17,6 +18,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::scene::Scene;
 use ball::Ball;
+use bodies::{Bodies, Face};
+use exact::Pyramid;
 use net::Net;
 
 /// A segment may touch surfaces within this part of its length at both ends.
@@ -44,6 +47,7 @@ pub struct Visibility {
     standing: Vec<usize>,
     /// Of those.
     standing_tree: Bvh,
+    bodies: Bodies,
     shadows: Shadows,
 }
 
@@ -114,10 +118,12 @@ impl Visibility {
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
-        Self { obstacles, boxes, tree, standing, standing_tree, shadows }
+        let bodies = bodies(&obstacles, &boxes);
+        Self { obstacles, boxes, tree, standing, standing_tree, bodies, shadows }
     }
 
-    /// Surfaces other than the two named that may stand between the hulls of points `a` and `b`, ascending.
+    /// Surfaces other than the two named, and not of one convex body with either, that may stand between the hulls of
+    /// points `a` and `b`, ascending.
     pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
@@ -126,7 +132,7 @@ impl Visibility {
         let bounds = a.iter().chain(b).fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point));
         self.standing_tree.overlapping(&bounds, |place| {
             let index = self.standing[place];
-            if !surfaces.contains(&index) {
+            if !surfaces.iter().any(|surface| *surface == index || self.are_of_one_body(index, *surface)) {
                 found.push(index);
             }
         });
@@ -169,15 +175,18 @@ impl Visibility {
     }
 
     /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with `open`
-    /// those as well that may stand before a point anywhere. None without shadows.
+    /// those as well that may stand before a point anywhere. The first face of a convex body stands for all of it. None without
+    /// shadows.
     pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {
             (Shadows::Off, _) => {}
-            (_, true) => return self.near(bounds),
+            (_, true) => self.tree.overlapping(bounds, |index| found.push(index)),
             (_, false) => self.standing_tree.overlapping(bounds, |place| found.push(self.standing[place])),
         }
+        found.iter_mut().for_each(|surface| *surface = self.faces(surface)[0]);
         found.sort_unstable();
+        found.dedup();
         found
     }
 
@@ -194,9 +203,9 @@ impl Visibility {
         self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
     }
 
-    /// Bounding box of a surface.
+    /// Bounding box of a surface, or of the convex body that it is a face of.
     pub fn bounds_of(&self, surface: usize) -> Aabb {
-        self.boxes[surface]
+        self.bodies.of(surface).map_or(self.boxes[surface], |body| body.bounds)
     }
 
     /// Whether a point may see a place of a surface through another place of it. Not where the surface lies behind the plane
@@ -210,9 +219,9 @@ impl Visibility {
         self.obstacles[surface].bend == Bend::Inward
     }
 
-    /// Points whose convex hull contains a surface.
+    /// Points whose convex hull contains a surface, or the convex body that it is a face of.
     pub fn hull(&self, surface: usize) -> &[DVec3] {
-        &self.obstacles[surface].hull
+        self.bodies.of(surface).map_or(&self.obstacles[surface].hull, |body| &body.hull)
     }
 
     /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
@@ -221,10 +230,10 @@ impl Visibility {
         self.obstacles[surface].shape.occludes(&ray)
     }
 
-    /// Whether `blocker` may reach, however little, between the hulls of `a` and `b`.
+    /// Whether `blocker`, or the convex body that it is a face of, may reach, however little, between the hulls of `a` and `b`.
     pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
-        let Obstacle { ball, hull, .. } = &self.obstacles[blocker];
-        !ball.misses_between(&Ball::around(a), &Ball::around(b)) && !separated(a, b, hull, 0.0)
+        let ball = self.bodies.of(blocker).map_or(&self.obstacles[blocker].ball, |body| &body.ball);
+        !ball.misses_between(&Ball::around(a), &Ball::around(b)) && !separated(a, b, self.hull(blocker), 0.0)
     }
 
     /// Centre and radius of the only one of `blockers` where that is a whole ball.
@@ -247,6 +256,40 @@ impl Visibility {
     /// Convex polygons that make up a planar surface; None for curved ones.
     pub fn pieces(&self, surface: usize) -> Option<&[Vec<DVec3>]> {
         self.obstacles[surface].pieces.as_deref()
+    }
+
+    /// Whether two surfaces are faces of one convex body: neither then hides anything from a point of the other's front.
+    pub fn are_of_one_body(&self, a: usize, b: usize) -> bool {
+        self.bodies.of(a).is_some_and(|body| body.surfaces.contains(&b))
+    }
+
+    /// The faces of the convex body that a surface is a face of, ascending; itself alone where there is none.
+    pub fn faces<'a>(&'a self, surface: &'a usize) -> &'a [usize] {
+        self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
+    }
+
+    /// What the convex body that a surface is a face of hides from `x`; None where there is no body, or x lies inside: then
+    /// surfaces hide each for itself.
+    pub fn shadow_of_body(&self, surface: usize, x: DVec3) -> Option<Pyramid> {
+        self.bodies.of(surface)?.pyramid(x)
+    }
+
+    /// What planar `surfaces` hide from `x`, bodies as a whole.
+    pub fn pyramids(&self, surfaces: &[usize], x: DVec3) -> Vec<Pyramid> {
+        let mut pyramids = Vec::new();
+        for (place, surface) in surfaces.iter().enumerate() {
+            if surfaces[..place].iter().any(|other| self.are_of_one_body(*other, *surface)) {
+                continue;
+            }
+            match self.shadow_of_body(*surface, x) {
+                Some(whole) => pyramids.push(whole),
+                None => {
+                    let pieces = self.faces(surface).iter().filter_map(|face| self.pieces(*face)).flatten();
+                    pyramids.extend(pieces.filter_map(|piece| Pyramid::over(piece, x)));
+                }
+            }
+        }
+        pyramids
     }
 
     /// A net over a surface.
@@ -318,6 +361,18 @@ fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usi
             && (others().all(|h| h >= low - rounding) || others().all(|h| h <= high + rounding))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
+}
+
+/// The convex bodies that surfaces close.
+fn bodies(obstacles: &[Obstacle], boxes: &[Aabb]) -> Bodies {
+    let faces = obstacles.iter().enumerate().filter_map(|(surface, Obstacle { shape, hull, .. })| {
+        let region = shape.region().filter(|region| region.holes().is_empty())?;
+        Some(Face { surface, outline: &hull[..], normal: region.normal() })
+    });
+    let faces: Vec<Face> = faces.collect();
+    let points: Vec<DVec3> = obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect();
+    let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
+    Bodies::new(&faces, obstacles.len(), &points, scene.diagonal())
 }
 
 /// Largest distance of points from the line through the first and the point farthest from it.

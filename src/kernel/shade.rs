@@ -1,4 +1,4 @@
-//! What planar blockers take from the transfer between two flat elements.
+//! What planar blockers take from the transfer between two elements of which at least one is flat.
 //!
 //! ```text
 //! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
@@ -12,11 +12,13 @@
 //! The outer integral is taken over the element that is farther from the blockers, measured by its size: the shadows on
 //! the other one then move smoothly with x. Where blockers stand on it the outer element is cut along their sides, where the
 //! inner integral jumps. Elsewhere that has kinks, where an edge of one blocker passes a corner of another or of the element:
-//! cells are halved until two levels agree.
+//! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies before
+//! their tangent planes.
 
 use core::f64::consts::FRAC_1_PI;
+use std::borrow::Cow;
 
-use radiosity_geom::{DVec2, DVec3, clip_polygon, polygon_area};
+use radiosity_geom::{DVec2, DVec3, clip_polygon};
 
 use crate::elements::Element;
 use crate::elements::basis::HIGHEST_ORDER;
@@ -24,7 +26,7 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::elements::space::Space;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{Pyramid, inside_any, irradiance};
+use crate::visibility::exact::{inside_any, irradiance};
 
 use super::clip::Facet;
 use super::moments::{Moments, Side};
@@ -69,39 +71,55 @@ pub(super) struct Shade {
 }
 
 impl Shade {
-    /// What `blockers`, all of them planar, take from the transfer between two flat elements.
+    /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
-        let [receivers, emitters] = facing(pair);
-        let polygons =
-            [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
-        let side = outer_side(&polygons, blockers, visibility);
-        let (outer, inner) = match side {
-            Side::Receiver => (receivers, emitters),
-            Side::Emitter => (emitters, receivers),
+        let (side, outer, inner) = match pair.iter().position(|element| element.plane.is_none()) {
+            Some(0) => (Side::Receiver, pair[0].patches.clone(), facets(pair[1])),
+            Some(_) => (Side::Emitter, pair[1].patches.clone(), facets(pair[0])),
+            None => flat_sides(pair, blockers, visibility),
         };
         let mut work = Work::new(pair, side, &inner, visibility, limit);
-        let parts: Vec<Facet> =
-            outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
-        let whole: f64 = parts.iter().map(|part| polygon_area(&part.corners)).sum();
-        for part in &parts {
-            for patch in Patch::of_polygon(&part.corners, part.normal) {
-                let share = (polygon_area(&patch.polygon()) / whole).sqrt();
-                work.visit(&patch, blockers, None, limit.error * share, DEPTH);
-            }
+        let area = |patch: &Patch| patch.node(0.5, 0.5).area;
+        let whole: f64 = outer.iter().map(area).sum();
+        for patch in &outer {
+            work.visit(patch, blockers, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
         }
         work.finish()
     }
+}
+
+/// Which of two flat elements is the outer one, its patches cut along the blockers, and the facets of the other.
+fn flat_sides(
+    pair: [&Element; 2],
+    blockers: &[usize],
+    visibility: &Visibility,
+) -> (Side, Vec<Patch>, Vec<Facet>) {
+    let [receivers, emitters] = facing(pair);
+    let polygons =
+        [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
+    let side = outer_side(&polygons, blockers, visibility);
+    let (outer, inner) = match side {
+        Side::Receiver => (receivers, emitters),
+        Side::Emitter => (emitters, receivers),
+    };
+    let parts = outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility));
+    let patches = parts.flat_map(|part| Patch::of_polygon(&part.corners, part.normal)).collect();
+    (side, patches, inner)
+}
+
+/// The patches of a flat element.
+fn facets(element: &Element) -> Vec<Facet> {
+    let normal = element.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
+    element.patches.iter().map(|patch| Facet { corners: patch.polygon(), normal }).collect()
 }
 
 /// The parts of the patches of either element in front of the other's plane.
 fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
     let size = pair[0].bounds().union(pair[1].bounds()).diagonal();
     [[pair[0], pair[1]], [pair[1], pair[0]]].map(|[own, other]| {
-        let (Some((_, normal)), Some((point, up))) = (own.plane, other.plane) else { return Vec::new() };
+        let Some((point, up)) = other.plane else { return Vec::new() };
         let plane = Facet { corners: vec![point], normal: up };
-        let facet =
-            |patch: &Patch| Facet { corners: patch.polygon(), normal }.in_front_of(&plane, COPLANAR * size);
-        own.patches.iter().filter_map(facet).collect()
+        facets(own).iter().filter_map(|facet| facet.in_front_of(&plane, COPLANAR * size)).collect()
     })
 }
 
@@ -210,7 +228,7 @@ impl<'a> Work<'a> {
         limit: f64,
         depth: usize,
     ) {
-        let blockers = self.visibility.narrow(blockers, &cell.polygon(), &self.hull);
+        let blockers = self.visibility.narrow(blockers, &cell.hull(), &self.hull);
         if blockers.is_empty() {
             self.dark = false;
             return;
@@ -262,17 +280,28 @@ impl<'a> Work<'a> {
 
     /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; whether anything is.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> bool {
-        let pieces = blockers.iter().filter_map(|blocker| self.visibility.pieces(*blocker)).flatten();
-        let pyramids: Vec<Pyramid> = pieces.filter_map(|piece| Pyramid::over(piece, x.position)).collect();
+        let pyramids = self.visibility.pyramids(blockers, x.position);
         let mut any = false;
         for index in 0..self.polygons.len() {
-            let (hidden, all) = inside_any(&self.polygons[index], &pyramids);
+            let Some(polygon) = self.seen_from(x, index) else { continue };
+            let (hidden, all) = inside_any(&polygon, &pyramids);
             self.dark &= all;
             any |= !hidden.is_empty();
             hidden.iter().for_each(|polygon| self.gather(x, polygon, out));
         }
         self.hides |= any;
         any
+    }
+
+    /// The part of a polygon of the inner element that a point would see with nothing in between.
+    fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
+        let polygon = &self.polygons[index];
+        if self.outer.plane.is_some() {
+            return Some(Cow::Borrowed(polygon));
+        }
+        let is_before = (x.position - polygon[0]).dot(self.normal) > 0.0;
+        let above = clip_polygon(polygon, x.position, x.normal);
+        (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
 
     fn gather(&mut self, x: &Node, polygon: &[DVec3], out: &mut [f64]) {
@@ -290,7 +319,8 @@ impl<'a> Work<'a> {
 
     fn gauss(&mut self, x: &Node, patch: &Patch, out: &mut [f64], depth: usize) {
         let [along, across] = patch.extents();
-        let gap = point_to_polygon(x.position, &patch.polygon());
+        let [a, b, c, d] = patch.corners();
+        let gap = point_to_polygon(x.position, &[a, b, c, d][..if patch.is_triangle() { 3 } else { 4 }]);
         if gap < SMALLEST_RATIO * along.max(across) && depth > 0 {
             let direction = if along >= across { Direction::Along } else { Direction::Across };
             return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
@@ -303,7 +333,6 @@ impl<'a> Work<'a> {
             UnitRule::of(separated::points(degree, self.accuracy, rho))
         };
         let (first, second) = (rule(along), rule(across));
-        let [a, b, c, d] = patch.corners();
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
         let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
         let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];

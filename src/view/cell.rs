@@ -151,6 +151,11 @@ impl Cell {
         self.patch.is_flat()
     }
 
+    /// Whether the field is the same everywhere on it.
+    pub fn is_uniform(&self) -> bool {
+        self.spread == 0.0 && self.detail == 0.0
+    }
+
     /// Whether it is a flat parallelogram.
     pub fn is_parallelogram(&self) -> bool {
         self.patch.is_parallelogram()

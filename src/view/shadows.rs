@@ -55,13 +55,15 @@ impl<'a> Shadows<'a> {
         let mut of_obstacle = Vec::with_capacity(surroundings.obstacles.len());
         for surface in &surroundings.obstacles {
             let start = blockers.len();
-            match visibility.pieces(*surface) {
-                Some(pieces) => {
-                    let pieces = pieces.iter().filter(|piece| !vantage.is_above(piece));
-                    let pyramids = pieces.filter_map(|piece| Pyramid::over(piece, vantage.position));
-                    blockers.extend(pyramids.map(Blocker::Flat));
-                }
-                None => blockers.push(Blocker::Curved(*surface)),
+            if let Some(whole) = visibility.shadow_of_body(*surface, vantage.position) {
+                blockers.push(Blocker::Flat(whole));
+            } else if visibility.pieces(*surface).is_some() {
+                let faces = visibility.faces(surface).iter().filter_map(|face| visibility.pieces(*face));
+                let pieces = faces.flatten().filter(|piece| !vantage.is_above(piece));
+                let pyramids = pieces.filter_map(|piece| Pyramid::over(piece, vantage.position));
+                blockers.extend(pyramids.map(Blocker::Flat));
+            } else {
+                blockers.push(Blocker::Curved(*surface));
             }
             of_obstacle.push(start..blockers.len());
         }

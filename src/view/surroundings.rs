@@ -52,7 +52,9 @@ impl Surroundings {
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
         let within = |tree: &Tree| surface == Some(tree.surface) && visibility.is_hollow(tree.surface);
-        let is_ground = |other: usize| surface.is_some_and(|surface| own(other, surface));
+        let is_of_body = |other: usize, surface: usize| visibility.are_of_one_body(other, surface);
+        let is_ground =
+            |other: usize| surface.is_some_and(|surface| own(other, surface) || is_of_body(other, surface));
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
         let mut places = Vec::new();
         let ranges = trees.iter().map(|tree| {
@@ -67,7 +69,8 @@ impl Surroundings {
                     || tree.plane.is_none_or(|(point, normal)| reaches_above(hull, &[point], normal));
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
                 let itself = obstacles[*place] == tree.surface && within(tree);
-                reaches && before() && !itself && !own(obstacles[*place], tree.surface)
+                let touches = || is_of_body(obstacles[*place], tree.surface);
+                reaches && before() && !itself && !own(obstacles[*place], tree.surface) && !touches()
             };
             let start = places.len();
             places.extend((0..obstacles.len()).filter(stands));

@@ -17,6 +17,7 @@
 //! plane of the pyramid. Either way overlapping shadows count once.
 
 use core::f64::consts::TAU;
+use core::iter;
 
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
@@ -33,6 +34,9 @@ const FEW: usize = 4;
 /// Corners of a convex polygon as seen from a point, which is the origin.
 type Corners = SmallVec<[DVec3; 8]>;
 
+/// A number for each of them.
+type Heights = SmallVec<[f64; 8]>;
+
 /// The half-space a·inward > depth of what is seen from a point.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
@@ -46,36 +50,40 @@ impl Plane {
         a.dot(self.inward) - self.depth
     }
 
-    /// The same half-space from its other side, as it bounds what is left of it.
-    fn turned(&self) -> Self {
-        Self { inward: -self.inward, depth: -self.depth }
-    }
-
-    /// The part of a convex polygon inside, into `kept`; nothing where it merely touches the plane.
-    fn keep(&self, polygon: &[DVec3], kept: &mut Corners) {
-        kept.clear();
+    /// Heights of the corners of a polygon; zero where rounding decides.
+    fn heights(&self, polygon: &[DVec3]) -> Heights {
         let reach = polygon.iter().map(|a| a.length_squared()).fold(0.0, f64::max).sqrt();
-        let height = |a: DVec3| {
-            let h = self.height(a);
+        let height = |a: &DVec3| {
+            let h = self.height(*a);
             if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
         };
-        let Some(last) = polygon.last() else { return };
-        let (mut previous, mut proper) = ((*last, height(*last)), false);
-        for &a in polygon {
-            let h = height(a);
-            if previous.1 * h < 0.0 {
-                kept.push(previous.0.lerp(a, previous.1 / (previous.1 - h)));
-            }
-            if h >= 0.0 {
-                kept.push(a);
-            }
-            proper |= h > 0.0;
-            previous = (a, h);
-        }
-        if !proper {
-            kept.clear();
+        polygon.iter().map(height).collect()
+    }
+
+    /// Leaves the part inside of a convex polygon; nothing where it merely touches the plane.
+    fn cut(&self, polygon: &mut Corners) {
+        let heights = self.heights(polygon);
+        if !heights.iter().any(|h| *h > 0.0) {
+            polygon.clear();
+        } else if heights.iter().any(|h| *h < 0.0) {
+            *polygon = kept(polygon, heights.iter().copied());
         }
     }
+}
+
+/// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
+fn kept(polygon: &[DVec3], heights: impl Iterator<Item = f64> + Clone) -> Corners {
+    let mut kept = Corners::new();
+    let before = polygon.iter().zip(heights.clone()).cycle().skip(polygon.len() - 1);
+    for ((a, h), (previous, height)) in polygon.iter().zip(heights).zip(before) {
+        if height * h < 0.0 {
+            kept.push(previous.lerp(*a, height / (height - h)));
+        }
+        if h >= 0.0 {
+            kept.push(*a);
+        }
+    }
+    kept
 }
 
 /// Irradiance at `x` with unit normal `n` from a convex planar polygon of exitance 1, wholly visible; what lies behind the
@@ -91,20 +99,19 @@ pub fn visible_irradiance<'a>(
     polygon: &[DVec3],
     pyramids: impl Iterator<Item = &'a Pyramid>,
 ) -> f64 {
-    let corners: Corners = polygon.iter().map(|corner| corner - x).collect();
+    let mut corners: Corners = polygon.iter().map(|corner| corner - x).collect();
     if corners.iter().all(|a| a.dot(n) >= 0.0) {
         return outside(n, &corners, pyramids);
     }
-    let mut above = Corners::new();
-    Plane { inward: n, depth: 0.0 }.keep(&corners, &mut above);
-    outside(n, &above, pyramids)
+    Plane { inward: n, depth: 0.0 }.cut(&mut corners);
+    outside(n, &corners, pyramids)
 }
 
 /// From the part of a polygon above the horizon outside pyramids.
 fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
     let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
     for pyramid in pyramids {
-        match pyramid.cover_seen(polygon.iter().copied()) {
+        match pyramid.cover_seen(polygon) {
             Cover::Clear => {}
             Cover::Hidden => return 0.0,
             Cover::Mixed => mixed.push(pyramid),
@@ -115,13 +122,9 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     if mixed.len() > FEW {
         return first.divided(polygon).0.iter().map(|part| outside(n, part, rest())).sum();
     }
-    let mut parts = [Corners::from_slice(polygon), Corners::new()];
-    for plane in &first.planes {
-        let [from, to] = &mut parts;
-        plane.keep(from, to);
-        parts.swap(0, 1);
-    }
-    (outside(n, polygon, rest()) - outside(n, &parts[0], rest())).max(0.0)
+    let mut hidden = Corners::from_slice(polygon);
+    first.planes.iter().for_each(|plane| plane.cut(&mut hidden));
+    (outside(n, polygon, rest()) - outside(n, &hidden, rest())).max(0.0)
 }
 
 /// Lambert's sum along the sides of a polygon above the horizon.
@@ -150,7 +153,7 @@ pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, 
     for pyramid in pyramids {
         let mut kept = Vec::new();
         for part in rest {
-            match pyramid.cover_seen(part.iter().copied()) {
+            match pyramid.cover_seen(&part) {
                 Cover::Clear => kept.push(part),
                 Cover::Hidden => hidden.push(back(&part)),
                 Cover::Mixed => {
@@ -183,27 +186,39 @@ pub enum Cover {
 #[derive(Clone, Debug)]
 pub struct Pyramid {
     eye: DVec3,
-    planes: SmallVec<[Plane; 5]>,
+    planes: SmallVec<[Plane; 9]>,
 }
 
 impl Pyramid {
     /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
-        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64 - x;
+        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let normal: DVec3 =
             polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
         let normal = normal.normalize_or_zero();
-        let height = middle.dot(normal);
-        if height.abs() <= 1e-9 * middle.length() {
+        let height = (middle - x).dot(normal);
+        if height.abs() <= 1e-9 * middle.distance(x) {
             return None;
         }
-        let side = |k: usize| {
-            let inward = (polygon[k] - x).cross(polygon[(k + 1) % polygon.len()] - x).normalize_or_zero();
-            Plane { inward: if inward.dot(middle) < 0.0 { -inward } else { inward }, depth: 0.0 }
+        let sides = (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]);
+        Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
+    }
+
+    /// What lies within the planes through `x` and each of `sides`, on the side of `middle`, and beyond each of the planes
+    /// of `beyond`, given by unit normals away from x and distances from it.
+    pub(super) fn bounded(
+        x: DVec3,
+        middle: DVec3,
+        sides: impl Iterator<Item = [DVec3; 2]>,
+        beyond: impl Iterator<Item = (DVec3, f64)>,
+    ) -> Self {
+        let side = |[a, b]: [DVec3; 2]| {
+            let inward = (a - x).cross(b - x).normalize_or_zero();
+            Plane { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
         };
-        let beyond = Plane { inward: normal * height.signum(), depth: height.abs() };
-        let planes = (0..polygon.len()).map(side).chain([beyond]);
-        Some(Self { eye: x, planes: planes.filter(|plane| plane.inward != DVec3::ZERO).collect() })
+        let sides = sides.map(side).filter(|plane| plane.inward != DVec3::ZERO);
+        let beyond = beyond.map(|(inward, depth)| Plane { inward, depth });
+        Self { eye: x, planes: sides.chain(beyond).collect() }
     }
 
     /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
@@ -218,16 +233,20 @@ impl Pyramid {
             }
             is_inside &= height >= radius;
         }
-        if is_inside { Cover::Hidden } else { self.cover_seen(points.iter().map(|y| y - self.eye)) }
+        if is_inside {
+            return Cover::Hidden;
+        }
+        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
+        self.cover_seen(&seen)
     }
 
     /// The same of points as seen from the eye.
-    fn cover_seen(&self, points: impl Iterator<Item = DVec3> + Clone) -> Cover {
-        let reach = points.clone().map(|a| a.length_squared()).fold(0.0, f64::max);
+    fn cover_seen(&self, points: &[DVec3]) -> Cover {
+        let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
         let tolerance = TOUCHING * reach.sqrt();
         let mut cover = Cover::Hidden;
         for plane in &self.planes {
-            let (low, high) = range(points.clone().map(|a| plane.height(a)));
+            let (low, high) = range(points.iter().map(|a| plane.height(*a)));
             if high <= tolerance {
                 return Cover::Clear;
             }
@@ -264,11 +283,11 @@ impl Pyramid {
         let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
         let mut inside = Corners::from_slice(polygon);
         for plane in &self.planes {
-            let (mut inner, mut outer) = (Corners::new(), Corners::new());
-            plane.turned().keep(&inside, &mut outer);
-            plane.keep(&inside, &mut inner);
-            parts.push(outer);
-            inside = inner;
+            let heights = plane.heights(&inside);
+            if heights.iter().any(|h| *h < 0.0) {
+                parts.push(kept(&inside, heights.iter().map(|h| -h)));
+                plane.cut(&mut inside);
+            }
         }
         parts.retain(|part| part.len() > 2);
         (parts, inside)
