@@ -179,6 +179,27 @@ fn closed_rooms_keep_all_light() {
     assert!(exact <= 1e-5, "{exact:e}");
 }
 
+/// A closed room of which one wall is bent, as those of measured rooms are, with boxes before it.
+#[test]
+fn a_bent_wall_keeps_all_light() {
+    let ([a, b, c], d) = ([4.0, 3.5, 3.0], 3.98);
+    let mut quads = room([a, b, c]);
+    let corners = [
+        ("floor", [[0., 0., 0.], [a, 0., 0.], [d, b, 0.], [0., b, 0.]]),
+        ("x1", [[a, 0., 0.], [a, 0., c], [a, b, c], [d, b, 0.]]),
+        ("y1", [[0., b, 0.], [d, b, 0.], [a, b, c], [0., b, c]]),
+    ];
+    for (name, corners) in corners {
+        quads.iter_mut().filter(|quad| quad.0 == name).for_each(|quad| quad.1 = corners);
+    }
+    let base = [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]];
+    let before = [[2.5, 1.5], [3.5, 1.7], [3.4, 3.0], [2.2, 2.5]];
+    for content in [Vec::new(), upright(base, [0.0, 1.1]), upright(before, [0.3, 2.0])] {
+        let found = closure(&factors(&[quads.clone(), content].concat(), Hiding::Auto, 1e-3));
+        assert!(found <= 1e-3, "{found:e}");
+    }
+}
+
 /// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest entry of the
 /// row, the largest.
 fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {

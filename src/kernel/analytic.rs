@@ -23,22 +23,21 @@ use radiosity_geom::DVec3;
 /// Closest that a root is taken to come to the interval.
 const CLOSEST: f64 = 1.0 + 1e-9;
 
-/// ϱ of 1/|c + x d|⁴ on [0, 1]; infinite where it is constant.
-pub(super) fn rate(c: DVec3, d: DVec3) -> f64 {
+/// Greater half axis of the ellipse of 1/|c + x d|⁴ on [0, 1], which ϱ grows with; infinite where it is constant.
+pub(super) fn half_axis(c: DVec3, d: DVec3) -> f64 {
     let dd = d.length_squared();
     if dd == 0.0 {
         return f64::INFINITY;
     }
     // |c × d| instead of √(c²d² − (c·d)²), which cancels.
-    let (real, imaginary) = (-2.0 * c.dot(d) / dd - 1.0, 2.0 * c.cross(d).length() / dd);
-    ellipse(real, imaginary).max(CLOSEST)
+    let (x, y) = (-2.0 * c.dot(d) / dd - 1.0, 2.0 * c.cross(d).length() / dd);
+    // Half the sum of the distances to the foci.
+    0.5 * (((x + 1.0) * (x + 1.0) + y * y).sqrt() + ((x - 1.0) * (x - 1.0) + y * y).sqrt())
 }
 
-/// Sum of the half axes of the ellipse with foci ±1 through x + iy: half the sum of the distances to the foci is its
-/// greater half axis.
-fn ellipse(x: f64, y: f64) -> f64 {
-    let greater = 0.5 * ((x + 1.0).hypot(y) + (x - 1.0).hypot(y));
-    greater + (greater * greater - 1.0).max(0.0).sqrt()
+/// ϱ of an ellipse with foci ±1, from its greater half axis: the sum of both.
+pub(super) fn rate(greater: f64) -> f64 {
+    (greater + (greater * greater - 1.0).max(0.0).sqrt()).max(CLOSEST)
 }
 
 /// Points for degree `degree` and accuracy `eps` at the rate ϱ.
@@ -62,7 +61,7 @@ mod tests {
     #[test]
     fn count_is_at_most_two_points_short_of_the_accuracy_asked() {
         for (a, h) in [(0.5, 1.0), (0.5, 0.3), (0.0, 0.2), (1.3, 0.05), (-0.2, 0.01), (0.7, 0.1)] {
-            let rho = rate(DVec3::new(-a, h, 0.0), DVec3::X);
+            let rho = rate(half_axis(DVec3::new(-a, h, 0.0), DVec3::X));
             for eps in [1e-2, 1e-4, 1e-8] {
                 let rule = UnitRule::of(points(0, eps, rho) + 2);
                 let sum: f64 = rule.iter().map(|(x, w)| w / ((x - a).powi(2) + h * h).powi(2)).sum();

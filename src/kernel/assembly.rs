@@ -299,10 +299,10 @@ impl Scene<'_> {
         tasks.iter().map(goal).collect()
     }
 
-    /// Whether both elements of a task and all that may stand between them are planar, and found by their outlines.
+    /// Whether an element of a task and all that may stand before it are planar, and found by their outlines.
     fn has_outlines(&self, task: &Task) -> bool {
         let is_planar = |index: u32| self.list[index as usize].plane.is_some();
-        is_planar(task.row) && is_planar(task.column) && self.visibility.has_outlines(&task.blockers)
+        (is_planar(task.row) || is_planar(task.column)) && self.visibility.has_outlines(&task.blockers)
     }
 
     /// The largest `entry` of the tasks in each row.
@@ -369,28 +369,27 @@ impl Scene<'_> {
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
-        let (receiver, emitter) = (&self.list[task.row as usize], &self.list[task.column as usize]);
-        if receiver.plane.is_none() || emitter.plane.is_none() {
-            return self.curved_block(task, goal);
+        let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
+        let is_flat = pair.iter().all(|element| element.plane.is_some());
+        let block = |blockers: &[usize]| match is_flat {
+            true => block::block(receiver, emitter, blockers, self.visibility, goal.accuracy),
+            false => self.curved_block(task, blockers, goal),
+        };
+        match goal.outlined {
+            Some(limit) => block::shaded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
+            None if is_flat => self.hidden_block(task, goal).unwrap_or_else(|| block(&task.blockers)),
+            None => block(&task.blockers),
         }
-        if let Some(limit) = goal.outlined {
-            let wanted = (goal.accuracy, limit);
-            return block::shaded_block(receiver, emitter, &task.blockers, self.visibility, wanted);
-        }
-        let hidden = self.hidden_block(task, goal);
-        hidden.unwrap_or_else(|| {
-            block::block(receiver, emitter, &task.blockers, self.visibility, goal.accuracy)
-        })
     }
 
     /// The block of two elements of which at least one is curved. Surfaces that reach between them but are not met by enough rays
     /// are passed over.
-    fn curved_block(&self, task: &Task, goal: Goal) -> Block {
+    fn curved_block(&self, task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, least, row: largest, unseen, .. } = goal;
         let enough = UNSEEN * task.rough / unseen;
-        let (mut blockers, mut rays) = (Cow::Borrowed(&task.blockers), 0);
+        let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
         if !blockers.is_empty() && enough <= MOST_RAYS {
             let enough = enough.max(FEWEST_RAYS as f64);
             let parts = [&self.parts[row][..], &self.parts[column][..]];

@@ -128,19 +128,20 @@ impl Block {
     }
 }
 
-/// The block between two elements with planar `blockers`, whose shade is found to `limit`.
+/// The block between two elements with planar `blockers`, whose shade is found to `limit`; `unshaded` makes the block were
+/// nothing in between.
 pub(super) fn shaded_block(
-    receiver: &Element,
-    emitter: &Element,
+    pair: [&Element; 2],
     blockers: &[usize],
     visibility: &Visibility,
-    (accuracy, limit): (Accuracy, Limit),
+    limit: Limit,
+    unshaded: impl FnOnce() -> Block,
 ) -> Block {
-    let shade = Shade::of([receiver, emitter], blockers, visibility, limit);
+    let shade = Shade::of(pair, blockers, visibility, limit);
     if shade.dark {
         return Block { samples: shade.samples, ..Block::hidden(shade.values.len(), 0) };
     }
-    let mut block = block(receiver, emitter, &[], visibility, accuracy);
+    let mut block = unshaded();
     block.values.iter_mut().zip(&shade.values).for_each(|(value, hidden)| *value -= hidden);
     if let [factor] = &mut block.values[..] {
         *factor = factor.max(0.0);

@@ -472,7 +472,7 @@ impl<'a> Job<'a> {
             let gap = gap(p, q);
             let tolerance = COINCIDENT * self.size;
             let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
-            let facing = facing(p, q, touching);
+            let facing = facing(p, q, touching, self.accuracy.eps);
             if facing == Facing::Away {
                 continue;
             }
@@ -548,7 +548,7 @@ impl<'a> Job<'a> {
         let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
         let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
         state.touching = gap <= 0.0;
-        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)));
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.accuracy.eps);
         if facing == Facing::Away {
             return;
         }

@@ -17,6 +17,10 @@
 //! of which twice is taken, since the differences are themselves sampled. A sign is certain only beyond that
 //! margin: everything else is `Partly`, for which the rules are right, though slower. Where patches touch f vanishes
 //! and no margin can be kept; there a denser grid decides alone.
+//!
+//! Of what two patches exchange, about δ² comes at cosines below δ. Where no cosine is below −δ the points that do not see each
+//! other make up no more, as between a wall that is bent a little and a floor: such patches count as facing each other
+//! wholly if the accuracy asked allows it.
 
 use radiosity_geom::DVec3;
 
@@ -25,6 +29,8 @@ use crate::elements::patch::{Node, Patch};
 /// Samples a direction on curved patches that keep a margin, and on those that touch.
 const APART: usize = 5;
 const TOUCHING: usize = 8;
+/// Square of the sine by which points may lie behind each other's planes, as a part of the accuracy.
+const SLIGHT: f64 = 0.05;
 /// Heights below this part of the samples' extent are zero.
 const LEVEL: f64 = 1e-11;
 
@@ -39,8 +45,9 @@ pub(super) enum Facing {
     Away,
 }
 
-/// How two different patches face each other; `touching` if they have a point in common.
-pub(super) fn facing(p: &Patch, q: &Patch, touching: bool) -> Facing {
+/// How two different patches face each other; `touching` if they have a point in common. Relative errors up to `eps` are
+/// allowed.
+pub(super) fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     if p.is_flat() && q.is_flat() {
         return Facing::Wholly;
     }
@@ -48,7 +55,10 @@ pub(super) fn facing(p: &Patch, q: &Patch, touching: bool) -> Facing {
     let (a, b) = (Samples::of(p, count), Samples::of(q, count));
     let margins = if touching { [0.0; 2] } else { [a.margin(&b), b.margin(&a)] };
     let level = LEVEL * a.extent().max(b.extent());
-    verdict([a.heights(&b), b.heights(&a)], margins, level)
+    let verdict = verdict([a.heights(&b), b.heights(&a)], margins, level);
+    let least = -(SLIGHT * eps).sqrt();
+    let is_slight = || a.rises_above(&b, margins[0], least) && b.rises_above(&a, margins[1], least);
+    if verdict == Facing::Partly && is_slight() { Facing::Wholly } else { verdict }
 }
 
 /// How a patch faces itself: wholly where it is concave, away where it is convex or flat.
@@ -96,6 +106,17 @@ impl Samples {
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
     }
 
+    /// Whether the other's samples, even if `margin` lower, all stand over the tangent planes by at least the sine `least`.
+    fn rises_above(&self, other: &Self, margin: f64, least: f64) -> bool {
+        let planes = if self.flat { &self.nodes[..1] } else { &self.nodes[..] };
+        planes.iter().all(|x| {
+            other.nodes.iter().all(|y| {
+                let offset = y.position - x.position;
+                x.normal.dot(offset) - margin >= least * offset.length()
+            })
+        })
+    }
+
     /// How far heights of the other over the tangent planes may leave the range of the samples.
     fn margin(&self, other: &Self) -> f64 {
         let (center, reach) = other.ball();
@@ -138,8 +159,10 @@ mod tests {
     use super::*;
     use std::sync::Arc;
 
-    use radiosity_geom::shapes::{Bezier, Cylinder, FULL_TURN, Sphere, Torus};
+    use radiosity_geom::shapes::{Bezier, Bilinear, Cylinder, FULL_TURN, Sphere, Torus};
     use radiosity_geom::{Flipped, Rect, Surface};
+
+    const EXACTLY: f64 = 0.0;
 
     fn patch(surface: impl Surface + 'static, u: [f64; 2], v: [f64; 2]) -> Patch {
         Patch::curved(Arc::new(surface), &Rect { u, v })
@@ -170,9 +193,9 @@ mod tests {
         let quarter = |x: f64, u: [f64; 2]| patch(ball(DVec3::new(x, 0.0, 0.0)), u, [-0.3, 0.3]);
         // Angle 0 is at u = −1, angle π at u = 0.
         let right = quarter(9.0, [-0.1, 0.1]);
-        assert_eq!(facing(&quarter(0.0, [-1.0, -0.9]), &right, false), Facing::Wholly);
-        assert_eq!(facing(&quarter(0.0, [-0.1, 0.1]), &right, false), Facing::Away);
-        assert_eq!(facing(&quarter(0.0, [-0.7, -0.3]), &right, false), Facing::Partly);
+        assert_eq!(facing(&quarter(0.0, [-1.0, -0.9]), &right, false, EXACTLY), Facing::Wholly);
+        assert_eq!(facing(&quarter(0.0, [-0.1, 0.1]), &right, false, EXACTLY), Facing::Away);
+        assert_eq!(facing(&quarter(0.0, [-0.7, -0.3]), &right, false, EXACTLY), Facing::Partly);
     }
 
     #[test]
@@ -185,7 +208,7 @@ mod tests {
         let bump = patch(Bezier::new(points).expect("a sheet"), [-1.0, 1.0], [-1.0, 1.0]);
         let corners = [[3., 0., 0.1], [3., 1., 0.1], [3., 1., 0.2], [3., 0., 0.2]].map(DVec3::from_array);
         let observer = Patch::Flat { corners, normal: -DVec3::X };
-        assert_eq!(facing(&bump, &observer, false), Facing::Partly);
+        assert_eq!(facing(&bump, &observer, false, EXACTLY), Facing::Partly);
     }
 
     #[test]
@@ -194,6 +217,18 @@ mod tests {
         let inside = Flipped::new(Box::new(tube));
         let inside: Arc<dyn Surface> = Arc::new(inside);
         let sector = |u| Patch::curved(Arc::clone(&inside), &Rect { u, v: [-1.0, 1.0] });
-        assert_eq!(facing(&sector([-0.5, 0.0]), &sector([0.0, 0.5]), true), Facing::Wholly);
+        assert_eq!(facing(&sector([-0.5, 0.0]), &sector([0.0, 0.5]), true, EXACTLY), Facing::Wholly);
+    }
+
+    #[test]
+    fn a_wall_bent_a_little_faces_its_floor_as_far_as_the_accuracy_goes() {
+        let corners = [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [-0.005, 0., 1.]].map(DVec3::from_array);
+        let wall = Bilinear::new(corners).expect("a wall");
+        let floor = [[0., 0., 0.], [1., 0., 0.], [1., 1., 0.], [0., 1., 0.]].map(DVec3::from_array);
+        let floor = Patch::Flat { corners: floor, normal: DVec3::Z };
+        let wall = patch(wall, [-1.0, 1.0], [-1.0, 1.0]);
+        assert_eq!(wall.node(0.5, 0.5).normal.x.signum(), 1.0);
+        assert_eq!(facing(&wall, &floor, true, 1e-2), Facing::Wholly);
+        assert_eq!(facing(&wall, &floor, true, 1e-6), Facing::Partly);
     }
 }

@@ -4,6 +4,7 @@
 //! A part is halved along the variable that needs most points, as long as its halves together take fewer.
 
 use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 use crate::elements::rule::MOST_POINTS;
 
@@ -13,6 +14,12 @@ use super::analytic;
 const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
 /// Most parts.
 const MOST_PARTS: usize = 512;
+
+/// Most corners of a part.
+const CORNERS: usize = 8;
+
+/// Lines by their ends.
+type Lines = SmallVec<[[DVec3; 2]; CORNERS / 2]>;
 
 /// Parts, each with its points along every variable.
 pub(super) type Parts<const D: usize> = Vec<(Part<D>, [usize; D])>;
@@ -82,23 +89,40 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 
     fn points(&self, part: &Part<D>) -> [usize; D] {
-        std::array::from_fn(|direction| analytic::points(self.degree, self.eps, self.rate(part, direction)))
+        let corners = self.corners(part);
+        std::array::from_fn(|direction| {
+            analytic::points(self.degree, self.eps, Self::rate(&corners, direction))
+        })
+    }
+
+    /// r at the corners of a part, the bits of whose indices are its coordinates there.
+    fn corners(&self, part: &Part<D>) -> [DVec3; CORNERS] {
+        let place = |index: usize| std::array::from_fn(|k| part.at(k, (index >> k & 1) as f64));
+        std::array::from_fn(
+            |index| {
+                if index < 1 << D { (self.difference)(place(index)) } else { DVec3::ZERO }
+            },
+        )
     }
 
     /// The slowest rate along one variable, over all combinations of places of the others.
-    fn rate(&self, part: &Part<D>, direction: usize) -> f64 {
-        let mut slowest = f64::INFINITY;
-        for index in 0..PLACES.len().pow(D as u32 - 1) {
-            let mut digits = index;
-            let mut place = part.low;
-            for other in (0..D).filter(|k| *k != direction) {
-                place[other] = part.at(other, PLACES[digits % PLACES.len()]);
-                digits /= PLACES.len();
-            }
-            let start = (self.difference)(place);
-            place[direction] = part.at(direction, 1.0);
-            slowest = slowest.min(analytic::rate(start, (self.difference)(place) - start));
-        }
-        slowest
+    fn rate(corners: &[DVec3; CORNERS], direction: usize) -> f64 {
+        let bit = 1 << direction;
+        let low = (0..1 << D).filter(|index| index & bit == 0);
+        let lines: Lines = low.map(|low| [corners[low], corners[low | bit]]).collect();
+        analytic::rate(least_half_axis(&lines))
     }
+}
+
+/// The least half axis ([`analytic::half_axis`]) of lines between those given, which stand at the corners of a square or an interval.
+fn least_half_axis(lines: &[[DVec3; 2]]) -> f64 {
+    if let [[start, end]] = lines {
+        return analytic::half_axis(*start, end - start);
+    }
+    let between = |pair: &[[DVec3; 2]], place: f64| [0, 1].map(|end| pair[0][end].lerp(pair[1][end], place));
+    let at = |place: &f64| {
+        let lines: Lines = lines.chunks_exact(2).map(|pair| between(pair, *place)).collect();
+        least_half_axis(&lines)
+    };
+    PLACES.iter().map(at).fold(f64::INFINITY, f64::min)
 }

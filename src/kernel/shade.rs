@@ -15,34 +15,32 @@
 //! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies before
 //! their tangent planes.
 
+mod sides;
+
 use core::f64::consts::FRAC_1_PI;
 use std::borrow::Cow;
 
 use radiosity_geom::{DVec2, DVec3, clip_polygon};
 
 use crate::elements::Element;
-use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::elements::space::Space;
 use crate::visibility::Visibility;
 use crate::visibility::exact::{inside_any, irradiance};
 
 use super::clip::Facet;
 use super::moments::{Moments, Side};
-use super::pair::{point_to_polygon, polygon_distance};
+use super::pair::point_to_polygon;
 use super::separated::{self, SMALLEST_RATIO};
+use sides::Sides;
 
-/// Heights below this part of the pair's size count as lying in a plane.
-const COPLANAR: f64 = 1e-9;
-/// A blocker's side nearer to the plane of the outer element than this part of its length makes shadows there that are
-/// almost edges.
-const STANDING: f64 = 1e-2;
 /// Sides of a cell of which one is longer by this are halved alone.
 const SLENDER: f64 = 1.5;
 /// Most halvings of a cell, and of a piece of the inner element.
 const DEPTH: usize = 14;
 const INNER_DEPTH: usize = 40;
+/// Loosest relative accuracy of the rules, whatever little a block weighs beside its row.
+const LOOSEST: f64 = 0.05;
 /// By how much two levels may differ, in multiples of what the finer one may be wrong by.
 const AGREED: f64 = 2.5;
 
@@ -73,11 +71,7 @@ pub(super) struct Shade {
 impl Shade {
     /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
-        let (side, outer, inner) = match pair.iter().position(|element| element.plane.is_none()) {
-            Some(0) => (Side::Receiver, pair[0].patches.clone(), facets(pair[1])),
-            Some(_) => (Side::Emitter, pair[1].patches.clone(), facets(pair[0])),
-            None => flat_sides(pair, blockers, visibility),
-        };
+        let Sides { side, outer, inner } = Sides::of(pair, blockers, visibility);
         let mut work = Work::new(pair, side, &inner, visibility, limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
@@ -86,78 +80,6 @@ impl Shade {
         }
         work.finish()
     }
-}
-
-/// Which of two flat elements is the outer one, its patches cut along the blockers, and the facets of the other.
-fn flat_sides(
-    pair: [&Element; 2],
-    blockers: &[usize],
-    visibility: &Visibility,
-) -> (Side, Vec<Patch>, Vec<Facet>) {
-    let [receivers, emitters] = facing(pair);
-    let polygons =
-        [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
-    let side = outer_side(&polygons, blockers, visibility);
-    let (outer, inner) = match side {
-        Side::Receiver => (receivers, emitters),
-        Side::Emitter => (emitters, receivers),
-    };
-    let parts = outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility));
-    let patches = parts.flat_map(|part| Patch::of_polygon(&part.corners, part.normal)).collect();
-    (side, patches, inner)
-}
-
-/// The patches of a flat element.
-fn facets(element: &Element) -> Vec<Facet> {
-    let normal = element.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
-    element.patches.iter().map(|patch| Facet { corners: patch.polygon(), normal }).collect()
-}
-
-/// The parts of the patches of either element in front of the other's plane.
-fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
-    let size = pair[0].bounds().union(pair[1].bounds()).diagonal();
-    [[pair[0], pair[1]], [pair[1], pair[0]]].map(|[own, other]| {
-        let Some((point, up)) = other.plane else { return Vec::new() };
-        let plane = Facet { corners: vec![point], normal: up };
-        facets(own).iter().filter_map(|facet| facet.in_front_of(&plane, COPLANAR * size)).collect()
-    })
-}
-
-/// The side that the outer integral is taken over.
-fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
-    let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
-    let [receiver, emitter] = polygons.each_ref().map(|side| {
-        let pairs =
-            side.iter().flat_map(|polygon| pieces().map(move |piece| polygon_distance(polygon, piece)));
-        let gap = pairs.fold(f64::INFINITY, f64::min);
-        let corners = || side.iter().flat_map(|polygon| polygon.iter());
-        let size = corners().flat_map(|a| corners().map(move |b| a.distance(*b))).fold(0.0, f64::max);
-        gap / size
-    });
-    let fewer = polygons[1].len() < polygons[0].len();
-    if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
-}
-
-/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane.
-fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
-    let mut parts = vec![facet.clone()];
-    for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {
-        let above = clip_polygon(piece, facet.corners[0], facet.normal);
-        let height = |x: DVec3| (x - facet.corners[0]).dot(facet.normal).abs();
-        for (a, b) in above.iter().copied().zip(above.iter().copied().cycle().skip(1)) {
-            if height(a).max(height(b)) <= STANDING * a.distance(b) {
-                parts = parts.iter().flat_map(|part| halves(part, a, facet.normal.cross(b - a))).collect();
-            }
-        }
-    }
-    parts
-}
-
-/// The parts of a facet on either side of a line through `point`, `across` which they lie.
-fn halves(part: &Facet, point: DVec3, across: DVec3) -> impl Iterator<Item = Facet> {
-    let sides = [across, -across].map(|inward| clip_polygon(&part.corners, point, inward));
-    let normal = part.normal;
-    sides.into_iter().filter(|side| side.len() > 2).map(move |corners| Facet { corners, normal })
 }
 
 /// The shade of one pair under way.
@@ -171,6 +93,8 @@ struct Work<'a> {
     hull: Vec<DVec3>,
     normal: DVec3,
     moments: Moments<'a>,
+    /// Raw functions of the inner element at a point.
+    row: Vec<f64>,
     /// About the largest φ_k φ_l of the raw functions.
     unit: f64,
     points: usize,
@@ -194,7 +118,7 @@ impl<'a> Work<'a> {
             Side::Receiver => pair,
             Side::Emitter => [pair[1], pair[0]],
         };
-        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, 0.02);
+        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST);
         Self {
             visibility,
             side,
@@ -204,6 +128,7 @@ impl<'a> Work<'a> {
             hull: inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect(),
             normal: other.plane.map_or(DVec3::ZERO, |(_, normal)| normal),
             moments: Moments::new(&pair[0].basis, &pair[1].basis),
+            row: vec![0.0; other.basis.len()],
             unit: pair.iter().map(|element| element.basis.transform()[0]).product(),
             points: points(outer.basis.total_degree(), accuracy),
             accuracy,
@@ -335,8 +260,6 @@ impl<'a> Work<'a> {
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
         let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
-        let mut values = [0.0; Space::Tensor.count(HIGHEST_ORDER)];
-        let values = &mut values[..out.len()];
         for ((s, ws), (t, wt)) in first.iter().flat_map(|s| second.iter().map(move |t| (s, t))) {
             let y = a + (b - a) * s + ((d - a) * (1.0 - s) + (c - b) * s) * t;
             let offset = y - x.position;
@@ -344,8 +267,8 @@ impl<'a> Work<'a> {
             // The area element is linear in s and t.
             let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
             let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
-            basis.raw(basis.frame().locate(y, DVec2::ZERO), values);
-            out.iter_mut().zip(&*values).for_each(|(sum, value)| *sum += weight * value);
+            basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
+            out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
             self.samples += 1;
         }
     }
