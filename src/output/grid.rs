@@ -171,6 +171,9 @@ fn area(patch: &Patch) -> f64 {
     weights.map(|((s, ws), (t, wt))| ws * wt * patch.node(s, t).area).sum()
 }
 
+/// Points along each direction where direct light is smooth.
+const SMOOTH: usize = 2;
+
 /// Mean of D per band over a patch.
 fn lit(
     direct: &DirectLight,
@@ -179,7 +182,10 @@ fn lit(
     horizon: Option<DVec3>,
     points: usize,
 ) -> Vec<f64> {
-    let surroundings = direct.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
+    let hull = patch.hull();
+    let site = Site { points: &hull, horizon, surface: Some(surface) };
+    let surroundings = direct.around(&site);
+    let points = if direct.is_smooth(&site, &surroundings) { points.min(SMOOTH) } else { points };
     let value =
         |node: &Node| direct.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings);
     mean(patch, points, value)

@@ -99,6 +99,11 @@ impl Surroundings {
         Self { places: kept.iter().map(place).collect(), ranges, obstacles }
     }
 
+    /// Whether nothing stands between the site and any element in sight.
+    pub fn is_clear(&self) -> bool {
+        self.places.is_empty()
+    }
+
     /// Places in `obstacles` of those before an element; None where the element is out of sight.
     pub fn before(&self, element: usize) -> Option<&[usize]> {
         self.ranges[element].map(|(start, end)| &self.places[start..end])

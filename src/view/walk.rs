@@ -42,6 +42,10 @@ const ON_DOME: f64 = 1e-9;
 /// (1 − cos ϑ)²/AREA_RULE is about the relative error of two-point rules for the area of a piece of a ball ϑ wide.
 const AREA_RULE: f64 = 500.0;
 
+/// By how much the error of Lambert's form, its factor taken from the Gauss rule, has to exceed the tolerance for the form not
+/// to be tried.
+const HOPELESS: f64 = 1.5;
+
 /// What a flat cell half hidden by flat blockers may contribute, in multiples of the tolerance, where its points alone decide
 /// what is seen of it: when some are seen and some not, and when all agree. Shadow edges cross cells this way and that, and what the points miss cancels.
 const SHADED: f64 = 4.0;
@@ -138,12 +142,9 @@ impl<'a> Walk<'a> {
             return 0.0;
         }
         let bound = |cell: &Cell| {
-            let far = 2.0 * cell.radius < self.distance(cell);
-            let factor = match (far, self.is_like_flat(cell)) {
-                (true, _) => self.weights(cell).iter().sum::<f64>().min(1.0),
-                (false, true) => self.vantage.factor(&cell.hull, iter::empty()),
-                (false, false) => 1.0,
-            };
+            let is_far = 2.0 * cell.radius < self.distance(cell);
+            let is_told = is_far || self.is_like_flat(cell);
+            let factor = if is_told { self.weights(cell).iter().sum::<f64>().min(1.0) } else { 1.0 };
             cell.brightness * factor
         };
         tree.roots().iter().map(bound).sum()
@@ -225,8 +226,12 @@ impl<'a> Walk<'a> {
         if width < 1.0 && error <= pass.tolerance && overlooks() {
             return Estimate { weights, error };
         }
+        let by_form = lambert_error(cell, width);
+        if width < 1.0 && sum * by_form > HOPELESS * pass.tolerance {
+            return Estimate { weights, error: sum * by_form };
+        }
         let factor = self.vantage.factor(&cell.hull, iter::empty());
-        Estimate { weights: scaled(cell, weights, factor), error: factor * lambert_error(cell, width) }
+        Estimate { weights: scaled(cell, weights, factor), error: factor * by_form }
     }
 
     /// Lambert's form of the visible pieces of what is near or shines evenly; of other cells the points alone.

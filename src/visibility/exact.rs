@@ -225,36 +225,27 @@ impl Pyramid {
     /// bounding plane lies outside it.
     pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
         let middle = center - self.eye;
-        let mut is_inside = true;
+        // Planes that cross the ball.
+        let mut open: SmallVec<[&Plane; 9]> = SmallVec::new();
         for plane in &self.planes {
             let height = plane.height(middle);
             if height <= -radius {
                 return Cover::Clear;
             }
-            is_inside &= height >= radius;
+            if height < radius {
+                open.push(plane);
+            }
         }
-        if is_inside {
+        if open.is_empty() {
             return Cover::Hidden;
         }
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        self.cover_seen(&seen)
+        cover_by(open.into_iter(), &seen)
     }
 
     /// The same of points as seen from the eye.
     fn cover_seen(&self, points: &[DVec3]) -> Cover {
-        let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
-        let tolerance = TOUCHING * reach.sqrt();
-        let mut cover = Cover::Hidden;
-        for plane in &self.planes {
-            let (low, high) = range(points.iter().map(|a| plane.height(*a)));
-            if high <= tolerance {
-                return Cover::Clear;
-            }
-            if low < -tolerance {
-                cover = Cover::Mixed;
-            }
-        }
-        cover
+        cover_by(self.planes.iter(), points)
     }
 
     /// Whether it hides the point `y`.
@@ -292,6 +283,23 @@ impl Pyramid {
         parts.retain(|part| part.len() > 2);
         (parts, inside)
     }
+}
+
+/// How the convex hull of points stands to the half-spaces of some planes together.
+fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3]) -> Cover {
+    let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
+    let tolerance = TOUCHING * reach.sqrt();
+    let mut cover = Cover::Hidden;
+    for plane in planes {
+        let (low, high) = range(points.iter().map(|a| plane.height(*a)));
+        if high <= tolerance {
+            return Cover::Clear;
+        }
+        if low < -tolerance {
+            cover = Cover::Mixed;
+        }
+    }
+    cover
 }
 
 /// The least and the greatest.
