@@ -55,26 +55,15 @@ pub(super) fn of(
 fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
     let points: Vec<DVec2> = flat.iter().flatten().copied().collect();
     let extent = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
-    let corners = corners(&points, TOUCH * extent);
-    let mut plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
-    let mut handles = BTreeMap::new();
-    let mut vertices = Vec::new();
-    for &corner in &corners {
-        if !handles.contains_key(&corner) {
-            let scaled = (points[corner] - points[0]) / extent;
-            handles.insert(corner, plane.insert(mitigate_underflow(Point2::new(scaled.x, scaled.y))).ok()?);
-            vertices.push(corner);
-        }
-    }
-    for edge in edges(flat, &corners) {
-        for [from, to] in cut(edge, &points, &vertices, TOUCH * extent) {
-            plane.try_add_constraint(handles[&from], handles[&to]);
-        }
-    }
+    let tolerance = TOUCH * extent;
+    let corners = corners(&points, tolerance);
+    let vertices = vertices(&points, &corners, tolerance);
+    let constraints = edges(flat, &corners).flat_map(|edge| cut(edge, &points, &vertices, tolerance));
+    let places: Vec<DVec2> = vertices.iter().map(|k| (points[*k] - points[0]) / extent).collect();
+    let triangles = delaunay(&places, constraints.collect())?;
     let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
     let mut mesh = Mesh { points, triangles: Vec::new() };
-    for face in plane.inner_faces() {
-        let triangle = face.vertices().map(|vertex| vertices[vertex.index()]);
+    for triangle in triangles.into_iter().map(|t| t.map(|k| vertices[k])) {
         // What rounding opens between edges that touch has no area.
         if mesh.area(&triangle) > 1e-12 * expected && mesh.lies_in(&triangle, flat) {
             mesh.triangles.push(triangle);
@@ -82,6 +71,28 @@ fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
     }
     let covered: f64 = mesh.triangles.iter().map(|t| mesh.area(t)).sum();
     (expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected).then_some(mesh)
+}
+
+/// The triangles between points, counter-clockwise, with the edges `constraints` among their sides; the same however
+/// these are listed.
+fn delaunay(points: &[DVec2], mut constraints: Vec<[usize; 2]>) -> Option<Vec<[usize; 3]>> {
+    let mut plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
+    let handles: Vec<_> = points
+        .iter()
+        .map(|at| plane.insert(mitigate_underflow(Point2::new(at.x, at.y))).ok())
+        .collect::<Option<_>>()?;
+    constraints.sort_unstable();
+    for [from, to] in constraints {
+        plane.try_add_constraint(handles[from], handles[to]);
+    }
+    Some(plane.inner_faces().map(|face| face.vertices().map(|vertex| vertex.index())).collect())
+}
+
+/// The corners, each once, in an order that does not depend on how the rings are listed.
+fn vertices(points: &[DVec2], corners: &[usize], tolerance: f64) -> Vec<usize> {
+    let mut vertices: Vec<usize> = (0..points.len()).filter(|k| corners[*k] == *k).collect();
+    vertices.sort_by_key(|k| ((points[*k] - points[0]) / tolerance).to_array().map(|x| x.round() as i64));
+    vertices
 }
 
 /// For each point the first one that it coincides with, itself if with none.
@@ -97,14 +108,13 @@ fn edges<'a>(flat: &'a [Vec<DVec2>], corners: &'a [usize]) -> impl Iterator<Item
     starts.zip(flat.iter().map(Vec::len)).flat_map(ring).map(|edge| edge.map(|k| corners[k]))
 }
 
-/// The parts of an edge between the vertices it passes through, in order.
+/// The parts of an edge between the vertices it passes through, in order, by their places among the vertices.
 fn cut([from, to]: [usize; 2], points: &[DVec2], vertices: &[usize], tolerance: f64) -> Vec<[usize; 2]> {
     let (p, q) = (points[from], points[to]);
-    let passes = |k: &usize| *k != from && *k != to && to_segment(points[*k], [p, q]) <= tolerance;
-    let mut stops: Vec<usize> = vertices.iter().copied().filter(passes).collect();
-    stops.sort_by(|a, b| points[*a].distance(p).total_cmp(&points[*b].distance(p)));
-    let ends: Vec<usize> = [from].into_iter().chain(stops).chain([to]).collect();
-    ends.windows(2).map(|part| [part[0], part[1]]).collect()
+    let on = |k: &usize| *k == from || *k == to || to_segment(points[*k], [p, q]) <= tolerance;
+    let mut stops: Vec<usize> = (0..vertices.len()).filter(|at| on(&vertices[*at])).collect();
+    stops.sort_by(|a, b| points[vertices[*a]].distance(p).total_cmp(&points[vertices[*b]].distance(p)));
+    stops.windows(2).map(|part| [part[0], part[1]]).collect()
 }
 
 impl Mesh {
