@@ -243,7 +243,8 @@ fn a_report_has_every_key_and_they_agree() {
     assert_eq!(pairs("total"), skipped.iter().chain(&taken).sum::<u64>());
     let elements = report["elements"].as_u64().unwrap();
     assert_eq!(pairs("total"), elements * (elements - 1) / 2 + pairs("same"));
-    assert!(pairs("partly_hidden") > 0 && report["shadow_rays"].as_u64() > Some(0));
+    // Shadows of blocks are outlines, on the bent wall as well.
+    assert!(pairs("partly_hidden") > 0 && report["shadow_rays"].as_u64() == Some(0));
     assert_eq!((&report["threads"], &report["order"]), (&2.into(), &1.into()));
     assert_eq!(report["unknowns"].as_u64().unwrap(), 3 * elements);
 }

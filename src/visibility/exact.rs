@@ -186,7 +186,7 @@ pub enum Cover {
 #[derive(Clone, Debug)]
 pub struct Pyramid {
     eye: DVec3,
-    planes: SmallVec<[Plane; 9]>,
+    planes: SmallVec<[Plane; 5]>,
 }
 
 impl Pyramid {
