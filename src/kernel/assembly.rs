@@ -379,7 +379,7 @@ impl Scene<'_> {
         }
         let hidden = self.hidden_block(task, goal);
         hidden.unwrap_or_else(|| {
-            block::block(receiver, emitter, &task.blockers, self.visibility, goal.accuracy)
+            block::block(receiver, emitter, &task.blockers, self.visibility, (goal.accuracy, goal.unseen))
         })
     }
 
