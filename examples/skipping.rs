@@ -35,7 +35,7 @@ use radiosity_geom::Ray;
 /// Error that the naive program has to reach.
 const GOAL: f64 = 1e-2;
 /// Its rules, points a direction.
-const POINTS: [usize; 12] = [2, 3, 4, 5, 6, 8, 10, 12, 14, 16, 20, 24];
+const POINTS: [usize; 13] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24];
 /// Our accuracies of shadows, in multiples of the default.
 const LOOSER: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
 /// Accuracy of what counts as exact.

@@ -66,9 +66,7 @@ impl Accuracy {
 
     /// How often a partly hidden pair is halved: ½ log₂(1/ε).
     ///
-    /// Each halving takes part of the pair out of doubt, and the n⁴ samples in what is left do the rest.
-    /// Measured on the Cornell box at ε = 3e-3, twice as many samples in two more halvings move the means of
-    /// the floor's cells by 0.05 % of their size, those of the back wall by 0.003 %.
+    /// Each halving takes part of the pair out of doubt, and samples in what is left do the rest.
     pub(super) fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }

@@ -30,7 +30,7 @@ const MOST: usize = 1 << 14;
 /// By how much the scatter of stretches overstates the error of their sum, measured.
 const BALANCED: f64 = 2.0;
 
-/// What is seen or hidden between two patches.
+/// What is seen, or what is hidden, between two patches.
 #[derive(Debug)]
 pub(super) struct Scatter {
     /// In raw polynomials, row-major, receiver's functions by emitter's.
@@ -127,4 +127,65 @@ fn deviation(batches: &[Vec<f64>]) -> f64 {
     let square = |k: usize| batches.iter().map(|batch| (batch[k] - mean[k]).powi(2)).sum::<f64>();
     let largest = (0..mean.len()).map(square).fold(0.0, f64::max);
     (largest / (count * (count - 1.0))).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use radiosity_geom::DVec3;
+
+    use crate::elements::frame::Frame;
+    use crate::kernel::polygon_exchange;
+
+    fn square(z: f64, up: bool) -> [DVec3; 4] {
+        let mut corners = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]].map(|[x, y]| DVec3::new(x, y, z));
+        if !up {
+            corners.reverse();
+        }
+        corners
+    }
+
+    fn basis(patches: &[Patch]) -> AreaBasis {
+        let corners = patches[0].polygon();
+        let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
+        AreaBasis::new(0, frame, patches).expect("a square has area")
+    }
+
+    /// Of a square and one above it, that sees it from the part x < `to` only: the sum and the samples.
+    fn found(to: f64, limit: f64) -> (Scatter, f64) {
+        let (floor, ceiling) = (square(0.0, true), square(1.0, false));
+        let p = Patch::of_polygon(&floor, DVec3::Z);
+        let q = Patch::of_polygon(&ceiling, -DVec3::Z);
+        let bases = [basis(&p), basis(&q)];
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|x: DVec3, _| x.x < to, limit);
+        let part = |from: f64, to: f64| {
+            let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
+            polygon_exchange(&corners, &ceiling)
+        };
+        // The first polynomials are ½.
+        let exact = 0.25 * if found.hidden { part(to, 1.0) } else { part(0.0, to) };
+        (found, exact)
+    }
+
+    #[test]
+    fn the_rarer_is_summed_to_the_limit() {
+        for (to, hidden) in [(0.13, false), (0.31, false), (0.77, true)] {
+            for limit in [3e-4, 3e-5] {
+                let (found, exact) = found(to, limit);
+                assert_eq!(found.hidden, hidden);
+                assert!(
+                    (found.values[0] - exact).abs() <= limit,
+                    "{to} {limit:e}: {} {exact}",
+                    found.values[0]
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_hidden_few_points_are_enough() {
+        let (found, _) = found(2.0, 1e-9);
+        assert!(found.hidden && found.values == [0.0] && found.error == 0.0);
+        assert_eq!(found.samples, (BATCHES * FEWEST) as u64);
+    }
 }
