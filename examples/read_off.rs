@@ -1,56 +1,80 @@
 //! Error against time of the presets, and of the ways to read a solution: the Cornell box against path tracing.
 //!
-//! `cargo run --release --example read_off -- [QUALITY]`: floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted
+//! `cargo run --release --example read_off -- [WAY]` (quick, default, fine, finest, projected, masks, masks-1993; all unless said): floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted
 //! relative L2 over both faces and the three bands, %; the reference's own noise is 0.14 %. Samples and rays are those of the
-//! transfers; solve, ready and cells are wall times of the solution, of what is tabulated, and of the cells of all faces.
+//! transfers; masks have 40 × 40 cells, and average by light or, as in 1993, by area; solve, ready and cells are wall times of the solution, of what is tabulated, and of the cells of all faces.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
+use std::num::NonZeroUsize;
 use std::time::Instant;
 
+use radiosity::mask::Nodes;
+use radiosity::masked::{Average, Masking};
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
-use radiosity::solve::{Options, Outcome, in_threads, solve};
+use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
 use serde_json::Value;
 
 /// Emission of the scene file over unit exitance, per band: π × the published values.
 const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 
+/// A way to solve, and the ways to read that.
+struct Way {
+    name: &'static str,
+    options: Options,
+    readings: Vec<Reading>,
+}
+
 fn main() {
     let only = std::env::args().nth(1);
     let scene = Scene::builtin("cornell-box").expect("the scene is built in");
     let work = || {
         println!(
-            "quality  solve s read          unknowns  samples    rays  ready s  cells s  floor %  back wall %  both %"
+            "{:22} solve s read             unknowns  samples     rays  ready s  cells s  floor %  back wall %  both %",
+            "way"
         );
-        for (name, quality) in [
-            ("quick", Quality::Quick),
-            ("default", Quality::Default),
-            ("fine", Quality::Fine),
-            ("finest", Quality::Finest),
-        ] {
-            if only.as_ref().is_some_and(|only| only != name) {
-                continue;
-            }
+        for way in ways().iter().filter(|way| only.as_ref().is_none_or(|only| only == way.name)) {
             let start = Instant::now();
-            let options = quality.options();
-            let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
+            let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
             let solved = start.elapsed().as_secs_f64();
-            let preset = quality.reading();
-            let mut readings = vec![preset];
-            if quality == Quality::Default && only.is_none() {
-                readings.extend([Read::Basis, Read::Direct].map(|read| Reading { read, ..preset }));
-            }
-            for reading in readings {
-                let row = read(&scene, &outcome, &options, reading);
-                println!("{name:8} {solved:7.3} {row}");
+            for reading in &way.readings {
+                println!("{:22} {solved:7.3} {}", way.name, read(&scene, &outcome, &way.options, *reading));
             }
         }
     };
     in_threads(Options::default().threads, work).expect("threads can be started");
+}
+
+/// The presets, and the default with direct light as it was in 1993: in the polynomials, and times masks.
+fn ways() -> Vec<Way> {
+    let usual = Quality::Default.reading();
+    let reads = |reads: &[Read]| reads.iter().map(|read| Reading { read: *read, ..usual }).collect();
+    let preset = |name, quality: Quality| {
+        let more = if quality == Quality::Default { reads(&[Read::Direct, Read::Basis]) } else { Vec::new() };
+        Way { name, options: quality.options(), readings: [vec![quality.reading()], more].concat() }
+    };
+    let cells = NonZeroUsize::new(40).expect("40 is not zero");
+    let masked = |average| Options {
+        masks: Some(Masking { nodes: Nodes::Even(cells), average }),
+        ..Options::default()
+    };
+    vec![
+        preset("quick", Quality::Quick),
+        preset("default", Quality::Default),
+        preset("fine", Quality::Fine),
+        preset("finest", Quality::Finest),
+        Way {
+            name: "projected",
+            options: Options { direct: Direct::Projected, ..Options::default() },
+            readings: reads(&[Read::Gather, Read::Basis]),
+        },
+        Way { name: "masks", options: masked(Average::Weighted), readings: reads(&[Read::Basis]) },
+        Way { name: "masks-1993", options: masked(Average::Plain), readings: reads(&[Read::Basis]) },
+    ]
 }
 
 /// Times and errors of a reading, as a row of the table.
@@ -66,7 +90,7 @@ fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -
     let unknowns = outcome.solution.elements().coefficients();
     let (samples, rays) = (outcome.samples, outcome.rays);
     format!(
-        "{name:16} {unknowns:5} {samples:8} {rays:7} {ready:8.3} {seconds:8.3} {floor:8.3} {wall:12.3} {both:7.3}"
+        "{name:19} {unknowns:5} {samples:8} {rays:8} {ready:8.3} {seconds:8.3} {floor:8.3} {wall:12.3} {both:7.3}"
     )
 }
 

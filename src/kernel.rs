@@ -38,6 +38,7 @@ mod product;
 mod reach;
 mod rough;
 mod same;
+mod scatter;
 mod seam;
 mod sectors;
 mod separated;

@@ -1,5 +1,5 @@
-//! View factors behind planar blockers, against sums and differences of exact factors of rectangles, and the balance of
-//! closed rooms with boxes in them.
+//! View factors behind blockers, against sums and differences of exact factors of rectangles and those of spheres, and the
+//! balance of closed rooms with boxes in them.
 
 use std::collections::HashMap;
 
@@ -131,14 +131,31 @@ fn exact_shadows_leave_the_exact_factors() {
 }
 
 #[test]
-fn sampled_shadows_leave_them_roughly() {
+fn shadows_at_defaults_leave_them_to_three_digits() {
     for (name, quads, exact) in cases() {
-        let found = factors(&quads, Hiding::Rays, 1e-3);
-        let own = found.factor(0, 1) * found.areas[0];
-        assert!((own - exact).abs() <= 2e-2, "{name}: {own} instead of {exact}");
-        let auto = factors(&quads, Hiding::Auto, 1e-3);
-        let own = auto.factor(0, 1) * auto.areas[0];
-        assert!((own - exact).abs() <= 1e-3, "{name}: {own} instead of {exact}");
+        for hiding in [Hiding::Rays, Hiding::Auto] {
+            let found = factors(&quads, hiding, 1e-3);
+            let own = found.factor(0, 1) * found.areas[0];
+            assert!((own - exact).abs() <= 1e-3, "{name}, {hiding:?}: {own} instead of {exact}");
+        }
+    }
+}
+
+/// In a sphere about another the inner one sees all of the outer, which sees itself past the inner one: F₀₁ = 1, F₁₀ = r²/R²,
+/// F₁₁ = 1 − r²/R².
+#[test]
+fn a_ball_in_a_sphere_hides_a_part_of_it() {
+    let text = "[[surfaces]]\nsphere = { center = [0, 0, 0], radius = 0.5 }
+                [[surfaces]]\nflip = true\nsphere = { center = [0, 0, 0], radius = 1 }";
+    let scene = Scene::from_toml(text, "spheres").expect("two spheres are a scene");
+    for (hiding, eps, most) in [(Hiding::Rays, 1e-3, 1e-3), (Hiding::Auto, 1e-6, 1e-5)] {
+        let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
+        let options = Options { subdivide: None, accuracy, shadows: hiding, threads: 2 };
+        let found = ViewFactors::new(&scene, &options, &|_, _| {}).expect("both have area");
+        for (i, j, exact) in [(0, 0, 0.0), (0, 1, 1.0), (1, 0, 0.25), (1, 1, 0.75)] {
+            let own = found.factor(i, j);
+            assert!((own - exact).abs() <= most, "{hiding:?} {i} {j}: {own} instead of {exact}");
+        }
     }
 }
 
@@ -200,6 +217,56 @@ fn a_bent_wall_keeps_all_light() {
     }
 }
 
+/// A lamp flush in a ceiling, and one a hair below it, let no light past them.
+#[test]
+fn flush_lamps_leak_nothing() {
+    let mut flush = room([4.0, 3.5, 3.0]);
+    flush.remove(1);
+    let pane = |name: &str, x, y| level(name, x, y, 3.0, false);
+    flush.extend([
+        pane("lamp", [1.5, 2.5], [1.0, 2.0]),
+        pane("south", [0.0, 4.0], [0.0, 1.0]),
+        pane("north", [0.0, 4.0], [2.0, 3.5]),
+        pane("west", [0.0, 1.5], [1.0, 2.0]),
+        pane("east", [2.5, 4.0], [1.0, 2.0]),
+    ]);
+    let below = [
+        level("lamp", [1.5, 2.5], [1.0, 2.0], 2.999, false),
+        level("lamp:back", [1.5, 2.5], [1.0, 2.0], 2.999, true),
+    ];
+    let hung = [room([4.0, 3.5, 3.0]), below.to_vec()].concat();
+    for (name, quads) in [("flush", flush), ("hung", hung)] {
+        let chest = upright([[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]], [0.0, 1.1]);
+        let found = closure(&factors(&[quads, chest].concat(), Hiding::Auto, 1e-3));
+        assert!(found <= 1e-3, "{name}: {found:e}");
+    }
+}
+
+/// Two boxes on a floor: face to face without the faces that touch, a hair apart, and edge to edge.
+#[test]
+fn nothing_leaks_between_touching_boxes() {
+    let square = |x: f64, y: f64| [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
+    let named = |name: &str, base, height| {
+        let mut sides = upright(base, [0.0, height]);
+        sides.iter_mut().for_each(|(own, _)| own.insert_str(0, name));
+        sides
+    };
+    let pair = |base| [named("low-", square(1.0, 1.0), 1.0), named("high-", base, 1.5)].concat();
+    let mut joined = pair(square(2.0, 1.0));
+    joined.retain(|(name, _)| name != "low-side-1" && name != "high-side-3");
+    joined.push(quad("step", [[2., 2., 1.], [2., 1., 1.], [2., 1., 1.5], [2., 2., 1.5]]));
+    for (name, boxes) in
+        [("joined", joined), ("apart", pair(square(2.0 + 1e-3, 1.0))), ("edge", pair(square(2.0, 2.0)))]
+    {
+        let quads = [room([4.0, 3.5, 3.0]), boxes].concat();
+        // By default to the accuracy of shadows, a part of the largest entry of a row.
+        for (hiding, eps, most) in [(Hiding::Auto, 1e-3, 3e-3), (Hiding::Exact, 1e-4, 1e-3)] {
+            let found = closure(&factors(&quads, hiding, eps));
+            assert!(found <= most, "{name}, {hiding:?}: {found:e}");
+        }
+    }
+}
+
 /// Errors of the blocks of `scene` at the usual accuracy against those at `finest`, relative to the largest entry of the
 /// row, the largest.
 fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
@@ -236,6 +303,27 @@ fn blocks_of_any_order_keep_the_accuracy_of_shadows() {
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(8))]
+
+    /// Rays find what outlines find, behind a plate that hovers anywhere, in any turn.
+    #[test]
+    fn rays_and_outlines_agree(
+        at in (0.1..0.9, 0.1..0.9, 0.25..0.75),
+        sides in prop::array::uniform2((-0.4..0.4, -0.4..0.4, -0.15..0.15)),
+    ) {
+        let at = DVec3::from(at);
+        let [a, b] = sides.map(DVec3::from);
+        prop_assume!(a.cross(b).length() > 1e-3);
+        let plate = [at - a - b, at + a - b, at + a + b, at - a + b].map(|x| x.to_array());
+        let unit = [0.0, 1.0];
+        let quads = vec![
+            level("floor", unit, unit, 0.0, true),
+            level("lamp", unit, unit, 1.0, false),
+            quad("plate", plate),
+        ];
+        let exact = factors(&quads, Hiding::Exact, 1e-5).factor(0, 1);
+        let found = factors(&quads, Hiding::Rays, 1e-3).factor(0, 1);
+        prop_assert!((found - exact).abs() <= 1e-3, "{found} instead of {exact}");
+    }
 
     /// A box anywhere in a room takes light away and adds none, and what it takes it receives.
     #[test]

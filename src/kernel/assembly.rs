@@ -372,7 +372,7 @@ impl Scene<'_> {
         let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => block::block(receiver, emitter, blockers, self.visibility, goal.accuracy),
+            true => block::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
             false => self.curved_block(task, blockers, goal),
         };
         match goal.outlined {

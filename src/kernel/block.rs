@@ -15,8 +15,9 @@
 //!
 //! What planar blockers hide is taken away afterwards, by its outline ([`super::shade`]). Where rays are asked for,
 //! a pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
-//! rule, parts wholly hidden are dropped, and in the rest every sample is multiplied by its own
-//! visibility.
+//! rule, parts wholly hidden are dropped, and visibility in the rest is sampled at scattered points
+//! ([`super::scatter`]) until it is known well enough. Only where patches touch every sample of the rule
+//! is multiplied by its own visibility.
 
 use radiosity_geom::polygon_area;
 
@@ -32,6 +33,7 @@ use super::integrand::Sees;
 use super::moments::Moments;
 use super::near::Plan;
 use super::pair::{Contact, classify, gap};
+use super::scatter::Scatter;
 use super::separated::{self, SMALLEST_RATIO};
 use super::shade::{Limit, Shade};
 use super::vertex;
@@ -64,9 +66,7 @@ impl Accuracy {
 
     /// How often a partly hidden pair is halved: ½ log₂(1/ε).
     ///
-    /// Each halving takes part of the pair out of doubt, and the n⁴ samples in what is left do the rest.
-    /// Measured on the Cornell box at ε = 3e-3, twice as many samples in two more halvings move the means of
-    /// the floor's cells by 0.05 % of their size, those of the back wall by 0.003 %.
+    /// Each halving takes part of the pair out of doubt, and samples in what is left do the rest.
     pub(super) fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }
@@ -153,18 +153,19 @@ pub(super) fn shaded_block(
     block
 }
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them.
+/// The block between two elements; `blockers` are the surfaces that may stand between them, and what is sampled of their
+/// shadows makes errors of about `error` in an entry.
 pub(super) fn block(
     receiver: &Element,
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    accuracy: Accuracy,
+    (accuracy, error): (Accuracy, f64),
 ) -> Block {
     if let Some(block) = constant_block(receiver, emitter, blockers) {
         return block;
     }
-    let mut job = Job::new(receiver, emitter, visibility, accuracy);
+    let mut job = Job::new(receiver, emitter, visibility, (accuracy, error));
     let state = State { touching: true, levels: accuracy.shadow_levels(), blockers: blockers.to_vec() };
     for p in &receiver.patches {
         for q in &emitter.patches {
@@ -206,6 +207,10 @@ struct Job<'a> {
     size: f64,
     /// √(A_i A_j).
     unit: f64,
+    /// About the largest φ_k φ_l of the raw functions.
+    scale: f64,
+    /// Largest error of an entry that sampled shadows may make.
+    shadow_error: f64,
     moments: Moments<'a>,
     kind: Kind,
     partly_hidden: bool,
@@ -227,7 +232,7 @@ impl<'a> Job<'a> {
         receiver: &'a Element,
         emitter: &'a Element,
         visibility: &'a Visibility,
-        accuracy: Accuracy,
+        (accuracy, shadow_error): (Accuracy, f64),
     ) -> Self {
         let size = receiver.bounds().diagonal().max(emitter.bounds().diagonal());
         Self {
@@ -236,6 +241,8 @@ impl<'a> Job<'a> {
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size,
             unit: (receiver.area * emitter.area).sqrt(),
+            scale: receiver.basis.transform()[0] * emitter.basis.transform()[0],
+            shadow_error,
             moments: Moments::new(&receiver.basis, &emitter.basis),
             kind: Kind::Separated,
             partly_hidden: false,
@@ -342,7 +349,7 @@ impl<'a> Job<'a> {
                     None => false,
                 }
             }
-            Contact::Apart(gap) => return self.tensor(p, q, *gap, None),
+            Contact::Apart(gap) => return self.tensor(p, q, *gap),
         };
         if done {
             return;
@@ -350,7 +357,7 @@ impl<'a> Job<'a> {
         match Plan::new(&self.moments, p, q, eps) {
             Some(plan) => plan.integrate(&mut self.moments),
             None if self.is_divisible(p, q) => self.halve(p, q, contact, state),
-            None => self.leave(p, q, None),
+            None => self.leave(p, q),
         }
     }
 
@@ -377,21 +384,39 @@ impl<'a> Job<'a> {
                 let points = points.map(|n| n.min(MOST_SLIVER_POINTS));
                 vertex::integrate(&mut self.moments, a, b, points, Some(sees));
             }
-            Contact::Apart(gap) if !self.is_near(p, q, *gap) => self.tensor(p, q, *gap, Some(sees)),
-            Contact::Apart(_) if self.is_divisible(p, q) => self.halve(p, q, contact, state),
-            Contact::Apart(_) => self.leave(p, q, Some(sees)),
+            Contact::Apart(gap) if self.is_near(p, q, *gap) && self.is_divisible(p, q) => {
+                self.halve(p, q, contact, state);
+            }
+            Contact::Apart(_) => self.scatter(p, q, contact, sees),
         }
     }
 
-    fn tensor(&mut self, p: &Patch, q: &Patch, gap: f64, sees: Option<Sees>) {
+    /// A pair apart: what is seen, or all of it less what is hidden. Errors of parts have either sign, so that their squares
+    /// add up.
+    fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
+        let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
+        let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
+        let found = Scatter::new([p, q], self.moments.bases(), sees, limit);
+        let sign = if found.hidden { -1.0 } else { 1.0 };
+        let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();
+        self.moments.add_raw(&values, false, found.samples);
+        self.moments.rays += found.rays;
+        self.error += self.scale * found.error;
+        if found.hidden {
+            let nothing = State { touching: false, levels: 0, blockers: Vec::new() };
+            self.free(p, q, contact, nothing);
+        }
+    }
+
+    fn tensor(&mut self, p: &Patch, q: &Patch, gap: f64) {
         let points = separated::counts(p, q, self.degrees, gap, self.accuracy.eps);
-        self.moments.tensor(p, q, points, sees);
+        self.moments.tensor(p, q, points, None);
     }
 
     /// A near pair that is halved no more: summed roughly.
-    fn leave(&mut self, p: &Patch, q: &Patch, sees: Option<Sees>) {
+    fn leave(&mut self, p: &Patch, q: &Patch) {
         self.note(true, p, q);
-        self.tensor(p, q, SMALLEST_RATIO * longest(p).1.max(longest(q).1), sees);
+        self.tensor(p, q, SMALLEST_RATIO * longest(p).1.max(longest(q).1));
     }
 
     /// Counts a part that misses its accuracy: what it carries at the most is its error.

@@ -1,0 +1,189 @@
+//! Visibility between two patches, sampled at scattered points.
+//!
+//! ```text
+//! S_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) [V(x, y) = v] dA_x dA_y ≈ 1/n Σ_m f(z_m) ,     z_m = fract(½ + m a) ,   a_d = g⁻ᵈ ,   g⁵ = g + 1
+//! ```
+//!
+//! The integrand jumps at the edges of shadows, which no Gauss rule follows: a tensor rule makes errors of one sign wherever
+//! an edge runs along its grid. The points z_m of a Kronecker sequence in [0, 1]⁴ (Roberts 2018, the generalised golden ratio)
+//! lie on no grid. Of what is seen (v = 1) and what is hidden (v = 0) the rarer is summed; the other follows from a smooth
+//! rule over all.
+//!
+//! The sequence is cut into [`BATCHES`] equal stretches, each of which is nearly equidistributed itself. The scatter of
+//! their sums bounds the error of the whole, as stretches that follow each other balance their errors.
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::{Node, Patch};
+
+use super::integrand::{Sees, kernel};
+
+/// Powers of 1/g, g⁵ = g + 1.
+const STEPS: [f64; 4] =
+    [0.856_674_883_854_502_9, 0.733_891_856_627_125_9, 0.628_706_721_037_808_7, 0.538_597_257_282_365_9];
+/// Stretches of the sequence, an even number.
+const BATCHES: usize = 8;
+/// Points that tell which is rarer.
+const PILOT: usize = 32;
+/// Fewest and most points of a stretch.
+const FEWEST: usize = 16;
+const MOST: usize = 1 << 14;
+/// By how much the scatter of stretches overstates the error of their sum, measured.
+const BALANCED: f64 = 2.0;
+
+/// What is seen, or what is hidden, between two patches.
+#[derive(Debug)]
+pub(super) struct Scatter {
+    /// In raw polynomials, row-major, receiver's functions by emitter's.
+    pub values: Vec<f64>,
+    /// Whether `values` are of what is hidden.
+    pub hidden: bool,
+    /// Largest standard deviation of `values` where it is above what was asked for; zero elsewhere.
+    pub error: f64,
+    /// Points.
+    pub samples: u64,
+    /// Segments tested.
+    pub rays: u64,
+}
+
+impl Scatter {
+    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach that.
+    pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, limit: f64) -> Self {
+        let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
+        work.batch(PILOT);
+        work.hidden = 2 * work.seen >= work.rays;
+        work.samples = 0;
+        let mut points = FEWEST;
+        let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| work.batch(points)).collect();
+        loop {
+            let error = deviation(&batches) / BALANCED;
+            if error <= limit || points >= MOST {
+                let error = if error <= limit { 0.0 } else { error };
+                let Work { hidden, samples, rays, .. } = work;
+                return Self { values: mean(&batches), hidden, error, samples, rays };
+            }
+            batches = batches.chunks(2).map(mean).collect();
+            points *= 2;
+            batches.extend((0..BATCHES / 2).map(|_| work.batch(points)).collect::<Vec<_>>());
+        }
+    }
+}
+
+struct Work<'a> {
+    patches: [&'a Patch; 2],
+    bases: [&'a AreaBasis; 2],
+    sees: Sees<'a>,
+    /// Whether what is hidden is summed, not what is seen.
+    hidden: bool,
+    samples: u64,
+    rays: u64,
+    seen: u64,
+}
+
+impl Work<'_> {
+    /// The integral by the next `count` points of the sequence.
+    fn batch(&mut self, count: usize) -> Vec<f64> {
+        let [receiver, emitter] = self.bases;
+        let mut sum = vec![0.0; receiver.len() * emitter.len()];
+        let (mut left, mut right) = (vec![0.0; receiver.len()], vec![0.0; emitter.len()]);
+        for index in self.samples..self.samples + count as u64 {
+            let [x, y] = self.nodes(index);
+            let value = kernel(&x, &y) * x.area * y.area / count as f64;
+            if value == 0.0 || self.is_seen(&x, &y) == self.hidden {
+                continue;
+            }
+            receiver.raw(receiver.frame().coordinates(&x), &mut left);
+            emitter.raw(emitter.frame().coordinates(&y), &mut right);
+            for (row, l) in sum.chunks_exact_mut(right.len()).zip(&left) {
+                row.iter_mut().zip(&right).for_each(|(sum, r)| *sum += value * l * r);
+            }
+        }
+        self.samples += count as u64;
+        sum
+    }
+
+    /// A point of either patch.
+    fn nodes(&self, index: u64) -> [Node; 2] {
+        let [s, t, u, v] = STEPS.map(|step| (0.5 + index as f64 * step).fract());
+        [self.patches[0].node(s, t), self.patches[1].node(u, v)]
+    }
+
+    fn is_seen(&mut self, x: &Node, y: &Node) -> bool {
+        let seen = (self.sees)(x.position, y.position);
+        self.rays += 1;
+        self.seen += u64::from(seen);
+        seen
+    }
+}
+
+/// The mean of estimates of the same integrals.
+fn mean(batches: &[Vec<f64>]) -> Vec<f64> {
+    let entry = |k: usize| batches.iter().map(|batch| batch[k]).sum::<f64>() / batches.len() as f64;
+    (0..batches[0].len()).map(entry).collect()
+}
+
+/// Standard deviation of the mean of independent estimates, the largest of all integrals.
+fn deviation(batches: &[Vec<f64>]) -> f64 {
+    let (mean, count) = (mean(batches), batches.len() as f64);
+    let square = |k: usize| batches.iter().map(|batch| (batch[k] - mean[k]).powi(2)).sum::<f64>();
+    let largest = (0..mean.len()).map(square).fold(0.0, f64::max);
+    (largest / (count * (count - 1.0))).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use radiosity_geom::DVec3;
+
+    use crate::elements::frame::Frame;
+    use crate::kernel::polygon_exchange;
+
+    fn square(z: f64, up: bool) -> [DVec3; 4] {
+        let mut corners = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]].map(|[x, y]| DVec3::new(x, y, z));
+        if !up {
+            corners.reverse();
+        }
+        corners
+    }
+
+    fn basis(patches: &[Patch]) -> AreaBasis {
+        let corners = patches[0].polygon();
+        let frame = Frame::bounding(&corners, [DVec3::X, DVec3::Y]);
+        AreaBasis::new(0, frame, patches).expect("a square has area")
+    }
+
+    /// Of a square and one above it, that sees it from the part x < `to` only: the sum and the samples.
+    fn found(to: f64, limit: f64) -> (Scatter, f64) {
+        let (floor, ceiling) = (square(0.0, true), square(1.0, false));
+        let p = Patch::of_polygon(&floor, DVec3::Z);
+        let q = Patch::of_polygon(&ceiling, -DVec3::Z);
+        let bases = [basis(&p), basis(&q)];
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|x: DVec3, _| x.x < to, limit);
+        let part = |from: f64, to: f64| {
+            let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
+            polygon_exchange(&corners, &ceiling)
+        };
+        // The first polynomials are ½.
+        let exact = 0.25 * if found.hidden { part(to, 1.0) } else { part(0.0, to) };
+        (found, exact)
+    }
+
+    #[test]
+    fn the_rarer_is_summed_to_twice_the_limit() {
+        for (to, hidden) in [(0.13, false), (0.31, false), (0.77, true)] {
+            for limit in [3e-4, 3e-5] {
+                let (found, exact) = found(to, limit);
+                assert_eq!(found.hidden, hidden);
+                // The limit is one of a standard deviation.
+                let error = found.values[0] - exact;
+                assert!(error.abs() <= 2.0 * limit, "{to} {limit:e}: {error:e}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_nothing_is_hidden_few_points_are_enough() {
+        let (found, _) = found(2.0, 1e-9);
+        assert!(found.hidden && found.values == [0.0] && found.error == 0.0);
+        assert_eq!(found.samples, (BATCHES * FEWEST) as u64);
+    }
+}
