@@ -8,11 +8,12 @@
 //! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good
 //! to [`ACCURACY`].
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, Rect};
 use rayon::prelude::*;
 
 use crate::coating::Coating;
 use crate::elements::Element;
+use crate::view::lamp::Lamp;
 use crate::view::surroundings::{Site, Surroundings};
 use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
@@ -35,6 +36,8 @@ pub struct DirectLight<'a> {
     visibility: &'a Visibility,
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
+    /// Those of the emitters that may be taken as a whole.
+    lamps: Vec<Option<Lamp<'a>>>,
     /// Per receiving element.
     surroundings: Vec<Surroundings>,
     bands: usize,
@@ -71,7 +74,14 @@ impl<'a> DirectLight<'a> {
             |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
-        let mut light = Self { elements, visibility, emitters, trees, surroundings: Vec::new(), bands, eps };
+        let is_whole = |element: &Element| element.rect == Rect::FULL;
+        let lamp = |Emitter { element, .. }: &Emitter| {
+            let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
+            Lamp::new(visibility, element.surface)
+        };
+        let lamps = emitters.iter().map(lamp).collect();
+        let mut light =
+            Self { elements, visibility, emitters, trees, lamps, surroundings: Vec::new(), bands, eps };
         light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
@@ -121,12 +131,17 @@ impl<'a> DirectLight<'a> {
         let sum = |walk: &mut Walk, tolerance: f64| {
             let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
             for ((index, tree), factor) in self.trees.iter().enumerate().zip(&mut factors) {
-                walk.add(index, tree, tolerance, std::slice::from_mut(factor));
+                let brightness = 1.0 / tree.scale()[0];
+                let lamp = self.lamps[index].as_ref();
+                match lamp.and_then(|lamp| walk.lamp(index, lamp, brightness, tolerance)) {
+                    Some(whole) => *factor = whole,
+                    None => walk.add(index, tree, tolerance, std::slice::from_mut(factor)),
+                }
                 level += *factor / tree.scale()[0];
             }
             (factors, level)
         };
-        if walk.is_flat() && self.trees.iter().all(|tree| tree.plane.is_some()) {
+        if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
             return sum(&mut walk, 0.0).0;
         }
         walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, sum)

@@ -215,6 +215,11 @@ impl Visibility {
         &self.obstacles[surface].hull
     }
 
+    /// Whether a surface is certainly apart from the convex hull of a point and a ball.
+    pub fn is_apart(&self, surface: usize, x: DVec3, center: DVec3, radius: f64) -> bool {
+        self.obstacles[surface].ball.misses_cone(x, center, radius)
+    }
+
     /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };

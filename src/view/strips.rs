@@ -10,6 +10,8 @@
 //! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
 //! that one sees all and another nothing, lines of the other direction are taken.
 
+use std::f64::consts::PI;
+
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
@@ -69,25 +71,41 @@ impl<'a> Strips<'a> {
 
     /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
     pub fn shares(&mut self, tolerance: f64) -> [f64; 4] {
+        let sums = self.sums(tolerance);
+        if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+    }
+
+    /// The irradiance from what is seen of what shines on the screen with exitance 1, good to about `tolerance` of that from all
+    /// of it, and that from all of it.
+    pub fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
+        let sums = self.sums(tolerance);
+        let screen = self.facets.screen();
+        let normal = screen.along.cross(screen.across);
+        let factor = normal.dot(screen.origin - screen.eye).abs() / PI;
+        [sums.seen(), sums.all].map(|sum| factor * sum)
+    }
+
+    fn sums(&mut self, tolerance: f64) -> Sums {
         let (low, high) = self.heights();
         let step = (high - low) / PANELS as f64;
         let lines: [Sums; LINES] = std::array::from_fn(|k| self.line(low + 0.5 * step * k as f64));
         if !self.is_turned && variation(&lines) > ALONG {
             let facets = self.facets.transposed();
-            let [a, b, c, d] =
-                Strips { is_turned: true, ..Strips::new(self.vantage, &facets) }.shares(tolerance);
-            return [a, c, b, d];
+            let sums = Strips { is_turned: true, ..Strips::new(self.vantage, &facets) }.sums(tolerance);
+            let [a, b, c, d] = sums.visible;
+            return Sums { visible: [a, c, b, d], ..sums };
         }
         let panels = (0..PANELS).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
         let all: f64 = panels.clone().map(|panel| simpson(step, panel).all).sum();
-        let mut sums = Sums::default();
+        let mut sums = Sums { all, ..Sums::default() };
         if lines.iter().any(|line| line.seen() > 0.0) {
+            sums.all = 0.0;
             for (k, panel) in panels.enumerate() {
                 let start = low + step * k as f64;
                 sums = sums.plus(self.panel(start, step, panel, tolerance * all, DEEPEST), 1.0);
             }
         }
-        if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+        sums
     }
 
     /// Lowest and highest t of the cell.
@@ -115,12 +133,14 @@ impl<'a> Strips<'a> {
     fn line(&mut self, t: f64) -> Sums {
         let mut sums = Sums::default();
         let Some(range) = self.range(t) else { return sums };
-        sums.all = self.over(t, range).iter().sum();
         let mut room = std::mem::take(&mut self.room);
-        self.facets.visible(t, range, &mut room);
-        for part in &room {
-            let weights = self.over(t, *part);
-            sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
+        for lit in self.facets.lit(t, range) {
+            sums.all += self.over(t, lit).iter().sum::<f64>();
+            self.facets.visible(t, lit, &mut room);
+            for part in &room {
+                let weights = self.over(t, *part);
+                sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
+            }
         }
         self.room = room;
         sums

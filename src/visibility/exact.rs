@@ -218,7 +218,12 @@ impl Pyramid {
             }
             is_inside &= height >= radius;
         }
-        if is_inside { Cover::Hidden } else { self.cover_seen(points.iter().map(|y| y - self.eye)) }
+        if is_inside { Cover::Hidden } else { self.cover_of(points) }
+    }
+
+    /// The same of points alone.
+    pub fn cover_of(&self, points: &[DVec3]) -> Cover {
+        self.cover_seen(points.iter().map(|y| y - self.eye))
     }
 
     /// The same of points as seen from the eye.
