@@ -95,14 +95,19 @@ impl<'a> DirectLight<'a> {
     /// exitance.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let vantage = Vantage::on(self.elements[receiver].surface, x, n);
-        let factors = self.from(&vantage, &self.surroundings[receiver]);
+        let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
         self.emitters().zip(factors).collect()
     }
 
     /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
     pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
+        self.at_beside(receiver, x, n, &[])
+    }
+
+    /// The same where `other` light (W m⁻², per band) arrives as well: errors are judged against both.
+    pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
         let vantage = Vantage::on(self.elements[receiver].surface, x, n);
-        self.irradiance(&vantage, &self.surroundings[receiver])
+        self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
     /// What may stand between the emitters and a site.
@@ -118,15 +123,20 @@ impl<'a> DirectLight<'a> {
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
     pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+        self.irradiance_beside(vantage, surroundings, &[])
+    }
+
+    fn irradiance_beside(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
+        let other = other.iter().map(|other| other.max(0.0)).sum();
         let mut sums = vec![0.0; self.bands];
-        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings)) {
+        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }
         sums
     }
 
-    /// Irradiance from each emitter, per unit of its exitance.
-    fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+    /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
+    fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
         let sum = |walk: &mut Walk, tolerance: f64| {
             let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
@@ -144,6 +154,6 @@ impl<'a> DirectLight<'a> {
         if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
             return sum(&mut walk, 0.0).0;
         }
-        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, sum)
+        walk.to_share(&self.trees, PER_CELL * self.eps, other, sum)
     }
 }

@@ -129,6 +129,17 @@ impl<'a> Shadows<'a> {
         Some((flat, curved))
     }
 
+    /// Whether an obstacle of those given by their places hides the middle of a lamp.
+    pub fn hide_lamp(&self, lamp: &Lamp, places: &[usize]) -> bool {
+        let x = self.vantage.position;
+        places.iter().map(|place| self.surroundings.obstacles[*place]).any(|surface| {
+            let margin = if self.vantage.surface == Some(surface) { OWN_ENDS } else { ENDS };
+            !self.visibility.is_apart(surface, x, lamp.center, 0.0)
+                && !lamp.is_closed_by(surface)
+                && self.visibility.blocks(surface, x, lamp.center, margin)
+        })
+    }
+
     /// Puts a curved blocker before what `facets` stands for, a piece of that blocker itself where `is_own`.
     pub fn add_curved(&self, facets: &mut Facets<'a>, other: usize, is_own: bool) {
         let Vantage { normal, ground, surface, .. } = *self.vantage;

@@ -191,6 +191,9 @@ impl<'a> Walk<'a> {
         let is_whole = self.vantage.overlooks(&corners);
         let whole = if is_whole { irradiance(eye, normal, &sides) } else { lamp.most_from(eye) };
         let error = tolerance / (brightness * whole);
+        if error >= 1.0 {
+            return Some(if self.shadows.hide_lamp(lamp, places) { 0.0 } else { whole });
+        }
         let (screen, lit) = lamp.screen(eye, &sides)?;
         let Some((flat, curved)) = self.shadows.before_lamp(lamp, &screen, places) else { return Some(0.0) };
         let mut facets = Facets::before_lamp(screen, lit);

@@ -21,6 +21,11 @@ impl Ball {
         Self { center, radius: farthest.sqrt() }
     }
 
+    /// Its radius.
+    pub(super) fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// Whether it has no point in common with the segment from `x` to `y`.
     pub(super) fn misses(&self, x: DVec3, y: DVec3) -> bool {
         self.distance(x, y) > self.radius
