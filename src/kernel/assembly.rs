@@ -85,6 +85,8 @@ struct Task {
 struct Goal {
     /// Relative to its own largest entry.
     accuracy: Accuracy,
+    /// The same where surfaces of the pair hide a part of it themselves.
+    bent: Accuracy,
     /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
     least: f64,
     /// About the largest entry of its row.
@@ -285,7 +287,7 @@ impl Scene<'_> {
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
             if task.blockers.is_empty() && task.own.is_empty() {
-                return Goal { accuracy, least, row, unseen: 0.0, outlined: None };
+                return Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, outlined: None };
             }
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
@@ -296,10 +298,11 @@ impl Scene<'_> {
             if self.has_outlines(task) {
                 let error = accuracy.shadow_eps * row.max(task.rough);
                 let outlined = Some(Limit { error, entry: task.rough });
-                return Goal { accuracy, least, row, unseen, outlined };
+                return Goal { accuracy, bent: accuracy, least, row, unseen, outlined };
             }
-            let accuracy = if task.blockers.is_empty() { accuracy } else { accuracy.loosened(factor) };
-            Goal { accuracy, least, row, unseen, outlined: None }
+            let bent = accuracy.loosened(factor);
+            let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
+            Goal { accuracy, bent, least, row, unseen, outlined: None }
         };
         tasks.iter().map(goal).collect()
     }
@@ -393,7 +396,7 @@ impl Scene<'_> {
     fn curved_block(&self, task: &Task, goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        let Goal { accuracy, least, row: largest, unseen, .. } = goal;
+        let Goal { accuracy, bent, least, row: largest, unseen, .. } = goal;
         let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
         let mut asked = if is_told { task.blockers.clone() } else { Vec::new() };
@@ -413,6 +416,7 @@ impl Scene<'_> {
                 blockers = Cow::Owned(met.blockers);
             }
         }
+        let accuracy = if blockers.is_empty() { accuracy } else { bent };
         let mut block = if row == column {
             curved::self_block(receiver, &blockers, self.visibility, accuracy, [least, largest])
         } else {

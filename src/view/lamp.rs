@@ -33,9 +33,12 @@ const CHORDS: f64 = 4.0 / 3.0;
 /// Heights over tangent planes up to this part of the surface's size count as none.
 const BEHIND: f64 = 1e-6;
 
-/// How far around, in multiples of its radius, nothing but its lids may stand: between a plane that touches it in front
-/// and itself is nothing then.
-const ROOM: f64 = 1.5;
+/// How far around, in multiples of half its second longest side, nothing but its lids may stand: between a plane that touches
+/// it in front and itself is nothing then, √2 − 1 for a ball.
+const ROOM: f64 = 0.42;
+
+/// Least cosine between a view and the normal of a screen.
+const STEEPEST: f64 = 0.2;
 
 /// A side of an outline, from one point to the next.
 pub type Side = [DVec3; 2];
@@ -72,12 +75,11 @@ impl<'a> Lamp<'a> {
                 None => visibility.net(*other).quads().all(|q| q.knots.iter().all(|y| is_behind(y.position))),
             }
         };
-        let near = visibility.near(&bounds.inflate(ROOM * radius));
-        let is_near = |other: &usize| {
-            *other != surface
-                && visibility.bounds_of(*other).distance_squared(center) < (ROOM * radius).powi(2)
-        };
-        let (lids, others): (Vec<usize>, Vec<usize>) = near.into_iter().filter(is_near).partition(is_lid);
+        let mut sides = (bounds.max - bounds.min).to_array();
+        sides.sort_by(f64::total_cmp);
+        let near = visibility.near(&bounds.inflate(0.5 * ROOM * sides[1])).into_iter();
+        let (lids, others): (Vec<usize>, Vec<usize>) =
+            near.filter(|other| *other != surface).partition(is_lid);
         others.is_empty().then_some(Self { net, quads, lids, center, radius })
     }
 
@@ -161,22 +163,22 @@ impl<'a> Lamp<'a> {
         self.net.shape()
     }
 
-    /// A rectangle that it touches from behind as seen from `eye`, whose lines run along it, with its outline `sides` there.
+    /// A rectangle that it touches from behind, square to what faces `eye` or else to the view, whose lines run along it, with
+    /// its outline `sides` there. None where the eye is too near.
     pub fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(Screen, Vec<[[f64; 2]; 2]>)> {
+        let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
+        let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
         let towards = (self.center - eye).normalize_or_zero();
-        let depth = |y: DVec3| (y - eye).dot(towards);
-        let knots = self.quads.iter().flatten().map(|knot| knot.position);
-        let nearest = knots.map(depth).fold(f64::INFINITY, f64::min);
-        if nearest <= 0.0 {
-            return None;
-        }
-        let foot = eye + nearest * towards;
-        let seen = |y: DVec3| (y - eye) * (nearest / depth(y)) - nearest * towards;
+        let mut inwards = [facing, towards].into_iter();
+        let (inward, nearest) = inwards.find_map(|n| self.depth(eye, n, sides).map(|depth| (n, depth)))?;
+        let to_foot = towards * (nearest / towards.dot(inward));
+        let foot = eye + to_foot;
+        let seen = |y: DVec3| (y - eye) * (nearest / (y - eye).dot(inward)) - to_foot;
         let aside = sides.iter().map(|side| seen(side[0]));
         let longest =
             aside.fold(DVec3::ZERO, |a, b| if b.length_squared() > a.length_squared() { b } else { a });
         let along = longest.normalize_or_zero();
-        let across = towards.cross(along);
+        let across = inward.cross(along);
         let spots: Vec<[[f64; 2]; 2]> =
             sides.iter().map(|side| side.map(|y| [seen(y).dot(along), seen(y).dot(across)])).collect();
         let range = |k: usize| {
@@ -189,6 +191,15 @@ impl<'a> Lamp<'a> {
         let place = |[s, t]: [f64; 2]| [(s - left) / (right - left), (t - low) / (high - low)];
         let spots = spots.into_iter().map(|side| side.map(place)).collect();
         Some((Screen::new(eye, &rectangle, &rectangle)?, spots))
+    }
+
+    /// Distance from the eye to the plane across `inward` that touches it, if all of its outline lies well beyond the eye.
+    fn depth(&self, eye: DVec3, inward: DVec3, sides: &[Side]) -> Option<f64> {
+        let depth = |y: DVec3| (y - eye).dot(inward);
+        let nearest =
+            self.quads.iter().flatten().map(|knot| depth(knot.position)).fold(f64::INFINITY, f64::min);
+        let is_ahead = |y: &DVec3| depth(*y) > STEEPEST * y.distance(eye);
+        (nearest > 0.0 && sides.iter().flatten().all(is_ahead)).then_some(nearest)
     }
 }
 
