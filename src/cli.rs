@@ -12,6 +12,8 @@ mod grid;
 mod interrupt;
 mod masks;
 mod memory;
+mod modes;
+mod numbers;
 mod options;
 mod output_file;
 mod points;

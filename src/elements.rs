@@ -8,6 +8,8 @@
 pub mod basis;
 pub mod cells;
 pub mod columns;
+mod element;
+mod fault;
 pub mod frame;
 pub mod measure;
 pub mod patch;
@@ -20,18 +22,17 @@ pub mod spectrum;
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
+use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 use serde::{Deserialize, Serialize};
-use smallvec::{SmallVec, smallvec};
 
 use crate::footings::bare_shapes;
 use crate::scene::{Scene, SceneSurface};
-use basis::{AreaBasis, HIGHEST_ORDER};
+use basis::HIGHEST_ORDER;
 use cells::{Layers, breaks, cells_between, interval};
-use frame::Frame;
-use measure::Measure;
+use element::element;
+pub use element::{Element, clip_to_cell};
+pub use fault::ElementError;
 use patch::Patch;
-use rule::UnitRule;
 use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
@@ -66,98 +67,6 @@ pub enum Subdivide {
     },
     /// The same number along u and v everywhere.
     Uniform(usize),
-}
-
-/// Why a scene could not be cut into elements.
-#[derive(Debug, thiserror::Error)]
-pub enum ElementError {
-    /// A degree above the highest offered.
-    #[error("order {order} is above the highest offered, {HIGHEST_ORDER}: choose a lower one")]
-    Order {
-        /// The degree asked for.
-        order: usize,
-    },
-    /// Layers that cannot be made.
-    #[error(
-        "{} layers of ratio {}: the ratio has to lie between 0 and 1, and its power to the number of layers above 1e-7",
-        layers.count, layers.ratio
-    )]
-    Layers {
-        /// The layers asked for.
-        layers: Layers,
-    },
-    /// A surface without area, or so thin that its points as rounded do not tell polynomials of its degree apart.
-    #[error(
-        "surface '{surface}' has no area, or is too thin for polynomials of order {order}: lower its order or remove it"
-    )]
-    Thin {
-        /// Name of the surface.
-        surface: String,
-        /// The degree asked for.
-        order: usize,
-    },
-}
-
-/// A piece of a surface with its orthonormal polynomials.
-#[derive(Debug)]
-pub struct Element {
-    /// Index of the surface in the scene.
-    pub surface: usize,
-    /// The parameters it covers, as far as the surface reaches there.
-    pub rect: Rect,
-    /// φ_k, k = 0..basis.len().
-    pub basis: AreaBasis,
-    /// A cover by patches that do not overlap.
-    pub patches: Vec<Patch>,
-    /// A point and the unit normal of its plane, where it is flat.
-    pub plane: Option<(DVec3, DVec3)>,
-    /// Area (scene length²).
-    pub area: f64,
-    /// c_k = ∫ φ_k dA, the coefficients of the constant 1.
-    pub constant: Vec<f64>,
-    /// Points whose convex hull contains it.
-    pub hull: Vec<DVec3>,
-}
-
-impl Element {
-    /// Value at a point of Σ_k x_k φ_k given by its raw coefficients ([`AreaBasis::to_raw`]).
-    ///
-    /// `position` matters on flat elements, `parameters` on curved ones.
-    pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
-        self.raw_values(position, parameters).iter().zip(raw).map(|(x, y)| x * y).sum()
-    }
-
-    /// R_k at a point, for several polynomials there.
-    pub fn raw_values(&self, position: DVec3, parameters: [f64; 2]) -> SmallVec<[f64; 28]> {
-        let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
-        let mut values = smallvec![0.0; self.basis.len()];
-        self.basis.raw(place, &mut values);
-        values
-    }
-
-    /// ∬ |φ_k| dA for each k, by a Gauss rule: a measure, good to a few percent.
-    pub fn absolute_integrals(&self) -> Vec<f64> {
-        let count = self.basis.len();
-        let mut sums = vec![0.0; count];
-        let mut raw = vec![0.0; count];
-        let rule = UnitRule::of(2 * self.basis.order() + 2);
-        for patch in &self.patches {
-            for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
-                let node = patch.node(s, t);
-                self.basis.raw(self.basis.frame().coordinates(&node), &mut raw);
-                for (sum, row) in sums.iter_mut().zip(self.basis.transform().chunks_exact(count)) {
-                    let value: f64 = row.iter().zip(&raw).map(|(t, l)| t * l).sum();
-                    *sum += ws * wt * node.area * value.abs();
-                }
-            }
-        }
-        sums
-    }
-
-    /// Bounding box.
-    pub fn bounds(&self) -> Aabb {
-        self.hull.iter().fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point))
-    }
 }
 
 /// All elements of a scene, surface by surface.
@@ -287,29 +196,6 @@ impl Elements {
     }
 }
 
-/// The part of planar convex `pieces` over the parameter rectangle of a planar surface whose
-/// parameter lines are straight.
-pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -> Vec<Vec<DVec3>> {
-    let at = |u: f64, v: f64| surface.jet(u, v);
-    let corners = [
-        at(rect.u[0], rect.v[0]),
-        at(rect.u[1], rect.v[0]),
-        at(rect.u[1], rect.v[1]),
-        at(rect.u[0], rect.v[1]),
-    ]
-    .map(|jet| jet.position);
-    let middle = corners.iter().sum::<DVec3>() * 0.25;
-    let normal = at(0.0, 0.0).normal;
-    let mut parts = pieces.to_vec();
-    for k in 0..4 {
-        let (start, end) = (corners[k], corners[(k + 1) % 4]);
-        let inward = normal.cross(end - start).normalize();
-        let inward = if inward.dot(middle - start) < 0.0 { -inward } else { inward };
-        parts = parts.iter().map(|part| clip_polygon(part, start, inward)).filter(|p| p.len() > 2).collect();
-    }
-    parts
-}
-
 fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
     let (u, v) = (common(a.u, b.u), common(a.v, b.v));
@@ -354,78 +240,6 @@ fn scene_extent(scene: &Scene) -> f64 {
         .iter()
         .fold(Aabb::EMPTY, |bounds, surface| bounds.union(surface.shape.bounds(&Rect::FULL)));
     (bounds.max - bounds.min).max_element()
-}
-
-/// The element of one cell of a surface, whose shape is `shape`; None where the cell lies in a hole.
-fn element(
-    (index, surface): (usize, &SceneSurface),
-    shape: &Arc<dyn Surface>,
-    rect: Rect,
-    (space, order): (Space, usize),
-) -> Result<Option<Element>, ElementError> {
-    let thin = || ElementError::Thin { surface: surface.name.clone(), order };
-    let (patches, plane) = match shape.region() {
-        Some(region) => flat_patches(shape, &region.convex_pieces(), region.area(), &rect),
-        None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
-    };
-    if patches.is_empty() {
-        return Ok(None);
-    }
-    let frame = frame(shape.as_ref(), &patches, plane, &rect);
-    let measure = Measure::new(&patches, space.chart_degree(order, &patches));
-    let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
-    let area = measure.area();
-    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant function
-    // exact.
-    let mut constant = vec![0.0; basis.len()];
-    constant[0] = area.sqrt();
-    let hull = match plane {
-        Some(_) => patches.iter().flat_map(Patch::polygon).collect(),
-        None => shape.hull(&rect),
-    };
-    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull }))
-}
-
-fn flat_patches(
-    shape: &Arc<dyn Surface>,
-    pieces: &[Vec<DVec3>],
-    area: f64,
-    rect: &Rect,
-) -> (Vec<Patch>, Option<(DVec3, DVec3)>) {
-    let jet = shape.jet(rect.center()[0], rect.center()[1]);
-    let parts =
-        if *rect == Rect::FULL { pieces.to_vec() } else { clip_to_cell(shape.as_ref(), pieces, rect) };
-    let patches = parts
-        .iter()
-        .filter(|part| polygon_area(part) > 1e-14 * area)
-        .flat_map(|part| Patch::of_polygon(part, jet.normal))
-        .collect();
-    (patches, Some((jet.position, jet.normal)))
-}
-
-fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, rect: &Rect) -> Frame {
-    let [u, v] = rect.center();
-    match plane {
-        Some(_) => {
-            let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
-            let jet = shape.jet(u, v);
-            let parallel = |x: DVec3, y: DVec3| x.cross(y).length() <= 1e-9 * x.length() * y.length();
-            // A parallelogram fills the frame along its own sides; in the order of the parameters where they run along them.
-            let sides = match patches {
-                [patch] if patch.is_parallelogram() => {
-                    let own = [corners[1] - corners[0], corners[3] - corners[0]];
-                    let along = |d: DVec3| own.iter().any(|side| parallel(d, *side));
-                    if along(jet.du) && along(jet.dv) { [jet.du, jet.dv] } else { own }
-                }
-                _ => [jet.du, jet.dv],
-            };
-            Frame::bounding(&corners, sides)
-        }
-        None => Frame::Parameters {
-            center: DVec2::new(u, v),
-            half: 0.5 * DVec2::new(rect.u[1] - rect.u[0], rect.v[1] - rect.v[0]),
-        },
-    }
 }
 
 #[cfg(test)]

@@ -12,7 +12,8 @@ use serde::Serialize;
 use crate::cli::{
     data::DataArgs,
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    numbers::Counts,
+    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     read::{ReadArgs, Samples},
     run::{Loaded, Run},

@@ -1,24 +1,24 @@
 //! Options that several verbs share.
 
-use std::{
-    path::{Path, PathBuf},
-    str::FromStr,
-};
+use std::path::{Path, PathBuf};
 
 use clap::{
-    ArgMatches, Args, Command, ValueEnum,
+    ArgMatches, Args, Command,
     builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
     parser::ValueSource,
 };
-use radiosity::kernel::paper::{Reading, Rules};
-use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
-use radiosity::scene::{MAX_ORDER, Scene, SceneError, Source};
-use radiosity::solve::Direct;
-use radiosity::visibility::Hiding;
+use radiosity::scene::{Scene, SceneError, Source};
 use radiosity_solvers::method::Method;
 
-use crate::cli::{error::CliError, masks::MaskArgs, memory, output_file::OutputFile};
+use crate::cli::{
+    error::CliError,
+    masks::MaskArgs,
+    memory,
+    modes::{DirectMode, Kernel, Order, QualityMode, Shadows, Subdivide, subdivide},
+    numbers::{at_least_one, fraction, positive, threads},
+    output_file::OutputFile,
+};
 
 /// Help on the scene of verbs that read solutions as well.
 pub(crate) const SCENE_OR_SOLUTION: &str =
@@ -181,25 +181,6 @@ impl ReportArgs {
     }
 }
 
-/// `--order`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
-    /// As the accuracy needs.
-    Auto,
-    /// This one; with `--accuracy`, at least this one.
-    Degree(usize),
-}
-
-impl FromStr for Order {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
-        let order = if text == "auto" { Some(Order::Auto) } else { degree() };
-        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}, or auto"))
-    }
-}
-
 /// The options that work with a solution file as well: they change no solution, or how it is read as well.
 const FREE: [&str; 3] = ["memory", "quality", "threads"];
 
@@ -218,163 +199,12 @@ impl MethodArgs {
     }
 }
 
-/// `--subdivide`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Subdivide {
-    /// As the scene needs.
-    Auto,
-    /// This many elements along u and along v.
-    Parts(usize),
-}
-
-/// `--shadows`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Shadows {
-    /// Planar surfaces behind planar ones by their outlines, all else by rays
-    Auto,
-    /// Nothing hides anything
-    Off,
-    /// Rays where something can stand between
-    Rays,
-    /// As auto, but to the accuracy --eps
-    Exact,
-    /// Rays, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them
-    Mask,
-}
-
-impl Shadows {
-    /// The same, for the library.
-    pub(crate) fn hiding(self) -> Hiding {
-        match self {
-            Shadows::Auto | Shadows::Mask => Hiding::Auto,
-            Shadows::Off => Hiding::Off,
-            Shadows::Rays => Hiding::Rays,
-            Shadows::Exact => Hiding::Exact,
-        }
-    }
-}
-
-/// `--quality`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum QualityMode {
-    /// A draft
-    Quick,
-    /// What most need
-    Default,
-    /// A higher order, gathered more accurately
-    Fine,
-    /// Light gathered twice
-    Finest,
-}
-
-impl From<QualityMode> for Quality {
-    fn from(mode: QualityMode) -> Self {
-        match mode {
-            QualityMode::Quick => Self::Quick,
-            QualityMode::Default => Self::Default,
-            QualityMode::Fine => Self::Fine,
-            QualityMode::Finest => Self::Finest,
-        }
-    }
-}
-
-/// `--direct`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DirectMode {
-    /// Split where flat emitters cast shadows of flat surfaces, else projected
-    Auto,
-    /// An exact source at every point, with its shadows
-    Split,
-    /// Carried by the polynomials like all other light
-    Projected,
-}
-
-impl From<DirectMode> for Direct {
-    fn from(mode: DirectMode) -> Self {
-        match mode {
-            DirectMode::Auto => Self::Auto,
-            DirectMode::Split => Self::Split,
-            DirectMode::Projected => Self::Projected,
-        }
-    }
-}
-
-/// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Kernel {
-    /// As accurate as --eps says
-    Default,
-    /// Zatz 1993: N + 2 Gauss-Legendre points a direction for every pair
-    PaperLegendre,
-    /// Zatz 1993: the same, with Gauss-Jacobi points on the receiver where two surfaces share an edge
-    PaperHybrid,
-}
-
-impl Kernel {
-    /// The rules of 1993 that it names. Of the readings of the hybrid, H1 fits the numbers the paper prints best.
-    pub(crate) fn rules(self) -> Option<Rules> {
-        match self {
-            Kernel::Default => None,
-            Kernel::PaperLegendre => Some(Rules::Legendre),
-            Kernel::PaperHybrid => Some(Rules::Hybrid(Reading::H1)),
-        }
-    }
-}
-
-/// Two counts written `AxB`, such as `16x16` or `800x600`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Counts(pub(crate) [u32; 2]);
-
-impl FromStr for Counts {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        const MOST: u32 = 16384;
-        let count = |part: &str| part.parse().ok().filter(|count| (1..=MOST).contains(count));
-        text.split_once(['x', 'X', '×'])
-            .and_then(|(first, second)| Some(Counts([count(first)?, count(second)?])))
-            .ok_or_else(|| format!("expected two numbers from 1 to {MOST} with an x between, such as 16x16"))
-    }
-}
-
-/// A number above 0.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
-}
-
-/// A number between 0 and 1.
-pub(crate) fn fraction(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
-}
-
-fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
-}
-
 fn layers() -> RangedU64ValueParser<usize> {
     RangedU64ValueParser::new().range(0..=8)
-}
-
-/// A number of threads. More than any machine has use for would bring it to a standstill.
-pub(crate) fn threads(text: &str) -> Result<usize, String> {
-    const MOST: usize = 1024;
-    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
-    count.ok_or_else(|| format!("expected a whole number from 1 to {MOST}; leave it out for one a core"))
-}
-
-/// A count from 1 on.
-pub(crate) fn at_least_one() -> RangedU64ValueParser<usize> {
-    RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
 }
 
 fn solver() -> impl TypedValueParser<Value = &'static Method> {
     let summary = |method: &Method| PossibleValue::new(method.name).help(method.summary);
     PossibleValuesParser::new(Method::ALL.iter().map(summary))
         .map(|name| Method::named(&name).expect("the parser lets only listed names pass"))
-}
-
-/// `auto`, or elements along u and v.
-pub(crate) fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
-    PossibleValuesParser::new(["auto", "1", "2", "4"])
-        .map(|text| text.parse().map_or(Subdivide::Auto, Subdivide::Parts))
 }

@@ -7,7 +7,8 @@ use radiosity::output::grid::Rates;
 use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::Read;
 
-use crate::cli::options::{QualityMode, fraction};
+use crate::cli::modes::QualityMode;
+use crate::cli::numbers::fraction;
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]

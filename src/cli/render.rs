@@ -13,7 +13,8 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     error::CliError,
-    options::{Counts, MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    numbers::Counts,
+    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     read::ReadMode,
     run::{Loaded, Run},

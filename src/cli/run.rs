@@ -17,7 +17,8 @@ use radiosity::solved::Solved;
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
-use crate::cli::options::{MethodArgs, Order, ReportArgs, SceneArg, Shadows, Subdivide};
+use crate::cli::modes::{Order, Shadows, Subdivide};
+use crate::cli::options::{MethodArgs, ReportArgs, SceneArg};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 

@@ -16,7 +16,7 @@ use radiosity::output::scale::{Scale, round_above};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
-use crate::cli::{error::CliError, options::positive, reference};
+use crate::cli::{error::CliError, numbers::positive, reference};
 
 /// How a picture looks.
 #[derive(Debug, Args)]

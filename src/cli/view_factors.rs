@@ -17,7 +17,9 @@ use crate::cli::{
     destination::Destination,
     error::CliError,
     format,
-    options::{SceneArg, Shadows, Subdivide, fraction, subdivide, threads},
+    modes::{Shadows, Subdivide, subdivide},
+    numbers::{fraction, threads},
+    options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
 };

@@ -1,21 +1,19 @@
 //! Cutting a polygon with holes into convex pieces of three or four vertices.
 //!
-//! Ear clipping gives some triangulation; flipping every edge opposite to two angles of sum above π makes it
-//! the constrained Delaunay triangulation, the one of best-shaped triangles (Lawson, *Software for C¹ surface
-//! interpolation*, 1977). Then pairs of neighbours that form a convex quadrilateral are merged, those with
-//! the largest least sine of a corner first.
+//! The constrained Delaunay triangulation of the rings, the one of best-shaped triangles, without what lies in
+//! the holes. Rings may touch: vertices closer than what counts as zero are one, and an edge that passes through a
+//! vertex of another ring is cut there, so that the edges meet in common vertices only. Then pairs of neighbours
+//! that form a convex quadrilateral are merged, those with the largest least sine of a corner first.
 
-use super::rings::{encloses, signed_area};
+use super::rings::{TOUCH, encloses, signed_area, to_segment};
 use crate::ShapeError;
 use glam::{DVec2, DVec3};
+use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation, mitigate_underflow};
 use std::collections::BTreeMap;
 
 /// Corners flatter than this sine are not made: two triangles integrate better than one needle-shaped
 /// quadrilateral.
 const LEAST_SINE: f64 = 0.02;
-
-/// Of touching holes, this multiple of the extent is taken off to triangulate between them.
-const SHRINK: f64 = 1e-7;
 
 /// A triangulation: indices into `points`, counter-clockwise.
 struct Mesh {
@@ -44,52 +42,79 @@ pub(super) fn of(
     if flat.len() == 1 && flat[0].len() <= 4 && least_sine(&flat[0]) > 0.0 {
         return Ok(vec![rings[0].clone()]);
     }
-    // Ear clipping may stumble over holes that touch: then by holes shrunk a little.
-    let Some(mut mesh) = [0.0, SHRINK].into_iter().find_map(|shrink| triangulate(flat, shrink)) else {
+    let Some(mesh) = triangulate(flat) else {
         // Rings that pass every test one by one can still leave nothing between them.
         return Err(ShapeError::HoleOutside { field: names.last().expect("the outline has a name").clone() });
     };
-    mesh.make_delaunay();
     let vertices: Vec<DVec3> = rings.iter().flatten().copied().collect();
     let in_space = |piece: Vec<usize>| piece.into_iter().map(|k| vertices[k]).collect();
     Ok(mesh.merge().into_iter().map(in_space).collect())
 }
 
-/// Some triangulation of the region, found with the holes shrunk by a multiple of the extent; `None` where it
-/// does not cover the region.
-fn triangulate(flat: &[Vec<DVec2>], shrink: f64) -> Option<Mesh> {
+/// The constrained Delaunay triangulation of the region; `None` where it does not cover the region.
+fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
     let points: Vec<DVec2> = flat.iter().flatten().copied().collect();
     let extent = points.iter().map(|p| p.distance(points[0])).fold(0.0, f64::max);
-    let mut starts = Vec::new();
-    let mut apart: Vec<[f64; 2]> = flat[0].iter().map(|p| p.to_array()).collect();
-    for hole in &flat[1..] {
-        starts.push(apart.len());
-        apart.extend(shrunk(hole, shrink * extent).map(|p| p.to_array()));
-    }
-    let mut indices: Vec<usize> = Vec::new();
-    earcut::Earcut::new().earcut(apart, &starts, &mut indices);
-    let mut mesh = Mesh { points, triangles: Vec::new() };
+    let tolerance = TOUCH * extent;
+    let corners = corners(&points, tolerance);
+    let vertices = vertices(&points, &corners, tolerance);
+    let constraints = edges(flat, &corners).flat_map(|edge| cut(edge, &points, &vertices, tolerance));
+    let places: Vec<DVec2> = vertices.iter().map(|k| (points[*k] - points[0]) / extent).collect();
+    let triangles = delaunay(&places, constraints.collect())?;
     let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
-    for t in indices.as_chunks::<3>().0 {
-        let area = mesh.area(t);
-        // What opens between touching holes as they shrink has no area.
-        if area.abs() > 1e-12 * expected {
-            mesh.triangles.push(if area < 0.0 { [t[0], t[2], t[1]] } else { *t });
+    let mut mesh = Mesh { points, triangles: Vec::new() };
+    for triangle in triangles.into_iter().map(|t| t.map(|k| vertices[k])) {
+        // What rounding opens between edges that touch has no area.
+        if mesh.area(&triangle) > 1e-12 * expected && mesh.lies_in(&triangle, flat) {
+            mesh.triangles.push(triangle);
         }
     }
     let covered: f64 = mesh.triangles.iter().map(|t| mesh.area(t)).sum();
-    let whole = expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected;
-    (whole && mesh.triangles.iter().all(|t| mesh.lies_in(t, flat))).then_some(mesh)
+    (expected > 0.0 && (covered - expected).abs() <= 1e-9 * expected).then_some(mesh)
 }
 
-/// The vertices of a hole (clockwise) moved by `depth` across both their edges, into the hole.
-fn shrunk(hole: &[DVec2], depth: f64) -> impl Iterator<Item = DVec2> + '_ {
-    let n = hole.len();
-    (0..n).map(move |k| {
-        let (before, at, after) = (hole[(k + n - 1) % n], hole[k], hole[(k + 1) % n]);
-        let across = [at - before, after - at].map(|edge| -edge.normalize().perp());
-        at + depth * (across[0] + across[1]) / (1.0 + across[0].dot(across[1])).max(0.1)
-    })
+/// The triangles between points, counter-clockwise, with the edges `constraints` among their sides; the same however
+/// these are listed.
+fn delaunay(points: &[DVec2], mut constraints: Vec<[usize; 2]>) -> Option<Vec<[usize; 3]>> {
+    let mut plane = ConstrainedDelaunayTriangulation::<Point2<f64>>::new();
+    let handles: Vec<_> = points
+        .iter()
+        .map(|at| plane.insert(mitigate_underflow(Point2::new(at.x, at.y))).ok())
+        .collect::<Option<_>>()?;
+    constraints.sort_unstable();
+    for [from, to] in constraints {
+        plane.try_add_constraint(handles[from], handles[to]);
+    }
+    Some(plane.inner_faces().map(|face| face.vertices().map(|vertex| vertex.index())).collect())
+}
+
+/// The corners, each once, in an order that does not depend on how the rings are listed.
+fn vertices(points: &[DVec2], corners: &[usize], tolerance: f64) -> Vec<usize> {
+    let mut vertices: Vec<usize> = (0..points.len()).filter(|k| corners[*k] == *k).collect();
+    vertices.sort_by_key(|k| ((points[*k] - points[0]) / tolerance).to_array().map(|x| x.round() as i64));
+    vertices
+}
+
+/// For each point the first one that it coincides with, itself if with none.
+fn corners(points: &[DVec2], tolerance: f64) -> Vec<usize> {
+    let first = |k: usize| (0..k).find(|j| points[*j].distance(points[k]) <= tolerance).unwrap_or(k);
+    (0..points.len()).map(first).collect()
+}
+
+/// The edges of all rings between corners.
+fn edges<'a>(flat: &'a [Vec<DVec2>], corners: &'a [usize]) -> impl Iterator<Item = [usize; 2]> + 'a {
+    let starts = flat.iter().scan(0, |start, ring| Some(std::mem::replace(start, *start + ring.len())));
+    let ring = |(start, n): (usize, usize)| (0..n).map(move |k| [start + k, start + (k + 1) % n]);
+    starts.zip(flat.iter().map(Vec::len)).flat_map(ring).map(|edge| edge.map(|k| corners[k]))
+}
+
+/// The parts of an edge between the vertices it passes through, in order, by their places among the vertices.
+fn cut([from, to]: [usize; 2], points: &[DVec2], vertices: &[usize], tolerance: f64) -> Vec<[usize; 2]> {
+    let (p, q) = (points[from], points[to]);
+    let on = |k: &usize| *k == from || *k == to || to_segment(points[*k], [p, q]) <= tolerance;
+    let mut stops: Vec<usize> = (0..vertices.len()).filter(|at| on(&vertices[*at])).collect();
+    stops.sort_by(|a, b| points[vertices[*a]].distance(p).total_cmp(&points[vertices[*b]].distance(p)));
+    stops.windows(2).map(|part| [part[0], part[1]]).collect()
 }
 
 impl Mesh {
@@ -118,24 +143,6 @@ impl Mesh {
             }
         }
         inner
-    }
-
-    /// Flips edges until none is opposite to angles of sum above π. Each flip raises the least angles, so
-    /// this ends.
-    fn make_delaunay(&mut self) {
-        while let Some(e) = self.inner_edges().into_iter().find(|e| self.wants_flip(e)) {
-            self.triangles[e.left] = [e.c, e.d, e.b];
-            self.triangles[e.right] = [e.d, e.c, e.a];
-        }
-    }
-
-    fn wants_flip(&self, e: &InnerEdge) -> bool {
-        let opposite = |k: usize| {
-            let (p, q) = (self.points[e.a] - self.points[k], self.points[e.b] - self.points[k]);
-            p.angle_to(q).abs()
-        };
-        let flat = opposite(e.c) + opposite(e.d) <= std::f64::consts::PI + 1e-9;
-        !flat && least_sine(&self.quadrilateral(e)) > 1e-9
     }
 
     /// The two triangles of an inner edge as one quadrilateral, counter-clockwise.

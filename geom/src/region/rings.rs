@@ -5,7 +5,7 @@ use crate::ShapeError;
 use glam::{DVec2, DVec3};
 
 /// Lengths below this multiple of the region's extent count as zero.
-const TOUCH: f64 = 1e-9;
+pub(super) const TOUCH: f64 = 1e-9;
 
 /// ½ Σ xᵢ × xᵢ₊₁, positive for counter-clockwise rings.
 pub(super) fn signed_area(ring: &[DVec2]) -> f64 {
@@ -79,7 +79,7 @@ fn samples(ring: &[DVec2]) -> impl Iterator<Item = DVec2> + '_ {
 }
 
 /// Distance from `at` to the segment.
-fn to_segment(at: DVec2, [p, q]: [DVec2; 2]) -> f64 {
+pub(super) fn to_segment(at: DVec2, [p, q]: [DVec2; 2]) -> f64 {
     let along = (at - p).dot(q - p) / (q - p).length_squared();
     at.distance(p.lerp(q, along.clamp(0.0, 1.0)))
 }

@@ -1,0 +1,141 @@
+//! What an option may be set to, by name, and what that is to the library.
+
+use std::str::FromStr;
+
+use clap::{
+    ValueEnum,
+    builder::{PossibleValuesParser, TypedValueParser},
+};
+use radiosity::kernel::paper::{Reading, Rules};
+use radiosity::output::quality::Quality;
+use radiosity::scene::MAX_ORDER;
+use radiosity::solve::Direct;
+use radiosity::visibility::Hiding;
+
+/// `--order`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Order {
+    /// As the accuracy needs.
+    Auto,
+    /// This one; with `--accuracy`, at least this one.
+    Degree(usize),
+}
+
+impl FromStr for Order {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
+        let order = if text == "auto" { Some(Order::Auto) } else { degree() };
+        order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}, or auto"))
+    }
+}
+
+/// `--subdivide`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Subdivide {
+    /// As the scene needs.
+    Auto,
+    /// This many elements along u and along v.
+    Parts(usize),
+}
+
+/// `--shadows`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Shadows {
+    /// Planar surfaces behind planar ones by their outlines, all else by rays
+    Auto,
+    /// Nothing hides anything
+    Off,
+    /// Rays where something can stand between
+    Rays,
+    /// As auto, but to the accuracy --eps
+    Exact,
+    /// Rays, and direct light as polynomials times shadow masks, as in Zatz 1993; --read basis shows them
+    Mask,
+}
+
+impl Shadows {
+    /// The same, for the library.
+    pub(crate) fn hiding(self) -> Hiding {
+        match self {
+            Shadows::Auto | Shadows::Mask => Hiding::Auto,
+            Shadows::Off => Hiding::Off,
+            Shadows::Rays => Hiding::Rays,
+            Shadows::Exact => Hiding::Exact,
+        }
+    }
+}
+
+/// `--quality`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum QualityMode {
+    /// A draft
+    Quick,
+    /// What most need
+    Default,
+    /// A higher order, gathered more accurately
+    Fine,
+    /// Light gathered twice
+    Finest,
+}
+
+impl From<QualityMode> for Quality {
+    fn from(mode: QualityMode) -> Self {
+        match mode {
+            QualityMode::Quick => Self::Quick,
+            QualityMode::Default => Self::Default,
+            QualityMode::Fine => Self::Fine,
+            QualityMode::Finest => Self::Finest,
+        }
+    }
+}
+
+/// `--direct`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum DirectMode {
+    /// Split where flat emitters cast shadows of flat surfaces, else projected
+    Auto,
+    /// An exact source at every point, with its shadows
+    Split,
+    /// Carried by the polynomials like all other light
+    Projected,
+}
+
+impl From<DirectMode> for Direct {
+    fn from(mode: DirectMode) -> Self {
+        match mode {
+            DirectMode::Auto => Self::Auto,
+            DirectMode::Split => Self::Split,
+            DirectMode::Projected => Self::Projected,
+        }
+    }
+}
+
+/// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kernel {
+    /// As accurate as --eps says
+    Default,
+    /// Zatz 1993: N + 2 Gauss-Legendre points a direction for every pair
+    PaperLegendre,
+    /// Zatz 1993: the same, with Gauss-Jacobi points on the receiver where two surfaces share an edge
+    PaperHybrid,
+}
+
+impl Kernel {
+    /// The rules of 1993 that it names. Of the readings of the hybrid, H1 fits the numbers the paper prints best.
+    pub(crate) fn rules(self) -> Option<Rules> {
+        match self {
+            Kernel::Default => None,
+            Kernel::PaperLegendre => Some(Rules::Legendre),
+            Kernel::PaperHybrid => Some(Rules::Hybrid(Reading::H1)),
+        }
+    }
+}
+
+/// `auto`, or elements along u and v.
+pub(crate) fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
+    PossibleValuesParser::new(["auto", "1", "2", "4"])
+        .map(|text| text.parse().map_or(Subdivide::Auto, Subdivide::Parts))
+}
