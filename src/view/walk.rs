@@ -203,7 +203,7 @@ impl<'a> Walk<'a> {
             return Some(whole);
         }
         self.coarsest = self.coarsest.max(tolerance);
-        let [seen, all] = Strips::new(self.vantage, &facets).irradiances(error);
+        let [seen, all] = Strips::of_lamp(self.vantage, &facets).irradiances(error);
         Some(if is_whole && all > 0.0 { whole * seen / all } else { seen })
     }
 
