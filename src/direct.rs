@@ -6,13 +6,14 @@
 //!
 //! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::visibility::exact`]) for planar emitters
 //! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good
-//! to [`ACCURACY`].
+//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole ([`crate::view::lamp`]).
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;
 
 use crate::coating::Coating;
 use crate::elements::Element;
+use crate::view::lamp::Lamp;
 use crate::view::surroundings::{Site, Surroundings};
 use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
@@ -39,6 +40,8 @@ pub struct DirectLight<'a> {
     visibility: &'a Visibility,
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
+    /// Those of the emitters that may be taken as a whole.
+    lamps: Vec<Option<Lamp<'a>>>,
     /// Per receiving element.
     surroundings: Vec<Surroundings>,
     bands: usize,
@@ -75,7 +78,14 @@ impl<'a> DirectLight<'a> {
             |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
-        let mut light = Self { elements, visibility, emitters, trees, surroundings: Vec::new(), bands, eps };
+        let is_whole = |element: &Element| element.rect == Rect::FULL;
+        let lamp = |Emitter { element, .. }: &Emitter| {
+            let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
+            Lamp::new(visibility, element.surface)
+        };
+        let lamps = emitters.iter().map(lamp).collect();
+        let mut light =
+            Self { elements, visibility, emitters, trees, lamps, surroundings: Vec::new(), bands, eps };
         light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
@@ -89,14 +99,19 @@ impl<'a> DirectLight<'a> {
     /// exitance.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let vantage = Vantage::on(self.elements[receiver].surface, x, n);
-        let factors = self.from(&vantage, &self.surroundings[receiver]);
+        let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
         self.emitters().zip(factors).collect()
     }
 
     /// Irradiance (W m⁻²) per band at `x` on element `receiver` with unit normal `n`.
     pub fn at(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<f64> {
+        self.at_beside(receiver, x, n, &[])
+    }
+
+    /// The same where `other` light (W m⁻², per band) arrives as well: errors are judged against both.
+    pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
         let vantage = Vantage::on(self.elements[receiver].surface, x, n);
-        self.irradiance(&vantage, &self.surroundings[receiver])
+        self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
     /// What may stand between the emitters and a site.
@@ -122,27 +137,37 @@ impl<'a> DirectLight<'a> {
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
     pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+        self.irradiance_beside(vantage, surroundings, &[])
+    }
+
+    fn irradiance_beside(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
+        let other = other.iter().map(|other| other.max(0.0)).sum();
         let mut sums = vec![0.0; self.bands];
-        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings)) {
+        for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }
         sums
     }
 
-    /// Irradiance from each emitter, per unit of its exitance.
-    fn from(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+    /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
+    fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
         let sum = |walk: &mut Walk, tolerance: f64| {
             let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
             for ((index, tree), factor) in self.trees.iter().enumerate().zip(&mut factors) {
-                walk.add(index, tree, tolerance, std::slice::from_mut(factor));
+                let brightness = 1.0 / tree.scale()[0];
+                let lamp = self.lamps[index].as_ref();
+                match lamp.and_then(|lamp| walk.lamp(index, lamp, brightness, tolerance)) {
+                    Some(whole) => *factor = whole,
+                    None => walk.add(index, tree, tolerance, std::slice::from_mut(factor)),
+                }
                 level += *factor / tree.scale()[0];
             }
             (factors, level)
         };
-        if walk.is_flat() && self.trees.iter().all(|tree| tree.plane.is_some()) {
+        if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
             return sum(&mut walk, 0.0).0;
         }
-        walk.to_share(&self.trees, PER_CELL * self.eps, 0.0, sum)
+        walk.to_share(&self.trees, PER_CELL * self.eps, other, sum)
     }
 }

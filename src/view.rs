@@ -12,7 +12,9 @@
 //!   ([`crate::visibility::exact`]);
 //! * where a cell or a blocker is curved: the Gauss rule or Lambert's form, times the part that lines across the cell show
 //!   as seen ([`strips`]). A blocker's net of quads shows where its outline crosses a line ([`facets`]), and Newton steps
-//!   move the crossing from the net to the surface itself ([`silhouette`]).
+//!   move the crossing from the net to the surface itself ([`silhouette`]);
+//! * a curved surface that shines evenly and hides nothing of itself: Lambert's form on its outline, times the part that lines
+//!   across it show as seen, without cells ([`lamp`]).
 //!
 //! A cell is divided while the error expected of its rule is above the tolerance: for a clear cell of width h at distance r
 //! about F (B 0.02 (h/r)⁴ + ΔB 0.05 (h/r)³), with ΔB the variation of B over it, F ΔB where Lambert's form is used. Blockers
@@ -24,6 +26,7 @@ pub mod tree;
 pub mod surroundings;
 pub mod vantage;
 pub mod screen;
+pub mod lamp;
 pub mod silhouette;
 pub mod facets;
 pub mod strips;

@@ -22,8 +22,9 @@ use bodies::{Bodies, Face};
 use exact::Pyramid;
 use net::Net;
 
-/// A segment may touch surfaces within this part of its length at both ends.
+/// A segment may touch surfaces within this part of its length at both ends; and those that the ends lie on.
 const END: f64 = 1e-9;
+const OWN_END: f64 = 1e-6;
 
 /// Errors of exact shadows relative to those of the transfers: they have one sign where those of rules have either, and add
 /// up in rows.
@@ -105,6 +106,8 @@ struct Obstacle {
     pieces: Option<Vec<Vec<DVec3>>>,
     /// How it lies to itself.
     bend: Bend,
+    /// Places and normals of a curved one, here and there.
+    looks: Vec<(DVec3, DVec3)>,
     /// Made when it is first asked for.
     net: OnceLock<Net>,
 }
@@ -140,6 +143,29 @@ impl Visibility {
         self.narrow(&found, a, b)
     }
 
+    /// Which of two surfaces may themselves hide a part of one, within the hull `a`, from a part of the other, within `b`:
+    /// those that bend both ways, and the inside of a bowl where the other reaches out of the bowl.
+    pub fn hiding_themselves(&self, surfaces: [usize; 2], [a, b]: [&[DVec3]; 2]) -> Vec<usize> {
+        if self.shadows == Shadows::Off {
+            return Vec::new();
+        }
+        let [first, second] = surfaces;
+        let may_hide = |surface: usize, others: &[DVec3]| {
+            let Obstacle { bend, looks, ball, .. } = &self.obstacles[surface];
+            let is_outside = |y: &DVec3| looks.iter().any(|(x, n)| (y - x).dot(*n) < -END * ball.radius());
+            match bend {
+                Bend::Outward => false,
+                Bend::Inward => first != second && others.iter().any(is_outside),
+                Bend::Mixed => true,
+            }
+        };
+        let mut found: Vec<usize> = Vec::new();
+        found.extend(may_hide(first, b).then_some(first));
+        found.extend((second != first && may_hide(second, a)).then_some(second));
+        found.sort_unstable();
+        found
+    }
+
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
@@ -171,6 +197,14 @@ impl Visibility {
         !blockers.iter().any(|index| {
             let Obstacle { ball, shape, .. } = &self.obstacles[*index];
             !ball.misses(x, y) && shape.occludes(&ray)
+        })
+    }
+
+    /// The same where the ends lie on surfaces of the pair `own`, which may be blockers as well.
+    pub fn free_between(&self, own: [usize; 2], blockers: &[usize], x: DVec3, y: DVec3) -> bool {
+        !blockers.iter().any(|index| {
+            let margin = if own.contains(index) { OWN_END } else { END };
+            !self.obstacles[*index].ball.misses(x, y) && self.blocks(*index, x, y, margin)
         })
     }
 
@@ -224,6 +258,11 @@ impl Visibility {
         self.bodies.of(surface).map_or(&self.obstacles[surface].hull, |body| &body.hull)
     }
 
+    /// Whether a surface, or the convex body that it is a face of, is certainly apart from the convex hull of a point and a ball.
+    pub fn is_apart(&self, surface: usize, x: DVec3, center: DVec3, radius: f64) -> bool {
+        self.ball_of(surface).misses_cone(x, center, radius)
+    }
+
     /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
@@ -232,8 +271,13 @@ impl Visibility {
 
     /// Whether `blocker`, or the convex body that it is a face of, may reach, however little, between the hulls of `a` and `b`.
     pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
-        let ball = self.bodies.of(blocker).map_or(&self.obstacles[blocker].ball, |body| &body.ball);
-        !ball.misses_between(&Ball::around(a), &Ball::around(b)) && !separated(a, b, self.hull(blocker), 0.0)
+        !self.ball_of(blocker).misses_between(&Ball::around(a), &Ball::around(b))
+            && !separated(a, b, self.hull(blocker), 0.0)
+    }
+
+    /// A ball around a surface, or around the convex body that it is a face of.
+    fn ball_of(&self, surface: usize) -> &Ball {
+        self.bodies.of(surface).map_or(&self.obstacles[surface].ball, |body| &body.ball)
     }
 
     /// Centre and radius of the only one of `blockers` where that is a whole ball.
@@ -328,9 +372,11 @@ impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
         let pieces = shape.region().map(|region| region.convex_pieces());
-        let bend = if pieces.is_some() { Bend::Outward } else { Bend::of(shape.as_ref()) };
+        let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
+        let bend = Bend::of(&jets);
+        let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();
         let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
-        Self { shape, ball, hull, pieces, bend, net: OnceLock::new() }
+        Self { shape, ball, hull, pieces, bend, looks, net: OnceLock::new() }
     }
 
     fn is_convex(&self) -> bool {
@@ -383,6 +429,12 @@ fn breadth(points: &[DVec3]) -> f64 {
     points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
 }
 
+/// A net of points of a surface.
+fn looks(shape: &dyn Surface) -> Vec<Jet> {
+    let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
+    (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect()
+}
+
 /// How a surface lies to the tangent planes of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Bend {
@@ -395,10 +447,8 @@ enum Bend {
 }
 
 impl Bend {
-    /// Judged by a net of points.
-    fn of(shape: &dyn Surface) -> Self {
-        let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
-        let jets: Vec<_> = (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect();
+    /// Judged by a net of points, none of a planar one.
+    fn of(jets: &[Jet]) -> Self {
         let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
         let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));
         let height = |x: &Jet, y: &Jet| (y.position - x.position).dot(x.normal);

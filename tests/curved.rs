@@ -218,6 +218,26 @@ fn the_inner_of_two_spheres_hides_the_outer_from_itself() {
 
 /// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
 /// the floor touches it where no rule holds: what was reached is reported.
+/// The hole of a ring is seen from within the ring past its other side in part only.
+#[test]
+fn a_ring_in_a_box_hides_itself() {
+    let (p, half) = (DVec3::new, 2.0);
+    let wall = |turn: DVec3, angle: f64| -> Arc<dyn Surface> {
+        let floor = Parallelogram::new(p(-half, -half, -half), 2.0 * half * DVec3::X, 2.0 * half * DVec3::Y);
+        let motion = Motion::new(DVec3::ZERO, turn, angle, 1.0).expect("an axis");
+        Arc::new(Placed::new(Box::new(floor.expect("a square")), motion))
+    };
+    let mut shapes: Shapes = (0..4).map(|k| wall(DVec3::X, FRAC_PI_2 * f64::from(k))).collect();
+    shapes.extend([wall(DVec3::Y, FRAC_PI_2), wall(DVec3::Y, -FRAC_PI_2)]);
+    let axis = p(0.3, 0.2, 1.0);
+    shapes.push(Arc::new(Torus::new(DVec3::ZERO, axis, 1.0, 0.4, FULL_TURN, FULL_TURN).expect("a ring")));
+    let transport = Transport::new(shapes, 1, 1, 1e-3, Shadows::Rays(1e-3));
+    for i in 0..7 {
+        let sum: f64 = (0..7).map(|j| transport.factor(i, j)).sum();
+        assert!((sum - 1.0).abs() < 5e-3, "surface {i}: {sum}");
+    }
+}
+
 #[test]
 fn a_ball_on_the_floor_tells_what_it_reached() {
     let floor = Parallelogram::new(DVec3::new(-3.0, -3.0, 0.0), 6.0 * DVec3::X, 6.0 * DVec3::Y);

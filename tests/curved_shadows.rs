@@ -44,7 +44,7 @@ fn dark(scene: &Scene) -> Solution {
     Solution::new(elements, vec![band])
 }
 
-/// Light of lamp `lamp`, a parallelogram of exitance 1, at x by rays; and without blockers.
+/// Light of lamp `lamp`, of exitance 1, at x by rays; and without blockers.
 fn by_rays(scene: &Scene, visibility: &Visibility, lamp: usize, x: DVec3, n: DVec3) -> [f64; 2] {
     let shape = &scene.surfaces[lamp].shape;
     let others: Vec<usize> = (0..scene.surfaces.len()).filter(|other| *other != lamp).collect();
@@ -122,6 +122,52 @@ fn balls_and_rings() {
     assert_accurate(&errors(&scene, &scattered(2, 40)));
 }
 
+/// All of a ball of radius R and exitance 1 at distance d above a horizon: E = cos θ (R/d)².
+#[test]
+fn a_ball_shines_as_its_cone() {
+    let (center, radius) = (DVec3::new(0.2, -0.1, 1.0), 0.3);
+    let ball = Sphere::new(center, radius, DVec3::X, [-radius, radius], FULL_TURN).expect("a ball");
+    let floor = plate(DVec3::new(-1.5, -1.5, 0.0), 3.0 * DVec3::X, 3.0 * DVec3::Y);
+    let scene = scene(vec![floor, Arc::new(ball)], |index| index == 1);
+    let solution = dark(&scene);
+    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
+    for (_, u, v) in scattered(0, 20) {
+        let jet = scene.surfaces[0].shape.jet(u, v);
+        let found = direct.factors(0, jet.position, jet.normal)[0].1;
+        let away = center - jet.position;
+        let exact = away.z * radius * radius / away.length().powi(3);
+        assert!((found - exact).abs() < 2e-4 * exact, "{found} instead of {exact}");
+    }
+}
+
+/// A luminous can between its lids, seen past a ball and a column's side.
+#[test]
+fn lamps_without_a_plane() {
+    let p = DVec3::new;
+    let lamp = Cylinder::new(p(0.0, 0.0, 1.4), 0.6 * DVec3::Z, 0.2, FULL_TURN).expect("a can");
+    let lid = |z: f64, up: f64| Disk::new(p(0.0, 0.0, z), up * DVec3::Z, 0.2, 0.0, FULL_TURN).expect("a lid");
+    let ball = Sphere::new(p(0.5, 0.3, 0.9), 0.25, DVec3::Z, [-0.25, 0.25], FULL_TURN).expect("a ball");
+    let column = Cylinder::new(p(-0.9, 0.2, 0.2), 1.6 * DVec3::Z, 0.15, FULL_TURN).expect("a column");
+    let floor = plate(p(-1.5, -1.5, 0.0), 3.0 * DVec3::X, 3.0 * DVec3::Y);
+    let shapes: Vec<Arc<dyn Surface>> = vec![
+        floor,
+        Arc::new(lamp),
+        Arc::new(lid(1.4, -1.0)),
+        Arc::new(lid(2.0, 1.0)),
+        Arc::new(ball),
+        Arc::new(column),
+    ];
+    let scene = scene(shapes, |index| index == 1);
+    // A sliver of the lamp beside the column may fall between lines.
+    for places in [scattered(0, 40), [scattered(4, 20), scattered(5, 20)].concat()] {
+        let errors = errors(&scene, &places);
+        let mean = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
+        let largest = errors[errors.len() - 1];
+        assert!(largest < 2e-2 && mean.sqrt() < 4e-3, "{largest:.1e}, {:.1e}", mean.sqrt());
+    }
+}
+
 #[test]
 fn cans() {
     let can = Cylinder::new(DVec3::new(0.0, 0.0, 0.5), DVec3::new(0.3, 0.0, 1.0), 0.4, FULL_TURN);
@@ -147,8 +193,8 @@ fn sheets() {
 fn teapot() {
     let scene = Scene::builtin("teapot").expect("built in");
     assert_accurate(&errors(&scene, &scattered(0, 20)));
-    // On the pot itself a few places beside folds and inside the spout and the handle are worse.
+    // On the pot itself two places of 128, on handle and spout, are up to 5 % off.
     let pot: Vec<_> = (8..40).flat_map(|patch| scattered(patch, 4)).collect();
     let errors = errors(&scene, &pot);
-    assert_accurate(&errors[..errors.len() * 95 / 100]);
+    assert_accurate(&errors[..errors.len() - 2]);
 }

@@ -17,7 +17,7 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<ReadMode>,
 
-    /// Accuracy of gathered light, relative, between 0 and 1 [default: 1.25e-3; as --quality says]
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3; as --quality says]
     #[arg(long, value_name = "E", value_parser = fraction)]
     pub(crate) read_eps: Option<f64>,
 }

@@ -46,8 +46,9 @@ const LARGEST_NEAR_FACTOR: f64 = 8.0;
 const UNSEEN: f64 = 3.0;
 /// Fewer rays tell nothing.
 const FEWEST_RAYS: u64 = 16;
-/// More rays than this are left to the block itself.
+/// More rays than this are left to the block itself; so many then tell whether surfaces hide themselves.
 const MOST_RAYS: f64 = 2e4;
+const MOST_OWN_RAYS: f64 = 4e3;
 
 /// Elements with what sorting needs of them.
 struct Scene<'a> {
@@ -75,6 +76,8 @@ struct Task {
     hash: Option<u64>,
     /// Surfaces that may stand between.
     blockers: Vec<usize>,
+    /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
+    own: Vec<usize>,
 }
 
 /// What the block of a task has to reach.
@@ -82,6 +85,8 @@ struct Task {
 struct Goal {
     /// Relative to its own largest entry.
     accuracy: Accuracy,
+    /// The same where surfaces of the pair hide a part of it themselves.
+    bent: Accuracy,
     /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
     least: f64,
     /// About the largest entry of its row.
@@ -196,7 +201,8 @@ impl Scene<'_> {
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
         let rough = self.roughs[row].entry(&self.roughs[column]);
         let task = |entries, hash, blockers| {
-            Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers })
+            let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
+            Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers, own })
         };
         if row == column {
             return task([0.0, f64::INFINITY], None, blockers);
@@ -280,8 +286,8 @@ impl Scene<'_> {
             let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
-            if task.blockers.is_empty() {
-                return Goal { accuracy, least, row, unseen: 0.0, outlined: None };
+            if task.blockers.is_empty() && task.own.is_empty() {
+                return Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, outlined: None };
             }
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
@@ -292,17 +298,22 @@ impl Scene<'_> {
             if self.has_outlines(task) {
                 let error = accuracy.shadow_eps * row.max(task.rough);
                 let outlined = Some(Limit { error, entry: task.rough });
-                return Goal { accuracy, least, row, unseen, outlined };
+                return Goal { accuracy, bent: accuracy, least, row, unseen, outlined };
             }
-            Goal { accuracy: accuracy.loosened(factor), least, row, unseen, outlined: None }
+            let bent = accuracy.loosened(factor);
+            let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
+            Goal { accuracy, bent, least, row, unseen, outlined: None }
         };
         tasks.iter().map(goal).collect()
     }
 
-    /// Whether an element of a task and all that may stand before it are planar, and found by their outlines.
+    /// Whether an element of a task and all that may stand before it are planar, and found by their outlines. Not where one hides
+    /// a part of itself: the light it takes must not be taken twice.
     fn has_outlines(&self, task: &Task) -> bool {
         let is_planar = |index: u32| self.list[index as usize].plane.is_some();
-        (is_planar(task.row) || is_planar(task.column)) && self.visibility.has_outlines(&task.blockers)
+        (is_planar(task.row) || is_planar(task.column))
+            && task.own.is_empty()
+            && self.visibility.has_outlines(&task.blockers)
     }
 
     /// The largest `entry` of the tasks in each row.
@@ -383,25 +394,31 @@ impl Scene<'_> {
     }
 
     /// The block of two elements of which at least one is curved. Surfaces that reach between them but are not met by enough rays
-    /// are passed over.
+    /// are passed over, and so are their own surfaces if a few rays do not meet them.
     fn curved_block(&self, task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        let Goal { accuracy, least, row: largest, unseen, .. } = goal;
-        let enough = UNSEEN * task.rough / unseen;
+        let Goal { accuracy, bent, least, row: largest, unseen, .. } = goal;
+        let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
+        let is_told = enough <= MOST_RAYS;
+        let mut asked = if is_told { blockers.to_vec() } else { Vec::new() };
+        asked.extend(&task.own);
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
-        if !blockers.is_empty() && enough <= MOST_RAYS {
-            let enough = enough.max(FEWEST_RAYS as f64);
+        if !asked.is_empty() {
             let parts = [&self.parts[row][..], &self.parts[column][..]];
-            let met = Obstruction::between(parts, &blockers, self.visibility, enough);
+            let surfaces = [receiver.surface, emitter.surface];
+            let most = if is_told { enough } else { MOST_OWN_RAYS };
+            let met = Obstruction::between(parts, surfaces, &asked, self.visibility, most);
             rays = met.rays;
-            if rays as f64 >= enough {
-                if met.hidden {
-                    return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
-                }
+            if !is_told || (rays as f64) < enough {
+                blockers.to_mut().extend(task.own.iter().filter(|own| met.blockers.contains(own)));
+            } else if met.hidden {
+                return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
+            } else {
                 blockers = Cow::Owned(met.blockers);
             }
         }
+        let accuracy = if blockers.is_empty() { accuracy } else { bent };
         let mut block = if row == column {
             curved::self_block(receiver, &blockers, self.visibility, accuracy, [least, largest])
         } else {

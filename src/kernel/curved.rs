@@ -90,7 +90,7 @@ const SMALLEST_SCALE: f64 = 1e-5;
 /// The same for what a surface sends to itself: beside it stands what the surface loses to others.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them. The error is measured
+/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. The error is measured
 /// against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
 /// smaller it is beside the largest entry of its `row`.
 pub(super) fn block(
@@ -122,7 +122,7 @@ pub(super) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself; `blockers` are the other surfaces that may stand within its hull, `least`
+/// The block of a curved element with itself; `blockers` are the surfaces that may stand within its hull, `least`
 /// and `row` as for [`block`].
 pub(super) fn self_block(
     element: &Element,
@@ -244,8 +244,12 @@ impl<'a> Job<'a> {
         }
     }
 
+    fn surfaces(&self) -> [usize; 2] {
+        self.elements.map(|element| element.surface)
+    }
+
     fn smallest_scale(&self) -> f64 {
-        let [a, b] = self.elements.map(|element| element.surface);
+        let [a, b] = self.surfaces();
         if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_SCALE }
     }
 
@@ -452,8 +456,8 @@ impl<'a> Job<'a> {
             None => {
                 let eps = self.eps(share);
                 let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
-                let (visibility, blockers) = (self.visibility, state.blockers);
-                let free = |x, y| visibility.free(&blockers, x, y);
+                let (visibility, blockers, own) = (self.visibility, state.blockers, self.surfaces());
+                let free = |x, y| visibility.free_between(own, &blockers, x, y);
                 let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
                 same::integrate(&mut self.moments, patch, points, sees);
             }
@@ -595,8 +599,8 @@ impl<'a> Job<'a> {
 
     /// A pair that sees each other wholly, or whose horizons are left to rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
-        let (visibility, blockers) = (self.visibility, state.blockers.clone());
-        let free = |x, y| visibility.free(&blockers, x, y);
+        let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
+        let free = |x, y| visibility.free_between(own, &blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
             Touch::Edge { p: a, q: b, matched } => {
@@ -792,7 +796,8 @@ impl<'a> Job<'a> {
         blockers: &[usize],
     ) -> Moments<'a> {
         let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
-        let free = |x, y| self.visibility.free(blockers, x, y);
+        let own = self.surfaces();
+        let free = |x, y| self.visibility.free_between(own, blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let plain = [n, n, n + 1, n + 1];
         match contact {

@@ -29,9 +29,10 @@ pub(super) struct Obstruction {
 }
 
 impl Obstruction {
-    /// What about `enough` rays or more between two elements, given by their parts, meet of `blockers`.
+    /// What about `enough` rays or more between two elements, given by their parts and `surfaces`, meet of `blockers`.
     pub(super) fn between(
         [receivers, emitters]: [&[Patch]; 2],
+        surfaces: [usize; 2],
         blockers: &[usize],
         visibility: &Visibility,
         enough: f64,
@@ -40,14 +41,17 @@ impl Obstruction {
         let (xs, ys) = (grid(receivers, points), grid(emitters, points + 1));
         let (mut met, mut rest) = (Vec::new(), blockers.to_vec());
         let (mut rays, mut passed) = (0, 0);
+        let free = |blockers: &[usize], x: &Node, y: &Node| {
+            visibility.free_between(surfaces, blockers, x.position, y.position)
+        };
         for (x, y) in
             xs.iter().flat_map(|x| ys.iter().map(move |y| (x, y))).filter(|(x, y)| kernel(x, y) > 0.0)
         {
             rays += 1;
-            if !visibility.free(&met, x.position, y.position) {
+            if !free(&met, x, y) {
                 continue;
             }
-            match rest.iter().position(|blocker| !visibility.free(&[*blocker], x.position, y.position)) {
+            match rest.iter().position(|blocker| !free(&[*blocker], x, y)) {
                 // The last one that was met is likely to be met again.
                 Some(place) => met.insert(0, rest.remove(place)),
                 None => passed += 1,

@@ -41,13 +41,13 @@ pub enum Light<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Prepares to read `solution`; gathered light is good to about the relative accuracy `eps`.
+    /// Prepares to read `solution`; what is recomputed is good to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Basis => Light::Basis,
             Read::Direct => {
                 let list = solution.elements().list();
-                Light::Direct(DirectLight::new(list, &solution.coatings(), visibility))
+                Light::Direct(DirectLight::within(list, &solution.coatings(), visibility, eps))
             }
             Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
             Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
@@ -87,8 +87,8 @@ impl<'a> Reader<'a> {
         match &self.light {
             Light::Basis => self.polynomials(element, place),
             Light::Direct(direct) => {
-                let lit = direct.at(element, place.position, normal);
                 let rest = self.indirect_polynomials(element, place);
+                let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect()
             }
             Light::Gather(gather) => gather.at(&Vantage::on(place.surface, place.position, normal)),

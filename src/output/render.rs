@@ -14,7 +14,7 @@ use crate::scene::Camera;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// Accuracy of gathered light in pictures, relative: finer than eight bits of colour show.
+/// Accuracy of recomputed light in pictures, relative: finer than eight bits of colour show.
 const GATHERED: f64 = 3e-3;
 
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
@@ -94,8 +94,8 @@ impl Eye<'_> {
     fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
         let irradiance = match self.reader.light() {
             Light::Direct(direct) => {
-                let lit = direct.at(element, place.position, normal);
                 let rest = self.reader.indirect_polynomials(element, place);
+                let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
             }
             Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),

@@ -8,6 +8,7 @@
 use std::borrow::Cow;
 
 use radiosity_geom::{Aabb, DVec3};
+use smallvec::{SmallVec, smallvec};
 
 use crate::view::screen::{Screen, TOUCHING};
 use crate::view::silhouette::{Crossing, outline};
@@ -37,6 +38,8 @@ pub struct Facets<'a> {
     /// Lowest and highest t at which each quad is seen.
     heights: Vec<[f64; 2]>,
     pyramids: Vec<&'a Pyramid>,
+    /// Sides of the outline of what shines, in no order, if not all of the screen does.
+    lit: Option<Vec<[[f64; 2]; 2]>>,
 }
 
 /// A quad as it is seen.
@@ -86,7 +89,12 @@ impl Region for Ahead<'_> {
 impl<'a> Facets<'a> {
     /// Before `screen`, nothing yet.
     pub fn new(screen: Screen) -> Self {
-        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new() }
+        Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
+    }
+
+    /// Before a screen of which only what lies within an outline shines, given by its sides in (s, t); nothing yet.
+    pub fn before_lamp(screen: Screen, sides: Vec<[[f64; 2]; 2]>) -> Self {
+        Self { lit: Some(sides), ..Self::new(screen) }
     }
 
     /// Adds a planar blocker.
@@ -119,12 +127,26 @@ impl<'a> Facets<'a> {
     pub fn transposed(&self) -> Self {
         let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
         let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
-        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone() }
+        let turned =
+            |sides: &Vec<[[f64; 2]; 2]>| sides.iter().map(|side| side.map(|[s, t]| [t, s])).collect();
+        let lit = self.lit.as_ref().map(turned);
+        Self { screen: self.screen.transposed(), quads, heights, pyramids: self.pyramids.clone(), lit }
     }
 
     /// The screen.
     pub fn screen(&self) -> &Screen {
         &self.screen
+    }
+
+    /// The parts of line `t` between `low` and `high` that shine, ascending.
+    pub fn lit(&self, t: f64, [low, high]: [f64; 2]) -> SmallVec<[[f64; 2]; 2]> {
+        let Some(sides) = &self.lit else { return smallvec![[low, high]] };
+        let crossed = sides.iter().filter(|[a, b]| (a[1] > t) != (b[1] > t));
+        let mut places: SmallVec<[f64; 4]> =
+            crossed.map(|[a, b]| a[0] + (b[0] - a[0]) * (t - a[1]) / (b[1] - a[1])).collect();
+        places.sort_unstable_by(f64::total_cmp);
+        let parts = places.chunks_exact(2).map(|ends| [ends[0].max(low), ends[1].min(high)]);
+        parts.filter(|[start, end]| start < end).collect()
     }
 
     /// The visible parts of line `t` between `low` and `high`, ascending, into `out`.

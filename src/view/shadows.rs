@@ -6,6 +6,7 @@ use radiosity_geom::{Aabb, DVec3, separated};
 
 use crate::view::cell::Cell;
 use crate::view::facets::Facets;
+use crate::view::lamp::Lamp;
 use crate::view::screen::Screen;
 use crate::view::surroundings::Surroundings;
 use crate::view::vantage::Vantage;
@@ -20,9 +21,10 @@ const OWN_ENDS: f64 = 1e-6;
 pub struct Shadows<'a> {
     vantage: &'a Vantage,
     visibility: &'a Visibility,
+    surroundings: &'a Surroundings,
     blockers: Vec<Blocker>,
-    /// The blockers of each obstacle of the surroundings.
-    of_obstacle: Vec<Range<usize>>,
+    /// The blockers of each obstacle of the surroundings, once they were asked for.
+    of_obstacle: Vec<Option<Range<usize>>>,
     /// Stack of the blockers in question, by index: those of a cell lie above those of the cell it is a quarter of.
     asked: Vec<usize>,
 }
@@ -50,36 +52,106 @@ impl Before {
 
 impl<'a> Shadows<'a> {
     /// Of `vantage`, a point of the site that `surroundings` belong to.
-    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &Surroundings) -> Self {
-        let mut blockers = Vec::new();
-        let mut of_obstacle = Vec::with_capacity(surroundings.obstacles.len());
-        for surface in &surroundings.obstacles {
-            let start = blockers.len();
-            if let Some(whole) = visibility.shadow_of_body(*surface, vantage.position) {
-                blockers.push(Blocker::Flat(whole));
-            } else if visibility.pieces(*surface).is_some() {
-                let faces = visibility.faces(surface).iter().filter_map(|face| visibility.pieces(*face));
-                let pieces = faces.flatten().filter(|piece| !vantage.is_above(piece));
-                let pyramids = pieces.filter_map(|piece| Pyramid::over(piece, vantage.position));
-                blockers.extend(pyramids.map(Blocker::Flat));
-            } else {
-                blockers.push(Blocker::Curved(*surface));
-            }
-            of_obstacle.push(start..blockers.len());
-        }
-        Self { vantage, visibility, blockers, of_obstacle, asked: Vec::new() }
+    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
+        let of_obstacle = vec![None; surroundings.obstacles.len()];
+        Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: Vec::new() }
     }
 
     /// Whether no obstacle is curved.
     pub fn all_flat(&self) -> bool {
-        self.blockers.iter().all(|blocker| matches!(blocker, Blocker::Flat(_)))
+        self.surroundings.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
     /// Empties the stack and puts the blockers of some obstacles of the surroundings on it, by their places there.
     pub fn ask(&mut self, places: &[usize]) -> Before {
         self.asked.clear();
-        self.asked.extend(places.iter().flat_map(|place| self.of_obstacle[*place].clone()));
+        for place in places {
+            let blockers = self.blockers_of(*place);
+            self.asked.extend(blockers);
+        }
         Before { start: 0, end: self.asked.len() }
+    }
+
+    /// The blockers of an obstacle, by its place.
+    fn blockers_of(&mut self, place: usize) -> Range<usize> {
+        if let Some(range) = &self.of_obstacle[place] {
+            return range.clone();
+        }
+        let start = self.blockers.len();
+        let surface = self.surroundings.obstacles[place];
+        match self.visibility.pieces(surface) {
+            Some(_) => self.blockers.extend(self.pyramids_over(surface).into_iter().map(Blocker::Flat)),
+            None => self.blockers.push(Blocker::Curved(surface)),
+        }
+        let range = start..self.blockers.len();
+        self.of_obstacle[place] = Some(range.clone());
+        range
+    }
+
+    /// What a planar surface hides, or the convex body that it is a face of: seen from inside, its faces one by one.
+    fn pyramids_over(&self, surface: usize) -> Vec<Pyramid> {
+        let x = self.vantage.position;
+        if let Some(whole) = self.visibility.shadow_of_body(surface, x) {
+            return vec![whole];
+        }
+        let faces = self.visibility.faces(&surface).iter().filter_map(|face| self.visibility.pieces(*face));
+        let pieces = faces.flatten().filter(|piece| !self.vantage.is_above(piece));
+        pieces.filter_map(|piece| Pyramid::over(piece, x)).collect()
+    }
+
+    /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where a
+    /// flat one hides all of its screen.
+    pub fn before_lamp(
+        &self,
+        lamp: &Lamp,
+        screen: &Screen,
+        places: &[usize],
+    ) -> Option<(Vec<Pyramid>, Vec<usize>)> {
+        let corners: Vec<DVec3> = screen.outline.iter().map(|[s, t]| screen.at(*s, *t)).collect();
+        let (mut flat, mut curved) = (Vec::new(), Vec::new());
+        for place in places {
+            let surface = self.surroundings.obstacles[*place];
+            let stands = !self.visibility.is_apart(surface, self.vantage.position, lamp.center, lamp.radius)
+                && screen.reaches(&self.visibility.bounds_of(surface))
+                && !lamp.is_closed_by(self.visibility.faces(&surface));
+            if !stands {
+                continue;
+            }
+            if self.visibility.pieces(surface).is_none() {
+                curved.push(surface);
+                continue;
+            }
+            for pyramid in self.pyramids_over(surface) {
+                match pyramid.cover_of(&corners) {
+                    Cover::Clear => {}
+                    Cover::Hidden => return None,
+                    Cover::Mixed => flat.push(pyramid),
+                }
+            }
+        }
+        Some((flat, curved))
+    }
+
+    /// Whether an obstacle of those given by their places hides the middle of a lamp.
+    pub fn hide_lamp(&self, lamp: &Lamp, places: &[usize]) -> bool {
+        let x = self.vantage.position;
+        places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
+            let faces = self.visibility.faces(surface);
+            let blocks = |face: &usize| {
+                let margin = if self.vantage.surface == Some(*face) { OWN_ENDS } else { ENDS };
+                self.visibility.blocks(*face, x, lamp.center, margin)
+            };
+            !self.visibility.is_apart(*surface, x, lamp.center, 0.0)
+                && !lamp.is_closed_by(faces)
+                && faces.iter().any(blocks)
+        })
+    }
+
+    /// Puts a curved blocker before what `facets` stands for, a piece of that blocker itself where `is_own`.
+    pub fn add_curved(&self, facets: &mut Facets<'a>, other: usize, is_own: bool) {
+        let Vantage { normal, ground, surface, .. } = *self.vantage;
+        let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
+        facets.add_curved(self.visibility.net(other), ground, is_own);
     }
 
     /// Puts those of `above` on the stack that may hide a part of `cell`; None where one hides all of it.
@@ -123,15 +195,11 @@ impl<'a> Shadows<'a> {
         hull: &[DVec3],
         curved: Option<usize>,
     ) -> Option<Facets<'_>> {
-        let Vantage { position, normal, ground, surface } = *self.vantage;
-        let mut facets = Facets::new(Screen::new(position, polygon, hull)?);
+        let mut facets = Facets::new(Screen::new(self.vantage.position, polygon, hull)?);
         for blocker in self.of(before) {
             match blocker {
                 Blocker::Flat(pyramid) => facets.add_flat(pyramid),
-                Blocker::Curved(other) => {
-                    let ground = (surface == Some(*other)).then_some(ground.unwrap_or(normal));
-                    facets.add_curved(self.visibility.net(*other), ground, curved == Some(*other));
-                }
+                Blocker::Curved(other) => self.add_curved(&mut facets, *other, curved == Some(*other)),
             }
         }
         Some(facets)

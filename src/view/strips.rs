@@ -10,6 +10,8 @@
 //! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
 //! that one sees all and another nothing, lines of the other direction are taken.
 
+use std::f64::consts::PI;
+
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
@@ -19,9 +21,9 @@ use crate::view::vantage::Vantage;
 /// Gauss points on a visible part of a line.
 const POINTS: usize = 3;
 
-/// Panels across at first, and most halvings of one.
+/// Panels across at first, of a cell and of a whole lamp, and most halvings of one.
 const PANELS: usize = 3;
-const LINES: usize = 2 * PANELS + 1;
+const LAMP_PANELS: usize = 10;
 const DEEPEST: usize = 6;
 
 /// Part of the difference between two estimates by which the better of them errs where the integrand has a bend.
@@ -57,6 +59,8 @@ pub struct Strips<'a> {
     places: &'a [f64],
     /// Whether the lines run the other way already.
     is_turned: bool,
+    /// Panels across at first.
+    panels: usize,
     room: Vec<[f64; 2]>,
 }
 
@@ -64,30 +68,55 @@ impl<'a> Strips<'a> {
     /// Of the polygon that is the screen of `facets`, from a point.
     pub fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
-        Self { vantage, facets, gauss: UnitRule::of(POINTS), places, is_turned: false, room: Vec::new() }
+        let gauss = UnitRule::of(POINTS);
+        Self { vantage, facets, gauss, places, is_turned: false, panels: PANELS, room: Vec::new() }
+    }
+
+    /// The same of a screen before a whole lamp: a small part of it may be all that is seen.
+    pub fn of_lamp(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+        Self { panels: LAMP_PANELS, ..Self::new(vantage, facets) }
     }
 
     /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
     pub fn shares(&mut self, tolerance: f64) -> [f64; 4] {
+        let sums = self.sums(tolerance);
+        if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+    }
+
+    /// The irradiance from what is seen of what shines on the screen with exitance 1, good to about `tolerance` of that from all
+    /// of it, and that from all of it.
+    pub fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
+        let sums = self.sums(tolerance);
+        let screen = self.facets.screen();
+        let normal = screen.along.cross(screen.across);
+        let factor = normal.dot(screen.origin - screen.eye).abs() / PI;
+        [sums.seen(), sums.all].map(|sum| factor * sum)
+    }
+
+    fn sums(&mut self, tolerance: f64) -> Sums {
         let (low, high) = self.heights();
-        let step = (high - low) / PANELS as f64;
-        let lines: [Sums; LINES] = std::array::from_fn(|k| self.line(low + 0.5 * step * k as f64));
+        let step = (high - low) / self.panels as f64;
+        let lines: Vec<Sums> =
+            (0..=2 * self.panels).map(|k| self.line(low + 0.5 * step * k as f64)).collect();
         if !self.is_turned && variation(&lines) > ALONG {
             let facets = self.facets.transposed();
-            let [a, b, c, d] =
-                Strips { is_turned: true, ..Strips::new(self.vantage, &facets) }.shares(tolerance);
-            return [a, c, b, d];
+            let mut turned =
+                Strips { is_turned: true, panels: self.panels, ..Strips::new(self.vantage, &facets) };
+            let sums = turned.sums(tolerance);
+            let [a, b, c, d] = sums.visible;
+            return Sums { visible: [a, c, b, d], ..sums };
         }
-        let panels = (0..PANELS).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
+        let panels = (0..self.panels).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
         let all: f64 = panels.clone().map(|panel| simpson(step, panel).all).sum();
-        let mut sums = Sums::default();
+        let mut sums = Sums { all, ..Sums::default() };
         if lines.iter().any(|line| line.seen() > 0.0) {
+            sums.all = 0.0;
             for (k, panel) in panels.enumerate() {
                 let start = low + step * k as f64;
                 sums = sums.plus(self.panel(start, step, panel, tolerance * all, DEEPEST), 1.0);
             }
         }
-        if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
+        sums
     }
 
     /// Lowest and highest t of the cell.
@@ -115,12 +144,14 @@ impl<'a> Strips<'a> {
     fn line(&mut self, t: f64) -> Sums {
         let mut sums = Sums::default();
         let Some(range) = self.range(t) else { return sums };
-        sums.all = self.over(t, range).iter().sum();
         let mut room = std::mem::take(&mut self.room);
-        self.facets.visible(t, range, &mut room);
-        for part in &room {
-            let weights = self.over(t, *part);
-            sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
+        for lit in self.facets.lit(t, range) {
+            sums.all += self.over(t, lit).iter().sum::<f64>();
+            self.facets.visible(t, lit, &mut room);
+            for part in &room {
+                let weights = self.over(t, *part);
+                sums.visible = std::array::from_fn(|k| sums.visible[k] + weights[k]);
+            }
         }
         self.room = room;
         sums

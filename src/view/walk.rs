@@ -8,6 +8,8 @@ use radiosity_geom::DVec3;
 use crate::elements::patch::Node;
 use crate::kernel::kernel;
 use crate::view::cell::{Cell, POINTS};
+use crate::view::facets::Facets;
+use crate::view::lamp::{Lamp, irradiance};
 use crate::view::shadows::{Before, Shadows};
 use crate::view::strips::Strips;
 use crate::view::surroundings::Surroundings;
@@ -63,6 +65,9 @@ const LINEAR: f64 = 0.1;
 /// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
 const DARK: f64 = 0.4;
 const LEAST: f64 = 0.05;
+
+/// Distance in multiples of the radius from which on a lamp is taken as a whole.
+const CLOSE: f64 = 2.0;
 
 /// What a vantage point sees of elements.
 pub struct Walk<'a> {
@@ -169,6 +174,38 @@ impl<'a> Walk<'a> {
         for root in tree.roots() {
             self.visit(&mut pass, root, before, 0);
         }
+    }
+
+    /// Irradiance from all of element `index`, a lamp of exitance 1, good to `tolerance` over its brightness `brightness`; None
+    /// where it is too near to be taken as a whole.
+    pub fn lamp(&mut self, index: usize, lamp: &Lamp, brightness: f64, tolerance: f64) -> Option<f64> {
+        let Some(places) = self.surroundings.before(index) else { return Some(0.0) };
+        let (eye, normal) = (self.vantage.position, self.vantage.normal);
+        if lamp.center.distance(eye) < CLOSE * lamp.radius {
+            return None;
+        }
+        let sides = lamp.outline(eye);
+        let corners: Vec<DVec3> = sides.iter().map(|side| side[0]).collect();
+        if corners.is_empty() || self.vantage.is_above(&corners) {
+            return Some(0.0);
+        }
+        let is_whole = self.vantage.overlooks(&corners);
+        let whole = if is_whole { irradiance(eye, normal, &sides) } else { lamp.most_from(eye) };
+        let error = tolerance / (brightness * whole);
+        if error >= 1.0 {
+            return Some(if self.shadows.hide_lamp(lamp, places) { 0.0 } else { whole });
+        }
+        let (screen, lit) = lamp.screen(eye, &sides)?;
+        let Some((flat, curved)) = self.shadows.before_lamp(lamp, &screen, places) else { return Some(0.0) };
+        let mut facets = Facets::before_lamp(screen, lit);
+        flat.iter().for_each(|pyramid| facets.add_flat(pyramid));
+        curved.iter().for_each(|surface| self.shadows.add_curved(&mut facets, *surface, false));
+        if facets.is_empty() && is_whole {
+            return Some(whole);
+        }
+        self.coarsest = self.coarsest.max(tolerance);
+        let [seen, all] = Strips::of_lamp(self.vantage, &facets).irradiances(error);
+        Some(if is_whole && all > 0.0 { whole * seen / all } else { seen })
     }
 
     fn is_out_of_sight(&self, index: usize, tree: &Tree) -> bool {

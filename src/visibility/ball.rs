@@ -21,6 +21,11 @@ impl Ball {
         Self { center, radius: farthest.sqrt() }
     }
 
+    /// Its radius.
+    pub(super) fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// Whether it has no point in common with the segment from `x` to `y`.
     pub(super) fn misses(&self, x: DVec3, y: DVec3) -> bool {
         self.distance(x, y) > self.radius
@@ -29,6 +34,19 @@ impl Ball {
     /// Whether it certainly has no point in common with the convex hull of two balls.
     pub(super) fn misses_between(&self, a: &Self, b: &Self) -> bool {
         self.distance(a.center, b.center) > self.radius + a.radius.max(b.radius)
+    }
+
+    /// Whether it certainly has no point in common with the convex hull of a point and a ball: of all balls with the centre
+    /// x + t a and the radius t R, 0 ≤ t ≤ 1, where the point lies outside the ball.
+    pub(super) fn misses_cone(&self, x: DVec3, center: DVec3, radius: f64) -> bool {
+        let (a, d) = (center - x, self.center - x);
+        let length = a.length_squared() - radius * radius;
+        if length <= 0.0 {
+            return false;
+        }
+        let t = ((d.dot(a) + self.radius * radius) / length).clamp(0.0, 1.0);
+        let rounding = ROUNDING * (a.length() + d.length() + self.radius);
+        d.distance(t * a) > self.radius + t * radius + rounding
     }
 
     /// Of its centre from the segment from `x` to `y`, from below.
@@ -65,6 +83,8 @@ mod tests {
             let moved: Vec<DVec3> = c.iter().map(|p| p - z + through).collect();
             let ball = Ball::around(&moved);
             prop_assert!(!ball.misses_between(&Ball::around(&a), &Ball::around(&b)));
+            let lamp = Ball::around(&b);
+            prop_assert!(!ball.misses_cone(x, lamp.center, lamp.radius));
         }
     }
 

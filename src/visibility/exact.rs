@@ -243,6 +243,12 @@ impl Pyramid {
         cover_by(open.into_iter(), &seen)
     }
 
+    /// How the convex hull of `points` stands to what it hides.
+    pub fn cover_of(&self, points: &[DVec3]) -> Cover {
+        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
+        self.cover_seen(&seen)
+    }
+
     /// The same of points as seen from the eye.
     fn cover_seen(&self, points: &[DVec3]) -> Cover {
         cover_by(self.planes.iter(), points)

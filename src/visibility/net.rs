@@ -5,7 +5,7 @@
 //! ```
 //!
 //! The quads stand in a tree of boxes that hold the surface itself, so what a region misses is certain. A quad nearer to
-//! the eye than its own size is quartered on the spot, again and again: of a surface that the eye lies on, the chords of
+//! the eye than its own size, as far as it bends, is quartered on the spot, again and again: of a surface that the eye lies on, the chords of
 //! a quad would otherwise rise over the eye.
 
 use std::borrow::Cow;
@@ -23,8 +23,11 @@ const LOOKS: usize = 16;
 /// Most quarterings of a quad near the eye; what is left around it then of its own surface is passed over.
 const DEPTH: usize = 5;
 
-/// A quad is quartered if it is nearer to the eye than this times its size.
+/// A quad is quartered if it is nearer to the eye than this times its size, as far as it bends.
 const NEAR: f64 = 0.7;
+
+/// Pairs of corners of a quad.
+const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
 
 /// A surface as a net.
 #[derive(Debug)]
@@ -141,6 +144,14 @@ impl Net {
         self.shape.as_ref()
     }
 
+    /// All quads.
+    pub fn quads(&self) -> impl Iterator<Item = &Quad> {
+        self.nodes.iter().filter_map(|node| match &node.kind {
+            Kind::Leaf(quad) => Some(&**quad),
+            Kind::Halves(_) => None,
+        })
+    }
+
     /// Hands every quad that may reach into `region` to `take`.
     pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
         let mut stack = vec![0];
@@ -163,9 +174,8 @@ impl Net {
         rest: usize,
         take: &mut impl FnMut(Cow<'a, Quad>),
     ) {
-        let size = quad.size();
         let gap = quad.bounds.distance_squared(region.eye());
-        if gap > (NEAR * size).powi(2) {
+        if gap > (NEAR * quad.bent_size()).powi(2) {
             return take(quad);
         }
         let is_under = |(normal, least)| rest == 0 || (gap == 0.0 && quad.leans_less(normal, least));
@@ -189,6 +199,16 @@ impl Quad {
         self.knots[0].position.distance(self.knots[2].position)
     }
 
+    /// About the size that a quad as far from its surface would have that turns by [`TURN`] over its diagonal: of the side
+    /// of a column only the breadth counts.
+    fn bent_size(&self) -> f64 {
+        let sagitta = |(i, j): (usize, usize)| {
+            let (a, b) = (&self.knots[i], &self.knots[j]);
+            (b.position - a.position).dot(b.normal - a.normal).abs()
+        };
+        (PAIRS.into_iter().map(sagitta).fold(0.0, f64::max) / TURN).min(self.size())
+    }
+
     /// Whether all of its normals are at a smaller angle (sine) from `normal` than this.
     fn leans_less(&self, normal: DVec3, least: f64) -> bool {
         let lean = |knot: &Knot| knot.normal.cross(normal).length();
@@ -198,9 +218,8 @@ impl Quad {
     /// Sine of the angle by which normals may differ over it.
     fn turn(&self) -> f64 {
         let normal = |k: usize| self.knots[k].normal;
-        let pairs = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
         let sine = |(i, j): (usize, usize)| normal(i).cross(normal(j)).length_squared();
-        pairs.into_iter().map(sine).fold(0.0, f64::max).sqrt()
+        PAIRS.into_iter().map(sine).fold(0.0, f64::max).sqrt()
     }
 }
 

@@ -1,0 +1,229 @@
+//! A curved surface that shines evenly and hides nothing of itself, as a point sees it: by its outline alone.
+//!
+//! ```text
+//! E(x) = 1/π ∫_Ω n·ω dω = 1/(2π) Σ_k θ_k n·(a_k × b_k) / |a_k × b_k| ,     θ_k = ∠(a_k, b_k)
+//! ```
+//!
+//! over the sides a_k b_k of the outline as seen from x (Lambert), whatever lies within it. The outline consists of the
+//! silhouette g = n·(X − x) = 0 and of the borders of what faces x, g < 0. A net shows both quad by quad; the silhouette's
+//! places on the edges of quads are found by secant steps. An arc between two places is replaced by two chords by way of
+//!
+//! ```text
+//! M + ⁴⁄₃ f ,     f = from the chord's middle M to the arc's, which is |a − b| ∠(n_a, n_b)/8 on a silhouette,
+//! ```
+//!
+//! which enclose what a parabola with the same middle does, so the error falls like the fourth power of the net's width.
+//!
+//! What lies behind the tangent planes of all points of the surface, as the lids of a can, hides nothing of its front.
+
+use std::f64::consts::TAU;
+
+use radiosity_geom::{DVec2, DVec3, Surface};
+
+use crate::view::screen::Screen;
+use crate::visibility::Visibility;
+use crate::visibility::net::{Knot, Net};
+
+/// Steps towards a silhouette on the edge of a quad.
+const STEPS: usize = 2;
+
+/// The height of two chords over that of a parabola with the same area.
+const CHORDS: f64 = 4.0 / 3.0;
+
+/// Heights over tangent planes up to this part of the surface's size count as none.
+const BEHIND: f64 = 1e-6;
+
+/// How far around, in multiples of half its second longest side, nothing but its lids may stand: between a plane that touches
+/// it in front and itself is nothing then, √2 − 1 for a ball.
+const ROOM: f64 = 0.42;
+
+/// Least cosine between a view and the normal of a screen.
+const STEEPEST: f64 = 0.2;
+
+/// A side of an outline, from one point to the next.
+pub type Side = [DVec3; 2];
+
+/// A luminous surface.
+#[derive(Debug)]
+pub struct Lamp<'a> {
+    net: &'a Net,
+    /// Corners of the quads of its net.
+    quads: Vec<[Knot; 4]>,
+    /// Indices of the surfaces that close it and hide nothing of it, ascending.
+    lids: Vec<usize>,
+    /// Middle and radius of a ball around it.
+    pub center: DVec3,
+    /// The ball's radius.
+    pub radius: f64,
+}
+
+impl<'a> Lamp<'a> {
+    /// A surface; None where it is a polygon, may hide itself, or has other things than lids around.
+    pub fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
+        if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
+            return None;
+        }
+        let net = visibility.net(surface);
+        let quads: Vec<[Knot; 4]> = net.quads().map(|quad| quad.knots).collect();
+        let bounds = visibility.bounds_of(surface);
+        let (center, radius) = (bounds.center(), 0.5 * bounds.diagonal());
+        let is_lid = |other: &usize| {
+            let height = |y: DVec3, x: &Knot| (y - x.position).dot(x.normal);
+            let is_behind = |y: DVec3| quads.iter().flatten().all(|x| height(y, x) <= BEHIND * radius);
+            match visibility.pieces(*other) {
+                Some(pieces) => pieces.iter().flatten().all(|y| is_behind(*y)),
+                None => visibility.net(*other).quads().all(|q| q.knots.iter().all(|y| is_behind(y.position))),
+            }
+        };
+        let mut sides = (bounds.max - bounds.min).to_array();
+        sides.sort_by(f64::total_cmp);
+        let near = visibility.near(&bounds.inflate(0.5 * ROOM * sides[1])).into_iter();
+        let (lids, others): (Vec<usize>, Vec<usize>) =
+            near.filter(|other| *other != surface).partition(is_lid);
+        others.is_empty().then_some(Self { net, quads, lids, center, radius })
+    }
+
+    /// The most irradiance that can arrive at a point outside its ball.
+    pub fn most_from(&self, eye: DVec3) -> f64 {
+        self.radius * self.radius / self.center.distance_squared(eye)
+    }
+
+    /// Whether none of some surfaces hides anything of it from anywhere.
+    pub fn is_closed_by(&self, surfaces: &[usize]) -> bool {
+        surfaces.iter().all(|surface| self.lids.binary_search(surface).is_ok())
+    }
+
+    /// The sides of its outline from `eye`, in no order, each with what faces the eye to the same hand. Empty where none of it
+    /// faces the eye.
+    pub fn outline(&self, eye: DVec3) -> Vec<Side> {
+        let mut sides = Vec::new();
+        for quad in &self.quads {
+            let heights = quad.map(|knot| knot.normal.dot(knot.position - eye));
+            let faces = heights.map(|g| g < 0.0);
+            if faces == [false; 4] {
+                continue;
+            }
+            let edges = || (0..4).map(|k| (k, (k + 1) % 4));
+            for (k, next) in edges().filter(|(k, next)| is_border(&quad[*k], &quad[*next])) {
+                self.border(eye, [quad[k], quad[next]], [faces[k], faces[next]], &mut sides);
+            }
+            let crossed = edges().filter(|(k, next)| faces[*k] != faces[*next]);
+            let crossings: Vec<(Knot, bool)> =
+                crossed.map(|(k, next)| (self.crossing(eye, quad[k], quad[next]), faces[k])).collect();
+            for pair in crossings.chunks_exact(2) {
+                // The silhouette goes on from where the border of the quad leaves what faces the eye.
+                let [(a, leaves), (b, _)] = [pair[0], pair[1]];
+                let [a, b] = if leaves { [a, b] } else { [b, a] };
+                let sagitta = (b.position - a.position).dot(b.normal - a.normal) / 8.0;
+                let outward = CHORDS * sagitta * (a.normal + b.normal).normalize_or_zero();
+                push_arc(a.position, a.position.midpoint(b.position) + outward, b.position, &mut sides);
+            }
+        }
+        sides
+    }
+
+    /// The part of an edge on the surface's border that faces the eye.
+    fn border(&self, eye: DVec3, [a, b]: [Knot; 2], faces: [bool; 2], sides: &mut Vec<Side>) {
+        let [start, end] = match faces {
+            [false, false] => return,
+            [true, true] => [a, b],
+            [true, false] => [a, self.crossing(eye, a, b)],
+            [false, true] => [self.crossing(eye, a, b), b],
+        };
+        let [low, high] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
+        let middle = self.shape().jet(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)).position;
+        let chord = start.position.midpoint(end.position);
+        push_arc(start.position, chord + CHORDS * (middle - chord), end.position, sides);
+    }
+
+    /// Where the silhouette crosses the edge from `a` to `b`, at which the heights differ in sign.
+    fn crossing(&self, eye: DVec3, mut a: Knot, mut b: Knot) -> Knot {
+        let height = |knot: &Knot| knot.normal.dot(knot.position - eye);
+        let (mut low, mut high) = (height(&a), height(&b));
+        let mut found = a;
+        for _ in 0..STEPS {
+            let place = low / (low - high);
+            let [u, v] = [0, 1].map(|k| a.parameters[k] + place * (b.parameters[k] - a.parameters[k]));
+            let jet = self.shape().jet(u, v);
+            found = Knot { parameters: [u, v], position: jet.position, normal: jet.normal };
+            let here = height(&found);
+            if (here < 0.0) == (low < 0.0) {
+                (a, low) = (found, here);
+            } else {
+                (b, high) = (found, here);
+            }
+            if low == high {
+                break;
+            }
+        }
+        found
+    }
+
+    fn shape(&self) -> &dyn Surface {
+        self.net.shape()
+    }
+
+    /// A rectangle that it touches from behind, square to what faces `eye` or else to the view, whose lines run along it, with
+    /// its outline `sides` there. None where the eye is too near.
+    pub fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(Screen, Vec<[[f64; 2]; 2]>)> {
+        let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
+        let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
+        let towards = (self.center - eye).normalize_or_zero();
+        let mut inwards = [facing, towards].into_iter();
+        let (inward, nearest) = inwards.find_map(|n| self.depth(eye, n, sides).map(|depth| (n, depth)))?;
+        let to_foot = towards * (nearest / towards.dot(inward));
+        let foot = eye + to_foot;
+        let seen = |y: DVec3| (y - eye) * (nearest / (y - eye).dot(inward)) - to_foot;
+        let aside = sides.iter().map(|side| seen(side[0]));
+        let longest =
+            aside.fold(DVec3::ZERO, |a, b| if b.length_squared() > a.length_squared() { b } else { a });
+        let along = longest.normalize_or_zero();
+        let across = inward.cross(along);
+        let spots: Vec<[[f64; 2]; 2]> =
+            sides.iter().map(|side| side.map(|y| [seen(y).dot(along), seen(y).dot(across)])).collect();
+        let range = |k: usize| {
+            let values = spots.iter().flatten().map(|spot| spot[k]);
+            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)])
+        };
+        let [[left, right], [low, high]] = [range(0), range(1)];
+        let corner = |s: f64, t: f64| foot + s * along + t * across;
+        let rectangle = [corner(left, low), corner(right, low), corner(right, high), corner(left, high)];
+        let place = |[s, t]: [f64; 2]| [(s - left) / (right - left), (t - low) / (high - low)];
+        let spots = spots.into_iter().map(|side| side.map(place)).collect();
+        Some((Screen::new(eye, &rectangle, &rectangle)?, spots))
+    }
+
+    /// Distance from the eye to the plane across `inward` that touches it, if all of its outline lies well beyond the eye.
+    fn depth(&self, eye: DVec3, inward: DVec3, sides: &[Side]) -> Option<f64> {
+        let depth = |y: DVec3| (y - eye).dot(inward);
+        let nearest =
+            self.quads.iter().flatten().map(|knot| depth(knot.position)).fold(f64::INFINITY, f64::min);
+        let is_ahead = |y: &DVec3| depth(*y) > STEEPEST * y.distance(eye);
+        (nearest > 0.0 && sides.iter().flatten().all(is_ahead)).then_some(nearest)
+    }
+}
+
+/// Irradiance at `eye` with unit normal `normal` from within an outline of exitance 1 that lies above the horizon.
+pub fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
+    let sum: f64 = sides
+        .iter()
+        .map(|side| {
+            let [a, b] = side.map(|y| y - eye);
+            let cross = a.cross(b);
+            let sine = cross.length();
+            // A side seen end on subtends no angle.
+            if sine > 0.0 { sine.atan2(a.dot(b)) * normal.dot(cross) / sine } else { 0.0 }
+        })
+        .sum();
+    sum.abs() / TAU
+}
+
+/// Whether an edge of a quad lies on the border of the parameters.
+fn is_border(a: &Knot, b: &Knot) -> bool {
+    (0..2).any(|k| a.parameters[k] == b.parameters[k] && a.parameters[k].abs() == 1.0)
+}
+
+fn push_arc(start: DVec3, apex: DVec3, end: DVec3, sides: &mut Vec<Side>) {
+    sides.push([start, apex]);
+    sides.push([apex, end]);
+}
