@@ -62,6 +62,11 @@ impl Spot {
         })
     }
 
+    /// The point of a surface at these parameters, in a scene of this diagonal. None inside a hole that fills a cell.
+    pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
+        Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
+    }
+
     /// As a receiver along the unit normal `n`.
     pub fn vantage(&self, n: DVec3) -> Vantage {
         let ground = (n != self.normal).then_some(self.normal);

@@ -10,6 +10,7 @@ use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
 use super::reader::{Light, Reader};
+use crate::gather::spot::Spot;
 use crate::scene::Camera;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
@@ -29,7 +30,8 @@ pub fn render(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
     let view = Pinhole::new(camera);
-    let eye = Eye { reader: Reader::new(solution, visibility, read, GATHERED) };
+    let reader = Reader::new(solution, visibility, read, GATHERED);
+    let eye = Eye { reader, diagonal: visibility.bounds().diagonal() };
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<Seen>> = (0..camera.height)
         .into_par_iter()
@@ -75,6 +77,8 @@ fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Se
 /// What a camera ray needs to become radiosities.
 struct Eye<'a> {
     reader: Reader<'a>,
+    /// Of the scene's bounding box.
+    diagonal: f64,
 }
 
 impl Eye<'_> {
@@ -82,12 +86,10 @@ impl Eye<'_> {
     fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
         let (surface, hit) = self.reader.visibility().nearest(ray)?;
         let elements = self.reader.solution().elements();
-        let jet = elements.shape(surface).jet(hit.u, hit.v);
-        let parameters = [hit.u, hit.v];
-        let seen = jet.normal.dot(ray.direction) < 0.0;
-        let element = elements.at(surface, parameters).filter(|_| seen)?;
-        let place = Place { surface, parameters, position: jet.position };
-        Some(self.radiosity(element, &place, jet.normal))
+        let seen = elements.shape(surface).jet(hit.u, hit.v).normal.dot(ray.direction) < 0.0;
+        // Where two surfaces meet, light is the limit from within the one that is seen.
+        let spot = seen.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
+        Some(self.radiosity(spot.element, &spot.place, spot.normal))
     }
 
     /// Radiosity per band; what polynomials undershoot is cut off at zero.
