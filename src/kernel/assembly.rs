@@ -370,7 +370,9 @@ impl Scene<'_> {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
         let (done, total) = (AtomicUsize::new(0), own.len());
+        // A few pairs cost as much as all others: none is to wait behind another of them.
         own.par_iter()
+            .with_max_len(1)
             .map(|index| {
                 let block = self.block(&tasks[*index], goals[*index]);
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
