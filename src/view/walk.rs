@@ -98,6 +98,7 @@ struct Pass<'a> {
 struct Estimate {
     /// Of each Gauss point; they add up to the form factor of the cell.
     weights: [f64; POINTS],
+    /// Infinite where the weights leave shadows out.
     error: f64,
 }
 
@@ -222,7 +223,11 @@ impl<'a> Walk<'a> {
         self.visited += 1;
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
-            pass.take(cell, &estimate.weights);
+            let weights = match estimate.error.is_finite() {
+                true => estimate.weights,
+                false => self.seen(pass, cell, estimate.weights, before),
+            };
+            pass.take(cell, &weights);
             return;
         }
         for quarter in cell.quarters(pass.tree.scale()).iter() {
@@ -289,7 +294,7 @@ impl<'a> Walk<'a> {
         let sum: f64 = weights.iter().sum();
         let geometry = sum * gauss_error(cell, width);
         if geometry > pass.tolerance {
-            return Estimate { weights, error: geometry };
+            return Estimate { weights, error: f64::INFINITY };
         }
         let seen = self.seen(pass, cell, weights, before);
         let at_stake = sum * cell.brightness;
