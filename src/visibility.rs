@@ -304,7 +304,7 @@ impl Visibility {
 
     /// Whether two surfaces are faces of one convex body: neither then hides anything from a point of the other's front.
     pub fn are_of_one_body(&self, a: usize, b: usize) -> bool {
-        self.bodies.of(a).is_some_and(|body| body.surfaces.contains(&b))
+        self.bodies.place(a).is_some_and(|body| self.bodies.place(b) == Some(body))
     }
 
     /// The faces of the convex body that a surface is a face of, ascending; itself alone where there is none.

@@ -216,8 +216,6 @@ fn the_inner_of_two_spheres_hides_the_outer_from_itself() {
     assert!((seen - 0.75).abs() < 0.02, "{seen}");
 }
 
-/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
-/// the floor touches it where no rule holds: what was reached is reported.
 /// The hole of a ring is seen from within the ring past its other side in part only.
 #[test]
 fn a_ring_in_a_box_hides_itself() {
@@ -238,6 +236,8 @@ fn a_ring_in_a_box_hides_itself() {
     }
 }
 
+/// F from a ball is the part of the full solid angle that is taken up as seen from its centre. A ball that rests on
+/// the floor touches it where no rule holds: what was reached is reported.
 #[test]
 fn a_ball_on_the_floor_tells_what_it_reached() {
     let floor = Parallelogram::new(DVec3::new(-3.0, -3.0, 0.0), 6.0 * DVec3::X, 6.0 * DVec3::Y);

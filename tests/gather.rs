@@ -268,6 +268,24 @@ fn furnace_ball_is_two_everywhere() {
     }
 }
 
+/// A ball within a ball: the outer one sees the inner, and itself past it.
+#[test]
+fn furnace_between_balls_is_two() {
+    let shapes: Shapes = vec![(inside(ball(DVec3::ZERO, 1.0)), 1.0), (Arc::new(ball(DVec3::ZERO, 0.5)), 1.0)];
+    let scene = scene(shapes);
+    let solution = solution(&scene, 2.0, 1.0);
+    let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
+    let gather = Gather::new(&solution, &visibility, EPS);
+    let p = DVec3::new;
+    for (x, n) in
+        [(p(1.0, 0.0, 0.0), -DVec3::X), (p(0.0, 0.6, 0.8), p(0.0, -0.6, -0.8)), (p(0.0, 0.0, 0.5), DVec3::Z)]
+    {
+        let e = at(&gather, &solution, &visibility, x, n);
+        // Errors of the cells that the inner ball's outline cuts have the same sign. Unshadowed it would be 2.5.
+        assert!((e / 2.0 - 1.0).abs() < 6.0 * EPS, "{e} at {x}");
+    }
+}
+
 /// Cells of the furnished room: 2 on the part of a cell that is not cut out, whatever is read.
 #[test]
 fn cells_of_the_furnace_are_two_times_what_is_uncovered() {

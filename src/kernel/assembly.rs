@@ -307,7 +307,7 @@ impl Scene<'_> {
         tasks.iter().map(goal).collect()
     }
 
-    /// Whether an element of a task and all that may stand before it are planar, and found by their outlines. Not where one hides
+    /// Whether at least one element of a task and all its blockers are planar, and shadows found by outlines. Not where one hides
     /// a part of itself: the light it takes must not be taken twice.
     fn has_outlines(&self, task: &Task) -> bool {
         let is_planar = |index: u32| self.list[index as usize].plane.is_some();

@@ -37,7 +37,8 @@ pub(super) struct Scatter {
     pub values: Vec<f64>,
     /// Whether `values` are of what is hidden.
     pub hidden: bool,
-    /// Largest standard deviation of `values` where it is above what was asked for; zero elsewhere.
+    /// Largest standard deviation of `values` where it is above what was asked for; zero elsewhere, and where no
+    /// point was of the rarer kind: of that, 3 / `samples` of all may have been missed (at 95 %).
     pub error: f64,
     /// Points.
     pub samples: u64,

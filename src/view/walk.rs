@@ -194,6 +194,7 @@ impl<'a> Walk<'a> {
         let whole = if is_whole { irradiance(eye, normal, &sides) } else { lamp.most_from(eye) };
         let error = tolerance / (brightness * whole);
         if error >= 1.0 {
+            self.coarsest = self.coarsest.max(brightness * whole);
             return Some(if self.shadows.hide_lamp(lamp, places) { 0.0 } else { whole });
         }
         let (screen, lit) = lamp.screen(eye, &sides)?;
@@ -248,7 +249,7 @@ impl<'a> Walk<'a> {
                 self.hidden_flat(pass, cell, weights, width, before)
             }
             (true, false) if cell.is_flat() => self.by_lines(pass, cell, weights, width, before),
-            _ if pass.dome.is_some() => self.under_dome(pass, cell),
+            _ if pass.dome.is_some() && before.is_nothing() => self.under_dome(pass, cell),
             _ => self.curved(pass, cell, weights, width, before),
         }
     }

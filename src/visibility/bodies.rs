@@ -107,7 +107,12 @@ impl Bodies {
 
     /// The body that a surface is a face of.
     pub(super) fn of(&self, surface: usize) -> Option<&Body> {
-        self.of_surface[surface].map(|body| &self.list[body])
+        self.place(surface).map(|body| &self.list[body])
+    }
+
+    /// Its index.
+    pub(super) fn place(&self, surface: usize) -> Option<usize> {
+        self.of_surface[surface]
     }
 }
 
