@@ -371,7 +371,7 @@ impl Visibility {
 impl Obstacle {
     fn new(shape: &Arc<dyn Surface>) -> Self {
         let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
-        let pieces = shape.region().map(|region| region.convex_pieces());
+        let pieces = shape.region().map(|region| region.convex_pieces().to_vec());
         let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
         let bend = Bend::of(&jets);
         let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();

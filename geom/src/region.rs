@@ -130,8 +130,8 @@ impl PlanarRegion {
     /// The region cut into few, well-shaped convex polygons of three or four of the given vertices each,
     /// counter-clockwise about the normal. Together they cover the region exactly. A convex outline of three
     /// or four vertices is one piece.
-    pub fn convex_pieces(&self) -> Vec<Vec<DVec3>> {
-        self.pieces.clone()
+    pub fn convex_pieces(&self) -> &[Vec<DVec3>] {
+        &self.pieces
     }
 
     /// The same region seen from the other side.

@@ -85,7 +85,7 @@ pub(super) fn element(
 ) -> Result<Option<Element>, ElementError> {
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let (patches, plane) = match shape.region() {
-        Some(region) => flat_patches(shape, &region.convex_pieces(), region.area(), &rect),
+        Some(region) => flat_patches(shape, region.convex_pieces(), region.area(), &rect),
         None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
     };
     if patches.is_empty() {

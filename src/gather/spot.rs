@@ -108,7 +108,6 @@ fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
         };
         (0..piece.len()).map(outside).fold(f64::NEG_INFINITY, f64::max)
     };
-    let pieces = region.convex_pieces();
-    let piece = pieces.iter().min_by(|a, b| overhang(a).total_cmp(&overhang(b)))?;
+    let piece = region.convex_pieces().iter().min_by(|a, b| overhang(a).total_cmp(&overhang(b)))?;
     Some(piece.iter().sum::<DVec3>() / piece.len() as f64)
 }

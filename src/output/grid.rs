@@ -89,9 +89,9 @@ pub fn grid(
 fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
     let region = shape.region()?;
     if region.holes().is_empty() {
-        return Some(region.convex_pieces());
+        return Some(region.convex_pieces().to_vec());
     }
-    PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces())
+    PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces().to_vec())
 }
 
 /// ∫ E dA, ∫ B dA per band and ∫ dA over the part of a surface over a rectangle of parameters.

@@ -167,10 +167,12 @@ impl Body {
         let middle = hull.iter().sum::<DVec3>() / hull.len() as f64;
         let plane = |face: &usize| Plane { point: faces[*face].outline[0], outward: faces[*face].normal };
         let mut planes: Vec<Plane> = group.iter().map(plane).collect();
+        let places: HashMap<usize, usize> =
+            group.iter().enumerate().map(|(own, face)| (*face, own)).collect();
         let (mut edges, mut rim) = (Vec::new(), Vec::new());
         for (own, face) in group.iter().enumerate() {
             for (ends, twin) in sides(faces[*face].outline).zip(&twins[*face]) {
-                match twin.and_then(|twin| group.iter().position(|other| *other == twin)) {
+                match twin.and_then(|twin| places.get(&twin).copied()) {
                     None => {
                         rim.push(ends);
                         edges.push(Edge { ends, between: [own, group.len()] });
