@@ -4,11 +4,14 @@
 
 mod company;
 mod contour;
+mod curved;
 mod empty_box;
 mod flat;
 mod furnace;
+mod paper;
 mod polyhedra;
 mod room;
 mod shapes;
 mod stress;
 mod transfers;
+mod view_factors;

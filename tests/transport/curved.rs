@@ -77,7 +77,7 @@ fn ball(center: DVec3, radius: f64) -> Sphere {
 /// A plate and a quarter of a tube that meet in an edge, all 15 × 15 entries of order 4, and the tube with itself.
 #[test]
 fn plate_and_quarter_tube_to_the_accuracy_asked() {
-    let text = include_str!("data/transfers_curved.json");
+    let text = include_str!("../data/transfers_curved.json");
     let data: Value = serde_json::from_str(text).expect("the reference is JSON");
     let number = |value: &Value| value.as_f64().expect("a number");
     let plate = || -> Arc<dyn Surface> {

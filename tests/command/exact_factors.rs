@@ -50,7 +50,7 @@ struct Case {
 /// The scenes of the data as scene files, with their cases.
 fn scenes() -> Vec<(String, Vec<Case>)> {
     let data: Value =
-        serde_json::from_str(include_str!("data/view_factors.json")).expect("the data are JSON");
+        serde_json::from_str(include_str!("../data/view_factors.json")).expect("the data are JSON");
     let array = |value: &Value| value.as_array().expect("a list").clone();
     let named = |(index, surface): (usize, Value)| {
         let mut surface = surface;

@@ -200,7 +200,7 @@ fn the_furnace_is_met_to_the_accuracy_wanted() {
 #[test]
 fn the_empty_box_is_met_to_the_accuracy_wanted() {
     let file: Value =
-        serde_json::from_str(include_str!("data/box_radiosity.json")).expect("the data file is JSON");
+        serde_json::from_str(include_str!("../data/box_radiosity.json")).expect("the data file is JSON");
     let points = file["scenes"][0]["points"].as_array().expect("points are listed");
     for accuracy in [3e-2, 1e-2, 3e-3] {
         let adapted = adapted("empty-box", Goal::new(accuracy));

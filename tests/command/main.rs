@@ -1,0 +1,11 @@
+//! The command as its users meet it: what it prints, refuses and leaves behind, and closed forms run through it.
+
+mod analytic_cases;
+mod bad_input;
+mod behaviour;
+mod builtin;
+mod exact_factors;
+mod inspection;
+mod pictures;
+mod probe;
+mod solution_file;

@@ -1,0 +1,10 @@
+//! Evidence for light behind things: visibility, direct light, what is gathered, the Cornell box against path tracing.
+
+mod cornell;
+mod curved_shadows;
+mod footings;
+mod gather;
+mod hard_cases;
+mod masks;
+mod occlusion;
+mod split;

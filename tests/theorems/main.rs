@@ -1,0 +1,8 @@
+//! What must hold whatever the numbers, of scenes, whole solutions and the sources themselves.
+
+mod builder;
+mod convergence;
+mod fuzz;
+mod layering;
+mod shapes;
+mod whole;
