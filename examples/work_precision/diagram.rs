@@ -19,6 +19,9 @@ const WIDTH: u32 = 1100;
 const ROW: u32 = 400;
 const COLUMNS: usize = 3;
 
+/// Larger errors are not drawn.
+const LARGEST: f64 = 1.0;
+
 type Panel<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Draws the panels of the studies that have runs; the place that is left over holds the legend.
@@ -30,7 +33,8 @@ pub(crate) fn write(path: &Path, studies: &[Study], records: &[Record]) -> Resul
     root.fill(&WHITE)?;
     let panels = root.split_evenly((rows, COLUMNS));
     for (study, panel) in shown.iter().zip(&panels) {
-        let own: Vec<&Record> = records.iter().filter(|record| record.scene == study.name).collect();
+        let is_own = |record: &&Record| record.scene == study.name && record.error <= LARGEST;
+        let own: Vec<&Record> = records.iter().filter(is_own).collect();
         draw(panel, study.title, &own)?;
     }
     legend(&panels[shown.len()])?;

@@ -124,7 +124,7 @@ pub(crate) fn studies() -> Vec<Study> {
         study("two-boxes", "room with two boxes", builtin("two-boxes"), shadowed(6, 4), room()),
         study("cornell-box", "Cornell box, polynomials", builtin("cornell-box"), shadowed(6, 4), room()),
         study("cornell-cells", "Cornell box, cells", builtin("cornell-box"), Judge::PathTracing, cells()),
-        study("teapot", "teapot", builtin("teapot"), shadowed(5, 1), teapot()),
+        study("teapot", "teapot", builtin("teapot"), shadowed(4, 1), teapot()),
     ]
 }
 
@@ -166,9 +166,9 @@ fn empty_box() -> Vec<Trial> {
 fn curved() -> Vec<Trial> {
     constants(&[1, 2, 4, 8, 16, 24])
         .chain((1..=10).map(|order| run(order, 1, 1e-3)))
-        .chain((1..=10).map(|order| run(order, 2, 1e-4)))
-        .chain((1..=6).map(|order| run(order, 4, 1e-4)))
-        .chain((1..=4).map(|order| run(order, 8, 1e-4)))
+        .chain((1..=10).map(|order| run(order, 2, 1e-7)))
+        .chain((1..=8).map(|order| run(order, 4, 1e-7)))
+        .chain((1..=4).map(|order| run(order, 8, 1e-7)))
         .chain(paper(7))
         .collect()
 }
@@ -193,5 +193,5 @@ fn cells() -> Vec<Trial> {
 }
 
 fn teapot() -> Vec<Trial> {
-    constants(&[1, 2]).chain((1..=4).map(|order| run(order, 1, 1e-3))).collect()
+    constants(&[1, 2]).chain((1..=3).map(|order| run(order, 1, 1e-3))).collect()
 }
