@@ -1,7 +1,7 @@
-//! Makes the figures, tables and outputs of documents anew, each by the command that the text names.
+//! Makes the figures, tables and outputs of the documents anew, each by the command that the text names.
 //!
-//! `cargo run --release --example refresh -- [FILE] [PART OF A COMMAND]` (README.md, all commands). What may be made anew stands
-//! between two marks, and is what the nearest command above it prints on its standard output:
+//! `cargo run --release --example refresh -- [PART OF A COMMAND]` goes through README.md and benches/README.md, about an hour for all
+//! commands. What is made anew stands between two marks, and is what the nearest command above it prints on its standard output:
 //!
 //! ```text
 //! … Error against time: `cargo run --release --example read_off`.
@@ -12,7 +12,8 @@
 //!
 //! A command stands in back-quotes, or alone in an indented line, and begins with `cargo`. `<!-- output, shown -->` indents what is
 //! printed by four blanks, so that it stays as it is; `<!-- run -->`, without an end, runs the command for the files it writes. A
-//! command that fails leaves its place as it was. Commands run one after another, in the root of the repository.
+//! command that fails leaves its place as it was. Commands run one after another, in the current folder, which has to be the root
+//! of the repository; a document is written after each.
 
 #![expect(clippy::print_stderr, reason = "progress for people")]
 
@@ -21,48 +22,79 @@ use std::process::{Command, ExitCode, Stdio};
 use std::time::Instant;
 use std::{env, fs};
 
+/// Those that commands write to.
+const DOCUMENTS: [&str; 2] = ["README.md", "benches/README.md"];
+
 const RUN: &str = "<!-- run -->";
 const OUTPUT: &str = "<!-- output -->";
 const SHOWN: &str = "<!-- output, shown -->";
 const END: &str = "<!-- end -->";
 
+/// What is between marks, and the command above them.
+struct Place {
+    command: String,
+    shown: bool,
+    /// Lines between the marks, from the first on and before the last; None where nothing is pasted.
+    between: Option<[usize; 2]>,
+}
+
 fn main() -> Result<ExitCode> {
-    let mut arguments = env::args().skip(1);
-    let file = arguments.next().unwrap_or_else(|| "README.md".to_owned());
-    let part = arguments.next().unwrap_or_default();
-    let text = fs::read_to_string(&file)?;
+    let part = env::args().nth(1).unwrap_or_default();
     let mut failed = Vec::new();
-    let made = refreshed(&text, |command| {
-        let wanted = command.contains(&part);
-        wanted.then(|| output(command)).and_then(|made| made.map_err(|why| failed.push(why)).ok())
-    })?;
-    fs::write(&file, made)?;
+    for document in DOCUMENTS {
+        for k in 0..places(&fs::read_to_string(document)?)?.len() {
+            // Read again: the last command may have changed the document itself.
+            let text = fs::read_to_string(document)?;
+            let place = places(&text)?.swap_remove(k);
+            if !place.command.contains(&part) {
+                continue;
+            }
+            match output(&place.command) {
+                Ok(fresh) if fresh.trim().is_empty() && place.between.is_some() => {
+                    failed.push(format!("'{}' prints nothing", place.command));
+                }
+                Ok(fresh) => fs::write(document, replaced(&text, &place, &fresh))?,
+                Err(why) => failed.push(why),
+            }
+        }
+    }
     failed.iter().for_each(|why| eprintln!("{why}"));
     Ok(if failed.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// The text with what stands between marks replaced; what `run` does not give stays.
-fn refreshed(text: &str, mut run: impl FnMut(&str) -> Option<String>) -> Result<String> {
-    let (mut made, mut command) = (String::new(), None);
-    let mut lines = text.lines();
-    while let Some(line) = lines.next() {
-        made += &format!("{line}\n");
+fn places(text: &str) -> Result<Vec<Place>> {
+    let (mut places, mut command) = (Vec::new(), None);
+    for (k, line) in text.lines().enumerate() {
         command = last_command(line).or(command);
         let mark = line.trim();
         if ![RUN, OUTPUT, SHOWN].contains(&mark) {
             continue;
         }
-        let named =
-            command.as_deref().ok_or_else(|| Error::other(format!("no command stands before {mark}")))?;
-        let fresh = run(named);
-        if mark == RUN {
-            continue;
-        }
-        let old: Vec<&str> = lines.by_ref().take_while(|line| line.trim() != END).collect();
-        made += &fresh.map_or_else(|| old.join("\n") + "\n", |fresh| pasted(&fresh, mark == SHOWN));
-        made += &format!("{END}\n");
+        let missing = |what: &str| Error::other(format!("line {}: {mark} has no {what}", k + 1));
+        let end = text.lines().skip(k).position(|line| line.trim() == END);
+        let between = if mark == RUN { None } else { Some([k + 1, k + end.ok_or_else(|| missing("end"))?]) };
+        let command = command.clone().ok_or_else(|| missing("command above it"))?;
+        places.push(Place { command, shown: mark == SHOWN, between });
     }
-    Ok(made)
+    Ok(places)
+}
+
+/// The text with `fresh` in a place.
+fn replaced(text: &str, place: &Place, fresh: &str) -> String {
+    let Some([first, end]) = place.between else { return text.to_owned() };
+    let lines: Vec<&str> = text.lines().collect();
+    let blanks = if place.shown { "    " } else { "" };
+    let pasted = fresh.trim_end().lines().map(|line| format!("{blanks}{line}"));
+    let kept = |lines: &[&str]| lines.iter().map(|line| (*line).to_owned()).collect::<Vec<_>>();
+    // Blank lines around, so that tables and code are told from the marks.
+    let blank = || std::iter::once(String::new());
+    let all = kept(&lines[..first])
+        .into_iter()
+        .chain(blank())
+        .chain(pasted)
+        .chain(blank())
+        .chain(kept(&lines[end..]));
+    all.map(|line| line.trim_end().to_owned() + "\n").collect()
 }
 
 /// The last command that a line of a document names.
@@ -70,13 +102,6 @@ fn last_command(line: &str) -> Option<String> {
     let quoted = line.split('`').skip(1).step_by(2).filter(|part| part.starts_with("cargo ")).last();
     let alone = line.strip_prefix("    ").filter(|line| line.starts_with("cargo "));
     quoted.or(alone).map(|command| command.split("  #").next().unwrap_or(command).trim().to_owned())
-}
-
-/// Blank lines around, so that tables and code are told from the marks.
-fn pasted(output: &str, shown: bool) -> String {
-    let blanks = if shown { "    " } else { "" };
-    let line = |line: &str| if line.is_empty() { "\n".to_owned() } else { format!("{blanks}{line}\n") };
-    format!("\n{}\n", output.trim_end().lines().map(line).collect::<String>())
 }
 
 /// What a command prints; its errors go to the terminal.
@@ -89,5 +114,5 @@ fn output(command: &str) -> std::result::Result<String, String> {
     if !done.status.success() {
         return Err(format!("'{command}' failed: {}", done.status));
     }
-    String::from_utf8(done.stdout).map_err(|_| format!("'{command}' prints no text"))
+    String::from_utf8(done.stdout).map_err(|_| format!("what '{command}' prints is no text"))
 }
