@@ -9,6 +9,7 @@
 //! rules of the rooms were not published, and the scenes here are stand-ins of the same make.
 
 mod boxes;
+mod memory;
 mod rooms;
 mod squares;
 

@@ -5,8 +5,6 @@ use std::io::Write;
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
-use radiosity::elements::{Discretization, Subdivide};
-use radiosity::footprint::Footprint;
 use radiosity::kernel::paper::{Reading, Rules};
 use radiosity::mask::Nodes;
 use radiosity::masked::{Average, Masking};
@@ -14,6 +12,8 @@ use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity::visibility::Hiding;
 use radiosity_solvers::method::Method;
+
+use crate::memory::megabytes;
 
 /// Relative residual at which shooting stops; the paper does not tell its own.
 const STOP: f64 = 1e-2;
@@ -40,13 +40,7 @@ pub(crate) fn table_1(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
         let start = ProcessTime::now();
         let outcome = solve(&scene, &options, &|_| {})?;
         let seconds = start.elapsed().as_secs_f64();
-        let how = Discretization {
-            order: options.order,
-            space: options.space,
-            subdivide: Subdivide::Uniform(1),
-            layers: options.layers,
-        };
-        let memory = Footprint::of(&scene, &how, options.method).peak() as f64 / 1e6;
+        let memory = megabytes(&scene, &options);
         let unknowns = outcome.solution.elements().coefficients();
         writeln!(
             out,
