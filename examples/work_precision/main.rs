@@ -28,11 +28,17 @@ use record::Record;
 use study::{Study, studies};
 
 const CSV: &str = "docs/work-precision.csv";
+const REDRAW: &str = "--redraw";
 const DIAGRAM: &str = "docs/work-precision.svg";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let only = std::env::args().nth(1);
     let studies = studies();
+    if let Some(name) =
+        only.as_ref().filter(|name| *name != REDRAW && !studies.iter().any(|s| s.name == *name))
+    {
+        return Err(format!("there is no study '{name}'").into());
+    }
     let wanted = |study: &&Study| only.as_ref().is_none_or(|only| only == study.name);
     let mut records = if Path::new(CSV).exists() { record::read(Path::new(CSV))? } else { Vec::new() };
     for study in studies.iter().filter(wanted) {
