@@ -260,17 +260,20 @@ impl<'a> Work<'a> {
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
         let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
-        for ((s, ws), (t, wt)) in first.iter().flat_map(|s| second.iter().map(move |t| (s, t))) {
-            let y = a + (b - a) * s + ((d - a) * (1.0 - s) + (c - b) * s) * t;
-            let offset = y - x.position;
-            let square = offset.length_squared();
-            // The area element is linear in s and t.
-            let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
-            let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
-            basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
-            out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
-            self.samples += 1;
+        for (s, ws) in first.iter() {
+            let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
+            for (t, wt) in second.iter() {
+                let y = start + across * t;
+                let offset = y - x.position;
+                let square = offset.length_squared();
+                // The area element is linear in s and t.
+                let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
+                let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
+                basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
+                out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
+            }
         }
+        self.samples += (first.nodes.len() * second.nodes.len()) as u64;
     }
 }
 
