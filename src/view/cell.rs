@@ -13,6 +13,7 @@ use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::visibility::pyramid::Quad;
 
 /// Length over breadth above which a curved cell is only cut across.
 const LONG: f64 = 2.0;
@@ -45,6 +46,8 @@ pub struct Cell {
     pub center: DVec3,
     /// Radius of the ball around the middle that holds the hull.
     pub radius: f64,
+    /// Its corners and the radius around their mean, where its hull is that of four points or fewer.
+    pub quad: Option<(Quad, f64)>,
     /// Largest mean over the scale.
     pub brightness: f64,
     /// Largest difference from the mean over the scale.
@@ -85,6 +88,7 @@ impl Cell {
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
+        let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,
@@ -96,6 +100,7 @@ impl Cell {
             values: SmallVec::new(),
             center,
             radius,
+            quad,
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,
