@@ -22,6 +22,7 @@ use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
 use super::obstruction::Obstruction;
+use super::planar;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
 use super::rough::Rough;
@@ -385,7 +386,7 @@ impl Scene<'_> {
         let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => block::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
+            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
             false => self.curved_block(task, blockers, goal),
         };
         match goal.outlined {
