@@ -38,6 +38,8 @@ pub struct Cell {
     pub hull: SmallVec<[DVec3; 4]>,
     /// The Gauss points; the area of each is its part of the cell's.
     pub nodes: [Node; POINTS],
+    /// Their places, component by component.
+    pub lanes: [[f64; POINTS]; 3],
     /// The field at each point, channel after channel.
     values: SmallVec<[f64; 12]>,
     /// Places and normals at the corners of a curved cell and at its Gauss points.
@@ -78,6 +80,7 @@ impl Cell {
             Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
+        let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
         let mut facets = Vec::new();
         if !patch.is_flat() {
             facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
@@ -96,6 +99,7 @@ impl Cell {
             quarters: OnceLock::new(),
             hull,
             nodes,
+            lanes,
             facets,
             values: SmallVec::new(),
             center,

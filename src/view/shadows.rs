@@ -30,6 +30,7 @@ pub struct Shadows<'a> {
     asked: SmallVec<[usize; 32]>,
 }
 
+#[expect(clippy::large_enum_variant, reason = "most are flat, and made for one point: boxes would cost more")]
 enum Blocker {
     /// A convex planar polygon.
     Flat(Pyramid),

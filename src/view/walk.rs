@@ -1,6 +1,6 @@
 //! The walk from a point over the cells of elements.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
 
 use radiosity_geom::DVec3;
@@ -435,12 +435,31 @@ impl<'a> Walk<'a> {
     /// Weights of the Gauss rule with the kernel, whatever stands between.
     fn weights(&self, cell: &Cell) -> [f64; POINTS] {
         let Vantage { position, normal, ground, .. } = *self.vantage;
+        if ground.is_none() && cell.is_flat() {
+            return self.weights_of_flat(cell);
+        }
         let here = Node { position, normal, area: 1.0, parameters: Default::default() };
         let under = |y: &Node| ground.is_some_and(|ground| (y.position - position).dot(ground) <= 0.0);
         std::array::from_fn(|k| {
             let there = &cell.nodes[k];
             if under(there) { 0.0 } else { there.area * kernel(&here, there) }
         })
+    }
+
+    /// The same of a flat cell: its points have one normal, and are taken side by side.
+    fn weights_of_flat(&self, cell: &Cell) -> [f64; POINTS] {
+        let Vantage { position, normal, .. } = *self.vantage;
+        let (out, [x, y, z]) = (cell.nodes[0].normal, &cell.lanes);
+        let mut weights = [0.0; POINTS];
+        for (k, weight) in weights.iter_mut().enumerate() {
+            let [dx, dy, dz] = [x[k] - position.x, y[k] - position.y, z[k] - position.z];
+            let arriving = normal.x * dx + normal.y * dy + normal.z * dz;
+            let leaving = -(out.x * dx + out.y * dy + out.z * dz);
+            let square = dx * dx + dy * dy + dz * dz;
+            let value = cell.nodes[k].area * (arriving * leaving * FRAC_1_PI / (square * square));
+            *weight = if arriving > 0.0 && leaving > 0.0 { value } else { 0.0 };
+        }
+        weights
     }
 
     fn seen(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: Before) -> [f64; POINTS] {
