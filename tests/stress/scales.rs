@@ -35,18 +35,18 @@ fn room(scale: f64, curved: bool) -> Scene {
 }
 
 /// Irradiance coefficients over the length unit.
-fn light(scale: f64, curved: bool) -> Vec<f64> {
-    let options = Options { order: 3, ..Options::default() };
+fn light(scale: f64, curved: bool, order: usize) -> Vec<f64> {
+    let options = Options { order, ..Options::default() };
     let solution = solve(&room(scale, curved), &options, &|_| {}).expect("it can be solved").solution;
     solution.bands()[0].coefficients.irradiance.iter().map(|h| h / scale).collect()
 }
 
-fn compare(row: &Row, scales: &[f64]) {
+fn compare(row: &Row, scales: &[f64], order: usize) {
     for curved in [false, true] {
-        let plain = light(1.0, curved);
+        let plain = light(1.0, curved, order);
         let largest = plain.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
         for scale in scales {
-            let scaled = light(*scale, curved);
+            let scaled = light(*scale, curved, order);
             let error = plain.iter().zip(&scaled).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
             row.add(error / largest, || format!("scale {scale:e}, curved: {curved}"));
         }
@@ -56,17 +56,18 @@ fn compare(row: &Row, scales: &[f64]) {
 #[test]
 fn light_has_no_unit_of_length() {
     compare(
-        &Row::new("lengths times 2^k", "k = −20, 20", 0.0, "of the light"),
+        &Row::new("lengths times 2^k", "k = ±20", 0.0, "of the light"),
         &[-20, 20].map(|k| 2f64.powi(k)),
+        1,
     );
-    compare(&Row::new("lengths times 10^k", "k = −6, 6", 1e-12, "of the light"), &[1e-6, 1e6]);
+    compare(&Row::new("lengths times 10^k", "k = ±6", 1e-12, "of the light"), &[1e-6, 1e6], 1);
 }
 
 #[test]
 #[ignore = "many scales"]
 fn light_has_no_unit_of_length_at_all() {
-    let two: Vec<f64> = (-20..=20).map(|k| 2f64.powi(k)).collect();
-    compare(&Row::new("lengths times 2^k", "|k| ≤ 20", 0.0, "of the light"), &two);
-    let ten: Vec<f64> = (-24..=24).map(|k| 10f64.powf(0.25 * f64::from(k))).collect();
-    compare(&Row::new("lengths times 10^k", "|k| ≤ 6", 1e-12, "of the light"), &ten);
+    let two: Vec<f64> = (-20..=20).step_by(5).map(|k| 2f64.powi(k)).collect();
+    compare(&Row::new("lengths times 2^k", "|k| ≤ 20", 0.0, "of the light"), &two, 3);
+    let ten: Vec<f64> = (-6..=6).map(|k| 10f64.powi(k)).collect();
+    compare(&Row::new("lengths times 10^k", "|k| ≤ 6", 1e-12, "of the light"), &ten, 3);
 }
