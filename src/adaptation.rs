@@ -8,7 +8,7 @@
 //! ```
 //!
 //! since Galerkin solutions are nearly best approximations. So d_k tells the error of the run before. That of run k follows from the
-//! decay of its own coefficients ([`estimate`]); what transfers and shadows may miss is added. The estimate was within a factor of
+//! decay of its own coefficients (`estimate`); what transfers and shadows may miss is added. The estimate was within a factor of
 //! three of the error wherever that is known (tests/stress/estimate.rs).
 //!
 //! In a scene without shadows the radiosity is smooth but for the edges where surfaces meet, and layers graded towards

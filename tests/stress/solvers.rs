@@ -48,8 +48,14 @@ fn all(range: &str, losses: &[f64], order: usize) {
     for loss in losses {
         let scene = room(1.0 - loss);
         for method in Method::ALL {
-            let options =
-                Options { order, eps: 1e-10, method, max_iterations: PATIENCE, ..Options::default() };
+            let options = Options {
+                order,
+                eps: 1e-10,
+                method,
+                tolerance: tolerance(*loss),
+                max_iterations: PATIENCE,
+                ..Options::default()
+            };
             let outcome = solve(&scene, &options, &|_| {}).expect("it can be solved");
             let checks = &outcome.checks;
             let off = (checks.energy_absorbed / checks.energy_in - 1.0).abs();
