@@ -47,7 +47,8 @@ fn all(range: &str, losses: &[f64], order: usize) {
     let mut longest = (0, "");
     for loss in losses {
         let scene = room(1.0 - loss);
-        for method in Method::ALL {
+        // Shooting ends there after some hundred shots, and says so: its residual wavers by more than it falls.
+        for method in Method::ALL.iter().filter(|method| *loss > 3e-6 || method.name != "southwell") {
             let options = Options {
                 order,
                 eps: 1e-10,
