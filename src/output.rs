@@ -1,6 +1,7 @@
 //! What leaves the library: pictures, charts, values at points, grids of means, view factors, reports.
 
 pub mod canvas;
+pub mod decades;
 pub mod chart;
 pub mod difference;
 pub mod exr_file;

@@ -356,6 +356,11 @@ impl Visibility {
         })
     }
 
+    /// Whether any surface can stand between two others, as far as their planes tell.
+    pub(crate) fn has_obstacles(&self) -> bool {
+        !self.standing.is_empty()
+    }
+
     /// The first surface that a ray meets.
     ///
     /// Front and back of a two-sided surface are met at once: a back counts as a trifle farther.

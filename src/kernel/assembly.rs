@@ -57,6 +57,8 @@ struct Scene<'a> {
     panels: Vec<Option<Panel>>,
     reaches: Vec<Reach>,
     roughs: Vec<Rough>,
+    /// Whether blocks are estimated: what is planar needs it for its shadows only.
+    is_estimated: bool,
     boxes: Vec<Aabb>,
     /// The sectors of each.
     parts: Vec<Vec<Patch>>,
@@ -71,7 +73,7 @@ struct Task {
     column: u32,
     /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
     entries: [f64; 2],
-    /// About its first entry, were nothing in between.
+    /// About its first entry, were nothing in between; 0 where nothing is estimated.
     rough: f64,
     /// Hash of its pose where it may be equal to others.
     hash: Option<u64>,
@@ -129,6 +131,7 @@ pub(super) fn assemble(
         panels: list.iter().map(Panel::of).collect(),
         reaches: list.iter().map(Reach::of).collect(),
         roughs: list.par_iter().map(Rough::of).collect(),
+        is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
         boxes: list.iter().map(Element::bounds).collect(),
         parts: list.par_iter().map(sectors).collect(),
         visibility,
@@ -200,7 +203,7 @@ impl Scene<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
-        let rough = self.roughs[row].entry(&self.roughs[column]);
+        let rough = if self.is_estimated { self.roughs[row].entry(&self.roughs[column]) } else { 0.0 };
         let task = |entries, hash, blockers| {
             let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
             Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers, own })

@@ -1,0 +1,77 @@
+//! What do whole scenes cost, which solver suits a room, what do shadows cost by the way they are found, and a picture by the
+//! way it is read? All on one thread, so that the ratios hold on any machine.
+
+use std::hint::black_box;
+
+use criterion::{Criterion, criterion_group, criterion_main};
+use radiosity::output::reader::Read;
+use radiosity::output::render::render;
+use radiosity::scene::{Camera, Scene};
+use radiosity::solve::{Options, in_threads, solve};
+use radiosity::visibility::{Hiding, Visibility};
+use radiosity_solvers::method::Method;
+
+fn builtin(name: &str) -> Scene {
+    Scene::builtin(name).expect("the scene is built in")
+}
+
+fn on_one_thread() -> Options {
+    Options { threads: 1, ..Options::default() }
+}
+
+fn solve_again(criterion: &mut Criterion, name: &str, scene: &Scene, options: &Options) {
+    criterion.bench_function(name, |bench| {
+        bench.iter(|| solve(black_box(scene), options, &|_| {}).expect("the scene can be solved"));
+    });
+}
+
+/// From the scene in memory to its coefficients, at the defaults.
+fn whole_scenes(criterion: &mut Criterion) {
+    for name in ["furnace-cube", "furnace-sphere", "empty-box", "occluder-box", "two-boxes"] {
+        solve_again(criterion, &format!("whole scene {name}"), &builtin(name), &on_one_thread());
+    }
+}
+
+/// The empty box at order 6 on 54 elements: 1512 unknowns by each solver, the blocks included.
+fn solvers(criterion: &mut Criterion) {
+    let scene = builtin("empty-box");
+    for name in ["cholesky", "cg", "gauss-seidel", "southwell"] {
+        let method = Method::named(name).expect("it is listed");
+        let options = Options { order: 6, subdivide: Some(3), method, ..on_one_thread() };
+        solve_again(criterion, &format!("solver {name}"), &scene, &options);
+    }
+}
+
+/// The room with two boxes, by each way to find shadows.
+fn shadows(criterion: &mut Criterion) {
+    let scene = builtin("two-boxes");
+    let ways =
+        [("off", Hiding::Off), ("outlines", Hiding::Auto), ("exact", Hiding::Exact), ("rays", Hiding::Rays)];
+    for (name, shadows) in ways {
+        let options = Options { order: 2, subdivide: Some(1), shadows, ..on_one_thread() };
+        solve_again(criterion, &format!("shadows {name}"), &scene, &options);
+    }
+}
+
+/// 64 × 48 pixels of the box with a panel, one ray each.
+fn pictures(criterion: &mut Criterion) {
+    let scene = builtin("occluder-box");
+    let options = on_one_thread();
+    let outcome = solve(&scene, &options, &|_| {}).expect("the box can be solved");
+    let visibility = Visibility::new(&scene, (&options).into());
+    let camera = scene.camera.clone().expect("the scene has a camera");
+    let camera = Camera { width: 64, height: 48, ..camera };
+    for (name, read) in [("basis", Read::Basis), ("direct", Read::Direct), ("gather", Read::Gather)] {
+        let picture = || render(&outcome.solution, &visibility, &camera, 1, read, &|_, _| {});
+        criterion.bench_function(&format!("picture read by {name}"), |bench| {
+            bench.iter(|| in_threads(1, || black_box(picture())).expect("a thread can be started"));
+        });
+    }
+}
+
+criterion_group! {
+    name = benches;
+    config = Criterion::default().sample_size(10);
+    targets = whole_scenes, solvers, shadows, pictures
+}
+criterion_main!(benches);

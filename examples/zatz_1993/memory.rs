@@ -1,0 +1,13 @@
+//! Memory that a solution asks for.
+
+use radiosity::elements::{Discretization, Subdivide};
+use radiosity::footprint::Footprint;
+use radiosity::scene::Scene;
+use radiosity::solve::Options;
+
+/// Megabytes as reckoned before the run, whole surfaces being elements.
+pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {
+    let Options { order, space, layers, method, .. } = *options;
+    let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers };
+    Footprint::of(scene, &how, method).peak() as f64 / 1e6
+}
