@@ -1,8 +1,10 @@
 //! Error against time of the presets, and of the ways to read a solution: the Cornell box against path tracing.
 //!
-//! `cargo run --release --example read_off -- [WAY]` (quick, default, fine, finest, projected, masks, masks-1993; all unless said): floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted
-//! relative L2 over both faces and the three bands, %; the reference's own noise is 0.14 %. Samples and rays are those of the
-//! transfers; masks have 40 × 40 cells, and average by light or, as in 1993, by area; solve, ready and cells are wall times of the solution, of what is tabulated, and of the cells of all faces.
+//! `cargo run --release --example read_off -- [WAY ...]` (quick, default, fine, finest, projected, masks, masks-1993; all unless said).
+//! Floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted relative L2 over both faces and the three bands, %;
+//! the reference's own noise is 0.14 %. Samples and rays are those of the transfers. Masks have 40 × 40 cells, and average by light
+//! or, as in 1993, by area. "read" names the way to read with its rates of direct and of reflected light, points along a cell's side.
+//! Times are wall times: of the solution, and of the cells of all faces with what is tabulated for them.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
@@ -30,19 +32,20 @@ struct Way {
 }
 
 fn main() {
-    let only = std::env::args().nth(1);
+    let only: Vec<String> = std::env::args().skip(1).collect();
     let scene = Scene::builtin("cornell-box").expect("the scene is built in");
     let work = || {
         println!(
-            "{:22} solve s read             unknowns  samples     rays  ready s  cells s  floor %  back wall %  both %",
-            "way"
+            "| way | read | unknowns | samples | rays | floor, % | back wall, % | both, % | solve, s | cells, s | s |"
         );
-        for way in ways().iter().filter(|way| only.as_ref().is_none_or(|only| only == way.name)) {
+        println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+        for way in ways().iter().filter(|way| only.is_empty() || only.iter().any(|only| only == way.name)) {
             let start = Instant::now();
             let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
             let solved = start.elapsed().as_secs_f64();
             for reading in &way.readings {
-                println!("{:22} {solved:7.3} {}", way.name, read(&scene, &outcome, &way.options, *reading));
+                let (middle, cells) = read(&scene, &outcome, &way.options, *reading);
+                println!("| {} | {middle} | {solved:.2} | {cells:.2} | {:.2} |", way.name, solved + cells);
             }
         }
     };
@@ -77,21 +80,18 @@ fn ways() -> Vec<Way> {
     ]
 }
 
-/// Times and errors of a reading, as a row of the table.
-fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -> String {
+/// Counts and errors of a reading, as the middle of a row of the table, and its seconds.
+fn read(scene: &Scene, outcome: &Outcome, options: &Options, reading: Reading) -> (String, f64) {
     let visibility = Visibility::new(scene, options.into());
     let start = Instant::now();
     let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
-    let ready = start.elapsed().as_secs_f64();
     let cells = grid(&reader, [16, 16], reading.rates, &|_, _| {});
-    let seconds = start.elapsed().as_secs_f64() - ready;
+    let seconds = start.elapsed().as_secs_f64();
     let [floor, wall, both] = errors(scene, &cells);
-    let name = format!("{:?} {},{}", reading.read, reading.rates.direct, reading.rates.indirect);
+    let name = format!("{:?} {}, {}", reading.read, reading.rates.direct, reading.rates.indirect);
     let unknowns = outcome.solution.elements().coefficients();
     let (samples, rays) = (outcome.samples, outcome.rays);
-    format!(
-        "{name:19} {unknowns:5} {samples:8} {rays:8} {ready:8.3} {seconds:8.3} {floor:8.3} {wall:12.3} {both:7.3}"
-    )
+    (format!("{name} | {unknowns} | {samples} | {rays} | {floor:.3} | {wall:.3} | {both:.3}"), seconds)
 }
 
 /// Of the floor, the back wall and both, in %.

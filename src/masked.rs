@@ -15,7 +15,7 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
-use radiosity_geom::{DVec2, DVec3, Surface};
+use radiosity_geom::{DVec2, DVec3, Surface, overhang};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -284,7 +284,7 @@ impl<'a> Receiver<'a> {
                 let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
-                let covers = |patch: &Patch| covers(&patch.polygon(), normal, position, RIM * extent);
+                let covers = |patch: &Patch| overhang(&patch.polygon(), normal, position) <= RIM * extent;
                 element.patches.iter().any(covers).then_some((position, normal))
             }
             (Frame::Parameters { center, half }, _) => {
@@ -296,12 +296,4 @@ impl<'a> Receiver<'a> {
             (Frame::Plane { .. }, None) => None,
         }
     }
-}
-
-/// Whether a convex polygon with unit normal `normal` covers a point of its plane, or comes within `rim` of it.
-fn covers(polygon: &[DVec3], normal: DVec3, x: DVec3, rim: f64) -> bool {
-    (0..polygon.len()).all(|k| {
-        let side = polygon[(k + 1) % polygon.len()] - polygon[k];
-        normal.cross(side).normalize_or_zero().dot(x - polygon[k]) >= -rim
-    })
 }

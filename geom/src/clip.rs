@@ -47,6 +47,16 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
     0.5 * fan.sum::<DVec3>().length()
 }
 
+/// How far a point of its plane lies outside a convex polygon: the largest distance from the lines of its sides, counted positive
+/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. A side of no length counts as met.
+pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
+    let beyond = |k: usize| {
+        let side = polygon[(k + 1) % polygon.len()] - polygon[k];
+        (x - polygon[k]).dot(side.cross(normal).normalize_or_zero())
+    };
+    (0..polygon.len()).map(beyond).fold(f64::NEG_INFINITY, f64::max)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -54,6 +64,14 @@ mod tests {
 
     fn square() -> [DVec3; 4] {
         [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y]
+    }
+
+    proptest! {
+        #[test]
+        fn overhang_of_a_square_is_the_larger_of_two_distances(x in -2.0f64..3.0, y in -2.0f64..3.0) {
+            let exact = (-x).max(x - 1.0).max(-y).max(y - 1.0);
+            prop_assert!((overhang(&square(), DVec3::Z, DVec3::new(x, y, 0.0)) - exact).abs() < 1e-15);
+        }
     }
 
     #[test]

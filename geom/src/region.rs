@@ -268,7 +268,7 @@ mod tests {
                 let (p, q, r) = (piece[k], piece[(k + 1) % piece.len()], piece[(k + 2) % piece.len()]);
                 assert!((q - p).cross(r - q).dot(region.normal()) > 0.0, "{piece:?} is not convex");
             }
-            sum += area_vector(&piece).dot(region.normal());
+            sum += area_vector(piece).dot(region.normal());
             let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
             assert!(region.contains(middle));
         }

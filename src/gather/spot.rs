@@ -4,7 +4,7 @@
 //! a trifle behind it or beyond its edge, where something else begins: they are moved onto the surface and a trifle
 //! away from what else touches it there, or inwards at an edge of its own, so that light is the limit from the open side.
 
-use radiosity_geom::{Aabb, DVec3, Rect, Surface};
+use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
 
 use crate::elements::Elements;
 use crate::solution::Place;
@@ -101,13 +101,7 @@ impl Spot {
 /// Middle of the convex piece of a planar surface that holds `x`, or comes nearest to it.
 fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
     let region = shape.region()?;
-    let overhang = |piece: &[DVec3]| {
-        let outside = |k: usize| {
-            let side = piece[(k + 1) % piece.len()] - piece[k];
-            (x - piece[k]).dot(side.cross(region.normal()).normalize_or_zero())
-        };
-        (0..piece.len()).map(outside).fold(f64::NEG_INFINITY, f64::max)
-    };
-    let piece = region.convex_pieces().iter().min_by(|a, b| overhang(a).total_cmp(&overhang(b)))?;
+    let outside = |piece: &[DVec3]| overhang(piece, region.normal(), x);
+    let piece = region.convex_pieces().iter().min_by(|a, b| outside(a).total_cmp(&outside(b)))?;
     Some(piece.iter().sum::<DVec3>() / piece.len() as f64)
 }

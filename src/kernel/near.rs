@@ -9,6 +9,8 @@
 //! integral runs over cells of P that follow the edges of Q ([`plan`]). Both rules are known before a single kernel value is.
 
 mod complex;
+mod emitter;
+mod line;
 mod plan;
 mod polar;
 mod radial;

@@ -2,6 +2,7 @@
 
 mod builder;
 mod convergence;
+mod documents;
 mod fuzz;
 mod layering;
 mod shapes;

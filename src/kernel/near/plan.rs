@@ -1,47 +1,26 @@
 //! The outer rule of a near pair: cells of the receiver, known beforehand.
 //!
-//! I_l(x) is analytic on the receiver's plane, over the emitter as well however near, except at the complex points at
-//! distance zero from an edge of the emitter (where the foot lies on it) or from a corner. On a straight line
-//! x(s) = x₀ + s X of a cell's chart these are the roots of two quadratics,
-//!
-//! ```text
-//! |x(s) − v|² = 0 :          s = ( −X·w ± 𝚒 |X × w| ) / |X|² ,   w = x₀ − v ,
-//! distance(x(s), edge) = 0 : the same with the parts of X and w across the edge.
-//! ```
-//!
-//! On a receiver that leans on the emitter's plane, polynomials of the emitter add h² ln h where the line meets that plane
-//! inside the emitter.
-//!
-//! Per direction of a cell the roots nearest to it choose the sinh map; where a map still leaves a slow
+//! Per direction of a cell the singular places nearest to it ([`emitter`](super::emitter)) choose the sinh map; where a map still leaves a slow
 //! rate, the cell is cut. Beforehand the receiver is cut along the projections of edges that come near, so that the
 //! layers of width ≈ gap along them lie at sides of cells.
 
 use radiosity_geom::{DVec3, clip_polygon};
 
-use super::complex::Complex;
+use super::emitter::Emitter;
+use super::line::{LineRule, Request};
 use super::polar::{Edge, Polar, edges, fraction};
 use super::stretch::Stretch;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Patch};
-use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::elements::rule::UnitRule;
 use crate::kernel::pair::gap;
 use crate::kernel::separated::{self, SMALLEST_RATIO};
 
-/// Points up to which no better rule is looked for.
-const FEW: usize = 2;
 /// Distance, in parts of the pair's size, below which nothing is resolved; patches that touch then differ from
 /// near ones by as little.
 const SHARPEST: f64 = 1e-13;
 /// Least transfer that the accuracy is relative to.
 const LEAST_TRANSFER: f64 = 1e-3;
-/// Singular places farther than this many lengths of the cell do not count; strong maps bring far ones near.
-const FAR: f64 = 1e3;
-/// Imaginary part below which a singular place gets a line of the other direction.
-const CLOSE: f64 = 0.25;
-/// Most such lines.
-const MOST_CLOSE: usize = 4;
-/// Singular places closer than this part of their distance from the cell count once.
-const ALIKE: f64 = 0.02;
 /// Edges nearer than this part of the receiver's size get a cut along their projection.
 const HOT: f64 = 0.1;
 /// Cost of a sample of the polar rule in samples of a tensor rule.
@@ -50,8 +29,6 @@ const POLAR_COST: f64 = 5.0;
 const MOST_CELLS: usize = 2000;
 /// Most cuts of one cell.
 const DEEPEST: usize = 40;
-/// Where along the other direction the lines of a chart are examined.
-const LINES: [f64; 7] = [0.0, 0.02, 0.25, 0.5, 0.75, 0.98, 1.0];
 
 /// A cell with the rule chosen for it.
 #[derive(Debug)]
@@ -132,7 +109,7 @@ impl<'a> Planner<'a> {
             degree: self.outer.order() + usize::from(!cell.is_parallelogram()),
             eps: self.eps,
         };
-        let rules = places(cell, emitter, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
+        let rules = emitter.places(cell, self.floor, self.eps).map(|roots| LineRule::of(&roots, &request));
         let worst = usize::from(rules[1].gain() > rules[0].gain());
         if let Some((place, _)) = rules[worst].cut
             && depth < DEEPEST
@@ -189,169 +166,6 @@ fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
 fn longest(patch: &Patch) -> (Direction, f64) {
     let [along, across] = patch.extents();
     if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
-}
-
-struct Emitter<'a> {
-    patch: Patch,
-    edges: Vec<Edge>,
-    polar: Polar<'a>,
-}
-
-impl<'a> Emitter<'a> {
-    fn new(patch: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
-        Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis, eps) }
-    }
-
-    /// Whether the emitter's polynomials stay tame at the feet of a cell's points.
-    fn reached(&self, cell: &Patch, basis: &AreaBasis, eps: f64) -> bool {
-        let normal = self.patch.node(0.5, 0.5).normal;
-        let growth = |x: &DVec3| {
-            let foot = *x - normal * (*x - self.edges[0].start).dot(normal);
-            let place = basis.frame().locate(foot, radiosity_geom::DVec2::ZERO);
-            let a = place[0].abs().max(place[1].abs()).max(1.0);
-            (a + (a * a - 1.0).sqrt()).powi(basis.order() as i32)
-        };
-        cell.polygon().iter().map(growth).fold(0.0, f64::max) * 1e-15 < eps.max(1e-12)
-    }
-}
-
-/// What a rule along one direction of a cell has to integrate.
-struct Request {
-    fraction: f64,
-    degree: usize,
-    eps: f64,
-}
-
-/// The rule of one direction of a cell.
-struct LineRule {
-    stretch: Stretch,
-    points: usize,
-    /// Where a cut saves points, and how many the two parts take.
-    cut: Option<(f64, usize)>,
-}
-
-impl LineRule {
-    fn of(roots: &[Complex], request: &Request) -> Self {
-        let (stretch, points, slowest) = Self::whole(roots, request);
-        let parts = |place: f64| {
-            let part = |low: f64, width: f64| {
-                let moved: Vec<Complex> =
-                    roots.iter().map(|r| (*r - Complex::new(low, 0.0)).scale(1.0 / width)).collect();
-                Self::whole(&moved, &Request { fraction: request.fraction * width, ..*request }).1
-            };
-            (place, part(0.0, place) + part(place, 1.0 - place))
-        };
-        let cut = (points > FEW)
-            .then(|| {
-                [stretch.middle(), slowest.re, 0.5]
-                    .into_iter()
-                    .filter(|place| *place > 0.0 && *place < 1.0)
-                    .map(parts)
-                    .min_by_key(|(_, count)| *count)
-            })
-            .flatten()
-            .filter(|(_, count)| *count < points || points > MOST_POINTS);
-        Self { stretch, points, cut }
-    }
-
-    /// The better of the plain and the stretched rule, without a cut, and the root that limits it.
-    fn whole(roots: &[Complex], request: &Request) -> (Stretch, usize, Complex) {
-        let Request { fraction, degree, eps } = *request;
-        let rule = |stretch: Stretch| {
-            let (rho, root) = roots
-                .iter()
-                .map(|root| (stretch.ellipse(*root), *root))
-                .fold((f64::INFINITY, Complex::ONE), |best, next| if next.0 < best.0 { next } else { best });
-            (stretch, stretch.points(rho, fraction, degree, eps), root)
-        };
-        let plain = rule(Stretch::PLAIN);
-        if plain.1 <= FEW {
-            return plain;
-        }
-        let stretched = rule(Stretch::around(plain.2.re, plain.2.im));
-        if stretched.1 < plain.1 { stretched } else { plain }
-    }
-
-    /// By which factor a cut helps.
-    fn gain(&self) -> f64 {
-        self.cut.map_or(0.0, |(_, count)| self.points as f64 / count as f64)
-    }
-}
-
-/// Where the inner integral is singular on lines along and lines across a cell's chart.
-///
-/// A place close to the cell that one direction shows may lie between the lines of the other: those get a line there.
-fn places(cell: &Patch, emitter: &Emitter, floor: f64, eps: f64) -> [Vec<Complex>; 2] {
-    let directions = [Direction::Along, Direction::Across];
-    let mut found = directions.map(|direction| roots(cell, direction, &LINES, emitter, floor, eps));
-    let lines = [&found[1], &found[0]].map(|others| {
-        let mut close: Vec<Complex> =
-            others.iter().copied().filter(|root| root.im < CLOSE && (0.0..=1.0).contains(&root.re)).collect();
-        close.sort_by(|a, b| a.im.total_cmp(&b.im));
-        close.iter().take(MOST_CLOSE).map(|root| root.re).collect::<Vec<f64>>()
-    });
-    for ((roots_found, direction), lines) in found.iter_mut().zip(directions).zip(&lines) {
-        roots_found.extend(roots(cell, direction, lines, emitter, floor, eps));
-    }
-    found.map(distinct)
-}
-
-/// Where it is singular on given lines of one direction.
-fn roots(
-    cell: &Patch,
-    direction: Direction,
-    lines: &[f64],
-    emitter: &Emitter,
-    floor: f64,
-    eps: f64,
-) -> Vec<Complex> {
-    let mut found = Vec::new();
-    for line in lines {
-        let ends = match direction {
-            Direction::Along => [cell.node(0.0, *line), cell.node(1.0, *line)],
-            Direction::Across => [cell.node(*line, 0.0), cell.node(*line, 1.0)],
-        };
-        let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
-        if step != DVec3::ZERO {
-            let first = found.len();
-            emitter.edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
-            found.extend(emitter.polar.crossing(start, step, eps));
-            let least = floor / step.length();
-            found[first..].iter_mut().for_each(|root| root.im = root.im.max(least));
-        }
-    }
-    found
-}
-
-/// Those near the cell, alike ones once.
-fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
-    let mut kept: Vec<Complex> = Vec::new();
-    for root in roots {
-        let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
-        if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
-            kept.push(root);
-        }
-    }
-    kept
-}
-
-/// Adds the singular places of the inner integral on the line `start` + s `step` that belong to `edge`.
-fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex>) {
-    let from = start - edge.start;
-    roots.push(root(from, step));
-    let across = |v: DVec3| v - edge.along * v.dot(edge.along);
-    let (w, x) = (across(from), across(step));
-    if x.length_squared() > 1e-24 * step.length_squared() {
-        let place = root(w, x);
-        let foot = from.dot(edge.along) + place.re * step.dot(edge.along);
-        if (0.0..=edge.length).contains(&foot) {
-            roots.push(place);
-        }
-    }
-}
-
-fn root(w: DVec3, x: DVec3) -> Complex {
-    Complex::new(-x.dot(w), x.cross(w).length()).scale(1.0 / x.length_squared())
 }
 
 /// The two parts of a flat cell cut at `place` of direction 0 or 1.

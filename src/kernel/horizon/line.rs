@@ -1,0 +1,90 @@
+//! Stretches of a line that are seen, between roots of heights.
+//!
+//! The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
+
+use super::view::{HEIGHTS, Heights};
+
+/// Places by which roots are bracketed.
+const PLACES: usize = 6;
+
+/// The stretch of a line on which all heights, each monotone, are positive.
+pub(super) fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]> {
+    let (first, last) = (f(0.0), f(1.0));
+    *evaluations += 2;
+    let mut stretch = [0.0f64, 1.0];
+    for k in 0..HEIGHTS {
+        if first[k].max(last[k]) <= 0.0 {
+            return None;
+        }
+        if first[k].min(last[k]) < 0.0 {
+            let at = root(|w| f(w)[k], [0.0, 1.0], [first[k], last[k]], evaluations);
+            stretch = if first[k] < 0.0 {
+                [stretch[0].max(at), stretch[1]]
+            } else {
+                [stretch[0], stretch[1].min(at)]
+            };
+        }
+    }
+    (stretch[0] < stretch[1]).then_some(stretch)
+}
+
+/// Appends the roots in (0, 1) of all heights; returns the number of evaluations.
+pub(super) fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
+    let place = |k: usize| k as f64 / (PLACES - 1) as f64;
+    let values: [Heights; PLACES] = std::array::from_fn(|k| f(place(k)));
+    let mut evaluations = PLACES as u64;
+    for which in 0..HEIGHTS {
+        let mut brackets = Vec::new();
+        for k in 1..PLACES {
+            let (low, high) = (values[k - 1][which], values[k][which]);
+            if low * high < 0.0 {
+                brackets.push(([place(k - 1), place(k)], [low, high]));
+            }
+        }
+        // Two roots between neighbours of one sign: at the vertex of the parabola through three the sign may differ.
+        for k in 1..PLACES - 1 {
+            let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
+            let bend = a - 2.0 * b + c;
+            if !(a * b > 0.0 && b * c > 0.0 && b * bend > 0.0 && (a - c).abs() < 2.0 * bend.abs()) {
+                continue;
+            }
+            let w = place(k) + 0.5 * (a - c) / bend / (PLACES - 1) as f64;
+            let value = f(w)[which];
+            evaluations += 1;
+            if value * b < 0.0 {
+                brackets.push(([place(k - 1), w], [a, value]));
+                brackets.push(([w, place(k + 1)], [value, c]));
+            }
+        }
+        for (ends, values) in brackets {
+            out.push(root(|w| f(w)[which], ends, values, &mut evaluations));
+        }
+    }
+    evaluations
+}
+
+/// A bracketed root by the Illinois variant of false position.
+fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evaluations: &mut u64) -> f64 {
+    let mut last = ends[0];
+    for _ in 0..40 {
+        let w = (ends[0] * values[1] - ends[1] * values[0]) / (values[1] - values[0]);
+        if (w - last).abs() <= 1e-9 {
+            return w;
+        }
+        last = w;
+        let value = f(w);
+        *evaluations += 1;
+        if value * values[1] < 0.0 {
+            (ends[0], values[0]) = (ends[1], values[1]);
+        } else {
+            values[0] *= 0.5;
+        }
+        (ends[1], values[1]) = (w, value);
+    }
+    last
+}
+
+/// The stretches between sorted breaks.
+pub(super) fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
+    breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
+}
