@@ -1,10 +1,12 @@
 //! What is not computed: pairs of elements by class, and rays cast against one ray per kernel sample.
 //!
-//! `cargo run --release --example skipping -- [SCENE ...]` (cornell-box, two-boxes and teapot unless said; `temple` takes minutes).
+//! `cargo run --release --example skipping -- [SCENE[:NAME=VALUE] ...]` (cornell-box, two-boxes and teapot unless said;
+//! `temple:bays=3` takes minutes, the whole `temple` three times as many).
 //!
 //! The first table counts unordered pairs, at the defaults of `radiosity solve`: those that face away, lie in one plane, are hidden wholly or send
 //! nothing are skipped; of the others some equal an earlier pair up to similarity. "naive" is one ray per kernel sample of a run without
-//! shadows, as a program casts that finds out by rays alone what is between (Zatz 1993).
+//! shadows, as a program casts that finds out by rays alone what is between (Zatz 1993): counted, not cast, and of large scenes
+//! counted from one pair in 16.
 //!
 //! The second table, of pairs of planar elements where only planar surfaces stand between, compares visibility at equal error. The naive program multiplies each sample of an n⁴ tensor Gauss rule
 //! over two patches by its visibility; n grows until its shadows are within 1 % of the exact ones:
@@ -40,6 +42,10 @@ const POINTS: [usize; 13] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24];
 const LOOSER: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
 /// Accuracy of what counts as exact.
 const EXACT: f64 = 1e-5;
+/// Of scenes of more pairs than this, one in so many is asked for naive rays, a power of two; an odd number spreads them.
+const MANY_PAIRS: usize = 10_000;
+const SAMPLED: usize = 16;
+const SPREAD: usize = 0x9E37_79B1;
 /// A ray may touch surfaces within this part of its length at both ends.
 const END: f64 = 1e-9;
 
@@ -47,19 +53,20 @@ fn main() {
     let named: Vec<String> = std::env::args().skip(1).collect();
     let usual = ["cornell-box", "two-boxes", "teapot"].map(str::to_owned);
     let names = if named.is_empty() { &usual[..] } else { &named[..] };
-    let solved: Vec<(&str, Scene, Outcome)> = names.iter().map(|name| solved(name)).collect();
     println!(
-        "scene          pairs  facing  coplanar  hidden  black  repeated  free  partly hidden      samples        rays       naive  naive/rays"
+        "| scene | pairs | face away | in a plane | wholly hidden | send nothing | repeated | wholly seen | partly hidden | samples | rays | naive rays | naive / rays |"
     );
-    for (name, scene, outcome) in &solved {
-        println!("{name:12} {}", counts(scene, outcome));
+    println!("|{}", " --- |".repeat(13));
+    let solved: Vec<(&str, Scene, Outcome)> = names.iter().map(|name| solved(name)).collect();
+    let planar: Vec<_> = solved.iter().filter(|(_, scene, _)| is_planar(scene)).collect();
+    if planar.is_empty() {
+        return;
     }
-    println!("\nscene        visibility     error %        rays  visibility s");
-    for (name, scene, outcome) in &solved {
-        if is_planar(scene) {
-            let elements = outcome.solution.elements();
-            in_threads(1, || at_equal_error(name, scene, elements)).expect("a thread can be started");
-        }
+    println!("\n| scene | visibility | error, % | rays | seconds |");
+    println!("|{}", " --- |".repeat(5));
+    for (name, scene, outcome) in planar {
+        let elements = outcome.solution.elements();
+        in_threads(1, || at_equal_error(name, scene, elements)).expect("a thread can be started");
     }
 }
 
@@ -69,40 +76,50 @@ fn is_planar(scene: &Scene) -> bool {
     !scene.surfaces.iter().any(|surface| curved(surface) && surface.kind != "quad")
 }
 
+/// Solves a scene, given as `NAME` or `NAME:PARAMETER=VALUE`, and prints its row of the first table.
 fn solved(name: &str) -> (&str, Scene, Outcome) {
-    let scene = Scene::load(name).unwrap_or_else(|error| panic!("{error}"));
+    let (source, setting) = name.split_once(':').map_or((name, None), |(a, b)| (a, b.split_once('=')));
+    let setting = setting.map(|(parameter, value)| (parameter, value.parse().expect("a number after =")));
+    let scene = Scene::load_with(source, setting.as_slice()).unwrap_or_else(|error| panic!("{error}"));
     let outcome = solve(&scene, &Options::default(), &|_| {}).expect("the scene can be solved");
+    println!("| {name} {}", counts(&scene, &outcome));
     (name, scene, outcome)
 }
 
-/// A row of the first table.
-fn counts(scene: &Scene, outcome: &Outcome) -> String {
-    let elements = outcome.solution.elements();
+/// Samples of the blocks without shadows; of scenes of many pairs told from some of them.
+fn naive_samples(scene: &Scene, elements: &Elements, pairs: usize) -> u64 {
     let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+    let every = if pairs > MANY_PAIRS { SAMPLED } else { 1 };
+    // Multiplied by an odd number, the pairs taken are spread over all rows.
+    let is_taken =
+        |i: usize, j: usize| (i * elements.list().len() + j).wrapping_mul(SPREAD) >> 20 & (every - 1) == 0;
+    let wanted = |i, j| (sends(i) || sends(j)) && is_taken(i, j);
     let open = Visibility::new(scene, Shadows::Off);
     let accuracy = Options::default().accuracy();
-    let naive = Blocks::assemble_senders(elements, &sends, &open, accuracy, &|_, _| {}).samples;
+    every as u64 * Blocks::assemble_pairs(elements, &wanted, &open, accuracy, &|_, _| {}).samples
+}
+
+/// The rest of a row of the first table.
+fn counts(scene: &Scene, outcome: &Outcome) -> String {
     let pairs = &outcome.pairs;
+    let naive = naive_samples(scene, outcome.solution.elements(), pairs.total);
     let skipped = pairs.skipped_facing + pairs.skipped_coplanar + pairs.skipped_hidden + pairs.skipped_black;
-    let free = pairs.total - skipped - pairs.partly_hidden;
-    let ratio = if outcome.rays > 0 {
-        format!("{:.1}", naive as f64 / outcome.rays as f64)
-    } else {
-        "–".to_owned()
+    let ratio = match outcome.rays {
+        0 => "no rays".to_owned(),
+        rays => format!("{:.1}", naive as f64 / rays as f64),
     };
     format!(
-        "{:7} {:7} {:9} {:7} {:6} {:9} {:5} {:14} {:12} {:11} {:11} {ratio:>11}",
+        "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {naive} | {ratio} |",
         pairs.total,
         pairs.skipped_facing,
         pairs.skipped_coplanar,
         pairs.skipped_hidden,
         pairs.skipped_black,
         pairs.repeated,
-        free,
+        pairs.total - skipped - pairs.partly_hidden,
         pairs.partly_hidden,
         outcome.samples,
         outcome.rays,
-        naive
     )
 }
 
@@ -160,7 +177,7 @@ fn at_equal_error(name: &str, scene: &Scene, elements: &Elements) {
                 open[pair].iter().zip(left).map(|(g, v)| g - v).collect()
             };
             let who = format!("{who} {asked:.0e}");
-            println!("{name:12} {who:14} {:9.3} {rays:11} {:13.3}", 100.0 * off(&own), seconds - plain);
+            println!("| {name} | {who} | {:.2} | {rays} | {:.3} |", 100.0 * off(&own), seconds - plain);
         }
     }
     let visibility = Visibility::new(scene, Shadows::Rays(EXACT));
@@ -176,7 +193,7 @@ fn at_equal_error(name: &str, scene: &Scene, elements: &Elements) {
             .collect();
         let seconds = start.elapsed().as_secs_f64();
         let error = off(&|pair| naive[pair].clone());
-        println!("{name:12} n = {points:<10} {:9.3} {rays:11} {seconds:13.3}", 100.0 * error);
+        println!("| {name} | n = {points} | {:.2} | {rays} | {seconds:.3} |", 100.0 * error);
         if error <= GOAL {
             break;
         }

@@ -19,7 +19,7 @@ use crate::direct::DirectLight;
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::reflection::{Lit, Reflection};
+use crate::reflection::{self, Lit, Reflection};
 use crate::view::surroundings::Site;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
@@ -62,26 +62,25 @@ impl Bounce {
         eps: f64,
     ) -> Self {
         let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {
-            let parts: Vec<_> = (0..elements.len()).into_par_iter().map(project).collect();
+            let parts: Vec<_> = (0..elements.len()).into_par_iter().with_max_len(1).map(project).collect();
             let bands = 0..coatings.len();
             bands.map(|band| parts.iter().flat_map(|part| &part[band]).copied().collect()).collect()
         };
         let d = projected(&|index| of_direct(&elements[index], index, lit, coatings.len()));
-        let scale = scale(elements, coatings, &d);
+        let scale = scales(elements, coatings, &d);
         let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
         let g = projected(&|index| of_reflected(&elements[index], index, lit, &reflection, coatings.len()));
         Self { direct: d, reflected: g }
     }
 }
 
-/// Mean reflected radiosity ρ D of each band over the scene; 1 where nothing is reflected.
-fn scale(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
-    let area: f64 = elements.iter().map(|element| element.area).sum();
+/// Mean reflected radiosity ρ D of each band over the scene.
+fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
     let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
         let reflectances = elements.iter().zip(&coating.reflectance);
-        let weights = reflectances.flat_map(|(element, rho)| element.constant.iter().map(move |c| rho * c));
-        let power: f64 = weights.zip(direct).map(|(weight, d)| weight * d).sum();
-        if power > 0.0 { power / area } else { 1.0 }
+        let reflectances =
+            reflectances.flat_map(|(element, rho)| std::iter::repeat_n(rho, element.constant.len()));
+        reflection::scale(elements, reflectances.zip(direct).map(|(rho, d)| rho * d))
     };
     coatings.iter().zip(direct).map(mean).collect()
 }

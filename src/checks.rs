@@ -19,14 +19,19 @@
 
 use std::collections::BTreeMap;
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::bounce::Bounce;
 use crate::coating::Coating;
 use crate::elements::Element;
 use crate::kernel::Blocks;
-use crate::solution::{Place, Solution};
+use crate::solution::{Band, Place, Solution};
 use crate::system::Coefficients;
+
+/// Most power iterations, and the residual, relative to the eigenvalue, at which they end.
+const MOST_STEPS: usize = 40;
+const SETTLED: f64 = 1e-3;
 
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -66,7 +71,8 @@ impl Checks {
         let lost: Vec<f64> = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();
         let [energy_in, energy_absorbed, energy_lost] =
             energy(solution, &ones, &lost, blocks.starts(), bounce);
-        let bounds = solution.bands().iter().map(|band| spectral_bound(blocks, &band.coating, &ones));
+        let bound = |band: &Band| spectral_bound(blocks, &band.coating, &ones);
+        let bounds: Vec<f64> = solution.bands().par_iter().map(bound).collect();
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
             reciprocity_max: reciprocity(list, blocks),
@@ -75,7 +81,7 @@ impl Checks {
             energy_in,
             energy_absorbed,
             energy_lost,
-            spectral_bound: bounds.fold(0.0, f64::max),
+            spectral_bound: bounds.into_iter().fold(0.0, f64::max),
             seam_jump_max: seam_jump(solution),
         }
     }
@@ -160,7 +166,7 @@ impl Compensated {
     }
 }
 
-/// λ + ‖A v − λ v‖ after power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
+/// λ + ‖A v − λ v‖ after so many power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
 ///
 /// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
 /// constant already is.
@@ -171,7 +177,7 @@ fn spectral_bound(blocks: &Blocks, coating: &Coating, ones: &[f64]) -> f64 {
     }
     let mut v: Vec<f64> = ones.iter().zip(&roots).map(|(c, root)| c * root).collect();
     let mut bound = 0.0;
-    for _ in 0..40 {
+    for _ in 0..MOST_STEPS {
         let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
         if norm == 0.0 {
             return 0.0;
@@ -182,6 +188,9 @@ fn spectral_bound(blocks: &Blocks, coating: &Coating, ones: &[f64]) -> f64 {
         let lambda: f64 = v.iter().zip(&next).map(|(x, y)| x * y).sum();
         let error = v.iter().zip(&next).map(|(x, y)| (y - lambda * x).powi(2)).sum::<f64>().sqrt();
         bound = lambda + error;
+        if error <= SETTLED * lambda {
+            break;
+        }
         v = next;
     }
     bound

@@ -152,22 +152,22 @@ impl<'a> DirectLight<'a> {
     /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
     fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        let sum = |walk: &mut Walk, tolerance: f64| {
-            let (mut factors, mut level) = (vec![0.0; self.trees.len()], 0.0);
-            for ((index, tree), factor) in self.trees.iter().enumerate().zip(&mut factors) {
-                let brightness = 1.0 / tree.scale()[0];
-                let lamp = self.lamps[index].as_ref();
-                match lamp.and_then(|lamp| walk.lamp(index, lamp, brightness, tolerance)) {
-                    Some(whole) => *factor = whole,
-                    None => walk.add(index, tree, tolerance, std::slice::from_mut(factor)),
-                }
-                level += *factor / tree.scale()[0];
+        let add = |walk: &mut Walk, index: usize, tolerance: f64, factor: &mut [f64]| {
+            let tree = &self.trees[index];
+            let lamp = self.lamps[index].as_ref();
+            match lamp.and_then(|lamp| walk.lamp(index, lamp, 1.0 / tree.scale()[0], tolerance)) {
+                Some(whole) => factor[0] = whole,
+                None => walk.add(index, tree, tolerance, factor),
             }
-            (factors, level)
         };
         if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
-            return sum(&mut walk, 0.0).0;
+            let mut factors = vec![0.0; self.trees.len()];
+            let each = factors.chunks_exact_mut(1).enumerate();
+            each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));
+            return factors;
         }
-        walk.to_share(&self.trees, PER_CELL * self.eps, other, sum)
+        let level =
+            |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
+        walk.to_share(&self.trees, [PER_CELL * self.eps, other], add, level)
     }
 }

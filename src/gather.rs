@@ -13,7 +13,7 @@ pub mod spot;
 
 use crate::direct::DirectLight;
 use crate::elements::patch::Node;
-use crate::reflection::Reflection;
+use crate::reflection::{self, Reflection};
 use crate::solution::{Band, Place, Solution};
 use crate::view::surroundings::{Site, Surroundings};
 use crate::view::vantage::Vantage;
@@ -48,7 +48,7 @@ impl<'a> Gather<'a> {
             add_indirect(solution, element, node, &mut lit);
             lit
         };
-        let scale = scale(solution);
+        let scale = scales(solution);
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
@@ -65,7 +65,7 @@ impl<'a> Gather<'a> {
             let indirect = reflection.irradiance(&vantage, &around[element], &lit);
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
         };
-        let scale = scale(solution);
+        let scale = scales(solution);
         let reflection = Reflection::new(list, &coatings, visibility, &lit, scale, eps);
         Self { direct, reflection }
     }
@@ -98,14 +98,10 @@ impl<'a> Gather<'a> {
     }
 }
 
-/// Mean radiosity of each band over the scene, reflected and emitted; 1 where nothing shines.
-fn scale(solution: &Solution) -> Vec<f64> {
-    let list = solution.elements().list();
-    let area: f64 = list.iter().map(|element| element.area).sum();
+/// Mean radiosity of each band over the scene, reflected and emitted.
+fn scales(solution: &Solution) -> Vec<f64> {
     let mean = |band: &Band| {
-        let constants = list.iter().flat_map(|element| &element.constant);
-        let reflected: f64 = constants.zip(&band.coefficients.radiosity).map(|(c, b)| c * b).sum();
-        if reflected > 0.0 { reflected / area } else { 1.0 }
+        reflection::scale(solution.elements().list(), band.coefficients.radiosity.iter().copied())
     };
     solution.bands().iter().map(mean).collect()
 }

@@ -33,6 +33,7 @@ mod obstruction;
 mod pair;
 pub mod paper;
 mod parts;
+mod planar;
 mod planes;
 mod product;
 mod reach;

@@ -24,6 +24,15 @@ const PER_CELL: f64 = 1.0;
 /// What arrives: the irradiance (W m⁻²) per band at a node of an element.
 pub type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
+/// Mean over the scene of a radiosity (W m⁻²) by its coefficients in the orthonormal bases, element by element: the scale by
+/// which errors are judged. 1 where nothing shines.
+pub fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) -> f64 {
+    let area: f64 = elements.iter().map(|element| element.area).sum();
+    let constants = elements.iter().flat_map(|element| &element.constant);
+    let power: f64 = constants.zip(radiosity).map(|(c, b)| c * b).sum();
+    if power > 0.0 { power / area } else { 1.0 }
+}
+
 /// The radiosity that reflecting elements send.
 #[derive(Debug)]
 pub struct Reflection<'a> {
@@ -55,7 +64,7 @@ impl<'a> Reflection<'a> {
             };
             Tree::new(&elements[*element], &scale, eps, &field)
         };
-        let trees = reflecting.par_iter().map(tree).collect();
+        let trees = reflecting.par_iter().with_max_len(1).map(tree).collect();
         Self { visibility, trees, scale, eps }
     }
 
@@ -68,14 +77,21 @@ impl<'a> Reflection<'a> {
     /// judged against both.
     pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        walk.to_share(&self.trees, PER_CELL * self.eps, self.relative(other), |walk, tolerance| {
-            let mut sum = vec![0.0; self.scale.len()];
-            for (index, tree) in self.trees.iter().enumerate() {
-                walk.add(index, tree, tolerance, &mut sum);
-            }
-            let level = self.relative(&sum);
-            (sum, level)
-        })
+        let shares = [PER_CELL * self.eps, self.relative(other)];
+        let add = |walk: &mut Walk, index: usize, tolerance: f64, out: &mut [f64]| {
+            walk.add(index, &self.trees[index], tolerance, out);
+        };
+        let parts = walk.to_share(&self.trees, shares, add, |parts| self.relative(&self.sum(parts)));
+        self.sum(&parts)
+    }
+
+    /// Sum over elements, of values per band.
+    fn sum(&self, parts: &[f64]) -> Vec<f64> {
+        let mut sum = vec![0.0; self.scale.len()];
+        for part in parts.chunks_exact(sum.len()) {
+            sum.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        sum
     }
 
     /// Mean of the bands, each in multiples of its scale.

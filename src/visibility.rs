@@ -7,6 +7,8 @@
 //! segment is tested against the candidates alone.
 
 mod ball;
+pub mod lambert;
+pub mod pyramid;
 pub mod exact;
 mod bodies;
 pub mod net;
@@ -19,8 +21,8 @@ use serde::{Deserialize, Serialize};
 use crate::scene::Scene;
 use ball::Ball;
 use bodies::{Bodies, Face};
-use exact::Pyramid;
 use net::Net;
+use pyramid::Pyramid;
 
 /// A segment may touch surfaces within this part of its length at both ends; and those that the ends lie on.
 const END: f64 = 1e-9;

@@ -64,15 +64,19 @@ fn shape(k: usize) -> Box<dyn Surface> {
     }
 }
 
-fn teapot(random: &mut Random) -> Scene {
+/// The patches of the teapot.
+fn patches() -> Vec<Box<dyn Surface>> {
     let data: serde_json::Value =
         serde_json::from_str(include_str!("../tests/data/teapot.json")).expect("the table");
     let number = |k: usize, axis: usize| data["vertices"][k][axis].as_f64().expect("a number");
     let point = |k: usize| DVec3::new(number(k, 0), number(k, 1), number(k, 2));
     let index = |p: usize, k: usize| data["patches"][p][k].as_u64().expect("an index") as usize;
     let net = |p: usize| std::array::from_fn(|i| std::array::from_fn(|j| point(index(p, 4 * i + j))));
-    let surfaces =
-        (0..32).map(|p| Box::new(Bezier::new(net(p)).expect("a patch")) as Box<dyn Surface>).collect();
+    (0..32).map(|p| Box::new(Bezier::new(net(p)).expect("a patch")) as Box<dyn Surface>).collect()
+}
+
+fn teapot(random: &mut Random) -> Scene {
+    let surfaces = patches();
     let rays = (0..RAYS)
         .map(|_| Ray::segment(5.0 * random.direction(), random.vector(-2.0, 2.0) + DVec3::Z))
         .collect();
@@ -197,8 +201,49 @@ fn ratios(rays: &[Ray], ways: &[Way]) {
     }
 }
 
+/// A ray, by the numbers of the two patches that it joins.
+type Joint = (usize, usize, Ray);
+
+/// Segments between points of the teapot that face each other, half of them of one patch: what shadows on curved surfaces ask
+/// for.
+fn joints(surfaces: &[Box<dyn Surface>], random: &mut Random) -> Vec<Joint> {
+    let mut joints = Vec::new();
+    while joints.len() < RAYS {
+        let mut patch = || (random.between(0.0, 32.0) as usize).min(31);
+        let (a, b) = (patch(), patch());
+        let b = if joints.len() % 2 == 0 { a } else { b };
+        let [x, y] = [a, b].map(|k| surfaces[k].jet(random.between(-1.0, 1.0), random.between(-1.0, 1.0)));
+        let d = y.position - x.position;
+        if d.dot(x.normal) > 0.0 && d.dot(y.normal) < 0.0 {
+            joints.push((a, b, Ray { range: [1e-6, 1.0 - 1e-6], ..Ray::segment(x.position, y.position) }));
+        }
+    }
+    joints
+}
+
+/// Whether patches hide their own points from each other, and what a third patch hides.
+fn own_shadows(c: &mut Criterion, random: &mut Random) {
+    let surfaces = patches();
+    let joints = joints(&surfaces, random);
+    let own = |(a, b, ray): &Joint| surfaces[*a].occludes(ray) || a != b && surfaces[*b].occludes(ray);
+    let third = |(a, b, ray): &Joint| {
+        let others = (0..32).filter(|k| k != a && k != b);
+        others.filter(|k| surfaces[*k].occludes(ray)).count() > 0
+    };
+    let mut group = c.benchmark_group("points of the teapot");
+    group
+        .throughput(Throughput::Elements(RAYS as u64))
+        .sample_size(10)
+        .measurement_time(Duration::from_secs(2));
+    let hidden = |way: &dyn Fn(&Joint) -> bool| black_box(&joints).iter().filter(|joint| way(joint)).count();
+    group.bench_function("own patches", |b| b.iter(|| hidden(&own)));
+    group.bench_function("the 30 others", |b| b.iter(|| hidden(&third)));
+    println!("hidden by own patches: {}, by others: {}", hidden(&own), hidden(&third));
+}
+
 fn rays(c: &mut Criterion) {
     let mut random = Random(1);
+    own_shadows(c, &mut random);
     compare(c, "teapot", &teapot(&mut random));
     compare(c, "10000 mixed surfaces", &mixed(&mut random));
 }

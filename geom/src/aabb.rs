@@ -41,7 +41,13 @@ impl Aabb {
     /// The box moved outwards by `margin` on every side.
     #[must_use]
     pub fn inflate(self, margin: f64) -> Aabb {
-        Aabb { min: self.min - DVec3::splat(margin), max: self.max + DVec3::splat(margin) }
+        self.inflate_each(DVec3::splat(margin))
+    }
+
+    /// The box moved outwards by `margins` along each coordinate.
+    #[must_use]
+    pub(crate) fn inflate_each(self, margins: DVec3) -> Aabb {
+        Aabb { min: self.min - margins, max: self.max + margins }
     }
 
     /// Whether the box has no points.

@@ -4,9 +4,9 @@
 //! on one side and C on the other, C hides nothing between A and B. A plane of normal d separates exactly if
 //! d · w ≥ 0 for all differences w = c − x, c ∈ C, x ∈ A ∪ B. These half-spaces meet in a convex cone of
 //! directions, looked at through the six faces of the cube |d|_∞ = 1: on each face the cone is a convex
-//! polygon, found by clipping the face by every half-space. What is left over, however thin, holds a
-//! separating direction. Touching hulls leave a cone of no width, so each half-space is moved outwards by the
-//! tolerance: d · w ≥ −τ.
+//! polygon. It is found by clipping the face by the half-space that the middle of what is left misses by most, until
+//! that misses none, and separates, or nothing is left. Touching hulls leave a cone of no width, so each half-space is
+//! moved outwards by the tolerance: d · w ≥ −τ.
 
 use glam::DVec3;
 
@@ -14,7 +14,8 @@ use glam::DVec3;
 /// plane exists that neither reaches across by more than `tolerance` (a length). Touching counts as
 /// separated.
 ///
-/// Meant for the few corners of patches and boxes; the cost grows with |c| · (|a| + |b|).
+/// Meant for the few corners of patches and boxes: a few clips as a rule, each after a look at all points, and never more
+/// than |c| · (|a| + |b|) for a face.
 pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool {
     let splits = |d: DVec3| d != DVec3::ZERO && gap(a, b, c, d) >= -tolerance * d.length();
     let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
@@ -23,7 +24,7 @@ pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool 
     if splits(towards) || axes.into_iter().any(|d| splits(d) || splits(-d)) {
         return true;
     }
-    (0..6).any(|face| direction_on(face, a, b, c, tolerance).is_some_and(splits))
+    (0..6).any(|face| direction_on(face, [a, b, c], tolerance).is_some_and(splits))
 }
 
 /// The width of the slab of normal `d` with A ∪ B below and C above, times |d|; negative where they overlap.
@@ -34,19 +35,30 @@ fn gap(a: &[DVec3], b: &[DVec3], c: &[DVec3], d: DVec3) -> f64 {
 }
 
 /// A direction within one face of the cube of directions that separates, if there is one.
-fn direction_on(face: usize, a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> Option<DVec3> {
+fn direction_on(face: usize, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> Option<DVec3> {
     let mut cone = cube_face(face);
     let mut next = Vec::with_capacity(16);
-    for &y in c {
-        for &x in a.iter().chain(b) {
-            clip_cone(&cone, y - x, tolerance, &mut next);
-            std::mem::swap(&mut cone, &mut next);
-            if cone.is_empty() {
-                return None;
-            }
+    let middle = |cone: &[DVec3]| cone.iter().sum::<DVec3>() / cone.len() as f64;
+    for _ in 0..c.len() * (a.len() + b.len()) {
+        let d = middle(&cone);
+        let (top, x) = farthest(a.iter().chain(b), d)?;
+        let (bottom, y) = farthest(c, -d)?;
+        if top + bottom <= tolerance {
+            return Some(d);
+        }
+        clip_cone(&cone, y - x, tolerance, &mut next);
+        std::mem::swap(&mut cone, &mut next);
+        if cone.is_empty() {
+            return None;
         }
     }
-    Some(cone.iter().sum::<DVec3>() / cone.len() as f64)
+    Some(middle(&cone))
+}
+
+/// The point farthest along `d`, and d times it.
+fn farthest<'a>(points: impl IntoIterator<Item = &'a DVec3>, d: DVec3) -> Option<(f64, DVec3)> {
+    let farther = |best: (f64, DVec3), other: (f64, DVec3)| if other.0 > best.0 { other } else { best };
+    points.into_iter().map(|x| (d.dot(*x), *x)).reduce(farther)
 }
 
 /// The square |d|_∞ = 1 with one coordinate fixed to +1 (faces 0-2) or −1 (faces 3-5).

@@ -12,10 +12,7 @@ pub(crate) struct Slabs {
 
 impl Slabs {
     pub(crate) fn new(ray: &Ray) -> Slabs {
-        // A huge inverse instead of an infinite one: 0 · ∞ must not arise for rays within a slab's plane.
-        let invert = |x: f64| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x };
-        let d = ray.direction;
-        Slabs { origin: ray.origin, inverse: DVec3::new(invert(d.x), invert(d.y), invert(d.z)) }
+        Slabs { origin: ray.origin, inverse: inverted(ray.direction) }
     }
 
     /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays
@@ -27,6 +24,12 @@ impl Slabs {
         let exit = a.max(b).min_element().min(end);
         (entry <= exit).then_some(entry)
     }
+}
+
+/// One over each coordinate: a huge number instead of an infinite one, as 0 · ∞ must not arise for rays within a slab's
+/// plane.
+pub(crate) fn inverted(direction: DVec3) -> DVec3 {
+    direction.map(|x| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x })
 }
 
 #[cfg(test)]

@@ -136,23 +136,35 @@ fn refine_area<S: Surface + ?Sized>(surface: &S, rect: &Rect, whole: f64, depth:
     quarters.iter().zip(parts).map(|(quarter, part)| refine_area(surface, quarter, part, depth + 1)).sum()
 }
 
-/// Parameters to start descents from: the middles of 10 × 10 cells, which keep off poles and seams, nearest
+/// Descents of a search for the nearest point.
+const DESCENTS: usize = 6;
+
+/// Parameters to start descents from: the nearest of the middles of 10 × 10 cells, which keep off poles and seams, nearest
 /// first.
 fn seeds<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Vec<(f64, [f64; 2])> {
     let middle = |k: usize| (k as f64 + 0.5) / 5.0 - 1.0;
     let grid = (0..100).map(|k| [middle(k % 10), middle(k / 10)]);
     let distance = |[u, v]: [f64; 2]| surface.jet(u, v).position.distance_squared(point);
     let mut seeds: Vec<(f64, [f64; 2])> = grid.map(|at| (distance(at), at)).collect();
-    seeds.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let nearer = |a: &(f64, [f64; 2]), b: &(f64, [f64; 2])| {
+        let [(d, [u, v]), (e, [s, t])] = [*a, *b];
+        d.total_cmp(&e).then(v.total_cmp(&t)).then(u.total_cmp(&s))
+    };
+    seeds.select_nth_unstable_by(DESCENTS, nearer);
+    seeds.truncate(DESCENTS);
+    seeds.sort_unstable_by(nearer);
     seeds
 }
 
+/// Points as near as this part of the surface's extent lie on it.
+const ON_SURFACE: f64 = 1e-12;
+
 /// The best of a few descents: several, since about a pole the nearest seed may lie on the wrong side of the
 /// seam.
-fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
-    let near = 1e-12 * surface.bounds(&Rect::FULL).diagonal();
+pub(crate) fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
+    let near = ON_SURFACE * surface.bounds(&Rect::FULL).diagonal();
     let mut best = Foot { u: 0.0, v: 0.0, distance: f64::INFINITY };
-    for (_, start) in seeds(surface, point).into_iter().take(6) {
+    for (_, start) in seeds(surface, point) {
         let foot = descend(surface, point, start);
         if foot.distance < best.distance {
             best = foot;
@@ -162,6 +174,13 @@ fn nearest_foot<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Foot {
         }
     }
     best
+}
+
+/// The foot of a point that lies on the surface, by one descent from the middle of the parameters; None where that does not
+/// find it.
+pub(crate) fn foot_from_middle<S: Surface + ?Sized>(surface: &S, point: DVec3) -> Option<Foot> {
+    let foot = descend(surface, point, [0.0; 2]);
+    (foot.distance <= ON_SURFACE * surface.bounds(&Rect::FULL).diagonal()).then_some(foot)
 }
 
 /// Minimises |X(u, v) − point| from `start` by damped Gauss–Newton steps kept within the domain.

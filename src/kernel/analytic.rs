@@ -24,6 +24,7 @@ use radiosity_geom::DVec3;
 const CLOSEST: f64 = 1.0 + 1e-9;
 
 /// Greater half axis of the ellipse of 1/|c + x d|⁴ on [0, 1], which ϱ grows with; infinite where it is constant.
+#[inline]
 pub(super) fn half_axis(c: DVec3, d: DVec3) -> f64 {
     let dd = d.length_squared();
     if dd == 0.0 {

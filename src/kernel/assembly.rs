@@ -22,6 +22,7 @@ use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
 use super::obstruction::Obstruction;
+use super::planar;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
 use super::rough::Rough;
@@ -37,6 +38,10 @@ const VISIBLE_SHARE: f64 = 0.1;
 /// A block that something may stand in may be wrong by the accuracy of shadows times this part of the largest entry of
 /// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
 const SHADOWED_ROW_SHARE: f64 = 0.25;
+
+/// A block whose shadows are found by outlines may be wrong by their accuracy times this part of the largest view factor from
+/// either element: errors of a few blocks of one row may add up.
+const FACTOR_SHARE: f64 = 0.5;
 
 /// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.
 const NEAR_ROUGHNESS: f64 = 3.0;
@@ -281,8 +286,9 @@ impl Scene<'_> {
 
     /// What each task has to reach.
     fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
-        let least = self.largest(tasks, |task| task.entries[0]);
-        let rough = self.largest(tasks, |task| task.rough);
+        let least = self.largest(tasks, |task, _| task.entries[0]);
+        let rough = self.largest(tasks, |task, _| task.rough);
+        let factors = self.largest(tasks, |task, pair| task.rough * self.factor_scale(pair));
         let goal = |task: &Task| {
             let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
             let least = ROW_SHARE * of_rows(&least);
@@ -292,6 +298,7 @@ impl Scene<'_> {
             if task.blockers.is_empty() && task.own.is_empty() {
                 return Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, outlined: None };
             }
+            let shaded = row.min(FACTOR_SHARE * self.tolerable(task, &factors));
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
             let [roughness, most] =
@@ -299,7 +306,7 @@ impl Scene<'_> {
             let factor = (shadowed / (roughness * task.rough)).min(most);
             let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
             if self.has_outlines(task) {
-                let error = accuracy.shadow_eps * row.max(task.rough);
+                let error = accuracy.shadow_eps * shaded;
                 let outlined = Some(Limit { error, entry: task.rough });
                 return Goal { accuracy, bent: accuracy, least, row, unseen, outlined };
             }
@@ -319,15 +326,29 @@ impl Scene<'_> {
             && self.visibility.has_outlines(&task.blockers)
     }
 
-    /// The largest `entry` of the tasks in each row.
-    fn largest(&self, tasks: &[Task], entry: impl Fn(&Task) -> f64) -> Vec<f64> {
+    /// The largest `entry` of the tasks in each row, of a task and the pair (element of the row, other element).
+    fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {
-            for element in [task.row, task.column] {
-                rows[element as usize] = rows[element as usize].max(entry(task));
+            let [row, column] = [task.row, task.column].map(|index| index as usize);
+            for pair in [[row, column], [column, row]] {
+                rows[pair[0]] = rows[pair[0]].max(entry(task, pair));
             }
         }
         rows
+    }
+
+    /// √(A_j / A_i): what an entry of G between constants counts in the view factor F_ij.
+    fn factor_scale(&self, [own, other]: [usize; 2]) -> f64 {
+        (self.list[other].area / self.list[own].area).sqrt()
+    }
+
+    /// The largest that the first entry of a task may be for no view factor in either row to exceed the largest of that row, as
+    /// `factors` has them: a small error of a block is a large one of the view factors from a small element to a large one.
+    fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
+        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);
+        entry([row, column]).min(entry([column, row]))
     }
 
     /// Finds the tasks that are equal to an earlier one and need the same accuracy.
@@ -388,7 +409,7 @@ impl Scene<'_> {
         let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => block::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
+            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
             false => self.curved_block(task, blockers, goal),
         };
         match goal.outlined {

@@ -119,10 +119,10 @@ fn least_half_axis(lines: &[[DVec3; 2]]) -> f64 {
     if let [[start, end]] = lines {
         return analytic::half_axis(*start, end - start);
     }
-    let between = |pair: &[[DVec3; 2]], place: f64| [0, 1].map(|end| pair[0][end].lerp(pair[1][end], place));
-    let at = |place: &f64| {
-        let lines: Lines = lines.chunks_exact(2).map(|pair| between(pair, *place)).collect();
-        least_half_axis(&lines)
+    let between = |a: &[DVec3; 2], b: &[DVec3; 2], place: f64| [0, 1].map(|end| a[end].lerp(b[end], place));
+    let at = |place: &f64| match lines {
+        [a, b, c, d] => least_half_axis(&[between(a, b, *place), between(c, d, *place)]),
+        _ => least_half_axis(&[between(&lines[0], &lines[1], *place)]),
     };
     PLACES.iter().map(at).fold(f64::INFINITY, f64::min)
 }

@@ -44,6 +44,9 @@ const LOOSEST: f64 = 0.05;
 /// By how much two levels may differ, in multiples of what the finer one may be wrong by.
 const AGREED: f64 = 2.5;
 
+/// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
+const SURE: usize = 2;
+
 /// What is asked of a block.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Limit {
@@ -79,6 +82,28 @@ impl Shade {
             work.visit(patch, blockers, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
         }
         work.finish()
+    }
+}
+
+/// What is hidden from a cell of the outer element.
+struct Sum {
+    /// Moments.
+    values: Vec<f64>,
+    /// What all its points have in common.
+    shadow: Shadow,
+}
+
+/// How much is hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shadow {
+    Nothing,
+    Part,
+    Everything,
+}
+
+impl Shadow {
+    fn and(self, other: Self) -> Self {
+        if self == other { self } else { Self::Part }
     }
 }
 
@@ -145,14 +170,7 @@ impl<'a> Work<'a> {
     }
 
     /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
-    fn visit(
-        &mut self,
-        cell: &Patch,
-        blockers: &[usize],
-        coarse: Option<Vec<f64>>,
-        limit: f64,
-        depth: usize,
-    ) {
+    fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
         let blockers = self.visibility.narrow(blockers, &cell.hull(), &self.hull);
         if blockers.is_empty() {
             self.dark = false;
@@ -160,16 +178,19 @@ impl<'a> Work<'a> {
         }
         let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers));
         let parts = parts(cell);
-        let sums: Vec<Vec<f64>> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
-        let fine = |k: usize| sums.iter().map(|sum| sum[k]).sum::<f64>();
-        let difference = (0..coarse.len()).map(|k| (coarse[k] - fine(k)).abs()).fold(0.0, f64::max);
-        let difference = difference * self.unit;
+        let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
+        let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
+        let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
+        let difference = differences.fold(0.0, f64::max) * self.unit;
         // The first two levels, of few points, may agree by chance.
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
-        if difference <= agreed || depth == 0 {
+        let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
+        let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
+        if (difference <= agreed && is_sure) || depth == 0 {
             self.error += if difference <= agreed { 0.0 } else { difference };
+            let entries = self.outer.basis.len() * self.inner.basis.len();
             for sum in &sums {
-                self.moments.add_raw(sum, false, 0);
+                self.moments.add_raw(&sum.values[..entries], false, 0);
             }
             return;
         }
@@ -179,43 +200,58 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's.
-    fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Vec<f64> {
+    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. Behind them, where the outer functions are
+    /// constant, those with its two coordinates: one number may be the same on two levels by chance, three hardly are.
+    fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Sum {
         let (own, other) = (self.outer.basis.len(), self.inner.basis.len());
-        let (mut sum, mut left, mut right) = (vec![0.0; own * other], vec![0.0; own], vec![0.0; other]);
+        let witnesses = if own == 1 { 2 * other } else { 0 };
+        let (mut sum, mut shadow) = (vec![0.0; own * other + witnesses], None);
+        let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
         let rule = UnitRule::of(self.points);
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let x = cell.node(s, t);
             right.fill(0.0);
-            if !self.hidden(&x, blockers, &mut right) {
+            let found = self.hidden(&x, blockers, &mut right);
+            shadow = Some(shadow.map_or(found, |other| found.and(other)));
+            if found == Shadow::Nothing {
                 continue;
             }
-            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            let coordinates = self.outer.basis.frame().coordinates(&x);
+            self.outer.basis.raw(coordinates, &mut left);
             let weight = ws * wt * x.area;
             let (rows, columns) = match self.side {
                 Side::Receiver => (&left, &right),
                 Side::Emitter => (&right, &left),
             };
-            for (row, l) in sum.chunks_exact_mut(columns.len()).zip(rows) {
+            let (moments, witnesses) = sum.split_at_mut(own * other);
+            for (row, l) in moments.chunks_exact_mut(columns.len()).zip(rows) {
                 row.iter_mut().zip(columns).for_each(|(value, r)| *value += weight * l * r);
             }
+            for (row, place) in witnesses.chunks_exact_mut(other).zip(coordinates) {
+                row.iter_mut().zip(&right).for_each(|(value, r)| *value += weight * left[0] * place * r);
+            }
         }
-        sum
+        Sum { values: sum, shadow: shadow.unwrap_or(Shadow::Nothing) }
     }
 
-    /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; whether anything is.
-    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> bool {
+    /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; how much that is.
+    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
         let pyramids = self.visibility.pyramids(blockers, x.position);
-        let mut any = false;
+        let (mut any, mut everything) = (false, true);
         for index in 0..self.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };
             let (hidden, all) = inside_any(&polygon, &pyramids);
-            self.dark &= all;
+            everything &= all;
             any |= !hidden.is_empty();
             hidden.iter().for_each(|polygon| self.gather(x, polygon, out));
         }
+        self.dark &= everything;
         self.hides |= any;
-        any
+        match (any, everything) {
+            (false, _) => Shadow::Nothing,
+            (true, true) => Shadow::Everything,
+            (true, false) => Shadow::Part,
+        }
     }
 
     /// The part of a polygon of the inner element that a point would see with nothing in between.
@@ -260,17 +296,20 @@ impl<'a> Work<'a> {
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
         let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
-        for ((s, ws), (t, wt)) in first.iter().flat_map(|s| second.iter().map(move |t| (s, t))) {
-            let y = a + (b - a) * s + ((d - a) * (1.0 - s) + (c - b) * s) * t;
-            let offset = y - x.position;
-            let square = offset.length_squared();
-            // The area element is linear in s and t.
-            let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
-            let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
-            basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
-            out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
-            self.samples += 1;
+        for (s, ws) in first.iter() {
+            let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
+            for (t, wt) in second.iter() {
+                let y = start + across * t;
+                let offset = y - x.position;
+                let square = offset.length_squared();
+                // The area element is linear in s and t.
+                let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
+                let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
+                basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
+                out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
+            }
         }
+        self.samples += (first.nodes.len() * second.nodes.len()) as u64;
     }
 }
 

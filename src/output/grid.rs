@@ -57,6 +57,9 @@ impl Default for Rates {
     }
 }
 
+/// Most cells handed out to a thread at once: cells in shadow take many times as long as others.
+const AT_ONCE: usize = 8;
+
 /// The means over `cells` = [along u, along v] of every surface, v running fastest; `progress` hears (cells done, cells in
 /// all), from any thread.
 ///
@@ -72,7 +75,7 @@ pub fn grid(
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
     let rects: Vec<Rect> = cells_of(cells).collect();
     let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
-    let all = (0..total).into_par_iter().map(|place| {
+    let all = (0..total).into_par_iter().with_max_len(AT_ONCE).map(|place| {
         let (surface, k) = (place / rects.len(), place % rects.len());
         let integrals = Integrals::over(reader, surface, &rects[k], rates);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);

@@ -18,6 +18,9 @@ use crate::visibility::Visibility;
 /// Accuracy of recomputed light in pictures, relative: finer than eight bits of colour show.
 const GATHERED: f64 = 3e-3;
 
+/// Most rows handed out to a thread at once: rows of one picture take very different times.
+const AT_ONCE: usize = 4;
+
 /// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
 ///
 /// The pixels hold radiosity, W m⁻² (radiance times π), in the bands of the solution.
@@ -35,6 +38,7 @@ pub fn render(
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<Seen>> = (0..camera.height)
         .into_par_iter()
+        .with_max_len(AT_ONCE)
         .map(|row| {
             let pixels = (0..camera.width).map(|column| pixel(&eye, &view, [column, row], samples));
             let pixels = pixels.collect();

@@ -13,6 +13,7 @@ use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::visibility::pyramid::Quad;
 
 /// Length over breadth above which a curved cell is only cut across.
 const LONG: f64 = 2.0;
@@ -37,6 +38,8 @@ pub struct Cell {
     pub hull: SmallVec<[DVec3; 4]>,
     /// The Gauss points; the area of each is its part of the cell's.
     pub nodes: [Node; POINTS],
+    /// Their places, component by component.
+    pub lanes: [[f64; POINTS]; 3],
     /// The field at each point, channel after channel.
     values: SmallVec<[f64; 12]>,
     /// Places and normals at the corners of a curved cell and at its Gauss points.
@@ -45,6 +48,8 @@ pub struct Cell {
     pub center: DVec3,
     /// Radius of the ball around the middle that holds the hull.
     pub radius: f64,
+    /// Its corners and the radius around their mean, where its hull is that of four points or fewer.
+    pub quad: Option<(Quad, f64)>,
     /// Largest mean over the scale.
     pub brightness: f64,
     /// Largest difference from the mean over the scale.
@@ -75,6 +80,7 @@ impl Cell {
             Node { area: node.area * weights[k / 2] * weights[k % 2], ..node }
         };
         let nodes: [Node; POINTS] = std::array::from_fn(node);
+        let lanes = [0, 1, 2].map(|axis| nodes.map(|node| node.position[axis]));
         let mut facets = Vec::new();
         if !patch.is_flat() {
             facets.extend(nodes.iter().map(|node| (node.position, node.normal)));
@@ -85,6 +91,7 @@ impl Cell {
             facets.iter().enumerate().flat_map(|(k, a)| facets[..k].iter().map(move |b| a.1.dot(b.1)));
         let bend = pairs.fold(1.0, f64::min);
         let is_straight = patch.is_flat() || (bend > LEVEL && hull[..] == patch.corners());
+        let quad = is_straight.then(|| Quad::new(patch.corners())).map(|quad| (quad, quad.radius()));
         let warp = if radius > 0.0 { patch.sagitta() / radius } else { 0.0 };
         Self {
             patch,
@@ -92,10 +99,12 @@ impl Cell {
             quarters: OnceLock::new(),
             hull,
             nodes,
+            lanes,
             facets,
             values: SmallVec::new(),
             center,
             radius,
+            quad,
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,

@@ -12,8 +12,8 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::view::screen::{Screen, TOUCHING};
 use crate::view::silhouette::{Crossing, outline};
-use crate::visibility::exact::Pyramid;
 use crate::visibility::net::{Net, Quad, Region};
+use crate::visibility::pyramid::Pyramid;
 
 /// Gaps and overlaps of this part of the screen are none.
 const NONE: f64 = 1e-9;

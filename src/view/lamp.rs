@@ -22,6 +22,7 @@ use radiosity_geom::{DVec2, DVec3, Surface};
 
 use crate::view::screen::Screen;
 use crate::visibility::Visibility;
+use crate::visibility::lambert;
 use crate::visibility::net::{Knot, Net};
 
 /// Steps towards a silhouette on the edge of a quad.
@@ -205,16 +206,11 @@ impl<'a> Lamp<'a> {
 
 /// Irradiance at `eye` with unit normal `normal` from within an outline of exitance 1 that lies above the horizon.
 pub fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
-    let sum: f64 = sides
-        .iter()
-        .map(|side| {
-            let [a, b] = side.map(|y| y - eye);
-            let cross = a.cross(b);
-            let sine = cross.length();
-            // A side seen end on subtends no angle.
-            if sine > 0.0 { sine.atan2(a.dot(b)) * normal.dot(cross) / sine } else { 0.0 }
-        })
-        .sum();
+    let seen = |side: &Side| {
+        let [u, v] = side.map(|y| (y - eye).normalize_or_zero());
+        lambert::side(normal, u, v)
+    };
+    let sum: f64 = sides.iter().map(seen).sum();
     sum.abs() / TAU
 }
 

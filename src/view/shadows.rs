@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use radiosity_geom::{Aabb, DVec3, separated};
+use smallvec::{SmallVec, smallvec};
 
 use crate::view::cell::Cell;
 use crate::view::facets::Facets;
@@ -11,7 +12,7 @@ use crate::view::screen::Screen;
 use crate::view::surroundings::Surroundings;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{Cover, Pyramid};
+use crate::visibility::pyramid::{Cover, Pyramid};
 
 /// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
 const ENDS: f64 = 1e-9;
@@ -24,11 +25,12 @@ pub struct Shadows<'a> {
     surroundings: &'a Surroundings,
     blockers: Vec<Blocker>,
     /// The blockers of each obstacle of the surroundings, once they were asked for.
-    of_obstacle: Vec<Option<Range<usize>>>,
+    of_obstacle: SmallVec<[Option<Range<usize>>; 8]>,
     /// Stack of the blockers in question, by index: those of a cell lie above those of the cell it is a quarter of.
-    asked: Vec<usize>,
+    asked: SmallVec<[usize; 32]>,
 }
 
+#[expect(clippy::large_enum_variant, reason = "most are flat, and made for one point: boxes would cost more")]
 enum Blocker {
     /// A convex planar polygon.
     Flat(Pyramid),
@@ -53,8 +55,8 @@ impl Before {
 impl<'a> Shadows<'a> {
     /// Of `vantage`, a point of the site that `surroundings` belong to.
     pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
-        let of_obstacle = vec![None; surroundings.obstacles.len()];
-        Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: Vec::new() }
+        let of_obstacle = smallvec![None; surroundings.obstacles.len()];
+        Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
     }
 
     /// Whether no obstacle is curved.
@@ -62,10 +64,18 @@ impl<'a> Shadows<'a> {
         self.surroundings.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
-    /// Empties the stack and puts the blockers of some obstacles of the surroundings on it, by their places there.
-    pub fn ask(&mut self, places: &[usize]) -> Before {
+    /// Empties the stack and puts on it the blockers of some obstacles of the surroundings, by their places there, that may
+    /// hide something of what lies within `bounds`.
+    pub fn ask(&mut self, places: &[usize], bounds: &Aabb) -> Before {
         self.asked.clear();
         for place in places {
+            // Making a shadow costs more than a look whether it is needed.
+            if self.of_obstacle[*place].is_none() {
+                let (surface, radius) = (self.surroundings.obstacles[*place], 0.5 * bounds.diagonal());
+                if self.visibility.is_apart(surface, self.vantage.position, bounds.center(), radius) {
+                    continue;
+                }
+            }
             let blockers = self.blockers_of(*place);
             self.asked.extend(blockers);
         }
@@ -89,10 +99,10 @@ impl<'a> Shadows<'a> {
     }
 
     /// What a planar surface hides, or the convex body that it is a face of: seen from inside, its faces one by one.
-    fn pyramids_over(&self, surface: usize) -> Vec<Pyramid> {
+    fn pyramids_over(&self, surface: usize) -> SmallVec<[Pyramid; 1]> {
         let x = self.vantage.position;
         if let Some(whole) = self.visibility.shadow_of_body(surface, x) {
-            return vec![whole];
+            return smallvec![whole];
         }
         let faces = self.visibility.faces(&surface).iter().filter_map(|face| self.visibility.pieces(*face));
         let pieces = faces.flatten().filter(|piece| !self.vantage.is_above(piece));
@@ -160,7 +170,10 @@ impl<'a> Shadows<'a> {
         for place in above.start..above.end {
             let blocker = self.asked[place];
             let cover = match &self.blockers[blocker] {
-                Blocker::Flat(pyramid) => pyramid.cover(&cell.hull, cell.center, cell.radius),
+                Blocker::Flat(pyramid) => match &cell.quad {
+                    Some((quad, radius)) => pyramid.cover_of_quad(quad, *radius),
+                    None => pyramid.cover(&cell.hull, cell.center, cell.radius),
+                },
                 Blocker::Curved(surface) => self.curved_cover(*surface, cell),
             };
             match cover {

@@ -9,7 +9,7 @@ use crate::elements::Element;
 use crate::view::tree::Tree;
 use crate::visibility::Visibility;
 
-/// Heights below this part of the distance count as none.
+/// Heights below this part of the scene's extent count as none.
 const FLAT: f64 = 1e-9;
 
 /// A point or a small piece of surface that receives light.
@@ -47,8 +47,14 @@ impl Surroundings {
     pub fn new(visibility: &Visibility, trees: &[Tree], site: &Site) -> Self {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
-        let rises = |hull: &[DVec3]| horizon.is_none_or(|normal| reaches_above(hull, site, normal));
         let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
+        let flat = FLAT * everywhere.diagonal();
+        let ground = horizon.map(|normal| (normal, lowest(site, normal) + flat));
+        let rises =
+            |hull: &[DVec3]| ground.is_none_or(|(normal, low)| hull.iter().any(|x| x.dot(normal) > low));
+        let is_before = |points: &[DVec3], tree: &Tree| {
+            tree.plane.is_none_or(|(point, normal)| points.iter().any(|x| (x - point).dot(normal) > flat))
+        };
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
         let within = |tree: &Tree| surface == Some(tree.surface) && visibility.is_hollow(tree.surface);
@@ -58,19 +64,21 @@ impl Surroundings {
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
         let mut places = Vec::new();
         let ranges = trees.iter().map(|tree| {
-            let in_sight = tree.plane.is_none_or(|(point, normal)| reaches_above(site, &[point], normal));
-            if !in_sight || !rises(&tree.bounds.corners()) {
+            let sinks = ground.is_some_and(|(normal, low)| highest(&tree.bounds, normal) <= low);
+            if sinks || !is_before(site, tree) {
                 return None;
             }
             let shaft = around.union(tree.bounds);
             let stands = |place: &usize| {
                 let hull = visibility.hull(obstacles[*place]);
-                let before =
-                    || tree.plane.is_none_or(|(point, normal)| reaches_above(hull, &[point], normal));
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
                 let itself = obstacles[*place] == tree.surface && within(tree);
                 let touches = || is_of_body(obstacles[*place], tree.surface);
-                reaches && before() && !itself && !own(obstacles[*place], tree.surface) && !touches()
+                reaches
+                    && is_before(hull, tree)
+                    && !itself
+                    && !own(obstacles[*place], tree.surface)
+                    && !touches()
             };
             let start = places.len();
             places.extend((0..obstacles.len()).filter(stands));
@@ -110,13 +118,12 @@ impl Surroundings {
     }
 }
 
-/// Whether any of `points` lies above the plane of normal `normal` through any of `base`.
-fn reaches_above(points: &[DVec3], base: &[DVec3], normal: DVec3) -> bool {
-    points.iter().any(|p| {
-        base.iter().any(|b| {
-            let offset = p - b;
-            let height = offset.dot(normal);
-            height > 0.0 && height * height > FLAT * FLAT * offset.length_squared()
-        })
-    })
+/// The least of points along a direction.
+fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
+    points.iter().map(|x| x.dot(direction)).fold(f64::INFINITY, f64::min)
+}
+
+/// The greatest of a box along a direction.
+fn highest(bounds: &Aabb, direction: DVec3) -> f64 {
+    (bounds.min * direction).max(bounds.max * direction).element_sum()
 }

@@ -3,7 +3,8 @@
 use radiosity_geom::{DVec3, clip_polygon};
 
 use crate::view::surroundings::Site;
-use crate::visibility::exact::{Pyramid, visible_irradiance};
+use crate::visibility::exact::visible_irradiance;
+use crate::visibility::pyramid::Pyramid;
 
 /// Heights below this part of the distance count as on the horizon.
 const ON_HORIZON: f64 = 1e-12;

@@ -1,9 +1,10 @@
 //! The walk from a point over the cells of elements.
 
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
 
 use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 use crate::elements::patch::Node;
 use crate::kernel::kernel;
@@ -120,26 +121,39 @@ impl<'a> Walk<'a> {
         self.shadows.all_flat()
     }
 
-    /// The irradiance from all of `trees`, those of the surroundings, as `sum` takes it from [`Walk::add`] with a given
-    /// tolerance: `share` of the irradiance, about which `other` comes on top, in multiples of the scales.
+    /// The irradiance from each of `trees`, those of the surroundings, channel after channel, as `add` adds that from one with a
+    /// given tolerance: `share` of the irradiance from all, about which `other` comes on top, in multiples of the scales.
+    /// `level` tells the irradiance in the same multiples.
     ///
-    /// The irradiance is not known beforehand. A sum is taken again, finer, where it turns out to be much less than it might
-    /// have been and cells were taken too coarsely for that.
-    pub fn to_share<T>(
+    /// The irradiance is not known beforehand. Where it turns out to be much less than it might have been, trees are walked
+    /// again, finer, of which cells were taken too coarsely for that.
+    pub fn to_share(
         &mut self,
         trees: &[Tree],
-        share: f64,
-        other: f64,
-        sum: impl Fn(&mut Self, f64) -> (T, f64),
-    ) -> T {
+        [share, other]: [f64; 2],
+        add: impl Fn(&mut Self, usize, f64, &mut [f64]),
+        level: impl Fn(&[f64]) -> f64,
+    ) -> Vec<f64> {
         let bound: f64 = trees.iter().enumerate().map(|(index, tree)| self.bound(index, tree)).sum();
-        let (first, found) = sum(self, share * (other + bound));
-        let level = (other + found).max(LEAST * bound);
-        if level < DARK * (other + bound) && self.coarsest > share * level {
-            self.visited = 0;
-            return sum(self, share * level).0;
+        let channels = trees.first().map_or(1, |tree| tree.scale().len());
+        let mut parts = vec![0.0; trees.len() * channels];
+        let mut coarsest: SmallVec<[f64; 64]> = SmallVec::new();
+        for (index, part) in parts.chunks_exact_mut(channels).enumerate() {
+            self.coarsest = 0.0;
+            add(self, index, share * (other + bound), part);
+            coarsest.push(self.coarsest);
         }
-        first
+        let level = (other + level(&parts)).max(LEAST * bound);
+        if level < DARK * (other + bound) {
+            self.visited = 0;
+            for (index, part) in parts.chunks_exact_mut(channels).enumerate() {
+                if coarsest[index] > share * level {
+                    part.fill(0.0);
+                    add(self, index, share * level, part);
+                }
+            }
+        }
+        parts
     }
 
     /// About the most that can arrive from element `index`, in multiples of the scales.
@@ -163,7 +177,7 @@ impl<'a> Walk<'a> {
         if self.is_out_of_sight(index, tree) {
             return;
         }
-        let before = self.shadows.ask(places);
+        let before = self.shadows.ask(places, &tree.bounds);
         let own = self.vantage.surface == Some(tree.surface);
         let deepest = match (own, tree.plane) {
             (true, _) => OWN_DEPTH,
@@ -223,7 +237,10 @@ impl<'a> Walk<'a> {
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
-            self.coarsest = self.coarsest.max(estimate.error.min(pass.tolerance));
+            // Lines are only as good as the tolerance.
+            let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));
+            let error = if by_points { estimate.error.min(pass.tolerance) } else { pass.tolerance };
+            self.coarsest = self.coarsest.max(error);
             let weights = match estimate.error.is_finite() {
                 true => estimate.weights,
                 false => self.seen(pass, cell, estimate.weights, before),
@@ -418,12 +435,31 @@ impl<'a> Walk<'a> {
     /// Weights of the Gauss rule with the kernel, whatever stands between.
     fn weights(&self, cell: &Cell) -> [f64; POINTS] {
         let Vantage { position, normal, ground, .. } = *self.vantage;
+        if ground.is_none() && cell.is_flat() {
+            return self.weights_of_flat(cell);
+        }
         let here = Node { position, normal, area: 1.0, parameters: Default::default() };
         let under = |y: &Node| ground.is_some_and(|ground| (y.position - position).dot(ground) <= 0.0);
         std::array::from_fn(|k| {
             let there = &cell.nodes[k];
             if under(there) { 0.0 } else { there.area * kernel(&here, there) }
         })
+    }
+
+    /// The same of a flat cell: its points have one normal, and are taken side by side.
+    fn weights_of_flat(&self, cell: &Cell) -> [f64; POINTS] {
+        let Vantage { position, normal, .. } = *self.vantage;
+        let (out, [x, y, z]) = (cell.nodes[0].normal, &cell.lanes);
+        let mut weights = [0.0; POINTS];
+        for (k, weight) in weights.iter_mut().enumerate() {
+            let [dx, dy, dz] = [x[k] - position.x, y[k] - position.y, z[k] - position.z];
+            let arriving = normal.x * dx + normal.y * dy + normal.z * dz;
+            let leaving = -(out.x * dx + out.y * dy + out.z * dz);
+            let square = dx * dx + dy * dy + dz * dz;
+            let value = cell.nodes[k].area * (arriving * leaving * FRAC_1_PI / (square * square));
+            *weight = if arriving > 0.0 && leaving > 0.0 { value } else { 0.0 };
+        }
+        weights
     }
 
     fn seen(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: Before) -> [f64; POINTS] {

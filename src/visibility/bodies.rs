@@ -19,7 +19,7 @@ use radiosity_geom::{Aabb, DVec3};
 use smallvec::SmallVec;
 
 use super::ball::Ball;
-use super::exact::Pyramid;
+use super::pyramid::Pyramid;
 
 /// Heights below this part of the distance, or of the scene's size, count as none.
 const FLAT: f64 = 1e-9;

@@ -1,13 +1,7 @@
 //! Direct light of a uniform planar emitter at a point, exact with planar blockers.
 //!
-//! Lambert's closed form: a polygon of exitance 1 with corners v_k in front of the horizon of x gives
-//!
-//! ```text
-//! E(x) = 1/(2π) | Σ_k θ_k n·(a_k × a_{k+1}) / |a_k × a_{k+1}| | ,   a_k = v_k − x ,   θ_k = ∠(a_k, a_{k+1})
-//! ```
-//!
-//! What a convex polygon hides of another from x is the part inside the pyramid from x over its edges, beyond its
-//! plane. With C₁, C₂, … what the blockers hide, and F the form of a polygon outside all of them,
+//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says ([`super::lambert`]). What a convex polygon hides of another
+//! from x is the part inside a pyramid ([`super::pyramid`]). With C₁, C₂, … what the blockers hide, and F the form of a polygon outside all of them,
 //!
 //! ```text
 //! F(P; C₁, C₂, …) = F(P; C₂, …) − F(P ∩ C₁; C₂, …) ,
@@ -16,75 +10,14 @@
 //! so that a single blocker costs two polygons. Where many overlap, P \ C₁ is cut into convex pieces instead, plane after
 //! plane of the pyramid. Either way overlapping shadows count once.
 
-use core::f64::consts::TAU;
-use core::iter;
-
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-/// Points within this part of their distance from a bounding plane count as touching it.
-const TOUCHING: f64 = 1e-9;
-
-/// Points within this part of their distance from a plane that cuts a polygon count as lying on it.
-const ON_PLANE: f64 = 1e-12;
+use super::lambert;
+use super::pyramid::{Corners, Cover, Pyramid, cut_at_horizon};
 
 /// Overlapping blockers up to which what they hide in common is subtracted and added.
 const FEW: usize = 4;
-
-/// Corners of a convex polygon as seen from a point, which is the origin.
-type Corners = SmallVec<[DVec3; 8]>;
-
-/// A number for each of them.
-type Heights = SmallVec<[f64; 8]>;
-
-/// The half-space a·inward > depth of what is seen from a point.
-#[derive(Clone, Copy, Debug)]
-struct Plane {
-    /// Unit normal.
-    inward: DVec3,
-    depth: f64,
-}
-
-impl Plane {
-    fn height(&self, a: DVec3) -> f64 {
-        a.dot(self.inward) - self.depth
-    }
-
-    /// Heights of the corners of a polygon; zero where rounding decides.
-    fn heights(&self, polygon: &[DVec3]) -> Heights {
-        let reach = polygon.iter().map(|a| a.length_squared()).fold(0.0, f64::max).sqrt();
-        let height = |a: &DVec3| {
-            let h = self.height(*a);
-            if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
-        };
-        polygon.iter().map(height).collect()
-    }
-
-    /// Leaves the part inside of a convex polygon; nothing where it merely touches the plane.
-    fn cut(&self, polygon: &mut Corners) {
-        let heights = self.heights(polygon);
-        if !heights.iter().any(|h| *h > 0.0) {
-            polygon.clear();
-        } else if heights.iter().any(|h| *h < 0.0) {
-            *polygon = kept(polygon, heights.iter().copied());
-        }
-    }
-}
-
-/// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
-fn kept(polygon: &[DVec3], heights: impl Iterator<Item = f64> + Clone) -> Corners {
-    let mut kept = Corners::new();
-    let before = polygon.iter().zip(heights.clone()).cycle().skip(polygon.len() - 1);
-    for ((a, h), (previous, height)) in polygon.iter().zip(heights).zip(before) {
-        if height * h < 0.0 {
-            kept.push(previous.lerp(*a, height / (height - h)));
-        }
-        if h >= 0.0 {
-            kept.push(*a);
-        }
-    }
-    kept
-}
 
 /// Irradiance at `x` with unit normal `n` from a convex planar polygon of exitance 1, wholly visible; what lies behind the
 /// horizon is left out.
@@ -103,7 +36,7 @@ pub fn visible_irradiance<'a>(
     if corners.iter().all(|a| a.dot(n) >= 0.0) {
         return outside(n, &corners, pyramids);
     }
-    Plane { inward: n, depth: 0.0 }.cut(&mut corners);
+    cut_at_horizon(n, &mut corners);
     outside(n, &corners, pyramids)
 }
 
@@ -117,36 +50,18 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
             Cover::Mixed => mixed.push(pyramid),
         }
     }
-    let Some((first, rest)) = mixed.split_first() else { return lambert(n, polygon) };
+    let Some((first, rest)) = mixed.split_first() else { return lambert::polygon(n, polygon) };
     let rest = || rest.iter().copied();
     if mixed.len() > FEW {
         return first.divided(polygon).0.iter().map(|part| outside(n, part, rest())).sum();
     }
-    let mut hidden = Corners::from_slice(polygon);
-    first.planes.iter().for_each(|plane| plane.cut(&mut hidden));
-    (outside(n, polygon, rest()) - outside(n, &hidden, rest())).max(0.0)
-}
-
-/// Lambert's sum along the sides of a polygon above the horizon.
-fn lambert(n: DVec3, polygon: &[DVec3]) -> f64 {
-    let Some(mut a) = polygon.last().copied() else { return 0.0 };
-    let mut sum = 0.0;
-    for &b in polygon {
-        let cross = a.cross(b);
-        let sine = cross.length();
-        // A side seen end on subtends no angle.
-        if sine > 0.0 {
-            sum += sine.atan2(a.dot(b)) * n.dot(cross) / sine;
-        }
-        a = b;
-    }
-    sum.abs() / TAU
+    (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
 /// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons that do not
 /// overlap; and whether that is all of it.
 pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, bool) {
-    let Some(&Pyramid { eye, .. }) = pyramids.first() else { return (Vec::new(), false) };
+    let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
     let back = |part: &[DVec3]| -> Vec<DVec3> { part.iter().map(|a| a + eye).collect() };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
     let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
@@ -171,151 +86,10 @@ pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, 
     (hidden, false)
 }
 
-/// How a set of points stands to what a blocker hides.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Cover {
-    /// Nothing of its convex hull is hidden.
-    Clear,
-    /// All of it is hidden.
-    Hidden,
-    /// Some of it may be.
-    Mixed,
-}
-
-/// The region that a convex polygon hides from a point: inside all of these half-spaces.
-#[derive(Clone, Debug)]
-pub struct Pyramid {
-    eye: DVec3,
-    planes: SmallVec<[Plane; 5]>,
-}
-
-impl Pyramid {
-    /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
-    pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
-        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
-        let normal: DVec3 =
-            polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
-        let normal = normal.normalize_or_zero();
-        let height = (middle - x).dot(normal);
-        if height.abs() <= 1e-9 * middle.distance(x) {
-            return None;
-        }
-        let sides = (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]);
-        Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
-    }
-
-    /// What lies within the planes through `x` and each of `sides`, on the side of `middle`, and beyond each of the planes
-    /// of `beyond`, given by unit normals away from x and distances from it.
-    pub(super) fn bounded(
-        x: DVec3,
-        middle: DVec3,
-        sides: impl Iterator<Item = [DVec3; 2]>,
-        beyond: impl Iterator<Item = (DVec3, f64)>,
-    ) -> Self {
-        let side = |[a, b]: [DVec3; 2]| {
-            let inward = (a - x).cross(b - x).normalize_or_zero();
-            Plane { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
-        };
-        let sides = sides.map(side).filter(|plane| plane.inward != DVec3::ZERO);
-        let beyond = beyond.map(|(inward, depth)| Plane { inward, depth });
-        Self { eye: x, planes: sides.chain(beyond).collect() }
-    }
-
-    /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
-    /// bounding plane lies outside it.
-    pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
-        let middle = center - self.eye;
-        // Planes that cross the ball.
-        let mut open: SmallVec<[&Plane; 9]> = SmallVec::new();
-        for plane in &self.planes {
-            let height = plane.height(middle);
-            if height <= -radius {
-                return Cover::Clear;
-            }
-            if height < radius {
-                open.push(plane);
-            }
-        }
-        if open.is_empty() {
-            return Cover::Hidden;
-        }
-        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        cover_by(open.into_iter(), &seen)
-    }
-
-    /// How the convex hull of `points` stands to what it hides.
-    pub fn cover_of(&self, points: &[DVec3]) -> Cover {
-        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        self.cover_seen(&seen)
-    }
-
-    /// The same of points as seen from the eye.
-    fn cover_seen(&self, points: &[DVec3]) -> Cover {
-        cover_by(self.planes.iter(), points)
-    }
-
-    /// Whether it hides the point `y`.
-    pub fn hides(&self, y: DVec3) -> bool {
-        self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
-    }
-
-    /// The s between which it hides the points `start` + s `along` of a line.
-    pub fn shadow_on(&self, start: DVec3, along: DVec3) -> Option<[f64; 2]> {
-        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
-        for plane in &self.planes {
-            let (height, slope) = (plane.height(start - self.eye), along.dot(plane.inward));
-            if slope > 0.0 {
-                low = low.max(-height / slope);
-            } else if slope < 0.0 {
-                high = high.min(-height / slope);
-            } else if height <= 0.0 {
-                return None;
-            }
-        }
-        (low < high).then_some([low, high])
-    }
-
-    /// What it leaves of a convex polygon, as convex polygons, and what it hides.
-    fn divided(&self, polygon: &[DVec3]) -> (SmallVec<[Corners; 5]>, Corners) {
-        let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
-        let mut inside = Corners::from_slice(polygon);
-        for plane in &self.planes {
-            let heights = plane.heights(&inside);
-            if heights.iter().any(|h| *h < 0.0) {
-                parts.push(kept(&inside, heights.iter().map(|h| -h)));
-                plane.cut(&mut inside);
-            }
-        }
-        parts.retain(|part| part.len() > 2);
-        (parts, inside)
-    }
-}
-
-/// How the convex hull of points stands to the half-spaces of some planes together.
-fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3]) -> Cover {
-    let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
-    let tolerance = TOUCHING * reach.sqrt();
-    let mut cover = Cover::Hidden;
-    for plane in planes {
-        let (low, high) = range(points.iter().map(|a| plane.height(*a)));
-        if high <= tolerance {
-            return Cover::Clear;
-        }
-        if low < -tolerance {
-            cover = Cover::Mixed;
-        }
-    }
-    cover
-}
-
-/// The least and the greatest.
-fn range(values: impl Iterator<Item = f64>) -> (f64, f64) {
-    values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use core::f64::consts::TAU;
     use proptest::prelude::*;
     use radiosity_geom::clip_polygon;
 

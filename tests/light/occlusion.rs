@@ -259,8 +259,7 @@ fn nothing_leaks_between_touching_boxes() {
         [("joined", joined), ("apart", pair(square(2.0 + 1e-3, 1.0))), ("edge", pair(square(2.0, 2.0)))]
     {
         let quads = [room([4.0, 3.5, 3.0]), boxes].concat();
-        // By default to the accuracy of shadows, a part of the largest entry of a row.
-        for (hiding, eps, most) in [(Hiding::Auto, 1e-3, 3e-3), (Hiding::Exact, 1e-4, 1e-3)] {
+        for (hiding, eps, most) in [(Hiding::Auto, 1e-3, 1e-3), (Hiding::Exact, 1e-4, 1e-3)] {
             let found = closure(&factors(&quads, hiding, eps));
             assert!(found <= most, "{name}, {hiding:?}: {found:e}");
         }

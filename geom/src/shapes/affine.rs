@@ -50,9 +50,17 @@ impl Affine {
         t.is_finite().then_some((t, u, v))
     }
 
-    /// The foot on the plane, its parameters clamped to [−1, 1].
-    pub(super) fn foot(&self, point: DVec3) -> Foot {
-        let [u, v] = self.parameters(point).map(|w| w.clamp(-1.0, 1.0));
-        Foot { u, v, distance: self.point(u, v).distance(point) }
+    /// The nearest point over [−1, 1]²: the foot on the plane, or the best on the four sides of a skew parallelogram.
+    pub(super) fn nearest(&self, point: DVec3) -> Foot {
+        let foot = |[u, v]: [f64; 2]| Foot { u, v, distance: self.point(u, v).distance(point) };
+        let [u, v] = self.parameters(point);
+        if u.abs() <= 1.0 && v.abs() <= 1.0 {
+            return foot([u, v]);
+        }
+        let along = |start: DVec3, d: DVec3| ((point - start).dot(d) / d.length_squared()).clamp(-1.0, 1.0);
+        let sides = [-1.0, 1.0].into_iter().flat_map(|side| {
+            [[along(self.point(0.0, side), self.du), side], [side, along(self.point(side, 0.0), self.dv)]]
+        });
+        sides.map(foot).min_by(|a, b| a.distance.total_cmp(&b.distance)).expect("four sides")
     }
 }

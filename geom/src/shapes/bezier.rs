@@ -8,15 +8,16 @@
 //! Ray: seen along it, the control points form a planar net, whose zeros are bracketed.
 
 use super::check_finite;
-use super::net::{Tile, cast, check_area, jet, part, sample, tiles};
+use super::net::{check_area, jet, part, sample};
+use super::tiles::Tiles;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
 /// A bicubic patch, as in the Utah teapot.
 #[derive(Clone, Debug)]
 pub struct Bezier {
     points: [[DVec3; 4]; 4],
-    tiles: Vec<Tile<DVec3>>,
+    tiles: Tiles<DVec3>,
 }
 
 impl Bezier {
@@ -30,12 +31,7 @@ impl Bezier {
             check_finite("points", *x)?;
         }
         check_area("points", |s, t| sample(&points, s, t))?;
-        Ok(Bezier { points, tiles: tiles(&points, |x| x) })
-    }
-
-    fn cast(&self, ray: &Ray, any: bool) -> Option<Hit> {
-        let seen = |x: DVec3, across: [DVec3; 2]| DVec2::from_array(across.map(|e| (x - ray.origin).dot(e)));
-        cast(&self.tiles, ray, any, |x| x, seen)
+        Ok(Bezier { points, tiles: Tiles::new(&points) })
     }
 }
 
@@ -54,11 +50,11 @@ impl Surface for Bezier {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        self.cast(ray, false)
+        self.tiles.nearest(ray)
     }
 
     fn occludes(&self, ray: &Ray) -> bool {
-        self.cast(ray, true).is_some()
+        self.tiles.any(ray)
     }
 }
 

@@ -15,7 +15,8 @@
 use super::check_finite;
 use crate::region::PLANARITY;
 use crate::roots::quadratic;
-use crate::{Aabb, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::surface::{foot_from_middle, nearest_foot};
+use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// A four-cornered patch of straight rulings both ways; planar convex quadrilaterals included.
@@ -102,6 +103,11 @@ impl Surface for Bilinear {
 
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
+    }
+
+    /// What lies on the patch lies there once, and a descent from anywhere finds it.
+    fn project(&self, point: DVec3) -> Foot {
+        foot_from_middle(self, point).unwrap_or_else(|| nearest_foot(self, point))
     }
 }
 

@@ -1,12 +1,9 @@
-//! What bicubic patches share: values of 4 × 4 control nets, normals at collapsed edges, and rays cast at
-//! them tile by tile.
+//! What bicubic patches share: values of 4 × 4 control nets, their parts, and normals at collapsed edges.
 
 use super::fold::{places, turns_back};
 use crate::bernstein::{Coefficient, combine, restrict, weights};
-use crate::slabs::Slabs;
-use crate::zeros::zeros;
-use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError};
-use glam::{DVec2, DVec3};
+use crate::{Jet, Rect, ShapeError};
+use glam::DVec3;
 
 /// A value with its derivatives by s, by t, and by both, s, t ∈ [0, 1].
 #[derive(Clone, Copy)]
@@ -20,9 +17,12 @@ pub(super) struct Sample<T> {
 /// The tensor-product cubic with coefficients `net[i][j]`, i along s.
 pub(super) fn sample<T: Coefficient>(net: &[[T; 4]; 4], s: f64, t: f64) -> Sample<T> {
     let (ws, wt) = (weights(s), weights(t));
-    let rows = net.each_ref().map(|row| combine(row, &wt, t));
-    let (value, by_s) = combine(&rows.map(|row| row.0), &ws, s);
-    let (by_t, by_st) = combine(&rows.map(|row| row.1), &ws, s);
+    let (mut values, mut slopes) = ([net[0][0]; 4], [net[0][0]; 4]);
+    for (row, (value, slope)) in net.iter().zip(values.iter_mut().zip(&mut slopes)) {
+        (*value, *slope) = combine(row, &wt, t);
+    }
+    let (value, by_s) = combine(&values, &ws, s);
+    let (by_t, by_st) = combine(&slopes, &ws, s);
     Sample { value, by_s, by_t, by_st }
 }
 
@@ -64,65 +64,6 @@ pub(super) fn part<T: Coefficient>(net: &[[T; 4]; 4], rect: &Rect) -> [[T; 4]; 4
     let rows = net.each_ref().map(|row| restrict(row, t[0], t[1]));
     let columns: [[T; 4]; 4] = std::array::from_fn(|j| restrict(&rows.map(|row| row[j]), s[0], s[1]));
     std::array::from_fn(|i| columns.map(|column| column[i]))
-}
-
-/// One of the 4 × 4 equal parts a patch is cut into, in its parameters, to look for rays only where they
-/// pass.
-#[derive(Clone, Debug)]
-pub(super) struct Tile<T> {
-    net: [[T; 4]; 4],
-    bounds: Aabb,
-    /// Lowest u and v.
-    corner: [f64; 2],
-}
-
-/// Tiles along each parameter.
-const TILES: usize = 4;
-
-/// The tiles of a patch; `point` makes a control point of a coefficient.
-pub(super) fn tiles<T: Coefficient>(net: &[[T; 4]; 4], point: impl Fn(T) -> DVec3) -> Vec<Tile<T>> {
-    let width = 2.0 / TILES as f64;
-    let tile = |k: usize| {
-        let corner = [(k / TILES) as f64 * width - 1.0, (k % TILES) as f64 * width - 1.0];
-        let [u, v] = corner.map(|w| [w, w + width]);
-        let net = part(net, &Rect { u, v });
-        let bounds = Aabb::around(net.as_flattened().iter().map(|x| point(*x)));
-        // Room for seams and rounding.
-        Tile { net, bounds: bounds.inflate(1e-8 * bounds.diagonal()), corner }
-    };
-    (0..TILES * TILES).map(tile).collect()
-}
-
-/// The nearest hit, or with `any` the first one found. `point` makes a point of a coefficient; `seen` a
-/// multiple of its place across the ray's direction, given two unit vectors across it.
-pub(super) fn cast<T: Coefficient>(
-    tiles: &[Tile<T>],
-    ray: &Ray,
-    any: bool,
-    point: impl Fn(T) -> DVec3,
-    seen: impl Fn(T, [DVec3; 2]) -> DVec2,
-) -> Option<Hit> {
-    let (slabs, width) = (Slabs::new(ray), 2.0 / TILES as f64);
-    let across: [DVec3; 2] = ray.direction.normalize().any_orthonormal_pair().into();
-    let mut best: Option<Hit> = None;
-    for tile in tiles {
-        let end = best.map_or(ray.range[1], |hit| hit.t);
-        if slabs.entry(&tile.bounds, ray.range[0], end).is_none() {
-            continue;
-        }
-        let net = tile.net.map(|row| row.map(|x| seen(x, across)));
-        zeros(&net, Hit::SEAM / width, |s, t| {
-            let position = point(sample(&tile.net, s, t).value);
-            let along = (position - ray.origin).dot(ray.direction) / ray.direction.length_squared();
-            let hit = Hit::accept(ray, along, tile.corner[0] + s * width, tile.corner[1] + t * width);
-            best = hit.map_or(best, |hit| Hit::nearer(best, hit));
-            any && hit.is_some()
-        });
-        if any && best.is_some() {
-            break;
-        }
-    }
-    best
 }
 
 /// Refuses a patch whose normals all vanish, and a flat one that turns back on itself.

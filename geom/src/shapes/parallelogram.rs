@@ -58,22 +58,8 @@ impl Surface for Parallelogram {
     }
 
     fn project(&self, point: DVec3) -> Foot {
-        nearest_in_parallelogram(&self.map, point)
+        self.map.nearest(point)
     }
-}
-
-/// The nearest point: the foot itself, or the best on the four sides of a skew parallelogram.
-fn nearest_in_parallelogram(map: &Affine, point: DVec3) -> Foot {
-    let [u, v] = map.parameters(point);
-    if u.abs() <= 1.0 && v.abs() <= 1.0 {
-        return map.foot(point);
-    }
-    let along = |start: DVec3, d: DVec3| ((point - start).dot(d) / d.length_squared()).clamp(-1.0, 1.0);
-    let sides = [-1.0, 1.0].into_iter().flat_map(|side| {
-        [[along(map.point(0.0, side), map.du), side], [side, along(map.point(side, 0.0), map.dv)]]
-    });
-    let feet = sides.map(|[u, v]| Foot { u, v, distance: map.point(u, v).distance(point) });
-    feet.min_by(|a, b| a.distance.total_cmp(&b.distance)).expect("four sides")
 }
 
 #[cfg(test)]

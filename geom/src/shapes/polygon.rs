@@ -6,7 +6,7 @@
 //! of equals is taken. Front by the right-hand rule of the outline. Area by Newell's formula, less the holes.
 
 use super::affine::Affine;
-use crate::{Aabb, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
+use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::{DVec2, DVec3};
 
 /// A polygon in a plane, with or without holes.
@@ -51,6 +51,10 @@ impl Surface for Polygon {
 
     fn region(&self) -> Option<&PlanarRegion> {
         Some(&self.region)
+    }
+
+    fn project(&self, point: DVec3) -> Foot {
+        self.map.nearest(point)
     }
 }
 

@@ -6,17 +6,18 @@
 //!
 //! Ray: the numerators of the coordinates across the ray form a planar polynomial net with the same zeros.
 
-use super::net::{Sample, Tile, cast, check_area, jet, part, sample, tiles};
+use super::net::{Sample, check_area, jet, part, sample};
+use super::tiles::Tiles;
 use super::{check_finite, check_positive};
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
-use glam::{DVec2, DVec3, DVec4};
+use glam::{DVec3, DVec4};
 
 /// A rational bicubic patch: spheres, cylinders and cones among them.
 #[derive(Clone, Debug)]
 pub struct Rational {
     /// w P and w.
     weighted: [[DVec4; 4]; 4],
-    tiles: Vec<Tile<DVec4>>,
+    tiles: Tiles<DVec4>,
 }
 
 impl Rational {
@@ -35,15 +36,7 @@ impl Rational {
             std::array::from_fn(|j| (weights[i][j] * points[i][j]).extend(weights[i][j]))
         });
         check_area("points", |s, t| divide(sample(&weighted, s, t)))?;
-        Ok(Rational { weighted, tiles: tiles(&weighted, project) })
-    }
-
-    fn cast(&self, ray: &Ray, any: bool) -> Option<Hit> {
-        let seen = |x: DVec4, across: [DVec3; 2]| {
-            let from = x.truncate() - x.w * ray.origin;
-            DVec2::from_array(across.map(|e| from.dot(e)))
-        };
-        cast(&self.tiles, ray, any, project, seen)
+        Ok(Rational { weighted, tiles: Tiles::new(&weighted) })
     }
 }
 
@@ -62,11 +55,11 @@ impl Surface for Rational {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        self.cast(ray, false)
+        self.tiles.nearest(ray)
     }
 
     fn occludes(&self, ray: &Ray) -> bool {
-        self.cast(ray, true).is_some()
+        self.tiles.any(ray)
     }
 }
 

@@ -210,3 +210,25 @@ fn observers_see_what_the_report_keeps() {
         assert_eq!(report.iterations + 1, seen.len(), "{}", method.name);
     }
 }
+
+#[test]
+fn a_residual_that_rises_and_then_falls_slowly_is_not_stuck() {
+    // Six walls that see each other alike and reflect all but 10⁻⁵, one of them lit: column sums are 1 − ρ.
+    let rho = 1.0 - 1e-5;
+    let partition = Random(1).partition(6, 1);
+    let a = matrix(partition, true, |i, j| if i == j { 1.0 } else { -0.2 * rho });
+    let b: Vec<f64> = (0..6).map(|i| if i == 0 { 0.0 } else { 0.2 * rho }).collect();
+    let settings = Settings { max_iterations: 10_000_000, ..Settings::default() };
+    for name in ["gauss-seidel", "jacobi", "southwell"] {
+        let method = Method::named(name).unwrap();
+        let mut x = vec![0.0; 6];
+        let report = method.solver.solve(&a, &b, &mut x, &settings, &mut |_| ()).unwrap();
+        assert!(
+            report.residual <= settings.tolerance && report.iterations > 1000,
+            "{name}: {}",
+            report.iterations
+        );
+        let [kept, given] = [(1.0 - rho) * x.iter().sum::<f64>(), b.iter().sum()];
+        assert!((kept - given).abs() <= 10.0 * settings.tolerance, "{name}: {kept} of {given}");
+    }
+}

@@ -1,0 +1,92 @@
+//! Lambert's form: the irradiance from a polygon of exitance 1, along its sides.
+//!
+//! ```text
+//! E = 1/(2π) | Σ_k θ_k n·(u_k × u_{k+1}) / sin θ_k | ,     u_k = a_k/|a_k| ,   cos θ_k = u_k·u_{k+1} ,
+//! ```
+//!
+//! with a_k the corners seen from the point. θ/sin θ is analytic in y = sin² θ/2 = (1 − cos θ)/2 but for y = 1:
+//!
+//! ```text
+//! θ/sin θ = asin √y / √(y (1 − y)) = Σ_k 4ᵏ (k!)²/(2k + 1)! yᵏ .
+//! ```
+//!
+//! Up to 60°, where y ≤ ¼, a polynomial of degree 13 through its values at Chebyshev's points of [0, ¼] errs by 5e-17, as its
+//! next singularity lies seven half widths from the middle. From there to 120°
+//!
+//! ```text
+//! θ/sin θ = (θ/2)/sin(θ/2) / cos(θ/2) ,     cos θ/2 = √((1 + cos θ)/2) .
+//! ```
+//!
+//! Beyond, where 1 + cos θ cancels, the angle is taken from sine and cosine.
+
+use core::f64::consts::TAU;
+
+use radiosity_geom::DVec3;
+
+/// Coefficients of the polynomial, in pairs of an even and an odd power.
+const SERIES: [[f64; 2]; 7] = [
+    [0.999_999_999_999_999_96, 0.666_666_666_666_732_2],
+    [0.533_333_333_316_350_1, 0.457_142_858_871_963_4],
+    [0.406_349_114_763_685_2, 0.369_411_264_931_380_3],
+    [0.340_933_293_249_351_9, 0.319_072_287_622_392_4],
+    [0.291_800_580_741_102_7, 0.335_112_561_753_491],
+    [0.035_139_155_368_524_88, 0.977_655_558_002_273_1],
+    [-1.113_286_127_178_430_6, 1.553_779_429_309_343_7],
+];
+
+/// Irradiance from a polygon above the horizon of unit normal `n`, its corners as seen from the point.
+pub(super) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
+    let Some(last) = corners.last() else { return 0.0 };
+    let (mut sum, mut u) = (0.0, last.normalize_or_zero());
+    for corner in corners {
+        let v = corner.normalize_or_zero();
+        sum += side(n, u, v);
+        u = v;
+    }
+    sum.abs() / TAU
+}
+
+/// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, as long as its angle is told from 180°; zero for a side
+/// that is seen end on.
+pub fn side(n: DVec3, u: DVec3, v: DVec3) -> f64 {
+    let (cross, cosine) = (u.cross(v), u.dot(v));
+    let rise = n.dot(cross);
+    if cosine >= 0.5 {
+        return rise * series(cosine);
+    }
+    if cosine >= -0.5 {
+        let half = (0.5 + 0.5 * cosine).sqrt();
+        return rise * series(half) / half;
+    }
+    let sine = cross.length();
+    if sine > 0.0 { rise * sine.atan2(cosine) / sine } else { 0.0 }
+}
+
+/// θ/sin θ for cos θ ≥ ½.
+#[inline]
+fn series(cosine: f64) -> f64 {
+    let y = 0.5 - 0.5 * cosine;
+    let square = y * y;
+    let [even, odd] = SERIES
+        .iter()
+        .rev()
+        .fold([0.0; 2], |[even, odd], pair| [even * square + pair[0], odd * square + pair[1]]);
+    even + y * odd
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratio_of_angle_and_sine_is_met_to_rounding() {
+        for k in 1..3000 {
+            let angle = 1e-3 * f64::from(k) * std::f64::consts::FRAC_PI_3;
+            let v = DVec3::new(angle.cos(), angle.sin(), 0.0);
+            let error = (side(DVec3::Z, DVec3::X, v) / angle - 1.0).abs();
+            assert!(error < 2e-15, "{angle}: {error:e}");
+        }
+        assert_eq!(side(DVec3::Z, DVec3::X, DVec3::X), 0.0);
+        assert_eq!(side(DVec3::Z, DVec3::X, -DVec3::X), 0.0);
+    }
+}

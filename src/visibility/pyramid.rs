@@ -1,0 +1,312 @@
+//! What a convex polygon or body hides from a point: a pyramid with the point at its tip, cut off at what hides.
+//!
+//! The planes through the point and the sides of the outline bound it, and the planes of what hides: behind all of them
+//! nothing is seen. A plane is an inequality a·inward > depth of a = y − x. What lies outside of one plane as a whole is clear
+//! of the pyramid, and what lies inside all of them is hidden; a quadrilateral with corners m ± a ± b + (±)(±) c reaches
+//!
+//! ```text
+//! n·m + max(|n·a + n·b| + n·c, |n·a − n·b| − n·c)
+//! ```
+//!
+//! along n, and likewise against it.
+
+use core::iter;
+
+use radiosity_geom::DVec3;
+use smallvec::SmallVec;
+
+/// Points within this part of their distance from a bounding plane count as touching it.
+const TOUCHING: f64 = 1e-9;
+
+/// Points within this part of their distance from a plane that cuts a polygon count as lying on it.
+const ON_PLANE: f64 = 1e-12;
+
+/// Planes of most shadows, of a block as a whole among them.
+const PLANES: usize = 10;
+
+/// Corners of a convex polygon as seen from a point, which is the origin.
+pub(super) type Corners = SmallVec<[DVec3; 8]>;
+
+/// A number for each of them.
+type Heights = SmallVec<[f64; 8]>;
+
+/// The half-space a·inward > depth of what is seen from a point.
+#[derive(Clone, Copy, Debug)]
+struct Plane {
+    /// Unit normal.
+    inward: DVec3,
+    depth: f64,
+}
+
+impl Plane {
+    fn height(&self, a: DVec3) -> f64 {
+        a.dot(self.inward) - self.depth
+    }
+
+    /// Heights of the corners of a polygon within `reach` of the point; zero where rounding decides.
+    fn heights(&self, polygon: &[DVec3], reach: f64) -> Heights {
+        let height = |a: &DVec3| {
+            let h = self.height(*a);
+            if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
+        };
+        polygon.iter().map(height).collect()
+    }
+
+    /// Leaves the part inside of a convex polygon within `reach` of the point; nothing where it merely touches the plane.
+    fn cut(&self, polygon: &mut Corners, reach: f64) {
+        let heights = self.heights(polygon, reach);
+        if !heights.iter().any(|h| *h > 0.0) {
+            polygon.clear();
+        } else if heights.iter().any(|h| *h < 0.0) {
+            *polygon = kept(polygon, &heights);
+        }
+    }
+}
+
+/// The part of a convex polygon above the horizon of unit normal `n`; nothing where it merely touches it.
+pub(super) fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
+    let reach = reach(polygon);
+    Plane { inward: n, depth: 0.0 }.cut(polygon, reach);
+}
+
+/// Largest distance of corners from the point.
+fn reach(polygon: &[DVec3]) -> f64 {
+    let longer =
+        |longest: f64, a: &DVec3| if a.length_squared() > longest { a.length_squared() } else { longest };
+    polygon.iter().fold(0.0, longer).sqrt()
+}
+
+/// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
+fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
+    let mut kept = Corners::new();
+    let last = polygon.len() - 1;
+    let (mut previous, mut height) = (polygon[last], heights[last]);
+    for (a, h) in polygon.iter().zip(heights) {
+        if height * h < 0.0 {
+            kept.push(previous.lerp(*a, height / (height - h)));
+        }
+        if *h >= 0.0 {
+            kept.push(*a);
+        }
+        (previous, height) = (*a, *h);
+    }
+    kept
+}
+
+/// How a set of points stands to what a blocker hides.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cover {
+    /// Nothing of its convex hull is hidden.
+    Clear,
+    /// All of it is hidden.
+    Hidden,
+    /// Some of it may be.
+    Mixed,
+}
+
+/// The corners of a quadrilateral, m ± a ± b + (±)(±) c, of which two may be the same.
+#[derive(Clone, Copy, Debug)]
+pub struct Quad {
+    /// Mean m of the corners.
+    middle: DVec3,
+    /// a, b and c.
+    axes: [DVec3; 3],
+}
+
+impl Quad {
+    /// That of these corners, in order.
+    pub fn new([p, q, r, s]: [DVec3; 4]) -> Self {
+        let axes = [q + r - p - s, r + s - p - q, p + r - q - s].map(|axis| 0.25 * axis);
+        Self { middle: 0.25 * (p + q + r + s), axes }
+    }
+
+    /// How far it reaches from its middle against and along a unit vector.
+    fn reach(&self, n: DVec3) -> [f64; 2] {
+        let [a, b, c] = self.axes.map(|axis| axis.dot(n));
+        let (sum, difference) = ((a + b).abs(), (a - b).abs());
+        let larger = |x: f64, y: f64| if x > y { x } else { y };
+        [larger(sum - c, difference + c), larger(sum + c, difference - c)]
+    }
+
+    /// Distance of the farthest corner from the middle.
+    pub fn radius(&self) -> f64 {
+        let [a, b, c] = self.axes;
+        let corners = [a + b + c, b - a - c, c - a - b, a - b - c];
+        corners.iter().map(|x| x.length_squared()).fold(0.0, f64::max).sqrt()
+    }
+}
+
+/// The region that a convex polygon hides from a point: inside all of these half-spaces.
+#[derive(Clone, Debug)]
+pub struct Pyramid {
+    eye: DVec3,
+    planes: SmallVec<[Plane; PLANES]>,
+}
+
+impl Pyramid {
+    /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
+    pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
+        let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
+        let normal: DVec3 =
+            polygon.windows(2).map(|side| (side[0] - polygon[0]).cross(side[1] - polygon[0])).sum();
+        let normal = normal.normalize_or_zero();
+        let height = (middle - x).dot(normal);
+        if height.abs() <= 1e-9 * middle.distance(x) {
+            return None;
+        }
+        let sides = (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]]);
+        Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
+    }
+
+    /// What lies within the planes through `x` and each of `sides`, on the side of `middle`, and beyond each of the planes
+    /// of `beyond`, given by unit normals away from x and distances from it.
+    pub(super) fn bounded(
+        x: DVec3,
+        middle: DVec3,
+        sides: impl Iterator<Item = [DVec3; 2]>,
+        beyond: impl Iterator<Item = (DVec3, f64)>,
+    ) -> Self {
+        let side = |[a, b]: [DVec3; 2]| {
+            let inward = (a - x).cross(b - x).normalize_or_zero();
+            Plane { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
+        };
+        let sides = sides.map(side).filter(|plane| plane.inward != DVec3::ZERO);
+        let beyond = beyond.map(|(inward, depth)| Plane { inward, depth });
+        Self { eye: x, planes: sides.chain(beyond).collect() }
+    }
+
+    /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
+    /// bounding plane lies outside it.
+    pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
+        let middle = center - self.eye;
+        // Planes that cross the ball, the one first that is the likeliest to leave all points outside.
+        let mut open: SmallVec<[&Plane; PLANES]> = SmallVec::new();
+        let mut lowest = f64::INFINITY;
+        for plane in &self.planes {
+            let height = plane.height(middle);
+            if height <= -radius {
+                return Cover::Clear;
+            }
+            if height < radius {
+                open.push(plane);
+            }
+            if height < lowest.min(radius) {
+                lowest = height;
+                let last = open.len() - 1;
+                open.swap(0, last);
+            }
+        }
+        if open.is_empty() {
+            return Cover::Hidden;
+        }
+        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
+        cover_by(open.into_iter(), &seen)
+    }
+
+    /// Whether it hides a quadrilateral within `radius` of its middle; what merely touches a bounding plane lies outside it.
+    pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
+        let middle = quad.middle - self.eye;
+        let tolerance = TOUCHING * (middle.abs().element_sum() + radius);
+        let mut cover = Cover::Hidden;
+        for plane in &self.planes {
+            let height = plane.height(middle);
+            if height >= radius {
+                continue;
+            }
+            if height <= -radius {
+                return Cover::Clear;
+            }
+            let [below, above] = quad.reach(plane.inward);
+            if height + above <= tolerance {
+                return Cover::Clear;
+            }
+            if height - below < -tolerance {
+                cover = Cover::Mixed;
+            }
+        }
+        cover
+    }
+
+    /// How the convex hull of `points` stands to what it hides.
+    pub fn cover_of(&self, points: &[DVec3]) -> Cover {
+        let seen: Corners = points.iter().map(|y| y - self.eye).collect();
+        self.cover_seen(&seen)
+    }
+
+    /// The same of points as seen from the eye.
+    pub(super) fn cover_seen(&self, points: &[DVec3]) -> Cover {
+        cover_by(self.planes.iter(), points)
+    }
+
+    /// Whether it hides the point `y`.
+    pub fn hides(&self, y: DVec3) -> bool {
+        self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
+    }
+
+    /// The s between which it hides the points `start` + s `along` of a line.
+    pub fn shadow_on(&self, start: DVec3, along: DVec3) -> Option<[f64; 2]> {
+        let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
+        for plane in &self.planes {
+            let (height, slope) = (plane.height(start - self.eye), along.dot(plane.inward));
+            if slope > 0.0 {
+                low = low.max(-height / slope);
+            } else if slope < 0.0 {
+                high = high.min(-height / slope);
+            } else if height <= 0.0 {
+                return None;
+            }
+        }
+        (low < high).then_some([low, high])
+    }
+
+    /// The point at its tip.
+    pub(super) fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
+    /// What it hides of a convex polygon seen from the eye.
+    pub(super) fn hidden_part(&self, polygon: &[DVec3]) -> Corners {
+        let (mut hidden, reach) = (Corners::from_slice(polygon), reach(polygon));
+        self.planes.iter().for_each(|plane| plane.cut(&mut hidden, reach));
+        hidden
+    }
+
+    /// What it leaves of such a polygon, as convex polygons, and what it hides.
+    pub(super) fn divided(&self, polygon: &[DVec3]) -> (SmallVec<[Corners; 5]>, Corners) {
+        let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
+        let mut inside = Corners::from_slice(polygon);
+        let reach = reach(polygon);
+        for plane in &self.planes {
+            let mut heights = plane.heights(&inside, reach);
+            if heights.iter().any(|h| *h < 0.0) {
+                heights.iter_mut().for_each(|h| *h = -*h);
+                parts.push(kept(&inside, &heights));
+                plane.cut(&mut inside, reach);
+            }
+        }
+        parts.retain(|part| part.len() > 2);
+        (parts, inside)
+    }
+}
+
+/// How the convex hull of points stands to the half-spaces of some planes together.
+fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3]) -> Cover {
+    let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
+    let tolerance = TOUCHING * reach.sqrt();
+    let mut cover = Cover::Hidden;
+    for plane in planes {
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for a in points {
+            let height = plane.height(*a);
+            low = if height < low { height } else { low };
+            high = if height > high { height } else { high };
+        }
+        if high <= tolerance {
+            return Cover::Clear;
+        }
+        if low < -tolerance {
+            cover = Cover::Mixed;
+        }
+    }
+    cover
+}
