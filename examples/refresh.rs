@@ -71,8 +71,12 @@ fn places(text: &str) -> Result<Vec<Place>> {
             continue;
         }
         let missing = |what: &str| Error::other(format!("line {}: {mark} has no {what}", k + 1));
-        let end = text.lines().skip(k).position(|line| line.trim() == END);
-        let between = if mark == RUN { None } else { Some([k + 1, k + end.ok_or_else(|| missing("end"))?]) };
+        // An end behind another mark belongs to that.
+        let mut after = text.lines().skip(k + 1).map(str::trim);
+        let end = after.position(|line| [RUN, OUTPUT, SHOWN, END].contains(&line));
+        let end = end.filter(|end| text.lines().nth(k + 1 + end).is_some_and(|line| line.trim() == END));
+        let between =
+            if mark == RUN { None } else { Some([k + 1, k + 1 + end.ok_or_else(|| missing("end"))?]) };
         let command = command.clone().ok_or_else(|| missing("command above it"))?;
         places.push(Place { command, shown: mark == SHOWN, between });
     }
@@ -108,7 +112,7 @@ fn last_command(line: &str) -> Option<String> {
 fn output(command: &str) -> std::result::Result<String, String> {
     eprintln!("{command}");
     let start = Instant::now();
-    let ran = Command::new("sh").args(["-c", command]).stderr(Stdio::inherit()).output();
+    let ran = Command::new("bash").args(["-o", "pipefail", "-c", command]).stderr(Stdio::inherit()).output();
     let done = ran.map_err(|why| format!("'{command}' could not be run: {why}"))?;
     eprintln!("    {:.1} s", start.elapsed().as_secs_f64());
     if !done.status.success() {

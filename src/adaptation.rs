@@ -8,8 +8,9 @@
 //! ```
 //!
 //! since Galerkin solutions are nearly best approximations. So d_k tells the error of the run before. That of run k follows from the
-//! decay of its own coefficients (`estimate`); what transfers and shadows may miss is added. The estimate was within a factor of
-//! three of the error wherever that is known (tests/stress/estimate.rs).
+//! decay of its own coefficients (`estimate`); what transfers and shadows may miss is added. In boxes, cans, between plates and disks
+//! it is within a factor of three of the error (tests/stress/estimate.rs). What no run resolves is not in it: surfaces that state
+//! their order or their cuts are as they are in every run.
 //!
 //! In a scene without shadows the radiosity is smooth but for the edges where surfaces meet, and layers graded towards
 //! them converge fastest. Shadow edges lie anywhere: where something stands between, the elements are cut evenly.

@@ -31,7 +31,7 @@ use crate::system::Coefficients;
 
 /// Most power iterations, and the residual, relative to the eigenvalue, at which they end.
 const MOST_STEPS: usize = 40;
-const SETTLED: f64 = 1e-3;
+const SETTLED: f64 = 1e-9;
 
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -166,7 +166,7 @@ impl Compensated {
     }
 }
 
-/// λ + ‖A v − λ v‖ after so many power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
+/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
 ///
 /// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
 /// constant already is.

@@ -48,13 +48,13 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
 }
 
 /// How far a point of its plane lies outside a convex polygon: the largest distance from the lines of its sides, counted positive
-/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. A side of no length counts as met.
+/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. Sides of no length do not count.
 pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let beyond = |k: usize| {
         let side = polygon[(k + 1) % polygon.len()] - polygon[k];
-        (x - polygon[k]).dot(side.cross(normal).normalize_or_zero())
+        side.cross(normal).try_normalize().map(|outwards| (x - polygon[k]).dot(outwards))
     };
-    (0..polygon.len()).map(beyond).fold(f64::NEG_INFINITY, f64::max)
+    (0..polygon.len()).filter_map(beyond).fold(f64::NEG_INFINITY, f64::max)
 }
 
 #[cfg(test)]

@@ -2,9 +2,9 @@
 //!
 //! A method only has to say how it advances and what it believes its residual to be. Nothing is believed
 //! here: before success is reported the residual is recomputed from A, b and x, and the method starts anew
-//! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for a
-//! whole `patience` and does not fall on average either, as one does that had to rise first: once a first half of a
-//! patience is left for that, each half must sum to less than the half before. At the rounding floor neither lasts, so
+//! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for one
+//! and a half times `patience` and does not fall on average either: after a first half of a patience, left to
+//! those that rise first, each half must sum to less than the half before. At the rounding floor neither lasts, so
 //! that every tolerance ends, even 0.
 
 use std::sync::atomic::Ordering;

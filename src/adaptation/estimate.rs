@@ -7,7 +7,8 @@
 //! singular:   e ≈ ¾ √(min(a, D) D) ,   D = max(d, g) .
 //! ```
 //!
-//! Radiosity is smooth where surfaces neither touch nor shade each other. At edges and shadows a few degrees do not show how slow the
+//! Radiosity is smooth where flat surfaces neither touch nor shade each other; on a curved one it has a kink where the horizon
+//! crosses what shines. At edges and shadows a few degrees do not show how slow the
 //! decay will be: a alone is much too large while the smooth part of the light still prevails, and d is the error of the
 //! run before. The factor was chosen such that the estimate of the empty box, of hinges and of shaded plates lies about the error.
 //!
@@ -20,6 +21,7 @@
 //!
 //! What the transfers may miss acts on many blocks at random: it is added as a tenth of the largest, as a sum of squares.
 
+use crate::elements::Element;
 use crate::solve::{Options, Outcome};
 
 use super::tail::Tail;
@@ -57,10 +59,12 @@ impl Estimator {
     }
 }
 
-/// Whether surfaces touch or shade each other.
+/// Whether surfaces touch or shade each other, or bend.
 fn is_singular(outcome: &Outcome) -> bool {
     let pairs = &outcome.pairs;
+    let bends = |element: &Element| element.plane.is_none();
     pairs.edge + pairs.vertex + pairs.contact + pairs.partly_hidden > 0
+        || outcome.solution.elements().list().iter().any(bends)
 }
 
 /// What the worst transfer may miss, as part of it.

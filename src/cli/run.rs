@@ -219,9 +219,11 @@ impl Run {
                 decimals(checks.row_sum_max, 4)
             ),
         ];
-        lines.extend(self.report.accuracy_estimate.map(|estimate| {
-            format!("estimated relative error of the radiosity {estimate:.1e}, good to a factor of three")
-        }));
+        lines.extend(
+            self.report
+                .accuracy_estimate
+                .map(|estimate| format!("estimated relative error of the radiosity {estimate:.1e}")),
+        );
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(

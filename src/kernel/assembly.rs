@@ -43,6 +43,9 @@ const SHADOWED_ROW_SHARE: f64 = 0.25;
 /// either element: errors of a few blocks of one row may add up.
 const FACTOR_SHARE: f64 = 0.5;
 
+/// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from nothing.
+const SLIGHT: f64 = 1e-3;
+
 /// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.
 const NEAR_ROUGHNESS: f64 = 3.0;
 const LARGEST_NEAR_FACTOR: f64 = 8.0;
@@ -306,8 +309,10 @@ impl Scene<'_> {
             let factor = (shadowed / (roughness * task.rough)).min(most);
             let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
             if self.has_outlines(task) {
-                let error = accuracy.shadow_eps * shaded;
-                let outlined = Some(Limit { error, entry: task.rough });
+                // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
+                let floor = SLIGHT * task.entries[1].min(1.0);
+                let error = accuracy.shadow_eps * shaded.max(floor);
+                let outlined = Some(Limit { error, entry: task.rough.max(floor) });
                 return Goal { accuracy, bent: accuracy, least, row, unseen, outlined };
             }
             let bent = accuracy.loosened(factor);

@@ -71,7 +71,7 @@ fn error([p, q]: &[[DVec3; 4]; 2], exact: Double, unit: f64) -> f64 {
 fn contours(count: usize) {
     let mut random = Random(3);
     let near = Row::new("exchange of parallel squares", "gaps to 1e-8", 10.0, "ε");
-    let far = Row::new("the same, relative", "distances to 1e6", 40.0, "ε");
+    let far = Row::new("exchange of parallel squares, relative", "distances to 1e6", 40.0, "ε");
     let sliver = Row::new("exchange of parallel slivers", "1e4 : 1, gaps to 1e-4", 20.0, "ε of length²");
     let edge = Row::new("exchange at a common edge", "widths 1e-4 to 1e4", 20.0, "ε of length²");
     for _ in 0..count {

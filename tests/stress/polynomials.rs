@@ -72,7 +72,7 @@ fn compare(row: &Row, ours: &[f64], exact: &[Double], x: f64) {
 fn values(count: usize) {
     let range = format!("degree ≤ {HIGHEST}, to the ends");
     let row = Row::new("Legendre polynomials", range.clone(), HIGHEST as f64, "ε");
-    let slopes = Row::new("their derivatives", range, 2.0 * HIGHEST as f64, "ε");
+    let slopes = Row::new("derivatives of Legendre polynomials", range, 2.0 * HIGHEST as f64, "ε");
     for x in points(count) {
         let (mut p, mut d) = ([0.0; HIGHEST + 1], [0.0; HIGHEST + 1]);
         legendre::orthonormal_with_derivatives(x, &mut p, &mut d);

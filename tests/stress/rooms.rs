@@ -78,10 +78,10 @@ struct Asked {
 fn hunt(count: usize, orders: &[usize], asked: &Asked) {
     let range = format!("up to 4 boxes, sizes 1e-3 to 1e3, eps {:?}", asked.accuracies);
     let row = |what| Row::new(what, range.clone(), asked.factor, "eps");
-    let rows = row("row sums of closed rooms with boxes");
-    let energy = row("their energy");
-    let furnace = row("their furnace, mean B of each surface");
-    let mutual = Row::new("their reciprocity", range.clone(), 0.0, "");
+    let rows = row("closed rooms with boxes, row sums");
+    let energy = row("closed rooms with boxes, energy");
+    let furnace = row("closed rooms with boxes, furnace, mean B of each surface");
+    let mutual = Row::new("closed rooms with boxes, reciprocity", range.clone(), 0.0, "");
     let mut random = Random(6);
     for case in 0..count {
         let scene = room(&mut random);
