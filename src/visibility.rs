@@ -10,6 +10,7 @@ mod ball;
 pub mod lambert;
 pub mod pyramid;
 pub mod exact;
+pub mod rim;
 mod bodies;
 pub mod net;
 
@@ -23,6 +24,7 @@ use ball::Ball;
 use bodies::{Bodies, Face};
 use net::Net;
 use pyramid::Pyramid;
+use rim::Rim;
 
 /// A segment may touch surfaces within this part of its length at both ends; and those that the ends lie on.
 const END: f64 = 1e-9;
@@ -336,6 +338,22 @@ impl Visibility {
             }
         }
         pyramids
+    }
+
+    /// The edges of planar `surfaces`, of bodies as a whole.
+    pub fn rims(&self, surfaces: &[usize]) -> Vec<Rim> {
+        let mut rims = Vec::new();
+        for (place, surface) in surfaces.iter().enumerate() {
+            if surfaces[..place].iter().any(|other| self.are_of_one_body(*other, *surface)) {
+                continue;
+            }
+            match self.bodies.of(*surface) {
+                Some(body) => rims.extend(body.rims()),
+                None => rims
+                    .extend(self.pieces(*surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece))),
+            }
+        }
+        rims
     }
 
     /// A net over a surface.

@@ -110,6 +110,12 @@ pub(super) fn polygon_distance(p: &[DVec3], q: &[DVec3]) -> f64 {
     corners.chain(sides).fold(f64::INFINITY, f64::min)
 }
 
+/// Distance between a convex polygon and a segment that do not cross.
+pub(super) fn segment_distance(p: &[DVec3], [a, b]: [DVec3; 2]) -> f64 {
+    let ends = point_to_polygon(a, p).min(point_to_polygon(b, p));
+    sides(p).map(|side| segment_to_segment(side, [a, b])).fold(ends, f64::min)
+}
+
 fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone + '_ {
     (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]])
 }

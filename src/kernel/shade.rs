@@ -15,6 +15,7 @@
 //! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies before
 //! their tangent planes.
 
+mod edges;
 mod sides;
 
 use core::f64::consts::FRAC_1_PI;
@@ -32,6 +33,7 @@ use super::clip::Facet;
 use super::moments::{Moments, Side};
 use super::pair::point_to_polygon;
 use super::separated::{self, SMALLEST_RATIO};
+use edges::Edges;
 use sides::Sides;
 
 /// Sides of a cell of which one is longer by this are halved alone.
@@ -46,6 +48,9 @@ const AGREED: f64 = 2.5;
 
 /// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
 const SURE: usize = 2;
+
+/// What part of the most that a cell may add to an entry shadows that its rule passes over may make wrong.
+const CARRIED: f64 = 0.3;
 
 /// What is asked of a block.
 #[derive(Clone, Copy, Debug)]
@@ -75,7 +80,7 @@ impl Shade {
     /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
         let Sides { side, outer, inner } = Sides::of(pair, blockers, visibility);
-        let mut work = Work::new(pair, side, &inner, visibility, limit);
+        let mut work = Work::new(pair, side, &inner, (blockers, visibility), limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
         for patch in &outer {
@@ -110,18 +115,21 @@ impl Shadow {
 /// The shade of one pair under way.
 struct Work<'a> {
     visibility: &'a Visibility,
+    edges: Edges,
     side: Side,
     outer: &'a Element,
     inner: &'a Element,
     /// The parts of the inner element that face the outer one.
     polygons: Vec<Vec<DVec3>>,
-    hull: Vec<DVec3>,
     normal: DVec3,
     moments: Moments<'a>,
     /// Raw functions of the inner element at a point.
     row: Vec<f64>,
     /// About the largest φ_k φ_l of the raw functions.
     unit: f64,
+    /// The constant raw function of the inner element; and what an entry is of constants on both.
+    constant: f64,
+    constants: f64,
     points: usize,
     /// Relative accuracy of the inner integrals.
     accuracy: f64,
@@ -129,6 +137,8 @@ struct Work<'a> {
     dark: bool,
     error: f64,
     samples: u64,
+    /// Largest error of an entry.
+    whole_limit: f64,
 }
 
 impl<'a> Work<'a> {
@@ -136,31 +146,36 @@ impl<'a> Work<'a> {
         pair: [&'a Element; 2],
         side: Side,
         inner: &[Facet],
-        visibility: &'a Visibility,
+        (blockers, visibility): (&[usize], &'a Visibility),
         limit: Limit,
     ) -> Self {
         let [outer, other] = match side {
             Side::Receiver => pair,
             Side::Emitter => [pair[1], pair[0]],
         };
+        let hull = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
+        let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST);
         Self {
             visibility,
+            edges: Edges::new(blockers, visibility, hull),
             side,
             outer,
             inner: other,
             polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
-            hull: inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect(),
             normal: other.plane.map_or(DVec3::ZERO, |(_, normal)| normal),
             moments: Moments::new(&pair[0].basis, &pair[1].basis),
             row: vec![0.0; other.basis.len()],
-            unit: pair.iter().map(|element| element.basis.transform()[0]).product(),
+            unit,
+            constant: constant(other),
+            constants: unit * constant(outer) * constant(other),
             points: points(outer.basis.total_degree(), accuracy),
             accuracy,
             hides: false,
             dark: true,
             error: 0.0,
             samples: 0,
+            whole_limit: limit.error,
         }
     }
 
@@ -171,7 +186,7 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
-        let blockers = self.visibility.narrow(blockers, &cell.hull(), &self.hull);
+        let blockers = self.visibility.narrow(blockers, &cell.hull(), self.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
             return;
@@ -186,7 +201,8 @@ impl<'a> Work<'a> {
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
         let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
-        if (difference <= agreed && is_sure) || depth == 0 {
+        let is_told = difference <= agreed && is_sure && !self.may_miss(cell);
+        if is_told || depth == 0 {
             self.error += if difference <= agreed { 0.0 } else { difference };
             let entries = self.outer.basis.len() * self.inner.basis.len();
             for sum in &sums {
@@ -198,6 +214,21 @@ impl<'a> Work<'a> {
         for (part, sum) in parts.iter().zip(sums) {
             self.visit(part, &blockers, Some(sum), share, depth - 1);
         }
+    }
+
+    /// Whether two levels may agree on a cell by chance: its rule may pass over shadows there, and they may count.
+    fn may_miss(&self, cell: &Patch) -> bool {
+        CARRIED * self.most(cell) > self.whole_limit && self.edges.may_be_passed_over(cell, self.points)
+    }
+
+    /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.
+    fn most(&self, cell: &Patch) -> f64 {
+        let nodes =
+            [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
+        let seen = |x: &Node| -> f64 {
+            self.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+        };
+        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.constants
     }
 
     /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. Behind them, where the outer functions are
@@ -268,9 +299,7 @@ impl<'a> Work<'a> {
     fn gather(&mut self, x: &Node, polygon: &[DVec3], out: &mut [f64]) {
         if out.len() == 1 {
             self.samples += polygon.len() as u64;
-            let mut constant = [0.0];
-            self.inner.basis.raw([0.0; 2], &mut constant);
-            out[0] += constant[0] * irradiance(x.position, x.normal, polygon);
+            out[0] += self.constant * irradiance(x.position, x.normal, polygon);
             return;
         }
         for patch in Patch::of_polygon(polygon, self.normal) {
@@ -311,6 +340,13 @@ impl<'a> Work<'a> {
         }
         self.samples += (first.nodes.len() * second.nodes.len()) as u64;
     }
+}
+
+/// The constant among the raw functions of an element.
+fn constant(element: &Element) -> f64 {
+    let mut functions = vec![0.0; element.basis.len()];
+    element.basis.raw([0.0; 2], &mut functions);
+    functions[0]
 }
 
 /// Points a direction of the outer rule: for functions of that degree times what is hidden, which is smooth but for its

@@ -20,6 +20,7 @@ use smallvec::SmallVec;
 
 use super::ball::Ball;
 use super::pyramid::Pyramid;
+use super::rim::Rim;
 
 /// Heights below this part of the distance, or of the scene's size, count as none.
 const FLAT: f64 = 1e-9;
@@ -193,6 +194,12 @@ impl Body {
         let (ball, bounds, is_open) =
             (Ball::around(&hull), Aabb::around(hull.iter().copied()), !rim.is_empty());
         is_convex.then_some(Self { surfaces, hull, ball, bounds, middle, planes, is_open, edges })
+    }
+
+    /// Its edges.
+    pub(super) fn rims(&self) -> impl Iterator<Item = Rim> {
+        let face = |face: usize| (self.planes[face].point, self.planes[face].outward);
+        self.edges.iter().map(move |edge| Rim { ends: edge.ends, faces: edge.between.map(face).into() })
     }
 
     /// What it hides from `x`; None where x does not lie outside of it, and its faces hide each for itself.

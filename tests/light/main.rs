@@ -7,4 +7,5 @@ mod gather;
 mod hard_cases;
 mod masks;
 mod occlusion;
+mod slits;
 mod split;

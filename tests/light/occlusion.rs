@@ -11,9 +11,9 @@ use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 use radiosity_geom::DVec3;
 
-type Quad = (String, [[f64; 3]; 4]);
+pub(crate) type Quad = (String, [[f64; 3]; 4]);
 
-fn quad(name: &str, vertices: [[f64; 3]; 4]) -> Quad {
+pub(crate) fn quad(name: &str, vertices: [[f64; 3]; 4]) -> Quad {
     (name.to_owned(), vertices)
 }
 
@@ -26,7 +26,7 @@ fn level(name: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2], z: f64, up: bool) -
     quad(name, vertices)
 }
 
-fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
+pub(crate) fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
     vec![
         level("floor", [0.0, a], [0.0, b], 0.0, true),
         level("ceiling", [0.0, a], [0.0, b], c, false),
@@ -38,7 +38,7 @@ fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
 }
 
 /// Sides, top and, where it hovers, bottom of an upright box over a counter-clockwise base, fronts outside.
-fn upright(base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
+pub(crate) fn upright(base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
     let at = |k: usize, z: f64| [base[k % 4][0], base[k % 4][1], z];
     let side =
         |k: usize| quad(&format!("side-{k}"), [at(k, low), at(k + 1, low), at(k + 1, high), at(k, high)]);
@@ -47,7 +47,7 @@ fn upright(base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
     (0..4).map(side).chain([top]).chain(bottom).collect()
 }
 
-fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
+pub(crate) fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
     let mut text = String::new();
     for (name, vertices) in quads {
         text += &format!("[[surfaces]]\nname = {name:?}\nquad = {{ vertices = {vertices:?} }}\n");
@@ -160,7 +160,7 @@ fn a_ball_in_a_sphere_hides_a_part_of_it() {
 }
 
 /// Row sums less 1 of all surfaces, the largest in size.
-fn closure(found: &ViewFactors) -> f64 {
+pub(crate) fn closure(found: &ViewFactors) -> f64 {
     found.row_sums().iter().map(|sum| (sum - 1.0).abs()).fold(0.0, f64::max)
 }
 
