@@ -65,11 +65,12 @@ fn main() -> Result<()> {
         let exact = picture(&reference);
         let taken = ways().map(|way| (way.name, picture(&way)));
         let floor = floor_pixels();
-        println!("picture                  floor's error, %   rms of all, % of mean   largest, %");
+        println!("| picture | floor, % | all, rms in % of the mean | largest, % |");
+        println!("| --- | --- | --- | --- |");
         for (name, raster) in &taken {
             let difference = Difference::new(&raster.field(None), &exact.field(None)).expect("one view");
             let Difference { rms, largest, .. } = difference;
-            println!("{name:24} {:16.2} {rms:23.2} {largest:12.1}", 100.0 * error(raster, &exact, &floor));
+            println!("| {name} | {:.2} | {rms:.2} | {largest:.1} |", 100.0 * error(raster, &exact, &floor));
         }
         let exposure = EXPOSURE * Image::new(&exact, [1.0; 3]).automatic_exposure();
         let photograph = |raster: &Raster| Image::new(raster, [1.0; 3]).exposed(exposure);

@@ -13,10 +13,8 @@ use radiosity::solve::in_threads;
 use radiosity::visibility::{Shadows, Visibility};
 
 fn main() {
-    println!(
-        "{:<28} {:>5} {:>6} {:>9} {:>11} {:>11} {:>9} {:>10}",
-        "empty box", "order", "eps", "pairs", "samples", "distinct", "ms", "ns/sample"
-    );
+    println!("| scene | order | ε | pairs | samples in the rules | evaluated | ms | ns each |");
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for (cuts, order, eps) in
         [(1, 4, 1e-4), (1, 8, 1e-4), (2, 4, 1e-4), (5, 4, 1e-3), (5, 6, 1e-3), (5, 8, 1e-4), (16, 0, 1e-3)]
     {
@@ -43,8 +41,7 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     })
     .expect("one thread can be started");
     println!(
-        "{:<28} {order:>5} {eps:>6.0e} {:>9} {:>11} {:>11} {:>9.2} {:>10.2}",
-        format!("{cuts} x {cuts} a wall"),
+        "| empty box, {cuts} × {cuts} a wall | {order} | {eps:.0e} | {} | {} | {} | {:.2} | {:.1} |",
         blocks.pairs.total,
         blocks.samples,
         blocks.distinct,
@@ -75,8 +72,8 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
     })
     .expect("one thread can be started");
     println!(
-        "parallel squares, order {order}, eps {eps:.0e}: {:.1} million samples a second, {:.2} ns each",
-        1e-6 * samples as f64 / seconds,
+        "| parallel squares, {TIMES} times | {order} | {eps:.0e} | {TIMES} | {samples} | {samples} | {:.2} | {:.1} |",
+        1e3 * seconds,
         1e9 * seconds / samples as f64
     );
 }

@@ -1,4 +1,4 @@
-//! Error against time, a panel a scene: all runs as dots, the front of each family as a line.
+//! Error against work, a panel a scene: all runs as dots, the front of each family as a line.
 
 use std::error::Error;
 use std::path::Path;
@@ -13,6 +13,7 @@ use crate::family::Family;
 use crate::front::Front;
 use crate::record::Record;
 use crate::study::Study;
+use crate::work::Work;
 
 /// Width of the diagram and height of a row of panels, in SVG units.
 const WIDTH: u32 = 1100;
@@ -25,7 +26,12 @@ const LARGEST: f64 = 1.0;
 type Panel<'a> = DrawingArea<SVGBackend<'a>, Shift>;
 
 /// Draws the panels of the studies that have runs; the place that is left over holds the legend.
-pub(crate) fn write(path: &Path, studies: &[Study], records: &[Record]) -> Result<(), Box<dyn Error>> {
+pub(crate) fn write(
+    path: &Path,
+    work: Work,
+    studies: &[Study],
+    records: &[Record],
+) -> Result<(), Box<dyn Error>> {
     let shown: Vec<&Study> =
         studies.iter().filter(|study| records.iter().any(|record| record.scene == study.name)).collect();
     let rows = (shown.len() + 1).div_ceil(COLUMNS);
@@ -35,7 +41,7 @@ pub(crate) fn write(path: &Path, studies: &[Study], records: &[Record]) -> Resul
     for (study, panel) in shown.iter().zip(&panels) {
         let is_own = |record: &&Record| record.scene == study.name && record.error <= LARGEST;
         let own: Vec<&Record> = records.iter().filter(is_own).collect();
-        draw(panel, study.title, &own)?;
+        draw(panel, study.title, work, &own)?;
     }
     legend(&panels[shown.len()])?;
     root.present()?;
@@ -60,8 +66,8 @@ fn text(size: i32) -> TextStyle<'static> {
     ("sans-serif", size).into_font().color(&BLACK)
 }
 
-fn draw(panel: &Panel, title: &str, own: &[&Record]) -> Result<(), Box<dyn Error>> {
-    let x = Decades::around(own.iter().map(|record| record.seconds));
+fn draw(panel: &Panel, title: &str, work: Work, own: &[&Record]) -> Result<(), Box<dyn Error>> {
+    let x = Decades::around(own.iter().map(|record| work.of(record)));
     let y = Decades::around(own.iter().map(|record| record.error));
     let mut chart = ChartBuilder::on(panel)
         .margin(8)
@@ -72,7 +78,7 @@ fn draw(panel: &Panel, title: &str, own: &[&Record]) -> Result<(), Box<dyn Error
         .build_cartesian_2d(x, y)?;
     chart
         .configure_mesh()
-        .x_desc("CPU time, s")
+        .x_desc(work.label())
         .y_desc("relative error")
         .label_style(text(12))
         .axis_desc_style(text(12))
@@ -81,10 +87,10 @@ fn draw(panel: &Panel, title: &str, own: &[&Record]) -> Result<(), Box<dyn Error
         .draw()?;
     for family in Family::ALL {
         let members = || own.iter().copied().filter(move |record| family.holds(record));
-        let place = |record: &Record| (record.seconds, record.error);
+        let place = |record: &Record| (work.of(record), record.error);
         let paint = colour(family);
         chart.draw_series(members().map(|record| Circle::new(place(record), 2, paint.mix(0.5).filled())))?;
-        let front = Front::of(members());
+        let front = Front::of(members(), work);
         let line = front.runs().iter().map(|record| place(record));
         chart.draw_series(LineSeries::new(line.clone(), paint.stroke_width(2)))?;
         chart.draw_series(line.map(|place| Circle::new(place, 3, paint.filled())))?;

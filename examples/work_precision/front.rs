@@ -1,9 +1,10 @@
 //! The cheapest runs for each error, and the time that an error takes.
 //!
-//! A run is on the front if none that takes as long is more accurate. Between two neighbours of the front log t is linear in
+//! A run is on the front if none that takes as little is more accurate. Between two neighbours of the front log t is linear in
 //! log e; beyond its last the line of least squares through the last three runs goes on.
 
 use crate::record::Record;
+use crate::work::Work;
 
 /// Runs of the front that the line beyond it is fitted to.
 const FITTED: usize = 3;
@@ -22,15 +23,15 @@ pub(crate) enum Time {
     MoreThan(f64),
 }
 
-/// The runs of a front, rising in time, falling in error.
+/// The runs of a front, rising in work, falling in error.
 #[derive(Clone, Debug)]
 pub(crate) struct Front<'a>(Vec<&'a Record>);
 
 impl<'a> Front<'a> {
-    /// The front of some runs.
-    pub(crate) fn of(records: impl Iterator<Item = &'a Record>) -> Self {
+    /// The front of some runs by one measure of work.
+    pub(crate) fn of(records: impl Iterator<Item = &'a Record>, work: Work) -> Self {
         let mut sorted: Vec<&Record> = records.filter(|record| record.error > 0.0).collect();
-        sorted.sort_by(|a, b| a.seconds.total_cmp(&b.seconds).then(a.error.total_cmp(&b.error)));
+        sorted.sort_by(|a, b| work.of(a).total_cmp(&work.of(b)).then(a.error.total_cmp(&b.error)));
         let mut kept: Vec<&Record> = Vec::new();
         for record in sorted {
             if kept.last().is_none_or(|last| record.error < last.error) {

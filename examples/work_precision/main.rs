@@ -2,14 +2,13 @@
 //!
 //! `cargo run --release --example work_precision -- [SCENE | --redraw]` runs every study, or only the one named (box-a, box-b,
 //! lit-sphere, two-boxes, cornell-box, cornell-cells, teapot), on one thread, takes what it measured into
-//! docs/work-precision.csv, draws docs/work-precision.svg from all that is there, and prints the equal-error speed-ups over
-//! constant elements as Markdown. `--redraw` runs nothing.
+//! docs/work-precision.csv, draws docs/work-precision*.svg from all that is there (against time, samples, unknowns), and prints the
+//! equal-error speed-ups over constant elements as Markdown. `--redraw` runs nothing.
 //!
 //! Errors are those of the polynomials alone, relative L² over the scene of what is reflected: against a finer run in
 //! rooms, against Lambert's form on the lit sphere. `cornell-cells` reads 16 × 16 cells and holds those of floor and back wall
 //! against path tracing, whose own noise is 0.14 %. Times are CPU times of one thread, of the solution and of cells where
-//! these are read. A time with ~ goes
-//! on beyond the finest constant elements by the line through the last three, to a quarter of their error; beyond that it is only
+//! these are read. A time with ~ goes on beyond the finest constant elements by the line through the last three, to a quarter of their error; beyond that it is only
 //! told what they took.
 
 mod diagram;
@@ -19,6 +18,7 @@ mod judge;
 mod record;
 mod study;
 mod table;
+mod work;
 
 use std::error::Error;
 use std::io::{Write, stderr, stdout};
@@ -26,10 +26,10 @@ use std::path::Path;
 
 use record::Record;
 use study::{Study, studies};
+use work::Work;
 
 const CSV: &str = "docs/work-precision.csv";
 const REDRAW: &str = "--redraw";
-const DIAGRAM: &str = "docs/work-precision.svg";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let only = std::env::args().nth(1);
@@ -47,7 +47,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         records.sort_by_key(|record| studies.iter().position(|study| study.name == record.scene));
         record::write(Path::new(CSV), &records)?;
     }
-    diagram::write(Path::new(DIAGRAM), &studies, &records)?;
+    for (work, diagram) in Work::ALL {
+        diagram::write(Path::new(diagram), work, &studies, &records)?;
+    }
     table::print(&mut stdout().lock(), &studies, &records)?;
     Ok(())
 }

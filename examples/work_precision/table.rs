@@ -6,6 +6,7 @@ use crate::family::Family;
 use crate::front::{Front, Time};
 use crate::record::Record;
 use crate::study::Study;
+use crate::work::Work;
 
 /// Errors at which times are compared.
 const ERRORS: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
@@ -20,10 +21,11 @@ pub(crate) fn print(out: &mut impl Write, studies: &[Study], records: &[Record])
     writeln!(out, "| --- | --- | --- |{} --- | --- | --- |", " --- |".repeat(ORDERS.len()))?;
     for study in studies {
         let own: Vec<&Record> = records.iter().filter(|record| record.scene == study.name).collect();
-        let front = |family: Family| Front::of(own.iter().copied().filter(move |r| family.holds(r)));
+        let front =
+            |family: Family| Front::of(own.iter().copied().filter(move |r| family.holds(r)), Work::Seconds);
         let constants = front(Family::Constant);
         let high = |r: &&Record| (r.kernel == "default" && r.order > 0) || r.kernel == "gathered";
-        let best = Front::of(own.iter().copied().filter(high));
+        let best = Front::of(own.iter().copied().filter(high), Work::Seconds);
         for error in ERRORS {
             let (Some(slow), Some(run)) = (constants.time(error), best.first(error)) else { continue };
             write!(out, "| {} | {} % | {} |", study.title, 100.0 * error, seconds(slow))?;
