@@ -8,7 +8,9 @@
 //! ```
 //!
 //! Gauss rules of n points over a cell h wide may pass over what is narrower than about h / n within it, and h / n² at its
-//! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. An edge counts only where planes through it and a point of the cell part the inner element, and where it reaches between the two.
+//! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. Narrow half-shadows are looked for
+//! where n ≤ 2 only: the next levels of finer rules found them in all rooms tried. An edge counts only where planes through it and a
+//! point of the cell part the inner element, and where it reaches between the two.
 
 use radiosity_geom::{DVec3, separated};
 
@@ -21,6 +23,8 @@ use crate::visibility::rim::Rim;
 const NEAR: f64 = 4.0;
 /// Breadth of a half-shadow in a cell of size 1, times n, below which it may be overlooked.
 const NARROW: f64 = 1.0;
+/// Points a direction of rules that may pass over half-shadows.
+const COARSE: f64 = 2.0;
 /// Overlap below this part of the size of a cell counts as touching.
 const TOUCHING: f64 = 1e-9;
 
@@ -51,7 +55,7 @@ impl Edges {
         let points = points as f64;
         let is_fine = |rim: &Rim| {
             segment_distance(&corners, rim.ends) * points * points < NEAR * extent
-                || self.half_shadow(rim, &corners) * points < NARROW
+                || points <= COARSE && self.half_shadow(rim, &corners) * points < NARROW
         };
         let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, TOUCHING * extent);
         self.rims.iter().any(|rim| rim.may_part(&hull, &self.inner) && is_fine(rim) && reaches_between(rim))
