@@ -349,3 +349,18 @@ proptest! {
         }
     }
 }
+
+/// A wall whose upper edge alone is seen, behind a plate: rough sums pass by all that is seen.
+#[test]
+fn pairs_that_hardly_see_each_other_end() {
+    let quads = [
+        level("floor", [0.0, 1.0], [0.0, 1.0], 0.0, true),
+        quad("wall", [[2., 0., -0.95], [2., 0., 0.05], [2., 1., 0.05], [2., 1., -0.95]]),
+        quad("plate", [[1.5, 0.3, 0.0], [1.5, 0.3, 0.02], [1.5, 0.7, 0.02], [1.5, 0.7, 0.0]]),
+    ];
+    let free = exchange(&quads[0], &quads[1]);
+    let found = |hiding, eps| factors(&quads, hiding, eps).factor(0, 1);
+    let (usual, fine) = (found(Hiding::Auto, 1e-3), found(Hiding::Exact, 1e-7));
+    assert!(0.5 * free < fine && fine < free, "{free:e} {fine:e}");
+    assert!((usual - fine).abs() < 3e-6, "{usual:e} {fine:e}");
+}
