@@ -96,8 +96,9 @@ fn refusal(grid: [usize; 3], order: usize, done: &[Row]) -> Option<String> {
         return Some(format!("about {:.1} GB", bytes as f64 / 1e9));
     }
     let [.., before, last] = done else { return None };
-    let total = |row: &Row| row.figures[1] + row.figures[2];
-    let power = exponent(before, last, total).max(2.0);
+    // Processor time is told in hundredths of a second.
+    let total = |row: &Row| (row.figures[1] + row.figures[2]).max(1e-2);
+    let power = exponent(before, last, total).clamp(2.0, 3.0);
     let seconds = total(last) * (scene.surfaces.len() as f64 / last.surfaces as f64).powf(power);
     (seconds > MOST_SECONDS).then(|| format!("about {:.0} minutes", seconds / 60.0))
 }
