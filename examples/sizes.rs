@@ -2,7 +2,7 @@
 //!
 //! `cargo run --release --example sizes > sizes.md`
 //!
-//! Each row is a process of its own (`sizes BOXES ORDER`), on one thread: "MB at most" is the most memory that the system granted it, and
+//! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most memory that the system granted it, and
 //! seconds are of processor time, both as Linux tells them. Direct light is projected, so that blocks and solver are all there is
 //! to do. Bytes of blocks are those stored, one triangle, zero blocks left out; the matrix of the system is dense. Before a row is
 //! begun its memory is told by [`Footprint`] and its time from the rows before it: more than 2 GB or two minutes are not run.
@@ -10,6 +10,10 @@
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 #![expect(clippy::print_stderr, reason = "notes about the table")]
+
+#[path = "../tests/stress/random.rs"]
+#[expect(dead_code, reason = "the tests use the rest")]
+mod random;
 
 use std::process::Command;
 use std::time::Duration;
@@ -27,6 +31,8 @@ use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use radiosity_geom::shapes::Parallelogram;
 use radiosity_solvers::Settings;
+
+use random::Random;
 
 const ORDERS: [usize; 3] = [0, 2, 4];
 /// Boxes along the three edges of the room.
@@ -196,21 +202,6 @@ fn add_box(
             let face = Parallelogram::new(origin, a, b).expect("edges at right angles span it");
             room.surface(format!("{name}-{k}-{side}"), face, material);
         }
-    }
-}
-
-/// Reproducible random numbers (splitmix64; Steele, Lea, Flood, 2014).
-struct Random(u64);
-
-impl Random {
-    /// Uniform in [low, high).
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        let unit = ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64;
-        low + (high - low) * unit
     }
 }
 

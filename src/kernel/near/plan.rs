@@ -1,7 +1,7 @@
 //! The outer rule of a near pair: cells of the receiver, known beforehand.
 //!
-//! Per direction of a cell the singular places nearest to it ([`emitter`](super::emitter)) choose the sinh map; where a map still leaves a slow
-//! rate, the cell is cut. Beforehand the receiver is cut along the projections of edges that come near, so that the
+//! Per direction of a cell the singular places nearest to it ([`emitter`](super::emitter)) choose the sinh map; where a map still
+//! leaves a slow rate, the cell is cut. Beforehand the receiver is cut along the projections of edges that come near, so that the
 //! layers of width ≈ gap along them lie at sides of cells.
 
 use radiosity_geom::{DVec3, clip_polygon};
