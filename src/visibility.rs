@@ -172,15 +172,36 @@ impl Visibility {
 
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
+        let part = |index: usize| (&self.obstacles[index].ball, &self.obstacles[index].hull[..]);
+        self.reaching_between(blockers, part, a, b)
+    }
+
+    /// The same of one face of each body, bodies as a whole.
+    pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
+        let part = |index: usize| match self.bodies.of(index) {
+            Some(body) => (&body.ball, &body.hull[..]),
+            None => (&self.obstacles[index].ball, &self.obstacles[index].hull[..]),
+        };
+        self.reaching_between(blockers, part, a, b)
+    }
+
+    /// Those of `blockers` whose `part`, a ball and points whose hull they are, reach between the hulls of `a` and `b`.
+    fn reaching_between<'a>(
+        &'a self,
+        blockers: &[usize],
+        part: impl Fn(usize) -> (&'a Ball, &'a [DVec3]),
+        a: &[DVec3],
+        b: &[DVec3],
+    ) -> Vec<usize> {
         let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
             return Vec::new();
         };
         let size = breadth(a).min(breadth(b));
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
-            let Obstacle { ball, hull, pieces, .. } = &self.obstacles[*index];
+            let (ball, hull) = part(*index);
             // A plate flush before a surface reaches in by little, and hides much.
-            let tolerance = if pieces.is_some() { END } else { tolerance };
+            let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).collect()
@@ -322,13 +343,18 @@ impl Visibility {
         self.bodies.of(surface)?.pyramid(x)
     }
 
-    /// What planar `surfaces` hide from `x`, bodies as a whole.
+    /// Those of `surfaces` that are no faces of bodies, and one face of each body.
+    pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
+        let is_first = |(place, surface): &(usize, &usize)| {
+            !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
+        };
+        surfaces.iter().enumerate().filter(is_first).map(|(_, surface)| *surface).collect()
+    }
+
+    /// What planar `surfaces`, one of each body, hide from `x`, bodies as a whole.
     pub fn pyramids(&self, surfaces: &[usize], x: DVec3) -> Vec<Pyramid> {
-        let mut pyramids = Vec::new();
-        for (place, surface) in surfaces.iter().enumerate() {
-            if surfaces[..place].iter().any(|other| self.are_of_one_body(*other, *surface)) {
-                continue;
-            }
+        let mut pyramids = Vec::with_capacity(surfaces.len());
+        for surface in surfaces {
             match self.shadow_of_body(*surface, x) {
                 Some(whole) => pyramids.push(whole),
                 None => {
@@ -340,20 +366,12 @@ impl Visibility {
         pyramids
     }
 
-    /// The edges of planar `surfaces`, of bodies as a whole.
-    pub fn rims(&self, surfaces: &[usize]) -> Vec<Rim> {
-        let mut rims = Vec::new();
-        for (place, surface) in surfaces.iter().enumerate() {
-            if surfaces[..place].iter().any(|other| self.are_of_one_body(*other, *surface)) {
-                continue;
-            }
-            match self.bodies.of(*surface) {
-                Some(body) => rims.extend(body.rims()),
-                None => rims
-                    .extend(self.pieces(*surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece))),
-            }
+    /// The edges of a planar surface; where it is a face of a body, those of the whole body.
+    pub fn rims(&self, surface: usize) -> Vec<Rim> {
+        match self.bodies.of(surface) {
+            Some(body) => body.rims().collect(),
+            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece)).collect(),
         }
-        rims
     }
 
     /// A net over a surface.

@@ -9,6 +9,10 @@
 //! moved outwards by the tolerance: d · w ≥ −τ.
 
 use glam::DVec3;
+use smallvec::SmallVec;
+
+/// Directions: a convex polygon on a face of the cube.
+type Cone = SmallVec<[DVec3; 12]>;
 
 /// True only when the convex hull of `a` ∪ `b` certainly does not properly meet the convex hull of `c`: a
 /// plane exists that neither reaches across by more than `tolerance` (a length). Touching counts as
@@ -29,20 +33,19 @@ pub fn separated(a: &[DVec3], b: &[DVec3], c: &[DVec3], tolerance: f64) -> bool 
 
 /// The width of the slab of normal `d` with A ∪ B below and C above, times |d|; negative where they overlap.
 fn gap(a: &[DVec3], b: &[DVec3], c: &[DVec3], d: DVec3) -> f64 {
-    let top = a.iter().chain(b).map(|x| d.dot(*x)).fold(f64::NEG_INFINITY, f64::max);
-    let bottom = c.iter().map(|x| d.dot(*x)).fold(f64::INFINITY, f64::min);
-    bottom - top
+    -farthest(c, -d).0 - farthest(a, d).0.max(farthest(b, d).0)
 }
 
 /// A direction within one face of the cube of directions that separates, if there is one.
 fn direction_on(face: usize, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> Option<DVec3> {
     let mut cone = cube_face(face);
-    let mut next = Vec::with_capacity(16);
+    let mut next = Cone::new();
     let middle = |cone: &[DVec3]| cone.iter().sum::<DVec3>() / cone.len() as f64;
     for _ in 0..c.len() * (a.len() + b.len()) {
         let d = middle(&cone);
-        let (top, x) = farthest(a.iter().chain(b), d)?;
-        let (bottom, y) = farthest(c, -d)?;
+        let (first, second) = (farthest(a, d), farthest(b, d));
+        let (top, x) = if second.0 > first.0 { second } else { first };
+        let (bottom, y) = farthest(c, -d);
         if top + bottom <= tolerance {
             return Some(d);
         }
@@ -55,14 +58,20 @@ fn direction_on(face: usize, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> Option
     Some(middle(&cone))
 }
 
-/// The point farthest along `d`, and d times it.
-fn farthest<'a>(points: impl IntoIterator<Item = &'a DVec3>, d: DVec3) -> Option<(f64, DVec3)> {
-    let farther = |best: (f64, DVec3), other: (f64, DVec3)| if other.0 > best.0 { other } else { best };
-    points.into_iter().map(|x| (d.dot(*x), *x)).reduce(farther)
+/// How far points reach along `d`, times |d|, and the one that does.
+fn farthest(points: &[DVec3], d: DVec3) -> (f64, DVec3) {
+    let mut best = (f64::NEG_INFINITY, DVec3::ZERO);
+    for x in points {
+        let reach = d.dot(*x);
+        if reach > best.0 {
+            best = (reach, *x);
+        }
+    }
+    best
 }
 
 /// The square |d|_∞ = 1 with one coordinate fixed to +1 (faces 0-2) or −1 (faces 3-5).
-fn cube_face(face: usize) -> Vec<DVec3> {
+fn cube_face(face: usize) -> Cone {
     let axis = face % 3;
     let sign = if face < 3 { 1.0 } else { -1.0 };
     let corner = |(p, q): (f64, f64)| {
@@ -70,11 +79,11 @@ fn cube_face(face: usize) -> Vec<DVec3> {
         (d[axis], d[(axis + 1) % 3], d[(axis + 2) % 3]) = (sign, p, q);
         d
     };
-    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).to_vec()
+    [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).into_iter().collect()
 }
 
 /// The part of the convex polygon `cone` with d · w ≥ −tolerance, into `out`.
-fn clip_cone(cone: &[DVec3], w: DVec3, tolerance: f64, out: &mut Vec<DVec3>) {
+fn clip_cone(cone: &[DVec3], w: DVec3, tolerance: f64, out: &mut Cone) {
     out.clear();
     let Some(&last) = cone.last() else { return };
     let mut previous = (last, last.dot(w) + tolerance);

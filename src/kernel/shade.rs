@@ -27,7 +27,8 @@ use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::visibility::Visibility;
-use crate::visibility::exact::{inside_any, irradiance};
+use crate::visibility::exact::{inside_any, irradiance, irradiance_seen};
+use crate::visibility::pyramid::Corners;
 
 use super::clip::Facet;
 use super::moments::{Moments, Side};
@@ -80,11 +81,12 @@ impl Shade {
     /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
         let Sides { side, outer, inner } = Sides::of(pair, blockers, visibility);
-        let mut work = Work::new(pair, side, &inner, (blockers, visibility), limit);
+        let bodies = visibility.one_of_each_body(blockers);
+        let mut work = Work::new(pair, side, &inner, (&bodies, visibility), limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
         for patch in &outer {
-            work.visit(patch, blockers, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
+            work.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
         }
         work.finish()
     }
@@ -186,7 +188,7 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
-        let blockers = self.visibility.narrow(blockers, &cell.hull(), self.edges.inner());
+        let blockers = self.visibility.narrow_bodies(blockers, &cell.hull(), self.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
             return;
@@ -205,11 +207,11 @@ impl<'a> Work<'a> {
         if depth == 0 && difference > agreed {
             self.error += difference;
         }
-        let may_miss = is_told && depth > 0 && self.may_miss(cell);
+        let may_miss = is_told && depth > 0 && self.may_miss(cell, &blockers);
         let entries = self.outer.basis.len() * self.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (part, sum) in parts.iter().zip(sums) {
-            let is_done = depth == 0 || is_told && !(may_miss && self.may_miss(part));
+            let is_done = depth == 0 || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
                 self.moments.add_raw(&sum.values[..entries], false, 0);
             } else {
@@ -219,9 +221,9 @@ impl<'a> Work<'a> {
     }
 
     /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
-    fn may_miss(&self, cell: &Patch) -> bool {
+    fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
         CARRIED * self.most(cell) > self.whole_limit
-            && self.edges.may_be_passed_over(cell, self.points, self.accuracy)
+            && self.edges.may_be_passed_over(cell, blockers, [self.points as f64, self.accuracy])
     }
 
     /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.
@@ -277,7 +279,7 @@ impl<'a> Work<'a> {
             let (hidden, all) = inside_any(&polygon, &pyramids);
             everything &= all;
             any |= !hidden.is_empty();
-            hidden.iter().for_each(|polygon| self.gather(x, polygon, out));
+            hidden.into_iter().for_each(|seen| self.gather(x, seen, out));
         }
         self.dark &= everything;
         self.hides |= any;
@@ -299,13 +301,15 @@ impl<'a> Work<'a> {
         (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
 
-    fn gather(&mut self, x: &Node, polygon: &[DVec3], out: &mut [f64]) {
+    /// Adds what comes from a polygon as seen from x.
+    fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
         if out.len() == 1 {
-            self.samples += polygon.len() as u64;
-            out[0] += self.constant * irradiance(x.position, x.normal, polygon);
+            self.samples += seen.len() as u64;
+            out[0] += self.constant * irradiance_seen(x.normal, seen);
             return;
         }
-        for patch in Patch::of_polygon(polygon, self.normal) {
+        let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
+        for patch in Patch::of_polygon(&polygon, self.normal) {
             self.gauss(x, &patch, out, INNER_DEPTH);
         }
     }

@@ -32,12 +32,20 @@ pub fn visible_irradiance<'a>(
     polygon: &[DVec3],
     pyramids: impl Iterator<Item = &'a Pyramid>,
 ) -> f64 {
-    let mut corners: Corners = polygon.iter().map(|corner| corner - x).collect();
-    if corners.iter().all(|a| a.dot(n) >= 0.0) {
-        return outside(n, &corners, pyramids);
+    let seen: Corners = polygon.iter().map(|corner| corner - x).collect();
+    above_horizon(n, seen, pyramids)
+}
+
+/// The same from all of a polygon as seen from the point.
+pub fn irradiance_seen(n: DVec3, seen: Corners) -> f64 {
+    above_horizon(n, seen, [].iter())
+}
+
+fn above_horizon<'a>(n: DVec3, mut seen: Corners, pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
+    if !seen.iter().all(|a| a.dot(n) >= 0.0) {
+        cut_at_horizon(n, &mut seen);
     }
-    cut_at_horizon(n, &mut corners);
-    outside(n, &corners, pyramids)
+    outside(n, &seen, pyramids)
 }
 
 /// From the part of a polygon above the horizon outside pyramids.
@@ -53,37 +61,53 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     let Some((first, rest)) = mixed.split_first() else { return lambert::polygon(n, polygon) };
     let rest = || rest.iter().copied();
     if mixed.len() > FEW {
-        return first.divided(polygon).0.iter().map(|part| outside(n, part, rest())).sum();
+        let mut parts = Vec::new();
+        first.divide(polygon, &mut parts);
+        return parts.iter().map(|part| outside(n, part, rest())).sum();
     }
     (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
-/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons that do not
-/// overlap; and whether that is all of it.
-pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Vec<DVec3>>, bool) {
+/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons seen from there that do
+/// not overlap; and whether that is all of it.
+pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
     let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
-    let back = |part: &[DVec3]| -> Vec<DVec3> { part.iter().map(|a| a + eye).collect() };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
-    let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
+    let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
     for pyramid in pyramids {
+        match pyramid.cover_seen(&whole) {
+            Cover::Clear => {}
+            Cover::Hidden => return (vec![whole], true),
+            Cover::Mixed => mixed.push(pyramid),
+        }
+    }
+    let Some((last, others)) = mixed.split_last() else { return (Vec::new(), false) };
+    let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
+    for pyramid in others {
         let mut kept = Vec::new();
         for part in rest {
             match pyramid.cover_seen(&part) {
                 Cover::Clear => kept.push(part),
-                Cover::Hidden => hidden.push(back(&part)),
+                Cover::Hidden => hidden.push(part),
                 Cover::Mixed => {
-                    let (outer, inner) = pyramid.divided(&part);
-                    kept.extend(outer);
-                    hidden.extend((inner.len() > 2).then(|| back(&inner)));
+                    let inner = pyramid.divide(&part, &mut kept);
+                    hidden.extend((inner.len() > 2).then_some(inner));
                 }
             }
         }
         rest = kept;
-        if rest.is_empty() {
-            return (hidden, true);
+    }
+    let mut is_all = true;
+    for part in rest {
+        let cover = last.cover_seen(&part);
+        is_all &= cover == Cover::Hidden;
+        match cover {
+            Cover::Clear => {}
+            Cover::Hidden => hidden.push(part),
+            Cover::Mixed => hidden.extend(Some(last.hidden_part(&part)).filter(|inner| inner.len() > 2)),
         }
     }
-    (hidden, false)
+    (hidden, is_all)
 }
 
 #[cfg(test)]

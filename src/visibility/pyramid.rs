@@ -25,7 +25,7 @@ const ON_PLANE: f64 = 1e-12;
 const PLANES: usize = 10;
 
 /// Corners of a convex polygon as seen from a point, which is the origin.
-pub(super) type Corners = SmallVec<[DVec3; 8]>;
+pub type Corners = SmallVec<[DVec3; 8]>;
 
 /// A number for each of them.
 type Heights = SmallVec<[f64; 8]>;
@@ -171,8 +171,9 @@ impl Pyramid {
             Plane { inward: if inward.dot(middle - x) < 0.0 { -inward } else { inward }, depth: 0.0 }
         };
         let sides = sides.map(side).filter(|plane| plane.inward != DVec3::ZERO);
-        let beyond = beyond.map(|(inward, depth)| Plane { inward, depth });
-        Self { eye: x, planes: sides.chain(beyond).collect() }
+        let mut planes: SmallVec<[Plane; PLANES]> = sides.collect();
+        planes.extend(beyond.map(|(inward, depth)| Plane { inward, depth }));
+        Self { eye: x, planes }
     }
 
     /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
@@ -271,21 +272,22 @@ impl Pyramid {
         hidden
     }
 
-    /// What it leaves of such a polygon, as convex polygons, and what it hides.
-    pub(super) fn divided(&self, polygon: &[DVec3]) -> (SmallVec<[Corners; 5]>, Corners) {
-        let mut parts: SmallVec<[Corners; 5]> = SmallVec::new();
+    /// What it hides of such a polygon; what it leaves is added to `parts`, as convex polygons.
+    pub(super) fn divide(&self, polygon: &[DVec3], parts: &mut Vec<Corners>) -> Corners {
         let mut inside = Corners::from_slice(polygon);
         let reach = reach(polygon);
         for plane in &self.planes {
             let mut heights = plane.heights(&inside, reach);
             if heights.iter().any(|h| *h < 0.0) {
                 heights.iter_mut().for_each(|h| *h = -*h);
-                parts.push(kept(&inside, &heights));
+                let part = kept(&inside, &heights);
+                if part.len() > 2 {
+                    parts.push(part);
+                }
                 plane.cut(&mut inside, reach);
             }
         }
-        parts.retain(|part| part.len() > 2);
-        (parts, inside)
+        inside
     }
 }
 

@@ -34,15 +34,17 @@ const TOUCHING: f64 = 1e-9;
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
-    rims: Vec<Rim>,
+    /// Of each blocker its own.
+    rims: Vec<(usize, Vec<Rim>)>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
 }
 
 impl Edges {
-    /// Those of `blockers` before the inner element within the hull of `inner`.
+    /// Those of `blockers`, one for each body, before the inner element within the hull of `inner`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, inner: Vec<DVec3>) -> Self {
-        Self { rims: visibility.rims(blockers), inner }
+        let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
+        Self { rims, inner }
     }
 
     /// Points whose convex hull holds the inner element.
@@ -50,12 +52,17 @@ impl Edges {
         &self.inner
     }
 
-    /// Whether a rule of so many `points` a direction may pass over shadows within a cell, where so much relative `accuracy` is asked.
-    pub(super) fn may_be_passed_over(&self, cell: &Patch, points: usize, accuracy: f64) -> bool {
+    /// Whether a rule of so many points a direction may pass over shadows of `blockers` within a cell, where so much relative
+    /// accuracy is asked.
+    pub(super) fn may_be_passed_over(
+        &self,
+        cell: &Patch,
+        blockers: &[usize],
+        [points, accuracy]: [f64; 2],
+    ) -> bool {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
         let extent = along.max(across);
-        let points = points as f64;
         let is_tight = accuracy < TIGHT;
         let is_narrow = |rim: &Rim| {
             let breadth = || {
@@ -66,7 +73,8 @@ impl Edges {
         };
         let is_near = |rim: &Rim| segment_distance(&corners, rim.ends) * points * points < NEAR * extent;
         let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, TOUCHING * extent);
-        self.rims.iter().any(|rim| {
+        let near = self.rims.iter().filter(|(blocker, _)| blockers.contains(blocker));
+        near.flat_map(|(_, rims)| rims).any(|rim| {
             rim.may_part(&hull, &self.inner) && (is_near(rim) || is_narrow(rim)) && reaches_between(rim)
         })
     }
