@@ -32,10 +32,12 @@ use super::horizon::{self, Ball, Side};
 use super::integrand::{Sees, kernel};
 use super::moments::Moments;
 use super::pair::gap;
-use super::rough::{nodes, scale};
+use super::reach::SMALLEST_ENTRY;
+use super::rough::{largest_kernel, nodes, scale};
 use super::sectors::sectors;
 use super::separated::{self, SMALLEST_RATIO};
 use super::touch::{Touch, collapsed, cut, touch};
+use super::yardstick::Yardstick;
 use super::{same, seam, trial, vertex};
 
 /// Points closer than this part of the pair's size coincide.
@@ -49,6 +51,8 @@ const HORIZON_SAMPLES: f64 = 1e6;
 /// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
 const SMALL_IN_ROW: f64 = 0.25;
 const LEAST_WORTH: f64 = 0.25;
+/// Part of the block's error that the horizons of one outer part may make.
+const HORIZON_SHARE: f64 = 0.3;
 /// Rays of one block after which shadows are sampled by the coarsest rule, times the square of their accuracy.
 const RAYS: f64 = 1.0;
 /// Most points a direction of the corner rule, which takes their fourth power.
@@ -85,9 +89,7 @@ const FOUND_SHARE: f64 = 0.5;
 const ROUGHNESS: f64 = 3.0;
 /// Ratio of areas up to which a rough rule tells.
 const LARGEST_AREA_RATIO: f64 = 100.0;
-/// No block is taken for smaller than this part of the largest there can be.
-const SMALLEST_SCALE: f64 = 1e-5;
-/// The same for what a surface sends to itself: beside it stands what the surface loses to others.
+/// No block of a surface with itself is taken for smaller than this: beside it stands what the surface loses to others.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
 /// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. The error is measured
@@ -106,7 +108,7 @@ pub(super) fn block(
     let rough = scale(&receivers, &emitters, job.unit);
     job.scale = rough.max(least).max(job.smallest_scale());
     job.row = row;
-    if job.carries_nothing(rough) {
+    if job.carries_nothing(rough, [&receivers, &emitters]) {
         return job.finish();
     }
     job.ball = job.ball_between(blockers);
@@ -137,7 +139,7 @@ pub(super) fn self_block(
     job.scale = rough.max(least).max(job.smallest_scale());
     job.row = row;
     job.kind = Kind::Same;
-    if job.carries_nothing(rough) {
+    if job.carries_nothing(rough, [&parts; 2]) {
         return job.finish();
     }
     job.ball = job.ball_between(blockers).filter(|_| parts.iter().all(|p| constant(&parts[0], p).is_some()));
@@ -207,6 +209,7 @@ struct Job<'a> {
     /// What stands between in fans, with its surface.
     ball: Option<(usize, Ball)>,
     moments: Moments<'a>,
+    yardstick: Yardstick,
     tasks: VecDeque<Task>,
     kind: Kind,
     partly_hidden: bool,
@@ -235,6 +238,7 @@ impl<'a> Job<'a> {
             swapped: false,
             ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
+            yardstick: Yardstick::of([&receiver.basis, &emitter.basis]),
             tasks: VecDeque::new(),
             kind: Kind::Separated,
             partly_hidden: false,
@@ -248,17 +252,24 @@ impl<'a> Job<'a> {
         self.elements.map(|element| element.surface)
     }
 
+    /// The first entry of a block with these moments.
+    fn first_entry(&self, moments: &Moments) -> f64 {
+        self.yardstick.first_entry(moments.values())
+    }
+
     fn smallest_scale(&self) -> f64 {
         let [a, b] = self.surfaces();
-        if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_SCALE }
+        if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_ENTRY }
     }
 
     /// Whether the whole block is smaller than its error may be, as nearly flat surfaces are with themselves. Elements of
-    /// very different sizes are not judged by a rough rule.
-    fn carries_nothing(&mut self, rough: f64) -> bool {
+    /// very different sizes are not judged by a rough rule, which passes by corners that alone see each other.
+    fn carries_nothing(&mut self, rough: f64, [receivers, emitters]: [&[Patch]; 2]) -> bool {
         let [a, b] = self.elements.map(|element| element.area);
-        let nothing =
-            a.max(b) < LARGEST_AREA_RATIO * a.min(b) && ROUGHNESS * rough < self.accuracy.eps * self.scale;
+        let may_err = self.accuracy.eps * self.scale;
+        let nothing = a.max(b) < LARGEST_AREA_RATIO * a.min(b)
+            && ROUGHNESS * rough < may_err
+            && self.unit * largest_kernel(receivers, emitters) < may_err;
         if nothing {
             self.error += rough;
         }
@@ -296,7 +307,7 @@ impl<'a> Job<'a> {
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
             // As κ ≥ 0, what was found so far bounds the first entry from below, but for its own error.
-            self.scale = self.scale.max(FOUND_SHARE * self.moments.exchanged() / self.unit);
+            self.scale = self.scale.max(FOUND_SHARE * self.first_entry(&self.moments));
         }
     }
 
@@ -322,7 +333,7 @@ impl<'a> Job<'a> {
         for (p, q, blockers, factor) in left {
             let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
             part.scale(factor);
-            self.error += DOUBT * part.exchanged() / self.unit;
+            self.error += DOUBT * self.first_entry(&part);
             self.moments.merge(&part, true);
         }
     }
@@ -476,7 +487,7 @@ impl<'a> Job<'a> {
             let gap = gap(p, q);
             let tolerance = COINCIDENT * self.size;
             let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
-            let facing = facing(p, q, touching, self.accuracy.eps);
+            let facing = facing(p, q, touching, self.slight(share));
             if facing == Facing::Away {
                 continue;
             }
@@ -552,7 +563,7 @@ impl<'a> Job<'a> {
         let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
         let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
         state.touching = gap <= 0.0;
-        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.accuracy.eps);
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.slight(share));
         if facing == Facing::Away {
             return;
         }
@@ -688,6 +699,12 @@ impl<'a> Job<'a> {
         (self.accuracy.eps * (0.25 * self.scale / share).max(1.0)).min(1e-2)
     }
 
+    /// What of the most that a part of so large a `share` can carry may be wrong: blocks that carry little by grazing light allow
+    /// less than their accuracy.
+    fn slight(&self, share: f64) -> f64 {
+        self.accuracy.eps * (self.scale / share).min(1.0)
+    }
+
     fn part_eps(&self, p: &Patch, q: &Patch) -> f64 {
         self.eps(area(p).min(area(q)) / self.unit)
     }
@@ -731,14 +748,16 @@ impl<'a> Job<'a> {
         }
         let ball = self.ball.map(|(_, ball)| ball);
         let outer = Side { patch: outer, basis: &self.elements[first].basis, points, ball };
-        // The first raw polynomials are ½, so a moment is a quarter of the integral it stands for.
-        let tolerance = 0.25 * 0.125 * self.accuracy.eps * self.scale * self.unit;
+        let may_err = self.accuracy.eps * self.scale;
+        let turned = self.swapped.then(|| self.yardstick.turned());
+        let yardstick = turned.as_ref().unwrap_or(&self.yardstick);
         let budget = self.most_for_horizons().saturating_sub(self.horizons);
-        let cut = horizon::integrate(&outer, &self.elements[second].basis, &sides, tolerance, budget);
+        let basis = &self.elements[second].basis;
+        let cut = horizon::integrate(&outer, basis, &sides, yardstick, HORIZON_SHARE * may_err, budget);
         self.horizons += cut.samples;
         self.moments.add_raw(&cut.moments, self.swapped, cut.samples);
-        self.error += 4.0 * cut.error / self.unit;
-        self.unresolved |= 4.0 * cut.error > self.accuracy.eps * self.scale * self.unit;
+        self.error += cut.error;
+        self.unresolved |= cut.error > may_err;
     }
 
     /// Tries a part that no rule covers to the accuracy asked, for a horizon through a contact or a contact of another
@@ -752,7 +771,7 @@ impl<'a> Job<'a> {
         let coarsest = self.spent() && !state.blockers.is_empty();
         let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
         let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
-        let error = 4.0 * fine.difference(&coarse) / self.unit;
+        let error = self.yardstick.difference(fine.values(), coarse.values());
         let may_err = ATTEMPT_SHARE / self.beyond().powi(MORE_ATTEMPTS) * self.accuracy.eps * self.scale;
         let enough = error <= may_err;
         let kept = enough || self.spent();
@@ -760,7 +779,7 @@ impl<'a> Job<'a> {
         self.moments.merge(&fine, kept);
         if kept {
             // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
-            let doubt = if enough { 0.0 } else { DOUBT * fine.exchanged() / self.unit };
+            let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
             let reach = SMALLEST_RATIO * longest(p).1.max(longest(q).1);
             let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
             self.error += doubt.max(if is_near { PEAKED * error } else { error });
