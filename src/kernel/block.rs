@@ -3,6 +3,7 @@
 use crate::elements::Element;
 use crate::visibility::Visibility;
 
+use super::moments::Moments;
 use super::shade::{Limit, Shade};
 
 /// What accuracy the blocks are asked to have.
@@ -71,6 +72,20 @@ pub(super) struct Block {
 }
 
 impl Block {
+    /// The block with these moments, of which no error is known.
+    pub(super) fn of(moments: Moments, kind: Kind, partly_hidden: bool) -> Self {
+        Self {
+            samples: moments.samples,
+            distinct: moments.distinct,
+            rays: moments.rays,
+            values: moments.into_block(),
+            kind,
+            partly_hidden,
+            unresolved: false,
+            error: 0.0,
+        }
+    }
+
     /// The zero block of so many entries, of elements between which none of so many `rays` passes.
     pub(super) fn hidden(size: usize, rays: u64) -> Self {
         Self {
