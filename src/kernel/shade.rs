@@ -49,8 +49,8 @@ const AGREED: f64 = 2.5;
 /// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
 const SURE: usize = 2;
 
-/// What part of the most that a cell may add to an entry shadows that its rule passes over may make wrong.
-const CARRIED: f64 = 0.3;
+/// What part of the most that a cell may add to an entry shadows that its rule passes over may make wrong; the bound is large.
+const CARRIED: f64 = 1.2;
 
 /// What is asked of a block.
 #[derive(Clone, Copy, Debug)]
@@ -201,24 +201,27 @@ impl<'a> Work<'a> {
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
         let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
-        let is_told = difference <= agreed && is_sure && !self.may_miss(cell);
-        if is_told || depth == 0 {
-            self.error += if difference <= agreed { 0.0 } else { difference };
-            let entries = self.outer.basis.len() * self.inner.basis.len();
-            for sum in &sums {
-                self.moments.add_raw(&sum.values[..entries], false, 0);
-            }
-            return;
+        let is_told = difference <= agreed && is_sure;
+        if depth == 0 && difference > agreed {
+            self.error += difference;
         }
+        let may_miss = is_told && depth > 0 && self.may_miss(cell);
+        let entries = self.outer.basis.len() * self.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (part, sum) in parts.iter().zip(sums) {
-            self.visit(part, &blockers, Some(sum), share, depth - 1);
+            let is_done = depth == 0 || is_told && !(may_miss && self.may_miss(part));
+            if is_done {
+                self.moments.add_raw(&sum.values[..entries], false, 0);
+            } else {
+                self.visit(part, &blockers, Some(sum), share, depth - 1);
+            }
         }
     }
 
-    /// Whether two levels may agree on a cell by chance: its rule may pass over shadows there, and they may count.
+    /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
     fn may_miss(&self, cell: &Patch) -> bool {
-        CARRIED * self.most(cell) > self.whole_limit && self.edges.may_be_passed_over(cell, self.points)
+        CARRIED * self.most(cell) > self.whole_limit
+            && self.edges.may_be_passed_over(cell, self.points, self.accuracy)
     }
 
     /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.

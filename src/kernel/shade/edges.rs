@@ -9,8 +9,9 @@
 //!
 //! Gauss rules of n points over a cell h wide may pass over what is narrower than about h / n within it, and h / n² at its
 //! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. Narrow half-shadows are looked for
-//! where n ≤ 2 only: the next levels of finer rules found them in all rooms tried. An edge counts only where planes through it and a
-//! point of the cell part the inner element, and where it reaches between the two.
+//! where n ≤ 2, about the middle of the cell, and at the corners too where much is asked: elsewhere the next levels of finer rules
+//! found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner element, and
+//! where it reaches between the two.
 
 use radiosity_geom::{DVec3, separated};
 
@@ -22,9 +23,11 @@ use crate::visibility::rim::Rim;
 /// Distance of an edge from a cell of size 1, times n², below which its shadow may be overlooked.
 const NEAR: f64 = 4.0;
 /// Breadth of a half-shadow in a cell of size 1, times n, below which it may be overlooked.
-const NARROW: f64 = 1.0;
-/// Points a direction of rules that may pass over half-shadows.
+const NARROW: f64 = 2.0;
+/// Most points a direction of rules that may pass over half-shadows as a cell sees them from its middle.
 const COARSE: f64 = 2.0;
+/// Relative accuracy below which the half-shadows seen from a cell's corners count: of slits that it sees edge on.
+const TIGHT: f64 = 1e-4;
 /// Overlap below this part of the size of a cell counts as touching.
 const TOUCHING: f64 = 1e-9;
 
@@ -47,30 +50,41 @@ impl Edges {
         &self.inner
     }
 
-    /// Whether a rule of so many `points` a direction may pass over shadows within a cell.
-    pub(super) fn may_be_passed_over(&self, cell: &Patch, points: usize) -> bool {
+    /// Whether a rule of so many `points` a direction may pass over shadows within a cell, where so much relative `accuracy` is asked.
+    pub(super) fn may_be_passed_over(&self, cell: &Patch, points: usize, accuracy: f64) -> bool {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
         let extent = along.max(across);
         let points = points as f64;
-        let is_fine = |rim: &Rim| {
-            segment_distance(&corners, rim.ends) * points * points < NEAR * extent
-                || points <= COARSE && self.half_shadow(rim, &corners) * points < NARROW
+        let is_tight = accuracy < TIGHT;
+        let is_narrow = |rim: &Rim| {
+            let breadth = || {
+                let seen = seen_breadth(&self.inner, rim, &corners, is_tight);
+                seen / seen_breadth(&corners, rim, &self.inner, false).max(f64::MIN_POSITIVE)
+            };
+            (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
+        let is_near = |rim: &Rim| segment_distance(&corners, rim.ends) * points * points < NEAR * extent;
         let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, TOUCHING * extent);
-        self.rims.iter().any(|rim| rim.may_part(&hull, &self.inner) && is_fine(rim) && reaches_between(rim))
+        self.rims.iter().any(|rim| {
+            rim.may_part(&hull, &self.inner) && (is_near(rim) || is_narrow(rim)) && reaches_between(rim)
+        })
     }
+}
 
-    /// About the breadth of the half-shadow of an edge in a cell, in parts of the breadth of the cell.
-    fn half_shadow(&self, rim: &Rim, cell: &[DVec3]) -> f64 {
-        let [a, b] = rim.ends;
-        let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
-        // Normals of the planes through the edge and either middle, as long as that is far from the edge.
-        let normal = |points: &[DVec3]| (middle(points) - a).cross((b - a).normalize_or_zero());
-        let breadth = |points: &[DVec3], normal: DVec3| {
-            let heights = || points.iter().map(|x| (x - a).dot(normal));
-            heights().fold(f64::NEG_INFINITY, f64::max) - heights().fold(f64::INFINITY, f64::min)
-        };
-        breadth(&self.inner, normal(cell)) / breadth(cell, normal(&self.inner)).max(f64::MIN_POSITIVE)
-    }
+/// Breadth of `points` across the planes through an edge and the middle of `others`, times how far that is from the edge's line; where
+/// `everywhere`, the least of that and of those of each of `others`.
+fn seen_breadth(points: &[DVec3], rim: &Rim, others: &[DVec3], everywhere: bool) -> f64 {
+    let [a, b] = rim.ends;
+    let along = (b - a).normalize_or_zero();
+    let breadth = |from: DVec3| {
+        let normal = (from - a).cross(along);
+        let heights = points.iter().map(|x| (x - a).dot(normal));
+        let (low, high) =
+            heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
+        high - low
+    };
+    let middle = breadth(others.iter().sum::<DVec3>() / others.len() as f64);
+    let rest = if everywhere { others } else { &[] };
+    rest.iter().map(|x| breadth(*x)).fold(middle, f64::min)
 }
