@@ -93,13 +93,14 @@ pub(super) fn integrate(
     };
     if let Some(patch) = job.seeing() {
         // Where a corner sees nothing W ends within the patch, and two rules may well agree on what both miss.
-        let climbed = match job.has_dark_corner(&patch) {
-            true => Err(job.whole(patch, rungs(outer.points)[1])),
+        let (whole, agrees) = match job.has_dark_corner(&patch) {
+            true => (job.whole(patch, rungs(outer.points)[1]), false),
             false => job.climb(patch),
         };
-        match climbed {
-            Ok(moments) => job.cut.moments = moments,
-            Err(whole) => job.refine(whole),
+        if agrees {
+            job.cut.moments = whole.moments;
+        } else {
+            job.refine(whole);
         }
     }
     job.cut
@@ -143,22 +144,21 @@ impl Job<'_> {
         corners.map(view).iter().any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(x)))
     }
 
-    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments of the
-    /// first that agrees with the one before, or else of the last, which has all points at least.
-    fn climb(&mut self, mut patch: Patch) -> Result<Vec<f64>, Whole> {
-        let mut before: Option<Whole> = None;
-        for points in rungs(self.outer.points) {
-            let whole = self.whole(patch, points);
-            let difference = before
-                .map_or(f64::INFINITY, |coarse| self.yardstick.difference(&coarse.moments, &whole.moments));
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments by the
+    /// first that agrees with the one before and true, or else by the last, which has all points at least.
+    fn climb(&mut self, patch: Patch) -> (Whole, bool) {
+        let [first, others @ ..] = rungs(self.outer.points);
+        let mut whole = self.whole(patch, first);
+        for points in others {
+            let finer = self.whole(whole.patch.clone(), points);
+            let difference = self.yardstick.difference(&whole.moments, &finer.moments);
+            whole = finer;
             if difference <= CLIMB_SHARE * self.tolerance {
                 self.cut.error += FINER_RULE * difference;
-                return Ok(whole.moments);
+                return (whole, true);
             }
-            patch = whole.patch.clone();
-            before = Some(whole);
         }
-        Err(before.expect("there are rungs"))
+        (whole, false)
     }
 
     /// Adds a part of the outer patch that one rule is not enough for.
