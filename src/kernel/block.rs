@@ -9,8 +9,8 @@ use super::shade::{Limit, Shade};
 /// What accuracy the blocks are asked to have.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy {
-    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger; entries of curved
-    /// elements below 1e-8 count as that.
+    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger; entries of
+    /// curved elements below 1e-8 count as that.
     pub eps: f64,
     /// Of visibility within a block.
     pub shadow_eps: f64,

@@ -43,8 +43,8 @@ const MOST_LEFT: usize = 4;
 /// What of the sum so far counts as a lower bound of the block's first entry.
 const FOUND_SHARE: f64 = 0.5;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. The error is measured
-/// against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
+/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. The error is
+/// measured against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
 /// smaller it is beside the largest entry of its `row`.
 pub(super) fn block(
     receiver: &Element,

@@ -232,7 +232,8 @@ fn what_elements_of_a_ball_see_of_a_lamp_is_about_as_accurate_as_asked() {
     ];
     for (case, eps) in cases.iter().flat_map(|case| [1e-2, 1e-4, 1e-5].map(|eps| (case, eps))) {
         let worst = case.worst(eps);
-        // At 1e-2 the tensor rule of elements at the pole, which see the lamp whole, is 3 % over; at 1e-5 one element aside twice.
+        // At 1e-2 the tensor rule of elements at the pole, which see the lamp whole, is 3 % over; at 1e-5 one element aside is
+        // twice as far off as it asks.
         assert!(worst <= 2.1, "{}, {eps:e}: {worst}", case.name);
     }
 }
