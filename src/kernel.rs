@@ -48,6 +48,7 @@ mod touch;
 mod trial;
 mod vertex;
 mod wedge;
+mod yardstick;
 
 pub use block::{Accuracy, Kind};
 pub use blocks::Blocks;

@@ -3,12 +3,14 @@
 use crate::elements::Element;
 use crate::visibility::Visibility;
 
+use super::moments::Moments;
 use super::shade::{Limit, Shade};
 
 /// What accuracy the blocks are asked to have.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy {
-    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger.
+    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger; entries of
+    /// curved elements below 1e-8 count as that.
     pub eps: f64,
     /// Of visibility within a block.
     pub shadow_eps: f64,
@@ -70,6 +72,20 @@ pub(super) struct Block {
 }
 
 impl Block {
+    /// The block with these moments, of which no error is known.
+    pub(super) fn of(moments: Moments, kind: Kind, partly_hidden: bool) -> Self {
+        Self {
+            samples: moments.samples,
+            distinct: moments.distinct,
+            rays: moments.rays,
+            values: moments.into_block(),
+            kind,
+            partly_hidden,
+            unresolved: false,
+            error: 0.0,
+        }
+    }
+
     /// The zero block of so many entries, of elements between which none of so many `rays` passes.
     pub(super) fn hidden(size: usize, rays: u64) -> Self {
         Self {

@@ -8,7 +8,7 @@ use crate::visibility::Visibility;
 use super::assembly;
 use super::block::Accuracy;
 use super::counts::PairCounts;
-use super::reach::ROW_SHARE;
+use super::reach::{ROW_SHARE, SMALLEST_ENTRY};
 
 /// All blocks of G, one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
@@ -29,7 +29,7 @@ pub struct Blocks {
     /// Segments tested for visibility.
     pub rays: u64,
     /// Estimate of the largest error that parts left unresolved make in a block, relative to the larger of the
-    /// block's largest entry and a hundredth of its row's; zero where every part was resolved.
+    /// block's largest entry and a hundredth of its row's, or to 1e-8 where both are smaller; zero where every part was resolved.
     pub accuracy_reached: f64,
 }
 
@@ -163,7 +163,7 @@ impl Blocks {
         let relative = |(row, column, error): &(usize, usize, f64)| {
             let block = largest.get(&(*row, *column)).copied().unwrap_or(0.0);
             let scale = block.max(ROW_SHARE * rows[*row].min(rows[*column]));
-            error / scale.max(f64::MIN_POSITIVE)
+            error / scale.max(SMALLEST_ENTRY)
         };
         errors.iter().map(relative).fold(0.0, f64::max)
     }

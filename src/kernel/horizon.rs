@@ -11,9 +11,10 @@
 //!
 //! A ball that stands between is cut away in the same manner ([`view`]).
 //!
-//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q; there the outer
-//! patch is halved until the halves together agree with the whole.
+//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q. There the outer patch, without the
+//! parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first, until their errors together are small enough.
 
+mod cell;
 mod line;
 mod part;
 mod view;
@@ -21,9 +22,12 @@ mod view;
 use std::sync::Arc;
 
 use crate::elements::basis::AreaBasis;
-use crate::elements::patch::{Direction, Patch};
+use crate::elements::patch::Patch;
 use crate::elements::rule::{MOST_POINTS, UnitRule};
 
+use super::facing::{Facing, facing};
+use super::yardstick::Yardstick;
+use cell::{Cell, DIRECTIONS, Whole};
 pub(super) use part::DEEPEST;
 use part::Part;
 pub(super) use view::Ball;
@@ -40,15 +44,15 @@ const CLIMB_SHARE: f64 = 0.5;
 /// The error of the finer of two rules, as a part of their difference: r/(1 − r) with r = (3/5)³ at a kink of second order.
 const FINER_RULE: f64 = 0.3;
 
-/// By what at least the error of halves is smaller than that of the whole: a kink of second order gives 2⁻³.
-const FINER: f64 = 0.125;
+/// Most halvings that take away what sees nothing.
+const MOST_TRIMS: usize = 16;
 
 /// What a pair of patches gave.
 #[derive(Debug)]
 pub(super) struct Cut {
     /// Moments in the raw polynomials, row-major, outer functions by inner functions.
     pub moments: Vec<f64>,
-    /// Estimate of their largest error.
+    /// Estimate of the largest error of the block's entries.
     pub error: f64,
     /// Kernel and horizon evaluations.
     pub samples: u64,
@@ -66,13 +70,14 @@ pub(super) struct Side<'a> {
     pub ball: Option<Ball>,
 }
 
-/// The moments of an outer patch with inner ones apart from it, to `tolerance` in absolute terms, with about `budget`
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about `budget`
 /// evaluations. Inner patches come with their points along and across, and those of their parts by how often these
 /// are quartered, which is done as often as points are given.
 pub(super) fn integrate(
     outer: &Side,
     basis: &AreaBasis,
     inner: &[(Patch, Arc<[[usize; 2]]>)],
+    yardstick: &Yardstick,
     tolerance: f64,
     budget: u64,
 ) -> Cut {
@@ -81,13 +86,22 @@ pub(super) fn integrate(
         outer,
         columns: basis.len(),
         inner: parts.collect(),
+        yardstick,
         tolerance,
         budget,
         cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
     };
-    match job.climb() {
-        Ok(moments) => job.cut.moments = moments,
-        Err(whole) => job.refine(outer.patch, &whole),
+    if let Some(patch) = job.seeing() {
+        // Where a corner sees nothing W ends within the patch, and two rules may well agree on what both miss.
+        let (whole, agrees) = match job.has_dark_corner(&patch) {
+            true => (job.whole(patch, rungs(outer.points)[1]), false),
+            false => job.climb(patch),
+        };
+        if agrees {
+            job.cut.moments = whole.moments;
+        } else {
+            job.refine(whole);
+        }
     }
     job.cut
 }
@@ -96,45 +110,87 @@ struct Job<'a> {
     outer: &'a Side<'a>,
     columns: usize,
     inner: Vec<Part<'a>>,
+    yardstick: &'a Yardstick,
     tolerance: f64,
     budget: u64,
     cut: Cut,
 }
 
 impl Job<'_> {
-    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments of the
-    /// first that agrees with the one before, or else of the last, which has all points at least.
-    fn climb(&mut self) -> Result<Vec<f64>, Vec<f64>> {
-        let mut before: Option<Vec<f64>> = None;
-        for points in rungs(self.outer.points) {
-            let moments = self.cell(self.outer.patch, points);
-            let difference = before.map_or(f64::INFINITY, |coarse| largest_difference(&coarse, &moments));
-            if difference <= CLIMB_SHARE * self.tolerance {
-                self.cut.error += FINER_RULE * difference;
-                return Ok(moments);
+    /// The outer patch without halves that see nothing: where only a corner sees, few points would pass it by. None if all is
+    /// dark.
+    fn seeing(&self) -> Option<Patch> {
+        let mut patch = self.outer.patch.clone();
+        let inner = |half: &Patch| {
+            let faces = |part: &Part| facing(half, part.patch(), false, 0.0) != Facing::Away;
+            self.inner.iter().any(faces)
+        };
+        let (mut kept, mut trims) = (0, 0);
+        while kept < DIRECTIONS.len() && trims < MOST_TRIMS && self.has_dark_corner(&patch) {
+            let [first, second] = patch.halves(DIRECTIONS[trims % DIRECTIONS.len()]);
+            trims += 1;
+            match [inner(&first), inner(&second)] {
+                [true, true] => kept += 1,
+                [false, false] => return None,
+                [sees, _] => (patch, kept) = (if sees { first } else { second }, 0),
             }
-            before = Some(moments);
         }
-        Err(before.expect("there are rungs"))
+        Some(patch)
     }
 
-    /// Adds a part of the outer patch whose moments by one rule are `whole`.
-    fn refine(&mut self, part: &Patch, whole: &[f64]) {
-        let [along, across] = part.extents();
-        let halves = part.halves(if along >= across { Direction::Along } else { Direction::Across });
-        let points = self.outer.points.map(|n| n.max(FEWEST));
-        let moments = [self.cell(&halves[0], points), self.cell(&halves[1], points)];
-        let sum: Vec<f64> = moments[0].iter().zip(&moments[1]).map(|(a, b)| a + b).collect();
-        let difference = largest_difference(&sum, whole);
-        let spent = self.cut.samples > self.budget;
-        if difference <= self.tolerance || spent {
-            self.cut.moments.iter_mut().zip(&sum).for_each(|(m, s)| *m += s);
-            self.cut.error += if spent { difference } else { FINER * difference };
-            return;
+    fn has_dark_corner(&self, patch: &Patch) -> bool {
+        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+        let view = |(s, t)| View { node: patch.node(s, t), ball: None };
+        corners.map(view).iter().any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(x)))
+    }
+
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments by the
+    /// first that agrees with the one before and true, or else by the last, which has all points at least.
+    fn climb(&mut self, patch: Patch) -> (Whole, bool) {
+        let [first, others @ ..] = rungs(self.outer.points);
+        let mut whole = self.whole(patch, first);
+        for points in others {
+            let finer = self.whole(whole.patch.clone(), points);
+            let difference = self.yardstick.difference(&whole.moments, &finer.moments);
+            whole = finer;
+            if difference <= CLIMB_SHARE * self.tolerance {
+                self.cut.error += FINER_RULE * difference;
+                return (whole, true);
+            }
         }
-        for (half, moments) in halves.iter().zip(&moments) {
-            self.refine(half, moments);
+        (whole, false)
+    }
+
+    /// Adds a part of the outer patch that one rule is not enough for.
+    fn refine(&mut self, whole: Whole) {
+        let mut cell = Cell::new(whole);
+        (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
+        let mut cells = vec![cell];
+        let mut error = cells[0].error();
+        while error > self.tolerance && self.cut.samples <= self.budget {
+            let worst = (0..cells.len()).max_by(|a, b| cells[*a].error().total_cmp(&cells[*b].error()));
+            let cell = cells.swap_remove(worst.expect("there is one"));
+            let (direction, is_known) = cell.worse();
+            let mut looked_at = if is_known { cell.cut(direction) } else { vec![cell] };
+            looked_at.iter_mut().for_each(|cell| self.look(cell, direction));
+            cells.extend(looked_at);
+            error = cells.iter().map(Cell::error).sum();
         }
+        self.cut.error += error;
+        for cell in cells {
+            self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
+        }
+    }
+
+    /// Looks at the halves of a cell.
+    fn look(&mut self, cell: &mut Cell, direction: usize) {
+        let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
+        cell.look(direction, halves, self.yardstick);
+    }
+
+    fn whole(&mut self, patch: Patch, points: [usize; 2]) -> Whole {
+        let moments = self.cell(&patch, points);
+        Whole { patch, points, moments }
     }
 
     /// Moments of a part of the outer patch by one tensor rule.
@@ -165,10 +221,6 @@ fn rungs(most: [usize; 2]) -> [[usize; 2]; RUNGS.len()] {
         let points = |n: usize| ((RUNGS[k] * n as f64).ceil() as usize).max(FEWEST + STEP * k);
         most.map(|n| points(n).min(MOST_POINTS))
     })
-}
-
-fn largest_difference(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 #[cfg(test)]

@@ -118,9 +118,9 @@ impl<'a> Moments<'a> {
         self.distinct += samples;
     }
 
-    /// Largest difference of the raw moments of two sums of the same elements.
-    pub(super) fn difference(&self, other: &Self) -> f64 {
-        self.values.iter().zip(&other.values).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
+    /// The moments so far, in the raw polynomials.
+    pub(super) fn values(&self) -> &[f64] {
+        &self.values
     }
 
     /// Adds another sum of the same elements, if `kept`; its cost in any case.
@@ -136,11 +136,6 @@ impl<'a> Moments<'a> {
     /// Multiplies what was added.
     pub(super) fn scale(&mut self, factor: f64) {
         self.values.iter_mut().for_each(|value| *value *= factor);
-    }
-
-    /// ∫∫κ over what was added: the first polynomials are ½.
-    pub(super) fn exchanged(&self) -> f64 {
-        4.0 * self.values[0]
     }
 
     /// Bases of receiver and emitter.

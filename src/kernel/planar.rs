@@ -147,16 +147,8 @@ impl<'a> Job<'a> {
     }
 
     fn finish(self) -> Block {
-        Block {
-            samples: self.moments.samples,
-            distinct: self.moments.distinct,
-            rays: self.moments.rays,
-            values: self.moments.into_block(),
-            kind: self.kind,
-            partly_hidden: self.partly_hidden,
-            unresolved: self.unresolved,
-            error: self.error,
-        }
+        let block = Block::of(self.moments, self.kind, self.partly_hidden);
+        Block { unresolved: self.unresolved, error: self.error, ..block }
     }
 
     fn tolerance(&self) -> f64 {

@@ -19,6 +19,8 @@ use crate::elements::Element;
 
 /// A block may be wrong by ε times this part of the largest entry of its row.
 pub(super) const ROW_SHARE: f64 = 1e-2;
+/// No block with a curved element is taken for smaller than this part of the largest there can be.
+pub(super) const SMALLEST_ENTRY: f64 = 1e-8;
 /// Largest relative error a block is ever allowed.
 const LOOSEST: f64 = 0.5;
 

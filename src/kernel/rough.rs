@@ -18,6 +18,8 @@ const POINTS: [usize; 2] = [4, 5];
 /// The same for elements of more than so many parts.
 const FEWER_POINTS: [usize; 2] = [2, 3];
 const MANY_PARTS: usize = 4;
+/// Points a direction of grids with points at the corners.
+const CORNERED: usize = 6;
 
 /// An element ready to be set against others.
 #[derive(Debug)]
@@ -62,6 +64,18 @@ impl Rough {
 pub(super) fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
     let [few, more] = POINTS;
     (sum(&weighted(receivers, few), &weighted(emitters, more)) / unit).min(1.0)
+}
+
+/// The largest value of the kernel between the points of grids that reach to the corners, which may see each other though no other
+/// points do.
+pub(super) fn largest_kernel(receivers: &[Patch], emitters: &[Patch]) -> f64 {
+    let place = |k: usize| k as f64 / (CORNERED - 1) as f64;
+    let grid = |patch: &Patch| -> Vec<Node> {
+        (0..CORNERED * CORNERED).map(|k| patch.node(place(k / CORNERED), place(k % CORNERED))).collect()
+    };
+    let emitters: Vec<Node> = emitters.iter().flat_map(grid).collect();
+    let receivers = receivers.iter().flat_map(grid);
+    receivers.flat_map(|x| emitters.iter().map(move |y| kernel(&x, y))).fold(0.0, f64::max)
 }
 
 fn sum(receivers: &[(Node, f64)], emitters: &[(Node, f64)]) -> f64 {

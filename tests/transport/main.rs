@@ -8,6 +8,7 @@ mod curved;
 mod empty_box;
 mod flat;
 mod furnace;
+mod grazing;
 mod paper;
 mod polyhedra;
 mod room;

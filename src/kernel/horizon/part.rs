@@ -58,20 +58,30 @@ impl<'a> Part<'a> {
         Self { patch, basis, points, depth, grid, center, bends, nodes, rows, quarters }
     }
 
+    /// The patch.
+    pub(super) fn patch(&self) -> &Patch {
+        &self.patch
+    }
+
+    /// Whether a point may see any of it.
+    pub(super) fn may_be_seen_from(&self, x: &View) -> bool {
+        let grid: Vec<Heights> = self.grid.iter().map(|y| x.heights(y)).collect();
+        !is_dark(&ranges(&grid), &self.margins(x, &grid))
+    }
+
+    /// By how much heights may leave the ranges of their values on the grid.
+    fn margins(&self, x: &View, grid: &[Heights]) -> Heights {
+        let reach = x.node.position.distance(self.center);
+        let over_ball = x.ball.map_or(0.0, |_| bend(grid));
+        [self.bends[0], self.bends[1] * reach + self.bends[2], over_ball].map(|bend| 0.25 * bend)
+    }
+
     /// Adds W_l(x) to `out`; returns the number of evaluations.
     pub(super) fn seen_from(&mut self, x: &View, out: &mut [f64]) -> u64 {
         let grid: Vec<Heights> = self.grid.iter().map(|y| x.heights(y)).collect();
-        let reach = x.node.position.distance(self.center);
-        let bends =
-            [self.bends[0], self.bends[1] * reach + self.bends[2], x.ball.map_or(0.0, |_| bend(&grid))];
-        let margins = bends.map(|bend| 0.25 * bend);
-        let range = |k: usize| {
-            let values = grid.iter().map(|h| h[k]);
-            values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
-        };
-        let ranges = [0, 1, 2].map(range);
+        let (ranges, margins) = (ranges(&grid), self.margins(x, &grid));
         let spent = grid.len() as u64;
-        if (0..HEIGHTS).any(|k| ranges[k][1] + margins[k] <= 0.0) {
+        if is_dark(&ranges, &margins) {
             return spent;
         }
         let clipped: Vec<usize> = (0..HEIGHTS).filter(|k| ranges[*k][0] < margins[*k]).collect();
@@ -151,6 +161,19 @@ impl<'a> Part<'a> {
         }
         evaluations
     }
+}
+
+/// Least and largest of each height on a grid.
+fn ranges(grid: &[Heights]) -> [[f64; 2]; HEIGHTS] {
+    std::array::from_fn(|k| {
+        let values = grid.iter().map(|h| h[k]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
+    })
+}
+
+/// Whether some height is positive nowhere.
+fn is_dark(ranges: &[[f64; 2]; HEIGHTS], margins: &Heights) -> bool {
+    ranges.iter().zip(margins).any(|([_, high], margin)| high + margin <= 0.0)
 }
 
 /// The sum over both directions of the largest second difference of the last height.

@@ -1,0 +1,126 @@
+//! Parts of one element as seen from one part of the other, with nothing or one ball in between.
+//!
+//! Together, because their sum is smooth where a horizon passes from one into the next.
+
+use std::collections::VecDeque;
+
+use crate::elements::patch::Patch;
+use crate::kernel::block::Kind;
+use crate::kernel::facing::{Facing, facing};
+use crate::kernel::horizon::{self, Side};
+use crate::kernel::pair::gap;
+use crate::kernel::separated::SMALLEST_RATIO;
+use crate::kernel::touch::{Touch, touch};
+
+use super::constant::constant;
+use super::job::{COINCIDENT, Job, SMALL_PART, State, Task};
+use super::points::quartered;
+use super::size::longest;
+
+/// Part of the block's error that the horizons of one outer part may make.
+const HORIZON_SHARE: f64 = 0.3;
+
+impl Job<'_> {
+    /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
+    /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
+    pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+        let reach = longest(outer).1;
+        let mut open: VecDeque<Patch> = inner.into();
+        let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
+        while let Some(part) = open.pop_front() {
+            let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
+            let share = self.budget.share(p, q);
+            let gap = gap(p, q);
+            let tolerance = COINCIDENT * self.size;
+            let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
+            let facing = facing(p, q, touching, self.budget.slight(share));
+            if facing == Facing::Away {
+                continue;
+            }
+            let blockers = self.between(p, q);
+            self.partly_hidden |= !blockers.is_empty();
+            if !blockers.is_empty() && constant(p, q).is_some() {
+                // Nothing becomes singular, whether they touch or not.
+                clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
+                continue;
+            }
+            if touching || self.budget.neglects(share) {
+                let state = State { touching: true, levels: self.budget.accuracy.shadow_levels(), blockers };
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
+                continue;
+            }
+            let close = gap < SMALLEST_RATIO * reach.max(longest(&part).1);
+            if close || facing != Facing::Wholly {
+                let state = State { touching: false, levels: 0, blockers: blockers.clone() };
+                let spent = if close { self.spent() } else { self.budget.horizons_spent() };
+                if (spent || share <= SMALL_PART * self.budget.scale)
+                    && self.attempt(p, q, Some(&Touch::Apart(gap)), &state)
+                {
+                    continue;
+                }
+            }
+            if close {
+                self.kind = self.kind.max(Kind::Split);
+                if reach > longest(&part).1 {
+                    near.push(part);
+                } else {
+                    open.extend(part.halves(longest(&part).0));
+                }
+            } else if facing == Facing::Wholly && blockers.is_empty() {
+                whole.push((part, gap));
+            } else {
+                clipped.push((part, gap));
+            }
+        }
+        if near.is_empty() && clipped.is_empty() {
+            return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
+        }
+        // Beside horizons those seen wholly go the same way: the sum of all is smoother than any of them.
+        clipped.extend(whole);
+        if near.is_empty() {
+            return self.horizon(outer, &clipped);
+        }
+        near.extend(clipped.into_iter().map(|(part, _)| part));
+        let halves = outer.halves(longest(outer).0);
+        self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// An inner part that the outer one sees wholly, by a tensor rule.
+    fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
+        let (p, q) = if self.swapped { (inner, outer) } else { (outer, inner) };
+        let points = self.points(p, q).apart(p, q, gap);
+        self.moments.tensor(p, q, points, None);
+    }
+
+    /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
+    /// next, their sum stays smooth.
+    pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
+        let mut points = [1; 2];
+        let mut sides = Vec::new();
+        let [first, second] = if self.swapped { [1, 0] } else { [0, 1] };
+        for (part, gap) in inner {
+            let (p, q) = if self.swapped { (part, outer) } else { (outer, part) };
+            let counts = self.points(p, q).apart(p, q, *gap);
+            for (most, count) in points.iter_mut().zip(&counts[2 * first..]) {
+                *most = *count.max(most);
+            }
+            let eps = self.budget.part_eps(p, q);
+            sides.push((part.clone(), quartered(part, self.degrees[second], *gap, eps)));
+        }
+        if sides.is_empty() {
+            return;
+        }
+        let ball = self.ball.map(|(_, ball)| ball);
+        let outer = Side { patch: outer, basis: &self.elements[first].basis, points, ball };
+        let may_err = self.budget.may_err();
+        let turned = self.swapped.then(|| self.yardstick.turned());
+        let yardstick = turned.as_ref().unwrap_or(&self.yardstick);
+        let budget = self.budget.left_for_horizons();
+        let basis = &self.elements[second].basis;
+        let cut = horizon::integrate(&outer, basis, &sides, yardstick, HORIZON_SHARE * may_err, budget);
+        self.budget.horizons += cut.samples;
+        self.moments.add_raw(&cut.moments, self.swapped, cut.samples);
+        self.error += cut.error;
+        self.unresolved |= cut.error > may_err;
+    }
+}

@@ -1,0 +1,121 @@
+//! Two parts of curved elements, wherever they lie.
+
+use crate::elements::patch::Patch;
+use crate::elements::rule::MOST_POINTS;
+use crate::kernel::block::Kind;
+use crate::kernel::edge::{self, LARGEST_ASPECT, Wedge};
+use crate::kernel::facing::{Facing, facing};
+use crate::kernel::integrand::Sees;
+use crate::kernel::pair::gap;
+use crate::kernel::separated::SMALLEST_RATIO;
+use crate::kernel::touch::{Touch, touch};
+use crate::kernel::{seam, vertex};
+
+use super::constant::constant;
+use super::job::{COINCIDENT, Job, SMALL_PART, State};
+use super::points::MOST_CORNER_POINTS;
+use super::size::longest;
+
+impl Job<'_> {
+    pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let share = self.budget.share(p, q);
+        if self.budget.neglects(share) {
+            self.error += share;
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+        }
+        let tolerance = COINCIDENT * self.size;
+        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
+        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        state.touching = gap <= 0.0;
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.budget.slight(share));
+        if facing == Facing::Away {
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let spent = self.budget.shadows_spent(&self.moments);
+            if state.levels > 0 && !spent {
+                state.levels -= 1;
+                return self.halve(p, q, &contact, &state);
+            }
+            self.partly_hidden = true;
+            let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            if spent && (is_apart || share <= SMALL_PART * self.budget.scale) {
+                return self.roughly(p, q, Some(&contact), &state);
+            }
+        } else if let Some(value) = constant(p, q) {
+            return self.constant(p, q, value);
+        }
+        let small = gap > 0.0 && share <= SMALL_PART * self.budget.scale;
+        let near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+        if small && (near || facing == Facing::Partly) && self.attempt(p, q, Some(&contact), &state) {
+            return;
+        }
+        match facing {
+            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
+            _ => self.smooth(p, q, &contact, gap, &state),
+        }
+    }
+
+    /// A pair through which a horizon may run.
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let longest = longest(p).1.max(longest(q).1);
+        if gap >= SMALLEST_RATIO * longest {
+            if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
+                return;
+            }
+            let (outer, inner) = if self.swapped { (q, p) } else { (p, q) };
+            return self.horizon(outer, &[(inner.clone(), gap)]);
+        }
+        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        if !self.attempt(p, q, Some(contact), state) {
+            self.halve(p, q, contact, state);
+        }
+    }
+
+    /// A pair that sees each other wholly, or whose horizons are left to rays.
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
+        let free = |x, y| visibility.free_between(own, &blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            Touch::Edge { p: a, q: b, matched } => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = self.points(a, b).edge(a, b, *matched, &wedge);
+                self.unresolved |= points[2] > MOST_POINTS;
+                let rule = if *matched { edge::integrate } else { seam::integrate };
+                rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
+            }
+            Touch::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = self.points(a, b).corner(a, b);
+                self.unresolved |= points[1] > MOST_CORNER_POINTS;
+                vertex::integrate(&mut self.moments, a, b, points.map(|n| n.min(MOST_CORNER_POINTS)), sees);
+            }
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) => {
+                let points = self.points(p, q).apart(p, q, gap);
+                self.moments.tensor(p, q, points, sees);
+            }
+            _ => {
+                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
+                    self.halve(p, q, contact, state);
+                }
+            }
+        }
+    }
+}
