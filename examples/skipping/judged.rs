@@ -83,7 +83,11 @@ impl<'a> Judged<'a> {
         let Subject { scene, elements, .. } = self.subject;
         let accuracy = Accuracy { eps, shadow_eps };
         let visibility = Visibility::new(scene, hiding.shadows(accuracy.shadow_eps));
-        let wanted = |i: usize, j: usize| is_taken([i, j], elements.list().len(), self.every);
+        let list = elements.list();
+        let is_apart = |i: usize, j: usize| !list[i].bounds().overlaps(&list[j].bounds());
+        let wanted = |i: usize, j: usize| {
+            is_taken([i, j], list.len(), self.every) && (self.every == 1 || is_apart(i, j))
+        };
         let start = ProcessTime::now();
         let blocks = Blocks::assemble_pairs(elements, &wanted, &visibility, accuracy, &|_, _| {});
         let seconds = start.elapsed().as_secs_f64();

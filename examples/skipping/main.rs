@@ -17,11 +17,11 @@
 //!
 //! S = G⁰ − G what blockers take from a block, G⁰ and G by the library. So only errors of visibility count. Where everything
 //! is planar G is good to 1e-5. Elsewhere it has shadow-eps 3e-4, a tenth of the default; that the naive program, which shares
-//! with it nothing but the surfaces, comes to the same is the check of it. Where many elements bend one pair in so many is
-//! judged, taken at random.
+//! with it nothing but the surfaces, comes to the same is the check of it. Where most elements bend one pair in so many is
+//! judged, taken at random, of those whose boxes do not overlap: in contacts the rules for the kernel itself would be judged.
 //!
 //! Its rays are those of these pairs alone, as if the others were known to be free; they are traced one by one through the
-//! hierarchy over all surfaces. Ours are by outlines and by rays, with `--shadow-eps` at the default and looser, all pairs
+//! hierarchy over all surfaces. Ours are by outlines and by rays, with `--shadow-eps` about the default, all pairs
 //! that are judged; their seconds of visibility are those of the blocks less those without shadows, which where they are less
 //! than a tenth of these are lost in the noise. Seconds are CPU seconds of one thread, the least of three runs where they are
 //! short.

@@ -13,7 +13,7 @@ const GOAL: f64 = 1e-2;
 /// The naive program's rules, points a direction.
 const POINTS: [usize; 13] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24];
 /// Our accuracies of shadows, in multiples of the default.
-const LOOSER: [f64; 4] = [1.0, 3.0, 10.0, 30.0];
+const LOOSER: [f64; 5] = [1.0 / 3.0, 1.0, 3.0, 10.0, 30.0];
 /// The naive program gives up before it needs more rays than this (about a minute).
 const MOST_RAYS: u64 = 8_000_000;
 /// Seconds less than this part of those they are a difference of are noise.
