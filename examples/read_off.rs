@@ -1,12 +1,15 @@
 //! Error against time of the presets, and of the ways to read a solution: the Cornell box against path tracing.
 //!
-//! `cargo run --release --example read_off -- [WAY ...]` (quick, default, fine, finest, projected, masks, masks-1993; all unless said).
-//! Floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted relative L2 over both faces and the three bands, %;
-//! the reference's own noise is 0.14 %. Samples and rays are those of the transfers. Masks have 40 × 40 cells, and average by light
-//! or, as in 1993, by area. "read" names the way to read with its rates of direct and of reflected light, points along a cell's side.
-//! Times are wall times: of the solution, and of the cells of all faces with what is tabulated for them.
+//! `cargo run --release --example read_off -- [WAY ...]` (quick, default, fine, finest, projected, masks, masks-1993; all unless
+//! said). Floor and back wall, 16 × 16 cell means of irradiance, pooled area-weighted relative L2 over both faces and the three
+//! bands, %; the reference's own noise is 0.14 %. Samples and rays are those of the transfers. Masks have 40 × 40 cells, and
+//! average by light or, as in 1993, by area. "read" names the way to read with its rates of direct and of reflected light, points
+//! along a cell's side. Times are wall times: of the solution, and of the cells of all faces with what is tabulated for them.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
+
+#[path = "arguments/words.rs"]
+mod words;
 
 use std::num::NonZeroUsize;
 use std::time::Instant;
@@ -21,6 +24,8 @@ use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
 use serde_json::Value;
 
+use words::words;
+
 /// Emission of the scene file over unit exitance, per band: π × the published values.
 const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 
@@ -31,15 +36,17 @@ struct Way {
     readings: Vec<Reading>,
 }
 
-fn main() {
-    let only: Vec<String> = std::env::args().skip(1).collect();
+fn main() -> Result<(), String> {
+    let ways = ways();
+    let names: Vec<&str> = ways.iter().map(|way| way.name).collect();
+    let only = words(&names)?;
     let scene = Scene::builtin("cornell-box").expect("the scene is built in");
     let work = || {
         println!(
             "| way | read | unknowns | samples | rays | floor, % | back wall, % | both, % | solve, s | cells, s | s |"
         );
         println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
-        for way in ways().iter().filter(|way| only.is_empty() || only.iter().any(|only| only == way.name)) {
+        for way in ways.iter().filter(|way| only.is_empty() || only.iter().any(|only| only == way.name)) {
             let start = Instant::now();
             let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
             let solved = start.elapsed().as_secs_f64();
@@ -49,7 +56,7 @@ fn main() {
             }
         }
     };
-    in_threads(Options::default().threads, work).expect("threads can be started");
+    in_threads(Options::default().threads, work).map_err(|failure| failure.to_string())
 }
 
 /// The presets, and the default with direct light as it was in 1993: in the polynomials, and times masks.

@@ -2,11 +2,12 @@
 //!
 //! `cargo run --release --example sizes > sizes.md`
 //!
-//! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most memory that the system granted it, and
-//! seconds are of processor time, both as Linux tells them. Direct light is projected, so that blocks and solver are all there is
-//! to do. Bytes of blocks are those stored, one triangle, zero blocks left out; the matrix of the system is dense. Before a row is
-//! begun its memory is told by [`Footprint`] and its time from the rows before it: more than 2 GB or two minutes are not run.
-//! Below the table stand the exponents p of y ~ surfacesᵖ between the last two rows of each order.
+//! Each row is a process of its own (`sizes ROW ORDER`, rows from 0), on one thread: "MB at most" is the most memory that the
+//! system granted it, and seconds are of processor time, both as Linux tells them. Direct light is projected, so that blocks
+//! and solver are all there is to do. Bytes of blocks are those stored, one triangle, zero blocks left out; the matrix of the
+//! system is dense. Before a row is begun its memory is told by [`Footprint`] and its time from the rows before it: more than
+//! 2 GB or two minutes are not run. Below the table stand the exponents p of y ~ surfacesᵖ between the last two rows of each
+//! order.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 #![expect(clippy::print_stderr, reason = "notes about the table")]
@@ -14,6 +15,8 @@
 #[path = "../tests/stress/random.rs"]
 #[expect(dead_code, reason = "the tests use the rest")]
 mod random;
+#[path = "arguments/words.rs"]
+mod words;
 
 use std::process::Command;
 use std::time::Duration;
@@ -33,8 +36,11 @@ use radiosity_geom::shapes::Parallelogram;
 use radiosity_solvers::Settings;
 
 use random::Random;
+use words::words;
 
 const ORDERS: [usize; 3] = [0, 2, 4];
+/// Orders that can be asked for are lower.
+const HIGHEST: usize = 20;
 /// Boxes along the three edges of the room.
 const GRIDS: [[usize; 3]; 6] = [[0, 0, 0], [2, 1, 1], [2, 2, 2], [4, 4, 2], [6, 5, 4], [10, 8, 4]];
 /// The room (m).
@@ -50,12 +56,18 @@ struct Row {
     figures: [f64; 3],
 }
 
-fn main() {
-    let arguments: Vec<usize> = std::env::args().skip(1).filter_map(|text| text.parse().ok()).collect();
-    match arguments[..] {
-        [grid, order] => in_threads(1, || measure(GRIDS[grid], order)).expect("a thread can be started"),
-        _ => table(),
+fn main() -> Result<(), String> {
+    let known: Vec<String> = (0..HIGHEST.max(GRIDS.len())).map(|number| number.to_string()).collect();
+    let known: Vec<&str> = known.iter().map(String::as_str).collect();
+    let numbers: Vec<usize> = words(&known)?.iter().filter_map(|word| word.parse().ok()).collect();
+    match numbers[..] {
+        [] => table(),
+        [row, order] if row < GRIDS.len() => {
+            in_threads(1, || measure(GRIDS[row], order)).map_err(|failure| failure.to_string())?;
+        }
+        _ => return Err(format!("give ROW, less than {}, and ORDER, or nothing", GRIDS.len())),
     }
+    Ok(())
 }
 
 /// All rows, by processes of their own.
@@ -183,8 +195,8 @@ fn room(grid: [usize; 3]) -> Scene {
     room.build().expect("the boxes keep apart")
 }
 
-/// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are left-handed. The face
-/// where the third edge starts has the first material.
+/// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are left-handed. The
+/// face where the third edge starts has the first material.
 fn add_box(
     room: &mut SceneBuilder,
     name: &str,

@@ -392,6 +392,12 @@ impl Visibility {
         })
     }
 
+    /// Whether any surface bends such that a point of it may see a thing in part and the rest of it below the horizon.
+    pub fn any_horizon(&self) -> bool {
+        let bends = |looks: &[(DVec3, DVec3)]| looks.iter().any(|(_, n)| n.dot(looks[0].1) < ALIKE);
+        self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && bends(&obstacle.looks))
+    }
+
     /// Whether any surface can stand between two others, as far as their planes tell.
     pub(crate) fn has_obstacles(&self) -> bool {
         !self.standing.is_empty()

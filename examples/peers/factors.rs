@@ -3,7 +3,6 @@
 use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
-use std::time::Instant;
 
 use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
@@ -57,12 +56,9 @@ fn exchange(pair: usize) -> String {
     let above = |d: f64| [[0., 0., d], [0., 1., d], [1., 1., d], [1., 0., d]].map(DVec3::from_array);
     let wall = [[0., 0., 0.], [0., 1., 0.], [0., 1., 1.], [0., 0., 1.]].map(DVec3::from_array);
     let other = [above(1.0), above(0.1), wall][pair];
-    let start = Instant::now();
-    let mut found = 0.0;
-    for _ in 0..CALLS {
-        found = polygon_exchange(black_box(&lower), black_box(&other));
-    }
-    cell(found, EXACT[pair], start.elapsed().as_secs_f64() / f64::from(CALLS))
+    let call = || polygon_exchange(black_box(&lower), black_box(&other));
+    let (seconds, found) = timed(|| (1..CALLS).fold(call(), |_, _| call()));
+    cell(found, EXACT[pair], seconds / f64::from(CALLS))
 }
 
 /// Error and time of the factor between the two surfaces of a scene.

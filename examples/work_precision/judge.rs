@@ -22,6 +22,9 @@ const PUBLISHED: [f64; 3] = [16.16, 11.04, 4.8];
 const SHORT: f64 = 0.1;
 const REPEATS: usize = 3;
 
+/// Accuracy of the shadows of a run that others are held against, in multiples of that of its transfers.
+const SHADOWS: f64 = 3.0;
+
 /// Points along each direction of a patch that is held against a closed form.
 const POINTS: usize = 12;
 
@@ -36,7 +39,11 @@ const LAMP: [DVec3; 4] = [
 /// All runs of a study, told one by one as they end.
 pub(crate) fn records(study: &Study, mut tell: impl FnMut(&Record)) -> Vec<Record> {
     let finest = match study.judge {
-        Judge::Finest(trial) => Some(run(&study.scene, &trial.options()).solution),
+        Judge::Finest(trial) => {
+            let shadow_eps = Options::default().shadow_eps.min(SHADOWS * trial.eps);
+            let options = Options { shadow_eps, ..trial.options() };
+            Some(run(&study.scene, &options).solution)
+        }
         Judge::ClosedForm | Judge::PathTracing => None,
     };
     let record = |trial: &Trial| {

@@ -1,15 +1,15 @@
 //! Error against work: high orders, constant elements and the rules of 1993 on the same axes.
 //!
-//! `cargo run --release --example work_precision -- [SCENE | --redraw]` runs every study, or only the one named (box-a, box-b,
-//! lit-sphere, two-boxes, cornell-box, cornell-cells, teapot), on one thread, takes what it measured into
-//! docs/work-precision.csv, draws docs/work-precision*.svg from all that is there (against time, samples, unknowns), and prints the
-//! equal-error speed-ups over constant elements as Markdown. `--redraw` runs nothing.
+//! `cargo run --release --example work_precision -- [SCENE ... | --redraw]` runs every study, or only those named (box-a,
+//! box-b, lit-sphere, two-boxes, cornell-box, cornell-cells, teapot), on one thread, takes what it measured into
+//! docs/work-precision.csv, draws docs/work-precision*.svg from all that is there (against time, samples, unknowns), and prints
+//! the equal-error speed-ups over constant elements as Markdown. `--redraw` runs nothing.
 //!
 //! Errors are those of the polynomials alone, relative L² over the scene of what is reflected: against a finer run in
 //! rooms, against Lambert's form on the lit sphere. `cornell-cells` reads 16 × 16 cells and holds those of floor and back wall
 //! against path tracing, whose own noise is 0.14 %. Times are CPU times of one thread, of the solution and of cells where
-//! these are read. A time with ~ goes on beyond the finest constant elements by the line through the last three, to a quarter of their error; beyond that it is only
-//! told what they took.
+//! these are read. A time with ~ goes on beyond the finest constant elements by the line through the last three, to a quarter of
+//! their error; beyond that it is only told what they took.
 
 mod diagram;
 mod family;
@@ -18,6 +18,8 @@ mod judge;
 mod record;
 mod study;
 mod table;
+#[path = "../arguments/words.rs"]
+mod words;
 mod work;
 
 use std::error::Error;
@@ -26,20 +28,17 @@ use std::path::Path;
 
 use record::Record;
 use study::{Study, studies};
+use words::words;
 use work::Work;
 
 const CSV: &str = "docs/work-precision.csv";
 const REDRAW: &str = "--redraw";
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let only = std::env::args().nth(1);
     let studies = studies();
-    if let Some(name) =
-        only.as_ref().filter(|name| *name != REDRAW && !studies.iter().any(|s| s.name == *name))
-    {
-        return Err(format!("there is no study '{name}'").into());
-    }
-    let wanted = |study: &&Study| only.as_ref().is_none_or(|only| only == study.name);
+    let known: Vec<&str> = studies.iter().map(|study| study.name).chain([REDRAW]).collect();
+    let only = words(&known)?;
+    let wanted = |study: &&Study| only.is_empty() || only.iter().any(|only| only == study.name);
     let mut records = if Path::new(CSV).exists() { record::read(Path::new(CSV))? } else { Vec::new() };
     for study in studies.iter().filter(wanted) {
         records.retain(|record| record.scene != study.name);

@@ -116,15 +116,22 @@ pub(crate) fn studies() -> Vec<Study> {
     let bright = Scene::builtin_with("empty-box", &[("reflectance", 0.8)]).expect("it is built in");
     let sphere = Scene::from_toml(LIT_SPHERE, "lit-sphere").expect("it is valid");
     let closed = Judge::Finest(Trial { layers: 2, ..run(8, 1, 1e-7) });
-    let shadowed = |order, cells| Judge::Finest(run(order, cells, 1e-3));
+    // Sharper than the runs it judges, as far as minutes go.
+    let shadowed = |order, cells, eps| Judge::Finest(run(order, cells, eps));
     vec![
         study("box-a", "empty box, ρ = 0.5", builtin("empty-box"), closed, empty_box()),
         study("box-b", "empty box, ρ = 0.8", bright, closed, empty_box()),
         study("lit-sphere", "sphere under a square lamp", sphere, Judge::ClosedForm, curved()),
-        study("two-boxes", "room with two boxes", builtin("two-boxes"), shadowed(6, 4), room()),
-        study("cornell-box", "Cornell box, polynomials", builtin("cornell-box"), shadowed(6, 4), room()),
+        study("two-boxes", "room with two boxes", builtin("two-boxes"), shadowed(6, 4, 1e-4), room()),
+        study(
+            "cornell-box",
+            "Cornell box, polynomials",
+            builtin("cornell-box"),
+            shadowed(6, 4, 1e-4),
+            room(),
+        ),
         study("cornell-cells", "Cornell box, cells", builtin("cornell-box"), Judge::PathTracing, cells()),
-        study("teapot", "teapot", builtin("teapot"), shadowed(4, 1), teapot()),
+        study("teapot", "teapot", builtin("teapot"), shadowed(4, 1, 3e-4), teapot()),
     ]
 }
 

@@ -1,6 +1,6 @@
 //! The figures and the table of H. R. Zatz, "Galerkin radiosity" (1993), computed again.
 //!
-//! `cargo run --release --example zatz_1993 -- [PART]` prints Markdown, the paper's numbers beside ours: `figure-4` and
+//! `cargo run --release --example zatz_1993 -- [PART ...]` prints Markdown, the paper's numbers beside ours: `figure-4` and
 //! `figure-5` (error against order of two squares), `table-1` (times and shots, with figure 12), `figure-9` (the two boxes at
 //! orders 0, 1, 3 and 7; figure 11 is the second row of the picture it writes, docs/zatz-two-boxes.png); all unless said.
 //!
@@ -12,13 +12,17 @@ mod boxes;
 mod memory;
 mod rooms;
 mod squares;
+#[path = "../arguments/words.rs"]
+mod words;
 
 use std::error::Error;
 use std::io::{Write, stdout};
 
+use words::words;
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let only = std::env::args().nth(1);
-    let wanted = |part: &str| only.as_ref().is_none_or(|only| only == part);
+    let only = words(&["figure-4", "figure-5", "table-1", "figure-9"])?;
+    let wanted = |part: &str| only.is_empty() || only.iter().any(|only| only == part);
     let mut out = stdout().lock();
     if wanted("figure-4") {
         squares::figure_4(&mut out)?;

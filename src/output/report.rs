@@ -164,14 +164,14 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     if let Some(why) = why(achieved.end) {
         let estimate = match achieved.estimate {
             Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
-            None => "there is no second run to estimate the error from".to_owned(),
+            None => "there is no estimate of the error".to_owned(),
         };
         warnings.push(warning("accuracy-not-reached", format!("{estimate}, and {why}")));
     }
     if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
-        let message = "some surfaces state their own order or subdivide and keep it: what they miss is not in the \
-                       estimated error";
-        warnings.push(warning("accuracy-unseen", message.to_owned()));
+        let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
+                       they miss stays in the estimated error";
+        warnings.push(warning("accuracy-fixed", message.to_owned()));
     }
     warnings
 }

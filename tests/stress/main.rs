@@ -10,7 +10,9 @@
 mod double;
 mod random;
 mod row;
+mod walls;
 
+mod convex;
 mod estimate;
 mod exchange;
 mod lambert;

@@ -7,16 +7,11 @@ use radiosity::visibility::{Shadows, Visibility};
 
 use crate::random::Random;
 use crate::row::Row;
+use crate::walls::walls;
 
 /// A closed box of some size, seen from inside.
-fn room([x, y, z]: [f64; 3]) -> Scene {
-    let face = |origin: [f64; 3], u: [f64; 3], v: [f64; 3]| {
-        format!("[[surfaces]]\nparallelogram = {{ origin = {origin:?}, edge1 = {u:?}, edge2 = {v:?} }}\n")
-    };
-    let [a, b, c] = [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
-    let low = [0.0; 3];
-    let faces =
-        [face(low, a, b), face(c, b, a), face(low, b, c), face(a, c, b), face(low, c, a), face(b, a, c)];
+fn room(sides: [f64; 3]) -> Scene {
+    let faces = walls(sides).map(|wall| format!("[[surfaces]]\n{wall}"));
     Scene::from_toml(&format!("bands = [\"grey\"]\n{}", faces.concat()), "box").expect("a box is valid")
 }
 

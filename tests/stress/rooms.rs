@@ -8,23 +8,10 @@ use radiosity::visibility::Hiding;
 
 use crate::random::Random;
 use crate::row::Row;
+use crate::walls::walls;
 
 fn quad(points: [[f64; 3]; 4]) -> String {
     format!("[[surfaces]]\nmaterial = 'white'\nquad = {{ vertices = {points:?} }}\n")
-}
-
-/// The six faces of a room, seen from inside.
-fn walls([x, y, z]: [f64; 3]) -> String {
-    let p = |a: f64, b: f64, c: f64| [a * x, b * y, c * z];
-    let faces = [
-        [p(0., 0., 0.), p(1., 0., 0.), p(1., 1., 0.), p(0., 1., 0.)],
-        [p(0., 0., 1.), p(0., 1., 1.), p(1., 1., 1.), p(1., 0., 1.)],
-        [p(0., 0., 0.), p(0., 1., 0.), p(0., 1., 1.), p(0., 0., 1.)],
-        [p(1., 0., 0.), p(1., 0., 1.), p(1., 1., 1.), p(1., 1., 0.)],
-        [p(0., 0., 0.), p(0., 0., 1.), p(1., 0., 1.), p(1., 0., 0.)],
-        [p(0., 1., 0.), p(1., 1., 0.), p(1., 1., 1.), p(0., 1., 1.)],
-    ];
-    faces.map(quad).concat()
 }
 
 /// A box that is turned about the vertical, its faces seen from outside; without a bottom where it stands.
@@ -49,8 +36,8 @@ fn block(random: &mut Random, [x, y]: [f64; 2], radius: f64, height: f64) -> Str
 fn room(random: &mut Random) -> Scene {
     let scale = random.power(-3.0, 3.0);
     let size = [1.0, random.between(0.5, 1.5), random.between(0.4, 1.2)].map(|x| x * scale);
-    let mut text =
-        String::from("bands = ['grey']\n[materials.white]\nreflectance = 0.5\nemission = 1\n") + &walls(size);
+    let mut text = String::from("bands = ['grey']\n[materials.white]\nreflectance = 0.5\nemission = 1\n");
+    text += &walls(size).map(|wall| format!("[[surfaces]]\nmaterial = 'white'\n{wall}")).concat();
     for quarter in 0..4 {
         if random.pick(&[true, false]) {
             continue;

@@ -8,25 +8,17 @@ use radiosity::solve::{Options, solve};
 use radiosity_solvers::method::Method;
 
 use crate::row::Row;
+use crate::walls::walls;
 
 /// The box with a bright ceiling, of some reflectance.
 fn room(reflectance: f64) -> Scene {
-    let quad = |material: &str, v: &str| {
-        format!("[[surfaces]]\nmaterial = '{material}'\nquad = {{ vertices = [{v}] }}\n")
-    };
     let materials = format!(
         "bands = ['grey']\n[materials.white]\nreflectance = {reflectance:?}\n
          [materials.lamp]\nreflectance = {reflectance:?}\nemission = 1\n"
     );
-    let walls = [
-        ("white", "[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]"),
-        ("lamp", "[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]"),
-        ("white", "[0, 0, 0], [0, 1, 0], [0, 1, 1], [0, 0, 1]"),
-        ("white", "[1, 0, 0], [1, 0, 1], [1, 1, 1], [1, 1, 0]"),
-        ("white", "[0, 0, 0], [0, 0, 1], [1, 0, 1], [1, 0, 0]"),
-        ("white", "[0, 1, 0], [1, 1, 0], [1, 1, 1], [0, 1, 1]"),
-    ];
-    let walls: String = walls.iter().map(|(material, v)| quad(material, v)).collect();
+    let materials_of = ["white", "lamp", "white", "white", "white", "white"];
+    let surface = |(material, wall): (&str, String)| format!("[[surfaces]]\nmaterial = '{material}'\n{wall}");
+    let walls: String = materials_of.into_iter().zip(walls([1.0; 3])).map(surface).collect();
     Scene::from_toml(&(materials + &walls), "white").expect("a box is valid")
 }
 

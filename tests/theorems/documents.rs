@@ -77,3 +77,17 @@ fn marks_come_in_pairs() {
         }
     }
 }
+
+#[test]
+fn outputs_are_filled_in() {
+    let mut found = 0;
+    for (document, text) in texts() {
+        for place in text.split("<!-- output").skip(1) {
+            let (_, output) = place.split_once("-->").expect("the mark is closed");
+            let output = output.split("<!--").next().unwrap_or_default();
+            found += 1;
+            assert!(!output.trim().is_empty(), "{document}: output {found} is empty, make it anew");
+        }
+    }
+    assert!(found > 5, "the outputs were found");
+}
