@@ -166,7 +166,8 @@ impl Compensated {
     }
 }
 
-/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies within.
+/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies
+/// within.
 ///
 /// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
 /// constant already is.

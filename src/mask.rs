@@ -13,8 +13,8 @@
 //! The plain mask is the paper's; it ignores cosines and distance, and a finer mask does not converge to the truth. The weighted
 //! one is exact at its nodes for a uniform emitter. Both are known at the nodes of a grid over the element's
 //! [coordinates](crate::elements::frame) and bilinear in between: of an even one ([`Grid`]), or of a quadtree that is fine
-//! at shadow edges alone ([`Quadtree`]). Where something stands on the element there is nothing to see: such nodes take the value of the nearest one
-//! that is free, or else the interpolation would darken the rim around it.
+//! at shadow edges alone ([`Quadtree`]). Where something stands on the element there is nothing to see: such nodes take the value
+//! of the nearest one that is free, or else the interpolation would darken the rim around it.
 
 mod grid;
 mod quadtree;

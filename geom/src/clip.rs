@@ -48,7 +48,8 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
 }
 
 /// How far a point of its plane lies outside a convex polygon: the largest distance from the lines of its sides, counted positive
-/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. Sides of no length do not count.
+/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. Sides of no length do not
+/// count.
 pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let beyond = |k: usize| {
         let side = polygon[(k + 1) % polygon.len()] - polygon[k];

@@ -17,8 +17,9 @@
 //! belongs to them. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as no rate of
 //! convergence is assumed; a detail that falls between the points does not.
 //!
-//! An error of the transfers does not oscillate and is not seen here. It acts on many blocks at random: it is added as a tenth of
-//! the largest, as a sum of squares.
+//! An error of the transfers does not oscillate. What it does at once is seen in E_g, what that does after further reflections is
+//! not; and it acts on many blocks at random. It is added as a tenth of the largest, as a sum of squares: a guess, too small
+//! where nearly everything reflects nearly all.
 
 use rayon::prelude::*;
 
@@ -32,18 +33,20 @@ use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
 /// Points in all, and the fewest on a patch.
-const POINTS: usize = 512;
-const FEWEST: usize = 2;
+const POINTS: usize = 256;
+const FEWEST: usize = 1;
 
 /// Steps of the sequence: 1/p and 1/p² with p³ = p + 1.
 const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
 
 /// Accuracy of what is gathered: at first, by what factor it falls, and where it suffices, in multiples of the error found and of
 /// that wanted.
-const LOOSEST: f64 = 3e-3;
+const LOOSEST: f64 = 3e-2;
 const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
 const OF_WANTED: f64 = 0.1;
+/// Change of the error from one accuracy to the next that ends this.
+const SETTLED: f64 = 0.1;
 
 /// Part of what a transfer may miss that the radiosity misses.
 const TRANSFERRED: f64 = 0.1;
@@ -61,9 +64,13 @@ pub(super) fn estimate(
     let visibility = Visibility::new(scene, options.into());
     let error = in_threads(options.threads, || {
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST));
-        while eps > OF_FOUND * error && eps > OF_WANTED * wanted {
+        while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
+            let before = error;
             error = unresolved(&outcome.solution, &visibility, eps);
+            if (error / before - 1.0).abs() < SETTLED {
+                break;
+            }
         }
         error
     })?;
@@ -76,14 +83,21 @@ fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
     let list = solution.elements().list();
     let patches: usize = list.iter().map(|element| element.patches.len()).sum();
     let points = POINTS.div_ceil(patches).max(FEWEST);
-    let squares: Vec<[f64; 2]> =
-        (0..list.len()).into_par_iter().map(|element| squares(element, solution, &gather, points)).collect();
+    let firsts = list.iter().scan(0, |patches, element| {
+        let first = *patches * points;
+        *patches += element.patches.len();
+        Some(first)
+    });
+    let firsts: Vec<usize> = firsts.collect();
+    let of = |(element, first): (usize, &usize)| squares(element, solution, &gather, *first, points);
+    let squares: Vec<[f64; 2]> = firsts.par_iter().enumerate().map(of).collect();
     let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }
 
-/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by so many points on each of its patches.
-fn squares(element: usize, solution: &Solution, gather: &Gather, points: usize) -> [f64; 2] {
+/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by so many points on each of its patches, the `first` of them so far
+/// along the sequence.
+fn squares(element: usize, solution: &Solution, gather: &Gather, first: usize, points: usize) -> [f64; 2] {
     let own = &solution.elements().list()[element];
     let reflectances: Vec<f64> =
         solution.bands().iter().map(|band| band.coating.reflectance[element]).collect();
@@ -94,7 +108,7 @@ fn squares(element: usize, solution: &Solution, gather: &Gather, points: usize) 
     let company = gather.around(&Site::of(own));
     for (place, patch) in own.patches.iter().enumerate() {
         for k in 0..points {
-            let index = (element + place) * points + k;
+            let index = first + place * points + k;
             let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
             let Node { position, normal, parameters, area, .. } = patch.node(s, t);
             let gathered = gather.irradiance(&Vantage::on(own.surface, position, normal), &company);

@@ -74,7 +74,8 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "Q", default_value = "default")]
     pub(crate) quality: QualityMode,
 
-    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as --quality says]
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as --quality
+    /// says]
     #[arg(long, value_name = "N|auto")]
     pub(crate) order: Option<Order>,
 

@@ -1,7 +1,7 @@
 //! How many Gauss points 1/r⁴ needs along a line, from where it is singular.
 //!
-//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|², and 1/r⁴ is analytic but
-//! for its two complex roots
+//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|², and 1/r⁴ is analytic
+//! but for its two complex roots
 //!
 //! ```text
 //! x = (−c·d ± i √(c²d² − (c·d)²)) / d² .
@@ -15,8 +15,8 @@
 //! ```
 //!
 //! for polynomials of degree N beside the kernel and accuracy ε relative to its largest value. C, the size of the kernel on the
-//! ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1 and skew ones: there n is at most one point short of ε
-//! relative to the integral.
+//! ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1 and skew ones: there n is at most one point short
+//! of ε relative to the integral.
 
 use radiosity_geom::DVec3;
 

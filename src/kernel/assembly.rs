@@ -1,9 +1,10 @@
 //! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each different one is integrated
 //! once.
 //!
-//! Sorting is cheap and tells most pairs apart: those behind each other, in one plane, hidden, or without a sender are dropped. Pairs that are
-//! equal up to similarity ([`super::congruent`]) share the block of the first of them, so the result does not depend on
-//! the order of the work. A block that is small beside the largest of its row is integrated with less accuracy ([`super::reach`]).
+//! Sorting is cheap and tells most pairs apart: those behind each other, in one plane, hidden, or without a sender are dropped.
+//! Pairs that are equal up to similarity ([`super::congruent`]) share the block of the first of them, so the result does not
+//! depend on the order of the work. A block that is small beside the largest of its row is integrated with less accuracy
+//! ([`super::reach`]).
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -43,7 +44,8 @@ const SHADOWED_ROW_SHARE: f64 = 0.25;
 /// either element: errors of a few blocks of one row may add up.
 const FACTOR_SHARE: f64 = 0.5;
 
-/// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from nothing.
+/// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from
+/// nothing.
 const SLIGHT: f64 = 1e-3;
 
 /// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.

@@ -7,7 +7,8 @@
 //! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's frame
 //! (every curved patch, and parallelograms cut parallel to their sides), these are the element's raw functions
 //! themselves. Elsewhere the patch has polynomials of its own, p_i(2s − 1) p_j(2t − 1): i + j ≤ D where the chart
-//! is affine, i, j ≤ D where it is bilinear, D the highest total degree of the element's functions, and the element's functions are combinations of them ([`Change`]).
+//! is affine, i, j ≤ D where it is bilinear, D the highest total degree of the element's functions, and the element's functions
+//! are combinations of them ([`Change`]).
 
 use radiosity_core::{basis::total, legendre};
 

@@ -3,11 +3,11 @@
 //! G has no scale and knows no directions: two pairs of parallelograms of the same relative pose have the same block.
 //! With centres c, half sides a and b (the coordinates of the basis run along them) and d = c_j − c_i the pose is
 //! the table of the scalar products of a_i, b_i, a_j, b_j and d over |d|², which no motion and no reflection changes, and
-//! the sides on which the fronts lie. Turning a half side round, or exchanging the two, only changes the signs or the order of the
-//! polynomials, and exchanging the elements transposes the block: each pair is brought to a standard form first.
+//! the sides on which the fronts lie. Turning a half side round, or exchanging the two, only changes the signs or the order of
+//! the polynomials, and exchanging the elements transposes the block: each pair is brought to a standard form first.
 //!
-//! Poses are found by a hash of their rounded entries and compared entry by entry before they count as equal. Where the standard form is not
-//! unique for want of digits, equal pairs may be missed; unequal ones never pass.
+//! Poses are found by a hash of their rounded entries and compared entry by entry before they count as equal. Where the standard
+//! form is not unique for want of digits, equal pairs may be missed; unequal ones never pass.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 

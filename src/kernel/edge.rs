@@ -98,8 +98,9 @@ pub(super) fn counts(p: &Patch, q: &Patch, wedge: &Wedge, degrees: [usize; 2], e
 /// Adds two flat patches oriented with their common edge at t = 0 that see each other freely, of any angle and
 /// proportions.
 ///
-/// Parallelograms go by [`Hinge`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which meet
-/// the edge in one corner at most, are returned as pairs still to be done. None, and nothing is added, where the kernel is too nearly singular.
+/// Parallelograms go by [`Hinge`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which
+/// meet the edge in one corner at most, are returned as pairs still to be done. None, and nothing is added, where the kernel is
+/// too nearly singular.
 pub(super) fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
@@ -148,8 +149,9 @@ fn doubled(triangle: &Patch) -> Patch {
     Patch::Flat { corners: [*a, *b, b + (c - a), *c], normal: *normal }
 }
 
-/// Adds the pair of patches oriented with their common edge at t = 0, point by point, in an order that leaves t alone in the innermost loops: with t and v fixed, the
-/// sums over y, over the two signs and (in the first two regions) over b meet only the polynomials along the edge.
+/// Adds the pair of patches oriented with their common edge at t = 0, point by point, in an order that leaves t alone in the
+/// innermost loops: with t and v fixed, the sums over y, over the two signs and (in the first two regions) over b meet only the
+/// polynomials along the edge.
 ///
 /// ```text
 /// S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)

@@ -10,9 +10,9 @@
 //! Y_ij(z) = ∫₀¹ (1 − z) p_i(2s − 1) p_j(2u − 1) dy ,   Y_ij(xb) = Σ_c C_ijc(x) p_c(2b − 1) ,
 //! ```
 //!
-//! n = (j, β); the second region exchanges the roles of t and v, in the third, z = x, the sum over c runs over v = xb instead. All
-//! sums end: r ≤ β, c ≤ i + j + 1. Reflecting the edge, s → 1 − s and u → 1 − u, exchanges the two signs of u − s and multiplies by
-//! (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd κ⁺ − κ⁻. The tables B, C and Y depend on the degrees only.
+//! n = (j, β); the second region exchanges the roles of t and v, in the third, z = x, the sum over c runs over v = xb instead.
+//! All sums end: r ≤ β, c ≤ i + j + 1. Reflecting the edge, s → 1 − s and u → 1 − u, exchanges the two signs of u − s and
+//! multiplies by (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd κ⁺ − κ⁻. The tables B, C and Y depend on the degrees only.
 
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};

@@ -18,9 +18,9 @@
 //! margin: everything else is `Partly`, for which the rules are right, though slower. Where patches touch f vanishes
 //! and no margin can be kept; there a denser grid decides alone.
 //!
-//! Of the most that two patches can exchange, about δ² comes at cosines below δ. Where no cosine is below −δ the points that do not see each
-//! other make up no more, as between a wall that is bent a little and a floor: such patches count as facing each other
-//! wholly if the accuracy asked allows it.
+//! Of the most that two patches can exchange, about δ² comes at cosines below δ. Where no cosine is below −δ the points that do
+//! not see each other make up no more, as between a wall that is bent a little and a floor: such patches count as facing each
+//! other wholly if the accuracy asked allows it.
 
 use radiosity_geom::DVec3;
 

@@ -11,12 +11,14 @@
 //!
 //! A ball that stands between is cut away in the same manner ([`view`]).
 //!
-//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q. There the outer patch, without the
-//! parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first, until their errors together are small enough.
+//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q. There the outer patch, without
+//! the parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first ([`queue`]), until their errors
+//! together are small enough.
 
 mod cell;
 mod line;
 mod part;
+mod queue;
 mod view;
 
 use std::sync::Arc;
@@ -30,6 +32,7 @@ use super::yardstick::Yardstick;
 use cell::{Cell, DIRECTIONS, Whole};
 pub(super) use part::DEEPEST;
 use part::Part;
+use queue::Queue;
 pub(super) use view::Ball;
 use view::View;
 
@@ -43,6 +46,12 @@ const STEP: usize = 2;
 const CLIMB_SHARE: f64 = 0.5;
 /// The error of the finer of two rules, as a part of their difference: r/(1 − r) with r = (3/5)³ at a kink of second order.
 const FINER_RULE: f64 = 0.3;
+
+/// Part of the tolerance that cells that are done with may miss together, each by its share of the patch.
+const SETTLED: f64 = 0.25;
+/// Most numbers kept of cells under way, 64 MB of them; about how many sets of moments each cell has.
+const MOST_NUMBERS: usize = 8_000_000;
+const WHOLES: usize = 4;
 
 /// Most halvings that take away what sees nothing.
 const MOST_TRIMS: usize = 16;
@@ -163,23 +172,30 @@ impl Job<'_> {
 
     /// Adds a part of the outer patch that one rule is not enough for.
     fn refine(&mut self, whole: Whole) {
+        let most_cells = MOST_NUMBERS / (WHOLES * whole.moments.len());
         let mut cell = Cell::new(whole);
         (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
-        let mut cells = vec![cell];
-        let mut error = cells[0].error();
-        while error > self.tolerance && self.cut.samples <= self.budget {
-            let worst = (0..cells.len()).max_by(|a, b| cells[*a].error().total_cmp(&cells[*b].error()));
-            let cell = cells.swap_remove(worst.expect("there is one"));
+        let mut queue = Queue::default();
+        queue.push(cell);
+        let open = (1.0 - SETTLED) * self.tolerance;
+        while queue.error() > open && self.cut.samples <= self.budget && queue.len() < most_cells {
+            let Some(cell) = queue.pop() else { break };
             let (direction, is_known) = cell.worse();
-            let mut looked_at = if is_known { cell.cut(direction) } else { vec![cell] };
-            looked_at.iter_mut().for_each(|cell| self.look(cell, direction));
-            cells.extend(looked_at);
-            error = cells.iter().map(Cell::error).sum();
+            for mut cell in if is_known { cell.cut(direction) } else { vec![cell] } {
+                self.look(&mut cell, direction);
+                if cell.error() <= SETTLED * cell.share() * self.tolerance {
+                    self.add(cell);
+                } else {
+                    queue.push(cell);
+                }
+            }
         }
-        self.cut.error += error;
-        for cell in cells {
-            self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
-        }
+        queue.into_cells().for_each(|cell| self.add(cell));
+    }
+
+    fn add(&mut self, cell: Cell) {
+        self.cut.error += cell.error();
+        self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
     }
 
     /// Looks at the halves of a cell.

@@ -1,8 +1,8 @@
 //! What stands between two elements, as a few rays tell.
 //!
 //! Most surfaces that reach into the hull of two elements hide nothing of one from the other, or nothing that others do not
-//! hide as well. Where none of n rays between points that face each other is hidden by a set of surfaces, these hide less than 3/n of what
-//! passes between the elements, at 95 %; where all of them are hidden, less than 3/n passes.
+//! hide as well. Where none of n rays between points that face each other is hidden by a set of surfaces, these hide less than
+//! 3/n of what passes between the elements, at 95 %; where all of them are hidden, less than 3/n passes.
 
 use crate::elements::patch::{Node, Patch};
 use crate::visibility::Visibility;

@@ -114,7 +114,8 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 }
 
-/// The least half axis ([`analytic::half_axis`]) of lines between those given, which stand at the corners of a square or an interval.
+/// The least half axis ([`analytic::half_axis`]) of lines between those given, which stand at the corners of a square or an
+/// interval.
 fn least_half_axis(lines: &[[DVec3; 2]]) -> f64 {
     if let [[start, end]] = lines {
         return analytic::half_axis(*start, end - start);

@@ -66,8 +66,8 @@ pub(super) fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
     (sum(&weighted(receivers, few), &weighted(emitters, more)) / unit).min(1.0)
 }
 
-/// The largest value of the kernel between the points of grids that reach to the corners, which may see each other though no other
-/// points do.
+/// The largest value of the kernel between the points of grids that reach to the corners, which may see each other though no
+/// other points do.
 pub(super) fn largest_kernel(receivers: &[Patch], emitters: &[Patch]) -> f64 {
     let place = |k: usize| k as f64 / (CORNERED - 1) as f64;
     let grid = |patch: &Patch| -> Vec<Node> {

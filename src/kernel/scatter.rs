@@ -47,7 +47,8 @@ pub(super) struct Scatter {
 }
 
 impl Scatter {
-    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach that.
+    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach
+    /// that.
     pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, limit: f64) -> Self {
         let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
         work.batch(PILOT);

@@ -12,8 +12,8 @@
 //! The outer integral is taken over the element that is farther from the blockers, measured by its size: the shadows on
 //! the other one then move smoothly with x. Where blockers stand on it the outer element is cut along their sides, where the
 //! inner integral jumps. Elsewhere that has kinks, where an edge of one blocker passes a corner of another or of the element:
-//! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies before
-//! their tangent planes.
+//! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies
+//! before their tangent planes.
 
 mod edges;
 mod sides;
@@ -50,7 +50,8 @@ const AGREED: f64 = 2.5;
 /// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
 const SURE: usize = 2;
 
-/// What part of the most that a cell may add to an entry shadows that its rule passes over may make wrong; the bound is large.
+/// Multiple of the most that a cell may add to an entry within which shadows count that its rule may pass over: what corners and
+/// middle see is not quite the most.
 const CARRIED: f64 = 1.2;
 
 /// What is asked of a block.

@@ -8,9 +8,9 @@
 //! triangles:      (s, u) = x · (1, a) or x · (a, 1) ,  t = b, v = c ,                      dV = x dx da db dc
 //! ```
 //!
-//! x²κ does not depend on x, nor does it know any singularity but that of 1/r⁴ outside the cube of a, b, c: the sum over x is exact, and the
-//! number of points along a, b and c follows from where r² vanishes ([`super::parts`]). The cube is halved as long as that takes fewer points,
-//! so angles and proportions of the patches do not matter.
+//! x²κ does not depend on x, nor does it know any singularity but that of 1/r⁴ outside the cube of a, b, c: the sum over x is
+//! exact, and the number of points along a, b and c follows from where r² vanishes ([`super::parts`]). The cube is halved as long
+//! as that takes fewer points, so angles and proportions of the patches do not matter.
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;

@@ -15,8 +15,8 @@
 //!          (τ, ν, z) = x (a, 1 − b, b) ,      dV = x² dx da db
 //! ```
 //!
-//! and the sums over x ∈ [0, 1] and over the room 1 − x are exact. In a and b the difference y − x is linear in each, so the number of points
-//! follows from where r² vanishes ([`super::analytic`]); the square is halved as long as that takes fewer.
+//! and the sums over x ∈ [0, 1] and over the room 1 − x are exact. In a and b the difference y − x is linear in each, so the
+//! number of points follows from where r² vanishes ([`super::analytic`]); the square is halved as long as that takes fewer.
 
 use core::f64::consts::FRAC_1_PI;
 

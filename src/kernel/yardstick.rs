@@ -66,7 +66,7 @@ mod tests {
     use radiosity_geom::{DVec2, DVec3, Rect};
     use std::sync::Arc;
 
-    /// On a square of side 2 the orthonormal polynomials are twice the raw ones over 2.
+    /// On a square of side 3 the orthonormal polynomials are the raw ones times 2/3.
     #[test]
     fn factors_of_a_square_are_two_over_the_root_of_its_area() {
         let square = radiosity_geom::shapes::Parallelogram::new(DVec3::ZERO, 3.0 * DVec3::X, 3.0 * DVec3::Y);

@@ -30,8 +30,8 @@ pub struct Options {
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<paper::Rules>,
-    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::kernel::Blocks::close)): right for closed scenes
-    /// without shadows only.
+    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::kernel::Blocks::close)):
+    /// right for closed scenes without shadows only.
     pub closure: bool,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,

@@ -109,8 +109,8 @@ impl<'a> Shadows<'a> {
         pieces.filter_map(|piece| Pyramid::over(piece, x)).collect()
     }
 
-    /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where a
-    /// flat one hides all of its screen.
+    /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where
+    /// a flat one hides all of its screen.
     pub fn before_lamp(
         &self,
         lamp: &Lamp,

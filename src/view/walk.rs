@@ -50,7 +50,8 @@ const AREA_RULE: f64 = 500.0;
 const HOPELESS: f64 = 1.5;
 
 /// What a flat cell half hidden by flat blockers may contribute, in multiples of the tolerance, where its points alone decide
-/// what is seen of it: when some are seen and some not, and when all agree. Shadow edges cross cells this way and that, and what the points miss cancels.
+/// what is seen of it: when some are seen and some not, and when all agree. Shadow edges cross cells this way and that, and what
+/// the points miss cancels.
 const SHADED: f64 = 4.0;
 const AGREED: f64 = 12.0;
 

@@ -1,7 +1,8 @@
 //! Direct light of a uniform planar emitter at a point, exact with planar blockers.
 //!
-//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says ([`super::lambert`]). What a convex polygon hides of another
-//! from x is the part inside a pyramid ([`super::pyramid`]). With C₁, C₂, … what the blockers hide, and F the form of a polygon outside all of them,
+//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says ([`super::lambert`]). What a convex
+//! polygon hides of another from x is the part inside a pyramid ([`super::pyramid`]). With C₁, C₂, … what the blockers hide, and
+//! F the form of a polygon outside all of them,
 //!
 //! ```text
 //! F(P; C₁, C₂, …) = F(P; C₂, …) − F(P ∩ C₁; C₂, …) ,
@@ -68,8 +69,8 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
-/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons seen from there that do
-/// not overlap; and whether that is all of it.
+/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons seen from there that
+/// do not overlap; and whether that is all of it.
 pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
     let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! The quads stand in a tree of boxes that hold the surface itself, so what a region misses is certain. A quad nearer to
-//! the eye than its own size, as far as it bends, is quartered on the spot, again and again: of a surface that the eye lies on, the chords of
-//! a quad would otherwise rise over the eye.
+//! the eye than its own size, as far as it bends, is quartered on the spot, again and again: of a surface that the eye lies on,
+//! the chords of a quad would otherwise rise over the eye.
 
 use std::borrow::Cow;
 use std::sync::Arc;

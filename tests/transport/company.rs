@@ -7,7 +7,8 @@ use radiosity_geom::DVec3;
 use crate::flat::{Flat, Outline, block, blocks, elements, largest, scene};
 use crate::polyhedra::rooms;
 
-/// Each block of a scene against the one computed for its two elements alone, at the same accuracy. Returns how many blocks were shared.
+/// Each block of a scene against the one computed for its two elements alone, at the same accuracy. Returns how many blocks were
+/// shared.
 fn compare(surfaces: &[Flat], order: usize, eps: f64) -> Result<usize, String> {
     let together = scene(surfaces).map_err(|error| error.to_string())?;
     let Ok(all) = elements(&together, order) else { return Ok(0) };

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! over the edges a, b of both outlines with unit directions d, holes running the other way round (Stokes
-//! twice; Sparrow, *A new and simpler formulation for radiative angle factors*, 1963). Both outlines are clipped by the other's plane first. The
-//! inner integral is in closed form; the outer runs over Gauss rules graded towards the points where edge b
+//! twice; Sparrow, *A new and simpler formulation for radiative angle factors*, 1963). Both outlines are clipped by the other's
+//! plane first. The inner integral is in closed form; the outer runs over Gauss rules graded towards the points where edge b
 //! begins, ends, or comes nearest. Edges on one line are in closed form altogether. Far apart, at distance D between
 //! the middles, ln r is replaced by ln(r/D), whose integral round a contour is the same, by a plain rule.
 

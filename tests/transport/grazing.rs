@@ -1,5 +1,5 @@
-//! Elements that see each other past their horizons, some by a corner only: every block against adaptive cubature of Lambert's form,
-//! or of what each point sees of the other element, to the accuracy asked of the block itself.
+//! Elements that see each other past their horizons, some by a corner only: every block against adaptive cubature of Lambert's
+//! form, or of what each point sees of the other element, to the accuracy asked of the block itself.
 
 use radiosity::elements::basis::AreaBasis;
 use radiosity::elements::patch::{Direction, Node, Patch};

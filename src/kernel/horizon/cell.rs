@@ -7,7 +7,8 @@
 use crate::elements::patch::{Direction, Patch};
 use crate::kernel::yardstick::Yardstick;
 
-/// The error of halves as a part of their difference from the whole: a kink of second order gives 2⁻³, and may lie twice as badly.
+/// The error of halves as a part of their difference from the whole: a kink of second order gives 2⁻³, and may lie twice as
+/// badly.
 const FINER: f64 = 0.25;
 /// Points that halves take along the direction of halving, as a part of those of the whole.
 const HALF_POINTS: f64 = 0.75;
@@ -34,12 +35,14 @@ pub(super) struct Cell {
     halves: [Option<[Whole; 2]>; 2],
     /// By how much halves of either direction differ from the whole; if they were not looked at, as it was with a larger part.
     errors: [f64; 2],
+    /// What part of the outer patch it is, by its parameters.
+    share: f64,
 }
 
 impl Cell {
     /// One of which nothing else is known.
     pub(super) fn new(whole: Whole) -> Self {
-        Self { whole, halves: [None, None], errors: [f64::INFINITY; 2] }
+        Self { whole, halves: [None, None], errors: [f64::INFINITY; 2], share: 1.0 }
     }
 
     /// The halves of a direction, each with the points of its rule.
@@ -69,6 +72,11 @@ impl Cell {
         }
     }
 
+    /// What part of the outer patch it is, by its parameters.
+    pub(super) fn share(&self) -> f64 {
+        self.share
+    }
+
     /// Its moments, by halves where they are known.
     pub(super) fn moments(self) -> Vec<f64> {
         let better = self.better();
@@ -79,8 +87,8 @@ impl Cell {
     pub(super) fn cut(mut self, direction: usize) -> Vec<Self> {
         let mut errors = [f64::INFINITY; 2];
         errors[1 - direction] = 0.5 * self.errors[1 - direction];
-        let halves = self.halves[direction].take().into_iter().flatten();
-        halves.map(|whole| Self { whole, halves: [None, None], errors }).collect()
+        let (halves, share) = (self.halves[direction].take().into_iter().flatten(), 0.5 * self.share);
+        halves.map(|whole| Self { whole, halves: [None, None], errors, share }).collect()
     }
 
     /// The known direction of the larger error.

@@ -1,7 +1,7 @@
 //! What two points have to be above to see each other: the tangent plane of the other, and the cone of a ball between.
 //!
-//! With e from x to the centre of the ball, d = y − x and the squared length E = |e|² − r² of the tangents from x, y is hidden where
-//! it lies within the cone of the tangents and beyond the plane e·d = E of the points where they touch, and so where
+//! With e from x to the centre of the ball, d = y − x and the squared length E = |e|² − r² of the tangents from x, y is hidden
+//! where it lies within the cone of the tangents and beyond the plane e·d = E of the points where they touch, and so where
 //!
 //! ```text
 //! h = E |d|² − (e·d)²  if e·d > E ,     h = E (|y − c|² − r²)  otherwise

@@ -8,10 +8,10 @@
 //! ```
 //!
 //! Gauss rules of n points over a cell h wide may pass over what is narrower than about h / n within it, and h / n² at its
-//! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. Narrow half-shadows are looked for
-//! where n ≤ 2, about the middle of the cell, and at the corners too where much is asked: elsewhere the next levels of finer rules
-//! found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner element, and
-//! where it reaches between the two.
+//! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. Narrow half-shadows are looked
+//! for where n ≤ 2, about the middle of the cell, and at the corners too where much is asked: elsewhere the next levels of finer
+//! rules found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner
+//! element, and where it reaches between the two.
 
 use radiosity_geom::{DVec3, separated};
 
@@ -80,8 +80,8 @@ impl Edges {
     }
 }
 
-/// Breadth of `points` across the planes through an edge and the middle of `others`, times how far that is from the edge's line; where
-/// `everywhere`, the least of that and of those of each of `others`.
+/// Breadth of `points` across the planes through an edge and the middle of `others`, times how far that is from the edge's line;
+/// where `everywhere`, the least of that and of those of each of `others`.
 fn seen_breadth(points: &[DVec3], rim: &Rim, others: &[DVec3], everywhere: bool) -> f64 {
     let [a, b] = rim.ends;
     let along = (b - a).normalize_or_zero();
