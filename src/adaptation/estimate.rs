@@ -45,8 +45,6 @@ const LOOSEST: f64 = 3e-2;
 const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
 const OF_WANTED: f64 = 0.1;
-/// Change of the error from one accuracy to the next that ends this.
-const SETTLED: f64 = 0.1;
 
 /// Part of what a transfer may miss that the radiosity misses.
 const TRANSFERRED: f64 = 0.1;
@@ -66,11 +64,7 @@ pub(super) fn estimate(
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
-            let before = error;
             error = unresolved(&outcome.solution, &visibility, eps);
-            if (error / before - 1.0).abs() < SETTLED {
-                break;
-            }
         }
         error
     })?;
