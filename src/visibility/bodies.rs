@@ -20,7 +20,7 @@ use smallvec::SmallVec;
 
 use super::ball::Ball;
 use super::pyramid::Pyramid;
-use super::rim::Rim;
+use super::rim::{Rim, sides};
 
 /// Heights below this part of the distance, or of the scene's size, count as none.
 const FLAT: f64 = 1e-9;
@@ -130,11 +130,6 @@ fn twins(faces: &[Face], tolerance: f64) -> Vec<Vec<Option<usize>>> {
         (along.len() == 1 && back.len() == 1).then_some(back[0])
     };
     faces.iter().map(|face| sides(face.outline).map(twin).collect()).collect()
-}
-
-/// The sides of a polygon.
-fn sides(outline: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> {
-    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
 
 /// The faces that hang together with `first` by their edges; nothing if they were `seen` before.

@@ -30,8 +30,7 @@ enum Side {
 impl Rim {
     /// Those of a lone polygon.
     pub(super) fn all_of(polygon: &[DVec3]) -> impl Iterator<Item = Self> {
-        let ends = polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]);
-        ends.map(|ends| Self { ends, faces: SmallVec::new() })
+        sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })
     }
 
     /// Whether it may bound what is hidden from some point of the convex hull of `cell`, of some of that of `polygon`.
@@ -60,6 +59,11 @@ impl Rim {
         }
         above && below
     }
+}
+
+/// The sides of a polygon.
+pub(super) fn sides(outline: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> {
+    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
 
 /// The side of a plane that points lie on, but for rounding.
