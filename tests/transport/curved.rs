@@ -21,6 +21,8 @@ use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
 use serde_json::Value;
 
+use crate::grazing::{ball_and, lamp_above};
+
 fn scene(shapes: Shapes) -> Scene {
     let mut builder = SceneBuilder::new("curved", ["grey"]);
     let white = builder.material("white", Material::new(vec![0.5], vec![1.0]).expect("in range"));
@@ -278,22 +280,7 @@ fn moments_under(element: &Element, lamp: &[DVec3]) -> Vec<f64> {
 
 /// A unit ball, in 4 × 4 elements of order 6, under a square lamp of constant exitance, of half the width `half`.
 fn lit_ball(half: f64) -> Scene {
-    let text = format!(
-        "bands = [\"grey\"]
-        materials = {{ white = {{ reflectance = 0.5 }}, lamp = {{ reflectance = 0, emission = 1 }} }}
-        [[surfaces]]
-        name = \"ball\"
-        material = \"white\"
-        order = 6
-        subdivide = [4, 4]
-        sphere = {{ center = [0, 0, 0], radius = 1 }}
-        [[surfaces]]
-        name = \"lamp\"
-        material = \"lamp\"
-        order = 0
-        quad = {{ vertices = [[-{half}, -{half}, 3], [-{half}, {half}, 3], [{half}, {half}, 3], [{half}, -{half}, 3]] }}"
-    );
-    Scene::from_toml(&text, "lit ball").expect("it is valid")
+    ball_and(6, 4, &lamp_above(half))
 }
 
 /// Each sees the other in part, through horizons, where few points would do for the kernel alone. Blocks of the lamp with a

@@ -14,7 +14,7 @@ use radiosity::visibility::{Shadows, Visibility};
 type Seen<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 /// A unit ball in `cells` × `cells` elements, and another surface.
-fn ball_and(order: usize, cells: usize, other: &str) -> Scene {
+pub(crate) fn ball_and(order: usize, cells: usize, other: &str) -> Scene {
     let text = format!(
         "bands = [\"grey\"]
         materials = {{ white = {{ reflectance = 0.5 }}, lamp = {{ reflectance = 0, emission = 1 }} }}
@@ -30,6 +30,12 @@ fn ball_and(order: usize, cells: usize, other: &str) -> Scene {
         {other}"
     );
     Scene::from_toml(&text, "ball and another").expect("it is valid")
+}
+
+/// A square lamp of constant exitance over that ball, of half the width `half`.
+pub(crate) fn lamp_above(half: f64) -> String {
+    let corners = [[-half, -half, 3.0], [-half, half, 3.0], [half, half, 3.0], [half, -half, 3.0]];
+    format!("order = 0\nquad = {{ vertices = {corners:?} }}")
 }
 
 /// ∫ L_k W_l dA over a patch by 4 × 4 points, rows k of so many columns l.
@@ -218,15 +224,10 @@ const SMALLEST: f64 = 2e-5;
 /// A lamp over a ball, one that is seen by one row of elements past a corner alone, and one aside.
 #[test]
 fn what_elements_of_a_ball_see_of_a_lamp_is_about_as_accurate_as_asked() {
-    let above = |half: f64| {
-        format!(
-            "order = 0\nquad = {{ vertices = [[-{half}, -{half}, 3], [-{half}, {half}, 3], [{half}, {half}, 3], [{half}, -{half}, 3]] }}"
-        )
-    };
     let aside = "order = 0\nquad = { vertices = [[1.3, 0.4, 0.9], [1.5, 1.6, 0.7], [2.2, 1.2, 1.4], [2.0, 0.0, 1.6]] }";
     let cases = [
-        Case::lit("small", ball_and(3, 4, &above(1.0))),
-        Case::lit("wide", ball_and(3, 4, &above(2.0))),
+        Case::lit("small", ball_and(3, 4, &lamp_above(1.0))),
+        Case::lit("wide", ball_and(3, 4, &lamp_above(2.0))),
         Case::lit("aside", ball_and(0, 6, aside)),
         Case::lit("aside, order 3", ball_and(3, 6, aside)),
     ];
