@@ -41,7 +41,7 @@ pub(crate) fn records(study: &Study, mut tell: impl FnMut(&Record)) -> Vec<Recor
     let finest = match study.judge {
         Judge::Finest(trial) => {
             let shadow_eps = Options::default().shadow_eps.min(SHADOWS * trial.eps);
-            let options = Options { shadow_eps, ..trial.options() };
+            let options = Options { shadow_eps, threads: Options::default().threads, ..trial.options() };
             Some(run(&study.scene, &options).solution)
         }
         Judge::ClosedForm | Judge::PathTracing => None,

@@ -15,6 +15,7 @@ mod polygon;
 mod rational;
 mod revolution;
 mod sheared;
+mod sheet;
 mod sphere;
 mod sphere_patch;
 mod tiles;

@@ -42,7 +42,7 @@ impl Obstruction {
         let (mut met, mut rest) = (Vec::new(), blockers.to_vec());
         let (mut rays, mut passed) = (0, 0);
         let free = |blockers: &[usize], x: &Node, y: &Node| {
-            visibility.free_between(surfaces, blockers, x.position, y.position)
+            visibility.free_between(blockers, [x.end(surfaces[0]), y.end(surfaces[1])])
         };
         for (x, y) in
             xs.iter().flat_map(|x| ys.iter().map(move |y| (x, y))).filter(|(x, y)| kernel(x, y) > 0.0)

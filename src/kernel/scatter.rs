@@ -110,7 +110,7 @@ impl Work<'_> {
     }
 
     fn is_seen(&mut self, x: &Node, y: &Node) -> bool {
-        let seen = (self.sees)(x.position, y.position);
+        let seen = (self.sees)(x, y);
         self.rays += 1;
         self.seen += u64::from(seen);
         seen
