@@ -218,7 +218,8 @@ impl<'a> Facets<'a> {
         if let Some(s) = found.reduce(farther) {
             return Place { s, within: None };
         }
-        let inner = end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
+        let inner =
+            end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
         let within = inner.map(|(index, _)| (self.quads[index].net, size(&self.quads[index].seen)));
         Place { s: end.s, within }
     }

@@ -101,7 +101,11 @@ impl Line<'_> {
             let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
             let near = GRAZING * offset.length();
             if off.abs() <= near && height.abs() <= ON_LINE * offset.length() * self.normal.length() {
-                return if self.ends(&jet, offset, slope, side) { self.tangent(offset, jet.normal) } else { None };
+                return if self.ends(&jet, offset, slope, side) {
+                    self.tangent(offset, jet.normal)
+                } else {
+                    None
+                };
             }
             let across = DVec2::new(self.normal.dot(jet.du), self.normal.dot(jet.dv));
             let step = DVec2::new(across.y * off - slope.y * height, slope.x * height - across.x * off)
