@@ -11,6 +11,9 @@
 //! are solved by Newton steps, with the slopes of g taken from the corners of the quad. A place that is off the silhouette by
 //! ε is seen off the outline by κ ε²/2 only, and the outline crosses the line where its tangent, in the plane of X − x and
 //! the silhouette, does: along m × n. So one step from a net of width h leaves an error of order h⁴.
+//!
+//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n: that side of the silhouette is
+//! hidden, and tells the beginning of a hidden part from its end where a quad shows both.
 
 use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 
