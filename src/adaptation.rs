@@ -10,6 +10,8 @@
 
 mod estimate;
 
+use std::time::Instant;
+
 use radiosity_solvers::SolveError;
 use serde::{Deserialize, Serialize};
 
@@ -147,7 +149,10 @@ pub fn adapt(
     }
     let mut error;
     let end = loop {
-        error = estimate(scene, &outcome, &chosen, goal.accuracy)?;
+        let start = Instant::now();
+        error = estimate(scene, &outcome, &chosen, goal.accuracy, progress)?;
+        outcome.seconds.estimate = start.elapsed();
+        progress(Progress::Finished("estimate", outcome.seconds.estimate));
         if error <= goal.accuracy {
             break End::Reached;
         }

@@ -37,6 +37,8 @@ pub enum Progress {
     Blocks(usize, usize),
     /// Band, iteration and relative residual of the solver.
     Solve(usize, usize, f64),
+    /// Elements whose error is told, and elements in all.
+    Estimate(usize, usize),
     /// A stage is done and took so long; their names are those of [`Stages`].
     Finished(&'static str, Duration),
 }
@@ -86,6 +88,8 @@ pub struct Stages {
     pub direct: Duration,
     /// The linear systems.
     pub solve: Duration,
+    /// The error told from light gathered anew, where an accuracy is wanted.
+    pub estimate: Duration,
 }
 
 /// Why there is no solution.

@@ -13,6 +13,7 @@
 //! * where a cell or a blocker is curved: the Gauss rule or Lambert's form, times the part that lines across the cell show
 //!   as seen ([`strips`]). A blocker's net of quads shows where its outline crosses a line ([`facets`]), and Newton steps
 //!   move the crossing from the net to the surface itself ([`silhouette`]);
+//! * such a cell that can send no more than the tolerance: its points, each seen or hidden by itself;
 //! * a curved surface that shines evenly and hides nothing of itself: Lambert's form on its outline, times the part that lines
 //!   across it show as seen, without cells ([`lamp`]).
 //!

@@ -4,14 +4,18 @@ use std::collections::HashMap;
 
 use cpu_time::ProcessTime;
 use radiosity::kernel::{Accuracy, Blocks};
-use radiosity::visibility::{Hiding, Visibility};
+use radiosity::visibility::{Hiding, Shadows, Visibility};
 
+use crate::naive;
 use crate::subject::Subject;
 
 /// Accuracy of what counts as exact where everything is planar, and elsewhere.
 const EXACT: [f64; 2] = [1e-5, 3e-4];
-/// Where most elements bend, about so many pairs are judged.
+/// Where most elements bend, about so many pairs are judged, by points of a sequence for each pair of their patches.
 const JUDGED: usize = 128;
+const SCATTERED: usize = 1 << 19;
+/// Part of a block that is hidden at least of a pair that counts as shaded then.
+const SHADED: f64 = 1e-3;
 /// An odd number whose multiples spread the pairs taken over all rows.
 const SPREAD: usize = 0x9E37_79B1;
 /// Runs shorter than this are repeated, and the shortest counts (s).
@@ -56,18 +60,32 @@ impl<'a> Judged<'a> {
         let exact = if planar { EXACT[0] } else { EXACT[1] };
         let mut judged =
             Self { subject, every, shaded: Vec::new(), open: Table::new(), shades: Table::new(), scale: 0.0 };
-        let found = judged.assemble(Hiding::Auto, [exact; 2]).blocks;
         judged.open = judged.assemble(Hiding::Off, [exact; 2]).blocks;
-        judged.shades = judged.open.keys().map(|pair| (*pair, judged.shade(pair, &found))).collect();
+        let least = if mostly { 10.0 * exact } else { SHADED };
+        judged.shades = if mostly { judged.differences(exact) } else { judged.sums() };
         // What differs by more than the rules may: something is hidden.
         let is_shaded =
-            |pair: &Pair| square(&judged.shades[pair]) > (10.0 * exact).powi(2) * square(&judged.open[pair]);
+            |pair: &Pair| square(&judged.shades[pair]) > least.powi(2) * square(&judged.open[pair]);
         let mut shaded: Vec<Pair> = judged.open.keys().copied().filter(is_shaded).collect();
         shaded.sort_unstable();
-        let squares = shaded.iter().filter_map(|pair| found.get(pair)).map(|block| square(block));
-        judged.scale = squares.sum::<f64>().sqrt();
+        let left = |pair: &Pair| square(&difference(&judged.open[pair], &judged.shades[pair]));
+        judged.scale = shaded.iter().map(left).sum::<f64>().sqrt();
         judged.shaded = shaded;
         judged
+    }
+
+    /// The shadows of all pairs, by what the library leaves of them.
+    fn differences(&self, exact: f64) -> Table {
+        let found = self.assemble(Hiding::Auto, [exact; 2]).blocks;
+        self.open.keys().map(|pair| (*pair, shade(&self.open[pair], found.get(pair)))).collect()
+    }
+
+    /// The shadows of all pairs, each summed by itself.
+    fn sums(&self) -> Table {
+        let list = self.subject.elements.list();
+        let visibility = Visibility::new(&self.subject.scene, Shadows::Rays(SHADED));
+        let shade = |pair: &Pair| naive::scattered([&list[pair.0], &list[pair.1]], &visibility, SCATTERED);
+        self.open.keys().map(|pair| (*pair, shade(pair))).collect()
     }
 
     /// The blocks of all pairs that are judged, as the library makes them to `eps` and `shadow_eps`.
@@ -99,29 +117,28 @@ impl<'a> Judged<'a> {
         }
     }
 
-    /// S = G⁰ − G of a pair; no block is a block of zeros.
-    fn shade(&self, pair: &Pair, found: &Table) -> Vec<f64> {
-        let open = &self.open[pair];
-        match found.get(pair) {
-            None => open.clone(),
-            Some(left) => open.iter().zip(left).map(|(g, v)| g - v).collect(),
-        }
-    }
-
-    /// Relative error of the shadows of other blocks.
-    pub(crate) fn error(&self, found: &Found) -> f64 {
-        self.error_of(|pair| self.shade(pair, &found.blocks))
+    /// Relative error of the shadows of blocks, whose kernel was integrated as that of `open`.
+    pub(crate) fn error(&self, found: &Found, open: &Found) -> f64 {
+        self.error_of(|pair| {
+            let none = || vec![0.0; self.shades[pair].len()];
+            open.blocks.get(pair).map_or_else(none, |open| shade(open, found.blocks.get(pair)))
+        })
     }
 
     /// Relative error of other shadows.
     pub(crate) fn error_of(&self, other: impl Fn(&Pair) -> Vec<f64>) -> f64 {
-        let missed = |pair: &Pair| {
-            let difference: Vec<f64> =
-                other(pair).iter().zip(&self.shades[pair]).map(|(a, b)| a - b).collect();
-            square(&difference)
-        };
+        let missed = |pair: &Pair| square(&difference(&other(pair), &self.shades[pair]));
         self.shaded.iter().map(missed).sum::<f64>().sqrt() / self.scale
     }
+}
+
+/// S = G⁰ − G of a pair; no block is a block of zeros.
+fn shade(open: &[f64], found: Option<&Vec<f64>>) -> Vec<f64> {
+    found.map_or_else(|| open.to_vec(), |found| difference(open, found))
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 fn square(block: &[f64]) -> f64 {

@@ -21,13 +21,15 @@
 //! not; and it acts on many blocks at random. It is added as a tenth of the largest, as a sum of squares: a guess, too small
 //! where nearly everything reflects nearly all.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use crate::elements::patch::Node;
 use crate::gather::Gather;
 use crate::scene::Scene;
 use crate::solution::{Place, Solution};
-use crate::solve::{Failure, Options, Outcome, in_threads};
+use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
 use crate::view::surroundings::Site;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
@@ -58,13 +60,14 @@ pub(super) fn estimate(
     outcome: &Outcome,
     options: &Options,
     wanted: f64,
+    progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<f64, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let error = in_threads(options.threads, || {
-        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST));
+        let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
-            error = unresolved(&outcome.solution, &visibility, eps);
+            error = unresolved(&outcome.solution, &visibility, eps, progress);
         }
         error
     })?;
@@ -72,7 +75,12 @@ pub(super) fn estimate(
 }
 
 /// What the polynomials miss, as light gathered to `eps` tells.
-fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
+fn unresolved(
+    solution: &Solution,
+    visibility: &Visibility,
+    eps: f64,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> f64 {
     let gather = Gather::new(solution, visibility, eps);
     let list = solution.elements().list();
     let patches: usize = list.iter().map(|element| element.patches.len()).sum();
@@ -83,7 +91,12 @@ fn unresolved(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
         Some(first)
     });
     let firsts: Vec<usize> = firsts.collect();
-    let of = |(element, first): (usize, &usize)| squares(element, solution, &gather, *first, points);
+    let done = AtomicUsize::new(0);
+    let of = |(element, first): (usize, &usize)| {
+        let squares = squares(element, solution, &gather, *first, points);
+        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, list.len()));
+        squares
+    };
     let squares: Vec<[f64; 2]> = firsts.par_iter().enumerate().map(of).collect();
     let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }

@@ -140,6 +140,7 @@ impl Run {
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
+            Stage::Estimate(done, total) => progress.show("estimate", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, bands),
             Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
             Stage::Finished(..) => {}

@@ -76,6 +76,8 @@ pub struct Seconds {
     pub direct: f64,
     /// The linear systems.
     pub solve: f64,
+    /// The error told from light gathered anew, where an accuracy is wanted.
+    pub estimate: f64,
     /// Pictures, grids and files.
     pub output: f64,
     /// Everything.
@@ -134,6 +136,7 @@ fn seconds(outcome: &Outcome) -> Seconds {
         visibility: stages.visibility.as_secs_f64(),
         direct: stages.direct.as_secs_f64(),
         solve: stages.solve.as_secs_f64(),
+        estimate: stages.estimate.as_secs_f64(),
         ..Seconds::default()
     }
 }

@@ -30,6 +30,10 @@ const STEEPER: f64 = 1.5;
 /// A correction is believed up to this part of the quad's size as it is seen.
 const BELIEVED: f64 = 1.0;
 
+/// Ends within one net without an outline between them are no farther apart than this part of a quad's breadth where only
+/// quads of different sizes gape.
+const CRACK: f64 = 0.25;
+
 /// Blockers before a screen.
 #[derive(Debug)]
 pub struct Facets<'a> {
@@ -63,6 +67,14 @@ struct Hidden {
 struct End {
     s: f64,
     causes: [Option<(usize, Crossing)>; 2],
+}
+
+/// An end of a hidden part as the surface shows it.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    s: f64,
+    /// The net that it lies within, with the breadth of its quad as it is seen, where no outline was found.
+    within: Option<(&'a Net, f64)>,
 }
 
 /// The quads before a screen, of a surface that the eye may lie on.
@@ -153,18 +165,21 @@ impl<'a> Facets<'a> {
     pub fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
         out.clear();
         let outside = OUTSIDE * (high - low);
-        let mut start = low;
+        let mut last = Place { s: low, within: None };
         for hidden in self.hidden(t, [low - outside, high + outside]) {
             let from = self.corrected(t, hidden.low, -1.0);
-            if from > start + NONE {
-                out.push([start, from.min(high)]);
+            if from.s > last.s + NONE && !last.is_crack(&from) {
+                out.push([last.s, from.s.min(high)]);
             }
-            start = start.max(self.corrected(t, hidden.high, 1.0));
-            if start >= high {
+            let end = self.corrected(t, hidden.high, 1.0);
+            if end.s > last.s {
+                last = end;
+            }
+            if last.s >= high {
                 return;
             }
         }
-        out.push([start, high]);
+        out.push([last.s, high]);
     }
 
     /// The hidden parts by the net, ascending and apart.
@@ -191,16 +206,34 @@ impl<'a> Facets<'a> {
     }
 
     /// An end as the surface itself shows it; `side` is +1 for the high end.
-    fn corrected(&self, t: f64, end: End, side: f64) -> f64 {
+    fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
+        let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
         let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
             let Facet { net, quad, seen } = &self.quads[*index];
             let s = outline(&self.screen, t, net.shape(), quad, *crossing, side)?;
-            let size = seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
-            let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size;
+            let is_believed = seen.iter().all(|p| p.z > 0.0) && (s - end.s).abs() <= BELIEVED * size(seen);
             is_believed.then_some(s)
         });
         let farther = |a: f64, b: f64| if side > 0.0 { a.max(b) } else { a.min(b) };
-        found.reduce(farther).unwrap_or(end.s)
+        if let Some(s) = found.reduce(farther) {
+            return Place { s, within: None };
+        }
+        let inner =
+            end.causes[0].filter(|(index, crossing)| !self.quads[*index].quad.is_border(crossing.edge));
+        let within = inner.map(|(index, _)| (self.quads[index].net, size(&self.quads[index].seen)));
+        Place { s: end.s, within }
+    }
+}
+
+impl Place<'_> {
+    /// Whether what lies between two ends is a crack between quads of different sizes.
+    fn is_crack(&self, next: &Self) -> bool {
+        match (self.within, next.within) {
+            (Some((net, size)), Some((other, width))) => {
+                std::ptr::eq(net, other) && next.s - self.s <= CRACK * size.max(width)
+            }
+            _ => false,
+        }
     }
 }
 

@@ -11,8 +11,11 @@
 //! are solved by Newton steps, with the slopes of g taken from the corners of the quad. A place that is off the silhouette by
 //! ε is seen off the outline by κ ε²/2 only, and the outline crosses the line where its tangent, in the plane of X − x and
 //! the silhouette, does: along m × n. So one step from a net of width h leaves an error of order h⁴.
+//!
+//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n: that side of the silhouette is
+//! hidden, and tells the beginning of a hidden part from its end where a quad shows both.
 
-use radiosity_geom::{DVec2, DVec3, Surface};
+use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 
 use crate::view::screen::Screen;
 use crate::visibility::net::Quad;
@@ -50,12 +53,12 @@ pub fn outline(
     let line = Line { screen, normal: screen.slice(t) };
     let (start, end) = (&quad.knots[crossing.edge], &quad.knots[(crossing.edge + 1) % 4]);
     let [a, b] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
-    let is_border = (a.x == b.x && a.x.abs() == 1.0) || (a.y == b.y && a.y.abs() == 1.0);
+    let is_border = quad.is_border(crossing.edge);
     let heights = quad.knots.map(|knot| knot.normal.dot(knot.position - screen.eye));
     let turns = heights.iter().any(|g| *g < 0.0) && heights.iter().any(|g| *g > 0.0);
     let border = if is_border { line.border(shape, a, b, crossing.place) } else { None };
     let silhouette = match turns || !is_border {
-        true => line.silhouette(shape, quad, heights, a.lerp(b, crossing.place)),
+        true => line.silhouette(shape, quad, heights, a.lerp(b, crossing.place), side),
         false => None,
     };
     match (border, silhouette) {
@@ -84,7 +87,14 @@ impl Line<'_> {
         at_line(seen)
     }
 
-    fn silhouette(&self, shape: &dyn Surface, quad: &Quad, g: [f64; 4], mut at: DVec2) -> Option<f64> {
+    fn silhouette(
+        &self,
+        shape: &dyn Surface,
+        quad: &Quad,
+        g: [f64; 4],
+        mut at: DVec2,
+        side: f64,
+    ) -> Option<f64> {
         let low = DVec2::from_array(quad.knots[0].parameters);
         let width = DVec2::from_array(quad.knots[2].parameters) - low;
         let slope = DVec2::new(g[1] - g[0] + g[2] - g[3], g[3] - g[0] + g[2] - g[1]) / (2.0 * width);
@@ -94,7 +104,11 @@ impl Line<'_> {
             let (height, off) = (self.normal.dot(offset), jet.normal.dot(offset));
             let near = GRAZING * offset.length();
             if off.abs() <= near && height.abs() <= ON_LINE * offset.length() * self.normal.length() {
-                return self.tangent(offset, jet.normal);
+                return if self.ends(&jet, offset, slope, side) {
+                    self.tangent(offset, jet.normal)
+                } else {
+                    None
+                };
             }
             let across = DVec2::new(self.normal.dot(jet.du), self.normal.dot(jet.dv));
             let step = DVec2::new(across.y * off - slope.y * height, slope.x * height - across.x * off)
@@ -105,6 +119,15 @@ impl Line<'_> {
             }
         }
         None
+    }
+
+    /// Whether the surface lies on the hidden side of its silhouette at `offset` from the eye: before an end for side +1.
+    fn ends(&self, jet: &Jet, offset: DVec3, slope: DVec2, side: f64) -> bool {
+        let view = offset.reject_from(jet.normal);
+        let [uu, uv, vv] = [jet.du.dot(jet.du), jet.du.dot(jet.dv), jet.dv.dot(jet.dv)];
+        let [u, v] = [jet.du.dot(view), jet.dv.dot(view)];
+        let along = DVec2::new(vv * u - uv * v, uu * v - uv * u);
+        slope.dot(along) * jet.normal.dot(self.screen.along) * side >= 0.0
     }
 
     /// Where the plane through the eye that touches the surface at `offset` from it, but for a trifle, meets the line.

@@ -357,6 +357,9 @@ impl<'a> Walk<'a> {
         }
         let factor = self.vantage.factor(&cell.hull, iter::empty());
         let stake = factor * cell.brightness;
+        if width < 1.0 && stake <= pass.tolerance {
+            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
+        }
         let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
         let sum: f64 = shares.iter().sum();
         let weights = match cell.is_parallelogram() {
@@ -382,6 +385,9 @@ impl<'a> Walk<'a> {
     ) -> Estimate {
         let whole: f64 = weights.iter().sum();
         let stake = whole * cell.brightness;
+        if self.most_from(cell, width) <= pass.tolerance {
+            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
+        }
         if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
             return Estimate { weights, error: f64::INFINITY };
         }
@@ -389,6 +395,12 @@ impl<'a> Walk<'a> {
         let form = near + self.rim(cell);
         if before.is_nothing() {
             return Estimate { weights, error: form };
+        }
+        if form > pass.tolerance {
+            return Estimate { weights, error: f64::INFINITY };
+        }
+        if stake <= pass.tolerance {
+            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
         }
         let Some(facets) = self.shadows.facets(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
         else {
@@ -418,6 +430,15 @@ impl<'a> Walk<'a> {
         let whole: f64 = weights.iter().sum();
         let turn = 1.0 - cell.bend;
         Estimate { weights, error: whole * (cell.brightness * turn * turn / AREA_RULE + cell.detail) }
+    }
+
+    /// The most that a cell can send; infinite for a near one.
+    fn most_from(&self, cell: &Cell, width: f64) -> f64 {
+        if width >= 1.0 {
+            return f64::INFINITY;
+        }
+        let nearest = self.distance(cell) - cell.radius;
+        cell.brightness * cell.area() / (PI * nearest * nearest)
     }
 
     /// Error of a curved cell that is seen in part, at its silhouette or the horizon.

@@ -194,6 +194,12 @@ impl Net {
 }
 
 impl Quad {
+    /// Whether an edge, from this corner to the next, lies at the border of the surface's parameters.
+    pub fn is_border(&self, edge: usize) -> bool {
+        let [a, b] = [edge, (edge + 1) % 4].map(|corner| self.knots[corner].parameters);
+        (0..2).any(|k| a[k] == b[k] && a[k].abs() == 1.0)
+    }
+
     /// Length of a diagonal.
     fn size(&self) -> f64 {
         self.knots[0].position.distance(self.knots[2].position)

@@ -44,22 +44,17 @@ fn dark(scene: &Scene) -> Solution {
     Solution::new(elements, vec![band])
 }
 
-/// Light of lamp `lamp`, of exitance 1, at x by rays; and without blockers.
-fn by_rays(scene: &Scene, visibility: &Visibility, lamp: usize, x: DVec3, n: DVec3) -> [f64; 2] {
+/// Points of lamp `lamp`, of exitance 1, that x would receive light from, each with that light.
+fn lit_by(scene: &Scene, lamp: usize, x: DVec3, n: DVec3) -> Vec<(DVec3, f64)> {
     let shape = &scene.surfaces[lamp].shape;
-    let others: Vec<usize> = (0..scene.surfaces.len()).filter(|other| *other != lamp).collect();
-    let mut sums = [0.0; 2];
-    for (_, u, v) in scattered(lamp, RAYS) {
+    let point = |(_, u, v): (usize, f64, f64)| {
         let jet = shape.jet(u, v);
         let y = jet.position - x;
         let cosines = n.dot(y).max(0.0) * (-jet.normal.dot(y)).max(0.0);
         let light = cosines * jet.area * (4.0 / RAYS as f64) / y.length_squared().powi(2);
-        sums[1] += light / std::f64::consts::PI;
-        if light > 0.0 && visibility.free(&others, x + 1e-7 * y, jet.position) {
-            sums[0] += light / std::f64::consts::PI;
-        }
-    }
-    sums
+        (light > 0.0).then_some((jet.position, light / std::f64::consts::PI))
+    };
+    scattered(lamp, RAYS).into_iter().filter_map(point).collect()
 }
 
 /// Errors at places (surface, u, v), relative to the light without blockers, where there is any; ascending.
@@ -73,9 +68,19 @@ fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
         let jet = scene.surfaces[*surface].shape.jet(*u, *v);
         let element = solution.elements().at(*surface, [*u, *v])?;
         let found: f64 = direct.factors(element, jet.position, jet.normal).iter().map(|(_, f)| f).sum();
-        let rays = lamps.iter().map(|lamp| by_rays(scene, &visibility, *lamp, jet.position, jet.normal));
-        let [exact, whole] = rays.fold([0.0; 2], |sum, rays| [sum[0] + rays[0], sum[1] + rays[1]]);
-        (whole > FAINT).then(|| (found - exact).abs() / whole)
+        let points = lamps.iter().map(|lamp| (*lamp, lit_by(scene, *lamp, jet.position, jet.normal)));
+        let points: Vec<(usize, Vec<(DVec3, f64)>)> = points.collect();
+        let whole: f64 = points.iter().flat_map(|(_, points)| points).map(|(_, light)| light).sum();
+        if whole <= FAINT {
+            return None;
+        }
+        let seen = |(lamp, points): &(usize, Vec<(DVec3, f64)>)| -> f64 {
+            let others: Vec<usize> = (0..scene.surfaces.len()).filter(|other| other != lamp).collect();
+            let is_free = |y: &DVec3| visibility.free(&others, jet.position + 1e-7 * (y - jet.position), *y);
+            points.iter().filter(|(y, _)| is_free(y)).map(|(_, light)| light).sum()
+        };
+        let exact: f64 = points.iter().map(seen).sum();
+        Some((found - exact).abs() / whole)
     };
     let mut errors: Vec<f64> = places.iter().filter_map(error).collect();
     errors.sort_by(f64::total_cmp);
@@ -163,14 +168,14 @@ fn lit_by_a_can(column: f64) -> Scene {
 fn assert_near(errors: &[f64]) {
     let mean = errors.iter().map(|error| error * error).sum::<f64>() / errors.len() as f64;
     let largest = errors[errors.len() - 1];
-    assert!(largest < 2e-2 && mean.sqrt() < 4e-3, "{largest:.1e}, {:.1e}", mean.sqrt());
+    assert!(largest < 6e-3 && mean.sqrt() < 2e-3, "{largest:.1e}, {:.1e}", mean.sqrt());
 }
 
-/// Far from all else the lamp is taken as a whole. A sliver of it beside the column may fall between lines.
+/// Far from all else the lamp is taken as a whole, also where no more than a sliver of it is seen beside the column.
 #[test]
 fn lamps_without_a_plane() {
     let scene = lit_by_a_can(-0.9);
-    assert_near(&errors(&scene, &scattered(0, 40)));
+    assert_near(&errors(&scene, &scattered(0, 200)));
     assert_near(&errors(&scene, &[scattered(4, 20), scattered(5, 20)].concat()));
 }
 
@@ -207,8 +212,6 @@ fn sheets() {
 fn teapot() {
     let scene = Scene::builtin("teapot").expect("built in");
     assert_accurate(&errors(&scene, &scattered(0, 20)));
-    // On the pot itself two places of 128, on handle and spout, are up to 5 % off.
-    let pot: Vec<_> = (8..40).flat_map(|patch| scattered(patch, 4)).collect();
-    let errors = errors(&scene, &pot);
-    assert_accurate(&errors[..errors.len() - 2]);
+    let pot: Vec<_> = (8..40).flat_map(|patch| scattered(patch, 3)).collect();
+    assert_accurate(&errors(&scene, &pot));
 }
