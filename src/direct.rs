@@ -10,6 +10,7 @@
 
 use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;
+use smallvec::{SmallVec, smallvec};
 
 use crate::coating::Coating;
 use crate::elements::Element;
@@ -150,7 +151,7 @@ impl<'a> DirectLight<'a> {
     }
 
     /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
-    fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> Vec<f64> {
+    fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> SmallVec<[f64; 4]> {
         let mut walk = Walk::new(vantage, self.visibility, surroundings);
         let add = |walk: &mut Walk, index: usize, tolerance: f64, factor: &mut [f64]| {
             let tree = &self.trees[index];
@@ -161,13 +162,13 @@ impl<'a> DirectLight<'a> {
             }
         };
         if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
-            let mut factors = vec![0.0; self.trees.len()];
+            let mut factors = smallvec![0.0; self.trees.len()];
             let each = factors.chunks_exact_mut(1).enumerate();
             each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));
             return factors;
         }
         let level =
             |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
-        walk.to_share(&self.trees, [PER_CELL * self.eps, other], add, level)
+        walk.to_share(&self.trees, [PER_CELL * self.eps, other], add, level).into()
     }
 }

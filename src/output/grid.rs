@@ -217,8 +217,9 @@ fn mean(patch: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) -> Vec<
         let node = patch.node(s, t);
         let weight = ws * wt * node.area;
         area += weight;
-        let weighted = value(&node).into_iter().map(|value| weight * value);
-        total = if total.is_empty() { weighted.collect() } else { sum(total, &weighted.collect::<Vec<_>>()) };
+        let values = value(&node);
+        total.resize(values.len(), 0.0);
+        total.iter_mut().zip(values).for_each(|(total, value)| *total += weight * value);
     }
     total.into_iter().map(|total| if area > 0.0 { total / area } else { 0.0 }).collect()
 }

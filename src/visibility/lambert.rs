@@ -34,9 +34,16 @@ const SERIES: [[f64; 2]; 7] = [
     [-1.113_286_127_178_430_7, 1.553_779_294_309_343_6],
 ];
 
+/// Corners side by side.
+const LANES: usize = 4;
+
 /// Irradiance from a polygon above the horizon of unit normal `n`, its corners as seen from the point.
 pub(super) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
     let Some(last) = corners.last() else { return 0.0 };
+    if corners.len() <= LANES {
+        // A corner that is repeated adds a side of no length.
+        return quad(n, std::array::from_fn(|k| corners[k.min(corners.len() - 1)]));
+    }
     let (mut sum, mut u) = (0.0, last.normalize_or_zero());
     for corner in corners {
         let v = corner.normalize_or_zero();
@@ -44,6 +51,30 @@ pub(super) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
         u = v;
     }
     sum.abs() / TAU
+}
+
+/// The same of four corners, side by side.
+fn quad(n: DVec3, corners: [DVec3; LANES]) -> f64 {
+    let [mut x, mut y, mut z] = [corners.map(|a| a.x), corners.map(|a| a.y), corners.map(|a| a.z)];
+    for k in 0..LANES {
+        let scale = (x[k] * x[k] + y[k] * y[k] + z[k] * z[k]).sqrt().recip();
+        let scale = if scale < f64::INFINITY { scale } else { 0.0 };
+        (x[k], y[k], z[k]) = (x[k] * scale, y[k] * scale, z[k] * scale);
+    }
+    let (mut rise, mut cosine) = ([0.0; LANES], [0.0; LANES]);
+    for k in 0..LANES {
+        let next = (k + 1) % LANES;
+        rise[k] = n.x * (y[k] * z[next] - z[k] * y[next])
+            + n.y * (z[k] * x[next] - x[k] * z[next])
+            + n.z * (x[k] * y[next] - y[k] * x[next]);
+        cosine[k] = x[k] * x[next] + y[k] * y[next] + z[k] * z[next];
+    }
+    if cosine.iter().all(|cosine| *cosine >= 0.5) {
+        let terms: [f64; LANES] = std::array::from_fn(|k| rise[k] * series(cosine[k]));
+        return ((terms[0] + terms[1]) + (terms[2] + terms[3])).abs() / TAU;
+    }
+    let unit = |k: usize| DVec3::new(x[k], y[k], z[k]);
+    (0..LANES).map(|k| side(n, unit(k), unit((k + 1) % LANES))).sum::<f64>().abs() / TAU
 }
 
 /// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, as long as its angle is told from 180°; zero for a side
@@ -88,5 +119,23 @@ mod tests {
         }
         assert_eq!(side(DVec3::Z, DVec3::X, DVec3::X), 0.0);
         assert_eq!(side(DVec3::Z, DVec3::X, -DVec3::X), 0.0);
+    }
+
+    #[test]
+    fn corners_side_by_side_count_as_one_by_one() {
+        let corners =
+            [[-0.3, -1.0, 0.8], [2.0, -0.7, 1.1], [1.5, 0.9, 0.2], [-0.4, 1.2, 0.5]].map(DVec3::from_array);
+        for (far, tolerance) in [(0.0, 1e-15), (1e3, 1e-21)] {
+            let seen = corners.map(|corner| corner + far * DVec3::new(0.2, 0.1, 1.0));
+            for polygon_of in [&seen[..], &seen[1..]] {
+                // A corner in the middle of a side changes nothing, but comes as a fifth, or fourth.
+                let middle = 0.5 * (polygon_of[0] + polygon_of[1]);
+                let split =
+                    [&polygon_of[..1], &[middle, middle.lerp(polygon_of[1], 0.3)], &polygon_of[1..]].concat();
+                let (whole, parts) = (polygon(DVec3::Z, polygon_of), polygon(DVec3::Z, &split));
+                assert!((whole - parts).abs() < tolerance, "{far}: {whole:e} {parts:e}");
+                assert!(whole > 1e2 * tolerance);
+            }
+        }
     }
 }
