@@ -22,7 +22,7 @@ use super::blocks::Blocks;
 use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
-use super::obstruction::Obstruction;
+use super::obstruction::{Hidden, Obstruction};
 use super::planar;
 use super::planes::{self, Planes};
 use super::reach::{ROW_SHARE, Reach, relaxed};
@@ -426,36 +426,37 @@ impl Scene<'_> {
         }
     }
 
-    /// The block of two elements of which at least one is curved. Surfaces that reach between them but are not met by enough rays
-    /// are passed over, and so are their own surfaces if a few rays do not meet them.
+    /// The block of two elements of which at least one is curved. Where a few rays meet nothing of what reaches between them all
+    /// of that is passed over, and so are their own surfaces if these rays do not meet them.
     fn curved_block(&self, task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, .. } = goal;
         let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
-        let mut asked = if is_told { blockers.to_vec() } else { Vec::new() };
-        asked.extend(&task.own);
+        let asked = if is_told { blockers } else { &[] };
         let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
-        if !asked.is_empty() {
+        if !asked.is_empty() || !task.own.is_empty() {
             let parts = [&self.parts[row][..], &self.parts[column][..]];
             let surfaces = [receiver.surface, emitter.surface];
             let most = if is_told { enough } else { MOST_OWN_RAYS };
-            let met = Obstruction::between(parts, surfaces, &asked, self.visibility, most);
+            let met = Obstruction::between(parts, surfaces, [asked, &task.own], self.visibility, most);
             rays = met.rays;
-            if !is_told || (rays as f64) < enough {
-                blockers.to_mut().extend(task.own.iter().filter(|own| met.blockers.contains(own)));
-            } else if met.hidden {
-                return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
-            } else {
-                blockers = Cow::Owned(met.blockers);
+            match met.hidden {
+                Hidden::All if is_told && rays as f64 >= enough => {
+                    return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
+                }
+                Hidden::None if is_told && rays as f64 >= enough => blockers = Cow::Borrowed(&[]),
+                _ => blockers.to_mut().extend(met.own),
             }
         }
         let accuracy = if blockers.is_empty() { accuracy } else { bent };
+        // What is sampled errs to either side, unlike what passes unseen.
+        let how = (accuracy, self.accuracy.shadow_eps * largest);
         let mut block = if row == column {
-            curved::self_block(receiver, &blockers, self.visibility, accuracy, [least, largest])
+            curved::self_block(receiver, &blockers, self.visibility, how, [least, largest])
         } else {
-            curved::block(receiver, emitter, &blockers, self.visibility, accuracy, [least, largest])
+            curved::block(receiver, emitter, &blockers, self.visibility, how, [least, largest])
         };
         block.rays += rays;
         block

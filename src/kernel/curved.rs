@@ -9,7 +9,7 @@
 //! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
 //! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
 //!   [`super::vertex`];
-//! * what blockers may cut is halved a few times and then sampled, as for planar pairs.
+//! * what blockers may cut is halved a few times and then sampled at scattered points, as for planar pairs.
 //!
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
@@ -22,6 +22,7 @@ mod job;
 mod own;
 mod pair;
 mod points;
+mod shaded;
 mod size;
 
 use crate::elements::Element;
@@ -43,7 +44,8 @@ const MOST_LEFT: usize = 4;
 /// What of the sum so far counts as a lower bound of the block's first entry.
 const FOUND_SHARE: f64 = 0.5;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. The error is
+/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. Sampled
+/// shadows may make `shadow_error` in an entry, a standard deviation; the error of all else is
 /// measured against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
 /// smaller it is beside the largest entry of its `row`.
 pub(super) fn block(
@@ -51,10 +53,10 @@ pub(super) fn block(
     emitter: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    accuracy: Accuracy,
+    (accuracy, shadow_error): (Accuracy, f64),
     [least, row]: [f64; 2],
 ) -> Block {
-    let mut job = Job::new(receiver, emitter, visibility, accuracy);
+    let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
     let (receivers, emitters) = (sectors(receiver), sectors(emitter));
     let rough = scale(&receivers, &emitters, job.budget.unit);
     job.budget.scale = rough.max(least).max(job.smallest_scale());
@@ -81,10 +83,10 @@ pub(super) fn self_block(
     element: &Element,
     blockers: &[usize],
     visibility: &Visibility,
-    accuracy: Accuracy,
+    (accuracy, shadow_error): (Accuracy, f64),
     [least, row]: [f64; 2],
 ) -> Block {
-    let mut job = Job::new(element, element, visibility, accuracy);
+    let mut job = Job::new(element, element, visibility, (accuracy, shadow_error));
     let parts = sectors(element);
     let rough = scale(&parts, &parts, job.budget.unit);
     job.budget.scale = rough.max(least).max(job.smallest_scale());

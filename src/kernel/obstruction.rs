@@ -1,79 +1,94 @@
 //! What stands between two elements, as a few rays tell.
 //!
-//! Most surfaces that reach into the hull of two elements hide nothing of one from the other, or nothing that others do not
-//! hide as well. Where none of n rays between points that face each other is hidden by a set of surfaces, these hide less than
-//! 3/n of what passes between the elements, at 95 %; where all of them are hidden, less than 3/n passes.
+//! Most surfaces that reach into the hull of two elements hide nothing of one from the other. Where none of n rays between
+//! points that face each other is hidden by a set of surfaces, these together hide less than 3/n of what passes between the
+//! elements, at 95 %; where all of them are hidden, less than 3/n passes. Where some are hidden nothing is passed over, however
+//! few rays a surface meets: many that hide a little each would be missed together, and always to one side.
 
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::visibility::Visibility;
 
 use super::integrand::kernel;
-use super::rough::nodes;
+use super::scatter::nodes;
 
-/// Points a direction by which the share of pairs is found that face each other; fewer where there are so many pairs of parts.
-const LOOKS: [usize; 2] = [3, 4];
-const FEWER_LOOKS: [usize; 2] = [1, 2];
-const MANY_PARTS: usize = 64;
-/// Most points a direction.
-const MOST_POINTS: usize = 16;
+/// Pairs of points, about, by which the share is found that face each other, and the fewest in a pair of parts.
+const LOOKS: u64 = 128;
+const FEWEST_LOOKS: u64 = 4;
+/// Most points in a pair of parts.
+const MOST_POINTS: u64 = 1 << 16;
 
 /// What a few rays between two elements met.
 #[derive(Debug)]
 pub(super) struct Obstruction {
-    /// The surfaces that hid any, ascending.
-    pub blockers: Vec<usize>,
-    /// Whether all were hidden.
-    pub hidden: bool,
+    /// How many of them were hidden.
+    pub hidden: Hidden,
+    /// Those surfaces of the elements themselves that hid any, ascending.
+    pub own: Vec<usize>,
     /// Rays between points that face each other.
     pub rays: u64,
 }
 
+/// How many of some rays are hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Hidden {
+    /// None.
+    None,
+    /// Some.
+    Some,
+    /// All, and there are any.
+    All,
+}
+
 impl Obstruction {
-    /// What about `enough` rays or more between two elements, given by their parts and `surfaces`, meet of `blockers`.
+    /// What about `enough` rays or more between two elements, given by their parts and `surfaces`, meet of `blockers` and of
+    /// their `own` surfaces; fewer rays where these tell all.
     pub(super) fn between(
         [receivers, emitters]: [&[Patch]; 2],
         surfaces: [usize; 2],
-        blockers: &[usize],
+        [blockers, own]: [&[usize]; 2],
         visibility: &Visibility,
         enough: f64,
     ) -> Self {
-        let points = points(receivers, emitters, enough);
-        let (xs, ys) = (grid(receivers, points), grid(emitters, points + 1));
-        let (mut met, mut rest) = (Vec::new(), blockers.to_vec());
+        let pairs: Vec<[&Patch; 2]> =
+            receivers.iter().flat_map(|p| emitters.iter().map(move |q| [p, q])).collect();
+        let points = points(&pairs, enough);
+        let (mut others, mut unmet, mut met) = (blockers.to_vec(), own.to_vec(), Vec::new());
         let (mut rays, mut passed) = (0, 0);
-        let free = |blockers: &[usize], x: &Node, y: &Node| {
-            visibility.free_between(blockers, [x.end(surfaces[0]), y.end(surfaces[1])])
-        };
-        for (x, y) in
-            xs.iter().flat_map(|x| ys.iter().map(move |y| (x, y))).filter(|(x, y)| kernel(x, y) > 0.0)
-        {
+        let ends = (0..points).flat_map(|index| pairs.iter().map(move |pair| nodes(*pair, index)));
+        for [x, y] in ends.filter(|[x, y]| kernel(x, y) > 0.0) {
             rays += 1;
-            if !free(&met, x, y) {
-                continue;
+            let meets = |surface: &usize| {
+                let ends = [x.end(surfaces[0]), y.end(surfaces[1])];
+                !visibility.free_between(std::slice::from_ref(surface), ends)
+            };
+            let is_own_hidden = met.iter().any(meets);
+            if let Some(place) = unmet.iter().position(meets) {
+                met.push(unmet.remove(place));
+            } else if let Some(place) = others.iter().position(meets) {
+                // What was met is likely to be met again.
+                others[..=place].rotate_right(1);
+            } else if !is_own_hidden {
+                passed += 1;
             }
-            match rest.iter().position(|blocker| !free(&[*blocker], x, y)) {
-                // The last one that was met is likely to be met again.
-                Some(place) => met.insert(0, rest.remove(place)),
-                None => passed += 1,
+            if unmet.is_empty() && 0 < passed && passed < rays {
+                break;
             }
         }
         met.sort_unstable();
-        Self { blockers: met, hidden: rays > 0 && passed == 0, rays }
+        let hidden = match passed {
+            0 if rays > 0 => Hidden::All,
+            _ if passed == rays => Hidden::None,
+            _ => Hidden::Some,
+        };
+        Self { hidden, own: met, rays }
     }
 }
 
-/// Points a direction on the receiver, one less than on the emitter, for `enough` pairs that face each other.
-fn points(receivers: &[Patch], emitters: &[Patch], enough: f64) -> usize {
-    let many = receivers.len() * emitters.len() > MANY_PARTS;
-    let [few, more] = if many { FEWER_LOOKS } else { LOOKS };
-    let (xs, ys) = (grid(receivers, few), grid(emitters, more));
-    let facing = xs.iter().flat_map(|x| ys.iter().map(move |y| kernel(x, y))).filter(|k| *k > 0.0).count();
-    let share = facing.max(1) as f64 / (xs.len() * ys.len()) as f64;
-    let pairs = enough / (share * (receivers.len() * emitters.len()) as f64);
-    // n (n + 1) is nearly (n + ½)².
-    ((pairs.sqrt().sqrt() - 0.5).ceil() as usize).clamp(1, MOST_POINTS)
-}
-
-fn grid(patches: &[Patch], points: usize) -> Vec<Node> {
-    patches.iter().flat_map(|patch| nodes(patch, points)).collect()
+/// Points in each pair of parts for `enough` pairs of points that face each other.
+fn points(pairs: &[[&Patch; 2]], enough: f64) -> u64 {
+    let looks = (LOOKS / pairs.len() as u64).max(FEWEST_LOOKS);
+    let looked = (0..looks).flat_map(|index| pairs.iter().map(move |pair| nodes(*pair, index)));
+    let facing = looked.filter(|[x, y]| kernel(x, y) > 0.0).count();
+    let share = facing.max(1) as f64 / (looks * pairs.len() as u64) as f64;
+    ((enough / (share * pairs.len() as f64)).ceil() as u64).min(MOST_POINTS)
 }

@@ -30,6 +30,26 @@ const MOST: usize = 1 << 14;
 /// By how much the scatter of stretches overstates the error of their sum, measured.
 const BALANCED: f64 = 2.0;
 
+/// Which of the two may be summed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Choice {
+    /// What is seen or what is hidden, whichever is rarer: where a rule for both together exists.
+    Rarer,
+    /// What is seen.
+    Seen,
+}
+
+/// What a sum has to reach.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Aim {
+    /// Standard deviation of each of its values.
+    pub limit: f64,
+    /// Points to take though all are alike: what is rarer than one of them may have been missed.
+    pub fewest: usize,
+    /// What is summed.
+    pub choice: Choice,
+}
+
 /// What is seen, or what is hidden, between two patches.
 #[derive(Debug)]
 pub(super) struct Scatter {
@@ -47,14 +67,16 @@ pub(super) struct Scatter {
 }
 
 impl Scatter {
-    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach
-    /// that.
-    pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, limit: f64) -> Self {
+    /// Of `patches`, each with the basis of its element, as near to the aim as the most points can come.
+    pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, aim: Aim) -> Self {
+        let Aim { limit, fewest, choice } = aim;
         let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
-        work.batch(PILOT);
-        work.hidden = 2 * work.seen >= work.rays;
-        work.samples = 0;
-        let mut points = FEWEST;
+        if choice == Choice::Rarer {
+            work.batch(PILOT);
+            work.hidden = 2 * work.seen >= work.rays;
+            work.samples = 0;
+        }
+        let mut points = fewest.div_ceil(BATCHES).next_power_of_two().clamp(FEWEST, MOST);
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| work.batch(points)).collect();
         loop {
             let error = deviation(&batches) / BALANCED;
@@ -88,7 +110,7 @@ impl Work<'_> {
         let mut sum = vec![0.0; receiver.len() * emitter.len()];
         let (mut left, mut right) = (vec![0.0; receiver.len()], vec![0.0; emitter.len()]);
         for index in self.samples..self.samples + count as u64 {
-            let [x, y] = self.nodes(index);
+            let [x, y] = nodes(self.patches, index);
             let value = kernel(&x, &y) * x.area * y.area / count as f64;
             if value == 0.0 || self.is_seen(&x, &y) == self.hidden {
                 continue;
@@ -103,18 +125,18 @@ impl Work<'_> {
         sum
     }
 
-    /// A point of either patch.
-    fn nodes(&self, index: u64) -> [Node; 2] {
-        let [s, t, u, v] = STEPS.map(|step| (0.5 + index as f64 * step).fract());
-        [self.patches[0].node(s, t), self.patches[1].node(u, v)]
-    }
-
     fn is_seen(&mut self, x: &Node, y: &Node) -> bool {
         let seen = (self.sees)(x, y);
         self.rays += 1;
         self.seen += u64::from(seen);
         seen
     }
+}
+
+/// A point of either of two patches, the one of that `index` in the sequence.
+pub(super) fn nodes([p, q]: [&Patch; 2], index: u64) -> [Node; 2] {
+    let [s, t, u, v] = STEPS.map(|step| (0.5 + index as f64 * step).fract());
+    [p.node(s, t), q.node(u, v)]
 }
 
 /// The mean of estimates of the same integrals.
@@ -159,7 +181,10 @@ mod tests {
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
-        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|x: DVec3, _| x.x < to, limit);
+        let sees = |x: DVec3, _| x.x < to;
+        let bases = [&bases[0], &bases[1]];
+        let aim = Aim { limit, fewest: 0, choice: Choice::Rarer };
+        let found = Scatter::new([&p[0], &q[0]], bases, &sees, aim);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)

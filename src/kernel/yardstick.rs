@@ -31,6 +31,11 @@ impl Yardstick {
         Self { factors: [columns.clone(), rows.clone()], first: self.first }
     }
 
+    /// The first entry of the block for each unit of the first moment.
+    pub(super) fn first(&self) -> f64 {
+        self.first
+    }
+
     /// The first entry of the block with these moments.
     pub(super) fn first_entry(&self, moments: &[f64]) -> f64 {
         self.first * moments[0]

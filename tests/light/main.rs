@@ -1,5 +1,6 @@
 //! Evidence for light behind things: visibility, direct light, what is gathered, the Cornell box against path tracing.
 
+mod closure;
 mod cornell;
 mod curved_shadows;
 mod footings;

@@ -24,6 +24,8 @@ const NEGLIGIBLE: f64 = 1e-3;
 pub(super) struct Budget {
     /// What is asked of the block.
     pub accuracy: Accuracy,
+    /// Largest error of an entry that sampled shadows may make.
+    pub shadow_error: f64,
     /// √(A_i A_j): ∫∫κ over it is the block's first entry.
     pub unit: f64,
     /// About the block's first entry.

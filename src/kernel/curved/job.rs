@@ -72,12 +72,12 @@ impl<'a> Job<'a> {
         receiver: &'a Element,
         emitter: &'a Element,
         visibility: &'a Visibility,
-        accuracy: Accuracy,
+        (accuracy, shadow_error): (Accuracy, f64),
     ) -> Self {
         let unit = (receiver.area * emitter.area).sqrt();
         Self {
             visibility,
-            budget: Budget { accuracy, unit, scale: 1.0, row: 1.0, horizons: 0 },
+            budget: Budget { accuracy, shadow_error, unit, scale: 1.0, row: 1.0, horizons: 0 },
             elements: [receiver, emitter],
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),

@@ -45,8 +45,10 @@ impl Job<'_> {
                 return self.halve(p, q, &contact, &state);
             }
             self.partly_hidden = true;
-            let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
-            if spent && (is_apart || share <= SMALL_PART * self.budget.scale) {
+            if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) {
+                return self.scatter(p, q, gap, facing, &state.blockers);
+            }
+            if spent && share <= SMALL_PART * self.budget.scale {
                 return self.roughly(p, q, Some(&contact), &state);
             }
         } else if let Some(value) = constant(p, q) {

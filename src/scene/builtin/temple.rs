@@ -361,7 +361,7 @@ impl Temple {
         }
     }
 
-    /// An urn on a pedestal in the middle of the dais.
+    /// An urn with a lid on a pedestal in the middle of the dais.
     fn urn(&mut self) {
         let place = [0.0, self.length - 0.5 * DAIS, UPPER];
         self.prism("pedestal", place, 0.45, [0.0, 1.0]);
@@ -371,6 +371,10 @@ impl Temple {
         self.blend("urn-body", "bronze", place, body);
         let lip = [circle(0.3, 2.05), circle(0.15, 2.14), circle(0.3, 2.2), circle(0.4, 2.22)];
         self.blend("urn-lip", "bronze", place, lip);
+        // Without a lid the urn would swallow light: the inside of its walls is no front.
+        let [x, y, z] = place;
+        let lid = format!("disk = {{ center = [{x}, {y}, {}], normal = [0, 0, 1], radius = 0.4 }}", z + 2.22);
+        self.surface("urn-lid", "bronze", Put::Here, &lid);
     }
 }
 

@@ -1,0 +1,38 @@
+//! Parts apart with something in between.
+
+use crate::elements::patch::{Node, Patch};
+use crate::kernel::facing::Facing;
+use crate::kernel::scatter::{Aim, Choice, Scatter};
+
+use super::job::Job;
+use super::size::area;
+
+/// Where none of n points is hidden, less than this over n of all is, at 95 %.
+const MISSED: f64 = 3.0;
+
+impl Job<'_> {
+    /// What two parts see of each other, sampled at scattered points. Errors of parts have either sign, so that their squares
+    /// add up: each gets its part of the block's.
+    pub(super) fn scatter(&mut self, p: &Patch, q: &Patch, gap: f64, facing: Facing, blockers: &[usize]) {
+        let own = self.surfaces();
+        let free =
+            |x: &Node, y: &Node| self.visibility.free_between(blockers, [x.end(own[0]), y.end(own[1])]);
+        // A plain rule over all there is follows no horizon.
+        let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
+        let scale = self.yardstick.first();
+        let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
+        // What few points miss in each part errs to one side in all of them: 3/n of the block has to be below its error.
+        let fewest = (MISSED * self.budget.scale / self.budget.shadow_error) as usize;
+        let aim = Aim { limit, fewest, choice };
+        let found = Scatter::new([p, q], self.moments.bases(), &free, aim);
+        let sign = if found.hidden { -1.0 } else { 1.0 };
+        let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();
+        self.moments.add_raw(&values, false, found.samples);
+        self.moments.rays += found.rays;
+        self.error += scale * found.error;
+        if found.hidden {
+            let points = self.points(p, q).apart(p, q, gap);
+            self.moments.tensor(p, q, points, None);
+        }
+    }
+}
