@@ -285,7 +285,7 @@ impl<'a> Job<'a> {
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
-        let aim = Aim { limit, fewest: 0, choice: Choice::Rarer };
+        let aim = Aim { limit, choice: Choice::Rarer };
         let found = Scatter::new([p, q], self.moments.bases(), sees, aim);
         let sign = if found.hidden { -1.0 } else { 1.0 };
         let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();

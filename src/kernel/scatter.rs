@@ -44,8 +44,6 @@ pub(super) enum Choice {
 pub(super) struct Aim {
     /// Standard deviation of each of its values.
     pub limit: f64,
-    /// Points to take though all are alike: what is rarer than one of them may have been missed.
-    pub fewest: usize,
     /// What is summed.
     pub choice: Choice,
 }
@@ -69,14 +67,14 @@ pub(super) struct Scatter {
 impl Scatter {
     /// Of `patches`, each with the basis of its element, as near to the aim as the most points can come.
     pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, aim: Aim) -> Self {
-        let Aim { limit, fewest, choice } = aim;
+        let Aim { limit, choice } = aim;
         let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
         if choice == Choice::Rarer {
             work.batch(PILOT);
             work.hidden = 2 * work.seen >= work.rays;
             work.samples = 0;
         }
-        let mut points = fewest.div_ceil(BATCHES).next_power_of_two().clamp(FEWEST, MOST);
+        let mut points = FEWEST;
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| work.batch(points)).collect();
         loop {
             let error = deviation(&batches) / BALANCED;
@@ -181,10 +179,9 @@ mod tests {
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
-        let sees = |x: DVec3, _| x.x < to;
-        let bases = [&bases[0], &bases[1]];
-        let aim = Aim { limit, fewest: 0, choice: Choice::Rarer };
-        let found = Scatter::new([&p[0], &q[0]], bases, &sees, aim);
+        let sees = |x: &Node, _: &Node| x.position.x < to;
+        let aim = Aim { limit, choice: Choice::Rarer };
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, aim);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)

@@ -59,8 +59,8 @@ pub(super) struct Tiles<T> {
     nets: Vec<[[T; 4]; 4]>,
 }
 
-/// Parameters of a ray's ends, of those that lie on the patch.
-type Ends = [Option<[f64; 2]>; 2];
+/// The smallest tiles that hold a ray's ends, by their places along u and v: of those ends that lie on the patch.
+type Ends = [Option<[usize; 2]>; 2];
 
 /// A tile: its level in the quadtree and its place along u and v there.
 #[derive(Clone, Copy)]
@@ -78,8 +78,9 @@ impl Tiles<DVec3> {
     }
 
     /// Whether a ray meets the patch elsewhere than at its ends, known to lie at these parameters of it.
-    pub(super) fn any_between(&self, ray: &Ray, ends: Ends) -> bool {
-        self.any_in(Place::WHOLE, ray, across(ray), ends)
+    pub(super) fn any_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
+        let holding = |end: [f64; 2]| end.map(|x| ((x + 1.0) / WIDTH) as usize);
+        self.any_in(Place::WHOLE, ray, across(ray), ends.map(|end| end.map(holding)))
     }
 }
 
@@ -195,11 +196,9 @@ impl Place {
         self.at.map(|k| k as f64 * self.width() - 1.0)
     }
 
-    /// Whether a point lies on it or its neighbours, by its parameters.
-    fn is_near(self, point: [f64; 2]) -> bool {
-        let Rect { u, v } = self.surroundings();
-        let within = |[low, high]: [f64; 2], x: f64| low - Hit::SEAM <= x && x <= high + Hit::SEAM;
-        within(u, point[0]) && within(v, point[1])
+    /// Whether it or a neighbour holds one of the smallest tiles.
+    fn is_near(self, tile: [usize; 2]) -> bool {
+        (0..2).all(|k| (tile[k] >> (DEPTH - self.level)).abs_diff(self.at[k]) <= 1)
     }
 
     /// The parameters of it and its neighbours.

@@ -45,10 +45,13 @@ impl Job<'_> {
                 return self.halve(p, q, &contact, &state);
             }
             self.partly_hidden = true;
-            if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) {
+            let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            let is_small = share <= SMALL_PART * self.budget.scale;
+            let own = self.surfaces();
+            if is_apart && !is_small && state.blockers.iter().any(|blocker| !own.contains(blocker)) {
                 return self.scatter(p, q, gap, facing, &state.blockers);
             }
-            if spent && share <= SMALL_PART * self.budget.scale {
+            if spent && (is_apart || is_small) {
                 return self.roughly(p, q, Some(&contact), &state);
             }
         } else if let Some(value) = constant(p, q) {

@@ -7,9 +7,6 @@ use crate::kernel::scatter::{Aim, Choice, Scatter};
 use super::job::Job;
 use super::size::area;
 
-/// Where none of n points is hidden, less than this over n of all is, at 95 %.
-const MISSED: f64 = 3.0;
-
 impl Job<'_> {
     /// What two parts see of each other, sampled at scattered points. Errors of parts have either sign, so that their squares
     /// add up: each gets its part of the block's.
@@ -21,9 +18,7 @@ impl Job<'_> {
         let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
         let scale = self.yardstick.first();
         let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
-        // What few points miss in each part errs to one side in all of them: 3/n of the block has to be below its error.
-        let fewest = (MISSED * self.budget.scale / self.budget.shadow_error) as usize;
-        let aim = Aim { limit, fewest, choice };
+        let aim = Aim { limit, choice };
         let found = Scatter::new([p, q], self.moments.bases(), &free, aim);
         let sign = if found.hidden { -1.0 } else { 1.0 };
         let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();
