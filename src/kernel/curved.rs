@@ -9,7 +9,7 @@
 //! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
 //! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
 //!   [`super::vertex`];
-//! * what blockers may cut is halved a few times and then sampled at scattered points, as for planar pairs.
+//! * what blockers may cut is halved a few times and then sampled: at scattered points behind flat blockers, as for planar pairs.
 //!
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.

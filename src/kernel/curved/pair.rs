@@ -47,8 +47,9 @@ impl Job<'_> {
             self.partly_hidden = true;
             let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
             let is_small = share <= SMALL_PART * self.budget.scale;
-            let own = self.surfaces();
-            if is_apart && !is_small && state.blockers.iter().any(|blocker| !own.contains(blocker)) {
+            // Straight edges may run along the grid of a plain rule; curved ones cross it this way and that.
+            let is_flat = |blocker: &usize| self.visibility.pieces(*blocker).is_some();
+            if is_apart && !is_small && state.blockers.iter().any(is_flat) {
                 return self.scatter(p, q, gap, facing, &state.blockers);
             }
             if spent && (is_apart || is_small) {
