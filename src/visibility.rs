@@ -56,17 +56,6 @@ pub struct Visibility {
     shadows: Shadows,
 }
 
-/// An end of a segment, on a surface.
-#[derive(Clone, Copy, Debug)]
-pub struct End {
-    /// Index of the surface.
-    pub surface: usize,
-    /// Parameters of the point there.
-    pub parameters: [f64; 2],
-    /// The point.
-    pub position: DVec3,
-}
-
 /// Whether surfaces hide each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shadows {
@@ -236,17 +225,11 @@ impl Visibility {
         })
     }
 
-    /// The same where the surfaces that the ends lie on may be blockers as well.
-    pub fn free_between(&self, blockers: &[usize], ends: [End; 2]) -> bool {
-        let [x, y] = ends.map(|end| end.position);
+    /// The same where the ends lie on surfaces of the pair `own`, which may be blockers as well.
+    pub fn free_between(&self, own: [usize; 2], blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         !blockers.iter().any(|index| {
-            let Obstacle { ball, shape, .. } = &self.obstacles[*index];
-            if ball.misses(x, y) {
-                return false;
-            }
-            let own = ends.map(|end| (end.surface == *index).then_some(end.parameters));
-            let margin = if own == [None; 2] { END } else { OWN_END };
-            shape.occludes_between(&within(x, y, margin), own)
+            let margin = if own.contains(index) { OWN_END } else { END };
+            !self.obstacles[*index].ball.misses(x, y) && self.blocks(*index, x, y, margin)
         })
     }
 
@@ -307,7 +290,8 @@ impl Visibility {
 
     /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
-        self.obstacles[surface].shape.occludes(&within(x, y, margin))
+        let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
+        self.obstacles[surface].shape.occludes(&ray)
     }
 
     /// Whether `blocker`, or the convex body that it is a face of, may reach, however little, between the hulls of `a` and `b`.
@@ -525,10 +509,5 @@ impl Bend {
 }
 
 fn segment(x: DVec3, y: DVec3) -> Ray {
-    within(x, y, END)
-}
-
-/// A segment without `margin` of its length at both ends.
-fn within(x: DVec3, y: DVec3, margin: f64) -> Ray {
-    Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] }
+    Ray { origin: x, direction: y - x, range: [END, 1.0 - END] }
 }

@@ -56,10 +56,6 @@ impl Surface for Flipped {
         self.base.occludes(ray)
     }
 
-    fn occludes_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        self.base.occludes_between(ray, ends)
-    }
-
     fn area(&self) -> f64 {
         self.base.area()
     }

@@ -78,10 +78,6 @@ impl Surface for Placed {
         self.base.occludes(&self.ray_back(ray))
     }
 
-    fn occludes_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        self.base.occludes_between(&self.ray_back(ray), ends)
-    }
-
     fn area(&self) -> f64 {
         self.motion.scale().powi(2) * self.base.area()
     }

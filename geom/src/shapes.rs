@@ -15,7 +15,6 @@ mod polygon;
 mod rational;
 mod revolution;
 mod sheared;
-mod sheet;
 mod sphere;
 mod sphere_patch;
 mod tiles;

@@ -38,10 +38,6 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
         (**self).occludes(ray)
     }
 
-    fn occludes_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        (**self).occludes_between(ray, ends)
-    }
-
     fn area(&self) -> f64 {
         (**self).area()
     }

@@ -89,13 +89,6 @@ pub trait Surface: Debug + Send + Sync {
         self.intersect(ray).is_some()
     }
 
-    /// The same of a ray whose ends, at t = 0 and t = 1, may lie on the surface, at the parameters `ends`: they do not count,
-    /// and knowing them saves looking for them.
-    fn occludes_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        let _ = ends;
-        self.occludes(ray)
-    }
-
     /// Surface area, in squared units of length, to about 14 digits.
     fn area(&self) -> f64 {
         match self.region() {

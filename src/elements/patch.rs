@@ -11,8 +11,6 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec2, DVec3, Rect, Surface};
 
-use crate::visibility::End;
-
 /// A piece of an element charted by the unit square.
 #[derive(Clone, Debug)]
 pub enum Patch {
@@ -47,13 +45,6 @@ pub struct Node {
     pub area: f64,
     /// Parameters of the surface; zero on flat patches, which need none.
     pub parameters: DVec2,
-}
-
-impl Node {
-    /// As the end of a segment, on its `surface`.
-    pub fn end(&self, surface: usize) -> End {
-        End { surface, parameters: self.parameters.to_array(), position: self.position }
-    }
 }
 
 /// A direction of the chart.

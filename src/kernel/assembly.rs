@@ -13,7 +13,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use radiosity_geom::Aabb;
 use rayon::prelude::*;
 
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::visibility::Visibility;
 
@@ -469,7 +469,7 @@ impl Scene<'_> {
         if task.blockers.is_empty() {
             return None;
         }
-        let sees = |x: &Node, y: &Node| self.visibility.free(&task.blockers, x.position, y.position);
+        let sees = |x, y| self.visibility.free(&task.blockers, x, y);
         let rays = self.roughs[receiver].hidden_rays(&self.roughs[emitter], &sees)?;
         let size = self.list[receiver].basis.len() * self.list[emitter].basis.len();
         let is_told = rays >= FEWEST_RAYS && UNSEEN * task.rough <= goal.unseen * rays as f64;

@@ -8,10 +8,12 @@
 
 use core::f64::consts::FRAC_1_PI;
 
+use radiosity_geom::DVec3;
+
 use crate::elements::patch::Node;
 
-/// Whether the segment between a point of the receiver and one of the emitter is free.
-pub(super) type Sees<'a> = &'a dyn Fn(&Node, &Node) -> bool;
+/// Whether the segment between two points is free.
+pub(super) type Sees<'a> = &'a dyn Fn(DVec3, DVec3) -> bool;
 
 /// κ between two points; zero where either faces away or where they coincide.
 #[inline]
@@ -33,7 +35,7 @@ pub(super) fn visible_kernel(x: &Node, y: &Node, sees: Option<Sees>, rays: &mut 
     match sees {
         Some(sees) if value > 0.0 => {
             *rays += 1;
-            if sees(x, y) { value } else { 0.0 }
+            if sees(x.position, y.position) { value } else { 0.0 }
         }
         _ => value,
     }

@@ -58,8 +58,7 @@ impl Obstruction {
         for [x, y] in ends.filter(|[x, y]| kernel(x, y) > 0.0) {
             rays += 1;
             let meets = |surface: &usize| {
-                let ends = [x.end(surfaces[0]), y.end(surfaces[1])];
-                !visibility.free_between(std::slice::from_ref(surface), ends)
+                !visibility.free_between(surfaces, std::slice::from_ref(surface), x.position, y.position)
             };
             let is_own_hidden = met.iter().any(meets);
             if let Some(place) = unmet.iter().position(meets) {

@@ -22,7 +22,7 @@
 use radiosity_geom::polygon_area;
 
 use crate::elements::Element;
-use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
 use crate::visibility::Visibility;
 
@@ -217,9 +217,7 @@ impl<'a> Job<'a> {
         }
         self.partly_hidden = true;
         let (visibility, blockers) = (self.visibility, state.blockers.clone());
-        self.sampled(p, q, &contact, state, &|x: &Node, y: &Node| {
-            visibility.free(&blockers, x.position, y.position)
-        });
+        self.sampled(p, q, &contact, state, &|x, y| visibility.free(&blockers, x, y));
     }
 
     /// A pair with nothing in between: rules that know the kernel's singularities.

@@ -19,6 +19,8 @@
 
 use core::f64::consts::FRAC_1_PI;
 
+use radiosity_geom::DVec3;
+
 use crate::elements::patch::{Node, Patch};
 
 use super::chart::Chart;
@@ -115,21 +117,21 @@ pub(super) fn add(
 }
 
 /// Receiver points of one tile; the last one repeated where there are fewer.
-struct Tile<'a> {
+struct Tile {
     position: [Lanes; 3],
     normal: [Lanes; 3],
-    nodes: &'a [Node],
+    live: usize,
 }
 
-impl<'a> Tile<'a> {
-    fn new(nodes: &'a [Node]) -> Self {
+impl Tile {
+    fn new(nodes: &[Node]) -> Self {
         let lanes = |value: &dyn Fn(&Node) -> f64| {
             core::array::from_fn(|lane| value(&nodes[lane.min(nodes.len() - 1)]))
         };
         Self {
             position: [lanes(&|n| n.position.x), lanes(&|n| n.position.y), lanes(&|n| n.position.z)],
             normal: [lanes(&|n| n.normal.x), lanes(&|n| n.normal.y), lanes(&|n| n.normal.z)],
-            nodes,
+            live: nodes.len(),
         }
     }
 
@@ -139,6 +141,10 @@ impl<'a> Tile<'a> {
         let [x, y, z] = &self.position;
         let (dx, dy, dz) = (node.position.x - x[lane], node.position.y - y[lane], node.position.z - z[lane]);
         [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(COINCIDENT)]
+    }
+
+    fn point(&self, lane: usize) -> DVec3 {
+        DVec3::new(self.position[0][lane], self.position[1][lane], self.position[2][lane])
     }
 }
 
@@ -228,8 +234,10 @@ fn general(tile: &Tile, node: &Node, scale: f64) -> Lanes {
 fn hidden_removed(tile: &Tile, node: &Node, values: Lanes, sees: Option<Sees>, rays: &mut u64) -> Lanes {
     let Some(sees) = sees else { return values };
     core::array::from_fn(|lane| {
-        let Some(x) = tile.nodes.get(lane).filter(|_| values[lane] != 0.0) else { return 0.0 };
+        if lane >= tile.live || values[lane] == 0.0 {
+            return 0.0;
+        }
         *rays += 1;
-        if sees(x, node) { values[lane] } else { 0.0 }
+        if sees(tile.point(lane), node.position) { values[lane] } else { 0.0 }
     })
 }

@@ -51,7 +51,7 @@ impl Rough {
         for (x, _) in &self.nodes[0] {
             for (y, _) in emitter.nodes[1].iter().filter(|(y, _)| kernel(x, y) > 0.0) {
                 rays += 1;
-                if sees(x, y) {
+                if sees(x.position, y.position) {
                     return None;
                 }
             }

@@ -124,7 +124,7 @@ impl Work<'_> {
     }
 
     fn is_seen(&mut self, x: &Node, y: &Node) -> bool {
-        let seen = (self.sees)(x, y);
+        let seen = (self.sees)(x.position, y.position);
         self.rays += 1;
         self.seen += u64::from(seen);
         seen
@@ -179,7 +179,7 @@ mod tests {
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
-        let sees = |x: &Node, _: &Node| x.position.x < to;
+        let sees = |x: DVec3, _| x.x < to;
         let aim = Aim { limit, choice: Choice::Rarer };
         let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, aim);
         let part = |from: f64, to: f64| {

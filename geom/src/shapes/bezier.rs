@@ -31,7 +31,7 @@ impl Bezier {
             check_finite("points", *x)?;
         }
         check_area("points", |s, t| sample(&points, s, t))?;
-        Ok(Bezier { points, tiles: Tiles::with_sheets(&points) })
+        Ok(Bezier { points, tiles: Tiles::new(&points) })
     }
 }
 
@@ -55,10 +55,6 @@ impl Surface for Bezier {
 
     fn occludes(&self, ray: &Ray) -> bool {
         self.tiles.any(ray)
-    }
-
-    fn occludes_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        self.tiles.any_between(ray, ends)
     }
 }
 

@@ -84,7 +84,7 @@ impl Sheared {
 }
 
 /// From space to the units of the mean tangents and the height over them.
-pub(super) fn frame(points: &[[DVec3; 4]; 4]) -> DMat3 {
+fn frame(points: &[[DVec3; 4]; 4]) -> DMat3 {
     let along: DVec3 = (0..4).map(|j| points[3][j] - points[0][j]).sum::<DVec3>() / 4.0;
     let across: DVec3 = points.iter().map(|row| row[3] - row[0]).sum::<DVec3>() / 4.0;
     let normal = along.cross(across);

@@ -2,12 +2,10 @@
 //!
 //! A ray goes from the whole patch to the quarters that it may meet, by their boxes ([`Sheared`]), until one tells that
 //! it does, or down to the smallest tiles. Seen along the ray the control points of these form planar nets, whose
-//! zeros are bracketed ([`zeros`]). Ends of a ray that are known to lie on the patch are zeros already: where the sheet of a
-//! tile and its neighbours cannot be met more often ([`Sheet`]), nothing is looked for.
+//! zeros are bracketed ([`zeros`]).
 
 use super::net::{part, sample};
 use super::sheared::{Passage, Sheared};
-use super::sheet::Sheet;
 use crate::bernstein::Coefficient;
 use crate::zeros::zeros;
 use crate::{Hit, Ray, Rect};
@@ -53,14 +51,9 @@ impl Control for DVec4 {
 pub(super) struct Tiles<T> {
     /// Of all levels of the quadtree, the whole patch first; each level by rows of equal u.
     boxes: Vec<Sheared>,
-    /// Each tile of all levels with its neighbours; none of a rational patch.
-    sheets: Vec<Sheet>,
     /// Control nets of the smallest tiles, by rows of equal u.
     nets: Vec<[[T; 4]; 4]>,
 }
-
-/// The smallest tiles that hold a ray's ends, by their places along u and v: of those ends that lie on the patch.
-type Ends = [Option<[usize; 2]>; 2];
 
 /// A tile: its level in the quadtree and its place along u and v there.
 #[derive(Clone, Copy)]
@@ -69,33 +62,17 @@ struct Place {
     at: [usize; 2],
 }
 
-impl Tiles<DVec3> {
-    /// The same, with what it takes to tell known ends of rays apart from hits.
-    pub(super) fn with_sheets(net: &[[DVec3; 4]; 4]) -> Self {
-        let places = (0..=DEPTH).flat_map(Place::all);
-        let sheets = places.map(|place| Sheet::of(&part(net, &place.surroundings()))).collect();
-        Self { sheets, ..Self::new(net) }
-    }
-
-    /// Whether a ray meets the patch elsewhere than at its ends, known to lie at these parameters of it.
-    pub(super) fn any_between(&self, ray: &Ray, ends: [Option<[f64; 2]>; 2]) -> bool {
-        let holding = |end: [f64; 2]| end.map(|x| ((x + 1.0) / WIDTH) as usize);
-        self.any_in(Place::WHOLE, ray, across(ray), ends.map(|end| end.map(holding)))
-    }
-}
-
 impl<T: Control> Tiles<T> {
     /// The tiles of the patch with the control net `net`, whose weights, if it has any, are positive.
     pub(super) fn new(net: &[[T; 4]; 4]) -> Self {
         let nets = |level: usize| Place::all(level).map(|place| part(net, &place.rect()));
         let around = |net: [[T; 4]; 4]| Sheared::around(&net.map(|row| row.map(T::point)));
-        let boxes = (0..=DEPTH).flat_map(nets).map(around).collect();
-        Self { boxes, sheets: Vec::new(), nets: nets(DEPTH).collect() }
+        Self { boxes: (0..=DEPTH).flat_map(nets).map(around).collect(), nets: nets(DEPTH).collect() }
     }
 
     /// Whether a ray meets the patch.
     pub(super) fn any(&self, ray: &Ray) -> bool {
-        self.any_in(Place::WHOLE, ray, across(ray), [None; 2])
+        self.any_in(Place::WHOLE, ray, across(ray))
     }
 
     /// The nearest hit.
@@ -105,21 +82,12 @@ impl<T: Control> Tiles<T> {
         best
     }
 
-    fn any_in(&self, place: Place, ray: &Ray, across: [DVec3; 2], ends: Ends) -> bool {
-        let near = ends.iter().flatten().filter(|end| place.is_near(**end)).count();
-        let is_known = self.sheets.get(place.index()).is_some_and(|sheet| match near {
-            0 => false,
-            1 => sheet.is_met_once(ray.direction),
-            _ => sheet.is_met_twice_at_most(ray.direction),
-        });
-        if is_known {
-            return false;
-        }
+    fn any_in(&self, place: Place, ray: &Ray, across: [DVec3; 2]) -> bool {
         match self.boxes[place.index()].passage(ray) {
             Passage::Misses => false,
             Passage::Meets => true,
             Passage::Doubtful if place.level < DEPTH => {
-                place.quarters().into_iter().any(|quarter| self.any_in(quarter, ray, across, ends))
+                place.quarters().into_iter().any(|quarter| self.any_in(quarter, ray, across))
             }
             Passage::Doubtful => {
                 let mut found = false;
@@ -196,18 +164,6 @@ impl Place {
         self.at.map(|k| k as f64 * self.width() - 1.0)
     }
 
-    /// Whether it or a neighbour holds one of the smallest tiles.
-    fn is_near(self, tile: [usize; 2]) -> bool {
-        (0..2).all(|k| (tile[k] >> (DEPTH - self.level)).abs_diff(self.at[k]) <= 1)
-    }
-
-    /// The parameters of it and its neighbours.
-    fn surroundings(self) -> Rect {
-        let wide = |low: f64| [(low - self.width()).max(-1.0), (low + 2.0 * self.width()).min(1.0)];
-        let [u, v] = self.corner().map(wide);
-        Rect { u, v }
-    }
-
     fn width(self) -> f64 {
         2.0 / (1 << self.level) as f64
     }
@@ -262,7 +218,7 @@ mod tests {
                 let w: f64 = weights[4 * i + j];
                 (w * net[i][j]).extend(w)
             }));
-            let (plain, rational) = (Tiles::with_sheets(&net), Tiles::new(&weighted));
+            let (plain, rational) = (Tiles::new(&net), Tiles::new(&weighted));
             for [a, b, c, d, e, f] in ends {
                 let free = Ray::segment(DVec3::new(a, b, c), DVec3::new(d, e, f));
                 agree(&plain, &free)?;
@@ -270,11 +226,6 @@ mod tests {
                 let on = |s: f64, t: f64| sample(&net, 0.5 * (1.0 + s), 0.5 * (1.0 + t)).value;
                 let own = Ray { range: [1e-6, 1.0 - 1e-6], ..Ray::segment(on(a, b), on(d, e)) };
                 agree(&plain, &own)?;
-                let ends = [Some([a, b]), Some([d, e])];
-                prop_assert_eq!(plain.any_between(&own, ends), plain.any(&own), "{:?}", own);
-                let leaving = Ray { range: [1e-6, 1.0], ..Ray::segment(on(a, b), DVec3::new(c, d, f)) };
-                let known = plain.any_between(&leaving, [ends[0], None]);
-                prop_assert_eq!(known, plain.any(&leaving), "{:?}", leaving);
             }
         }
     }

@@ -1,6 +1,6 @@
 //! Parts that no rule covers, tried by the rule that fits best with two numbers of points.
 
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::kernel::edge::{self, Wedge};
 use crate::kernel::integrand::Sees;
 use crate::kernel::moments::Moments;
@@ -88,8 +88,7 @@ impl<'a> Job<'a> {
     ) -> Moments<'a> {
         let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
         let own = self.surfaces();
-        let free =
-            |x: &Node, y: &Node| self.visibility.free_between(blockers, [x.end(own[0]), y.end(own[1])]);
+        let free = |x, y| self.visibility.free_between(own, blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         let plain = [n, n, n + 1, n + 1];
         match contact {

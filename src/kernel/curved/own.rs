@@ -1,6 +1,6 @@
 //! Parts of a curved element with themselves.
 
-use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::patch::{Direction, Patch};
 use crate::kernel::edge::LARGEST_ASPECT;
 use crate::kernel::facing::{self, Facing};
 use crate::kernel::integrand::Sees;
@@ -63,8 +63,7 @@ impl Job<'_> {
                 let eps = self.budget.eps(share);
                 let points = same::counts(patch, self.degrees[0], contact_chart(patch, patch, eps), eps);
                 let (visibility, blockers, own) = (self.visibility, state.blockers, self.surfaces());
-                let free =
-                    |x: &Node, y: &Node| visibility.free_between(&blockers, [x.end(own[0]), y.end(own[1])]);
+                let free = |x, y| visibility.free_between(own, &blockers, x, y);
                 let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
                 same::integrate(&mut self.moments, patch, points, sees);
             }

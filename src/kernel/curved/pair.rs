@@ -1,6 +1,6 @@
 //! Two parts of curved elements, wherever they lie.
 
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
 use crate::kernel::block::Kind;
 use crate::kernel::edge::{self, LARGEST_ASPECT, Wedge};
@@ -88,7 +88,7 @@ impl Job<'_> {
     /// A pair that sees each other wholly, or whose horizons are left to rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
-        let free = |x: &Node, y: &Node| visibility.free_between(&blockers, [x.end(own[0]), y.end(own[1])]);
+        let free = |x, y| visibility.free_between(own, &blockers, x, y);
         let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
         match contact {
             Touch::Edge { p: a, q: b, matched } => {

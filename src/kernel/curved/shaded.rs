@@ -1,6 +1,6 @@
 //! Parts apart with something in between.
 
-use crate::elements::patch::{Node, Patch};
+use crate::elements::patch::Patch;
 use crate::kernel::facing::Facing;
 use crate::kernel::scatter::{Aim, Choice, Scatter};
 
@@ -12,8 +12,7 @@ impl Job<'_> {
     /// add up: each gets its part of the block's.
     pub(super) fn scatter(&mut self, p: &Patch, q: &Patch, gap: f64, facing: Facing, blockers: &[usize]) {
         let own = self.surfaces();
-        let free =
-            |x: &Node, y: &Node| self.visibility.free_between(blockers, [x.end(own[0]), y.end(own[1])]);
+        let free = |x, y| self.visibility.free_between(own, blockers, x, y);
         // A plain rule over all there is follows no horizon.
         let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
         let scale = self.yardstick.first();
