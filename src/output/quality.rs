@@ -8,7 +8,8 @@
 //! | finest | 4 | 1e-3 | 3e-3 | 4e-4, twice | 4, 3 |
 //!
 //! Chosen on the Cornell box, where the errors of all stages are then about alike. Shadows of the draft's transfers may be
-//! rough, as all light that is read is gathered behind exact ones.
+//! rough: cells and points gather their light behind exact ones, and of what polynomials show in pictures they are the least
+//! error.
 
 use crate::output::grid::Rates;
 use crate::output::reader::Read;
