@@ -10,7 +10,7 @@
 
 mod estimate;
 
-use std::time::Instant;
+use std::time::Duration;
 
 use radiosity_solvers::SolveError;
 use serde::{Deserialize, Serialize};
@@ -19,7 +19,7 @@ use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
-use crate::solve::{Failure, Fit, Options, Outcome, Progress, solve};
+use crate::solve::{Failure, Fit, Options, Outcome, Progress, solve, timed};
 use crate::visibility::Visibility;
 
 use estimate::estimate;
@@ -149,9 +149,9 @@ pub fn adapt(
     }
     let mut error;
     let end = loop {
-        let start = Instant::now();
-        error = estimate(scene, &outcome, &chosen, goal.accuracy, progress)?;
-        outcome.seconds.estimate = start.elapsed();
+        let mut taken = Duration::ZERO;
+        error = timed(&mut taken, || estimate(scene, &outcome, &chosen, goal.accuracy, progress))?;
+        outcome.seconds.estimate = taken;
         progress(Progress::Finished("estimate", outcome.seconds.estimate));
         if error <= goal.accuracy {
             break End::Reached;

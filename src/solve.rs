@@ -381,7 +381,8 @@ fn solve_band(
     Ok((system.coefficients(&unknowns), needed))
 }
 
-fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {
+/// What `work` yields; how long it took goes to `stage`.
+pub(crate) fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();
     *stage = start.elapsed();

@@ -442,11 +442,11 @@ impl Scene<'_> {
             let most = if is_told { enough } else { MOST_OWN_RAYS };
             let met = Obstruction::between(parts, surfaces, [asked, &task.own], self.visibility, most);
             rays = met.rays;
-            match met.hidden {
-                Hidden::All if is_told && rays as f64 >= enough => {
+            match (is_told && rays as f64 >= enough, met.hidden) {
+                (true, Hidden::All) => {
                     return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
                 }
-                Hidden::None if is_told && rays as f64 >= enough => blockers = Cow::Borrowed(&[]),
+                (true, Hidden::None) => blockers = Cow::Borrowed(&[]),
                 _ => blockers.to_mut().extend(met.own),
             }
         }

@@ -9,7 +9,8 @@
 //! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
 //! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
 //!   [`super::vertex`];
-//! * what blockers may cut is halved a few times and then sampled: at scattered points behind flat blockers, as for planar pairs.
+//! * what blockers may cut is halved a few times and then sampled: behind flat blockers at scattered points, as for planar
+//!   pairs ([`shaded`]).
 //!
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
@@ -45,9 +46,9 @@ const MOST_LEFT: usize = 4;
 const FOUND_SHARE: f64 = 0.5;
 
 /// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. Sampled
-/// shadows may make `shadow_error` in an entry, a standard deviation; the error of all else is
-/// measured against the block's first entry or `least`, whichever is larger; contacts and horizons are refined the less the
-/// smaller it is beside the largest entry of its `row`.
+/// shadows may make `shadow_error` in an entry, a standard deviation; the error of all else is measured against the block's
+/// first entry or `least`, whichever is larger; contacts and horizons are refined the less the smaller it is beside the largest
+/// entry of its `row`.
 pub(super) fn block(
     receiver: &Element,
     emitter: &Element,

@@ -60,13 +60,12 @@ impl Obstruction {
             let meets = |surface: &usize| {
                 !visibility.free_between(surfaces, std::slice::from_ref(surface), x.position, y.position)
             };
-            let is_own_hidden = met.iter().any(meets);
             if let Some(place) = unmet.iter().position(meets) {
                 met.push(unmet.remove(place));
             } else if let Some(place) = others.iter().position(meets) {
                 // What was met is likely to be met again.
                 others[..=place].rotate_right(1);
-            } else if !is_own_hidden {
+            } else if !met.iter().any(meets) {
                 passed += 1;
             }
             if unmet.is_empty() && 0 < passed && passed < rays {

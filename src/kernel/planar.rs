@@ -34,7 +34,7 @@ use super::integrand::Sees;
 use super::moments::Moments;
 use super::near::Plan;
 use super::pair::{Contact, classify, gap};
-use super::scatter::{Aim, Choice, Scatter};
+use super::scatter::{Choice, Scatter};
 use super::separated::{self, SMALLEST_RATIO};
 use super::vertex;
 
@@ -283,12 +283,8 @@ impl<'a> Job<'a> {
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
-        let aim = Aim { limit, choice: Choice::Rarer };
-        let found = Scatter::new([p, q], self.moments.bases(), sees, aim);
-        let sign = if found.hidden { -1.0 } else { 1.0 };
-        let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();
-        self.moments.add_raw(&values, false, found.samples);
-        self.moments.rays += found.rays;
+        let found = Scatter::new([p, q], self.moments.bases(), sees, limit, Choice::Rarer);
+        found.add_to(&mut self.moments);
         self.error += self.scale * found.error;
         if found.hidden {
             let nothing = State { touching: false, levels: 0, blockers: Vec::new() };

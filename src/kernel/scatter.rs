@@ -16,6 +16,7 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 
 use super::integrand::{Sees, kernel};
+use super::moments::Moments;
 
 /// Powers of 1/g, g⁵ = g + 1.
 const STEPS: [f64; 4] =
@@ -39,15 +40,6 @@ pub(super) enum Choice {
     Seen,
 }
 
-/// What a sum has to reach.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Aim {
-    /// Standard deviation of each of its values.
-    pub limit: f64,
-    /// What is summed.
-    pub choice: Choice,
-}
-
 /// What is seen, or what is hidden, between two patches.
 #[derive(Debug)]
 pub(super) struct Scatter {
@@ -65,9 +57,15 @@ pub(super) struct Scatter {
 }
 
 impl Scatter {
-    /// Of `patches`, each with the basis of its element, as near to the aim as the most points can come.
-    pub(super) fn new(patches: [&Patch; 2], bases: [&AreaBasis; 2], sees: Sees, aim: Aim) -> Self {
-        let Aim { limit, choice } = aim;
+    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach
+    /// that.
+    pub(super) fn new(
+        patches: [&Patch; 2],
+        bases: [&AreaBasis; 2],
+        sees: Sees,
+        limit: f64,
+        choice: Choice,
+    ) -> Self {
         let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
         if choice == Choice::Rarer {
             work.batch(PILOT);
@@ -87,6 +85,14 @@ impl Scatter {
             points *= 2;
             batches.extend((0..BATCHES / 2).map(|_| work.batch(points)).collect::<Vec<_>>());
         }
+    }
+
+    /// Adds what is seen to the moments of the pair, or takes off what is hidden.
+    pub(super) fn add_to(&self, moments: &mut Moments) {
+        let sign = if self.hidden { -1.0 } else { 1.0 };
+        let values: Vec<f64> = self.values.iter().map(|value| sign * value).collect();
+        moments.add_raw(&values, false, self.samples);
+        moments.rays += self.rays;
     }
 }
 
@@ -180,8 +186,7 @@ mod tests {
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
         let sees = |x: DVec3, _| x.x < to;
-        let aim = Aim { limit, choice: Choice::Rarer };
-        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, aim);
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, Choice::Rarer);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)

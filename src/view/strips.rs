@@ -60,8 +60,8 @@ pub struct Strips<'a> {
     places: &'a [f64],
     /// Whether the lines run the other way already.
     is_turned: bool,
-    /// Panels across at first.
-    panels: usize,
+    /// Whether they cross a whole lamp, of which a small part may be all that is seen.
+    is_of_lamp: bool,
     room: Vec<[f64; 2]>,
 }
 
@@ -70,12 +70,12 @@ impl<'a> Strips<'a> {
     pub fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
         let gauss = UnitRule::of(POINTS);
-        Self { vantage, facets, gauss, places, is_turned: false, panels: PANELS, room: Vec::new() }
+        Self { vantage, facets, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
     }
 
-    /// The same of a screen before a whole lamp: a small part of it may be all that is seen.
+    /// The same of a screen before a whole lamp.
     pub fn of_lamp(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
-        Self { panels: LAMP_PANELS, ..Self::new(vantage, facets) }
+        Self { is_of_lamp: true, ..Self::new(vantage, facets) }
     }
 
     /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
@@ -96,20 +96,20 @@ impl<'a> Strips<'a> {
 
     fn sums(&mut self, tolerance: f64) -> Sums {
         let (low, high) = self.heights();
-        let step = (high - low) / self.panels as f64;
-        let lines: Vec<Sums> =
-            (0..=2 * self.panels).map(|k| self.line(low + 0.5 * step * k as f64)).collect();
+        let count = if self.is_of_lamp { LAMP_PANELS } else { PANELS };
+        let step = (high - low) / count as f64;
+        let lines: Vec<Sums> = (0..=2 * count).map(|k| self.line(low + 0.5 * step * k as f64)).collect();
         let varied = variation(&lines);
-        let is_told = varied <= ALONG && (self.panels == PANELS || varied > 0.0);
+        let is_told = varied <= ALONG && (!self.is_of_lamp || varied > 0.0);
         if !self.is_turned && !is_told {
             let facets = self.facets.transposed();
             let mut turned =
-                Strips { is_turned: true, panels: self.panels, ..Strips::new(self.vantage, &facets) };
+                Strips { is_turned: true, is_of_lamp: self.is_of_lamp, ..Strips::new(self.vantage, &facets) };
             let sums = turned.sums(tolerance);
             let [a, b, c, d] = sums.visible;
             return Sums { visible: [a, c, b, d], ..sums };
         }
-        let panels = (0..self.panels).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
+        let panels = (0..count).map(|k| [lines[2 * k], lines[2 * k + 1], lines[2 * k + 2]]);
         let all: f64 = panels.clone().map(|panel| simpson(step, panel).all).sum();
         let mut sums = Sums { all, ..Sums::default() };
         if lines.iter().any(|line| line.seen() > 0.0) {

@@ -2,7 +2,7 @@
 
 use crate::elements::patch::Patch;
 use crate::kernel::facing::Facing;
-use crate::kernel::scatter::{Aim, Choice, Scatter};
+use crate::kernel::scatter::{Choice, Scatter};
 
 use super::job::Job;
 use super::size::area;
@@ -17,12 +17,8 @@ impl Job<'_> {
         let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
         let scale = self.yardstick.first();
         let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
-        let aim = Aim { limit, choice };
-        let found = Scatter::new([p, q], self.moments.bases(), &free, aim);
-        let sign = if found.hidden { -1.0 } else { 1.0 };
-        let values: Vec<f64> = found.values.iter().map(|value| sign * value).collect();
-        self.moments.add_raw(&values, false, found.samples);
-        self.moments.rays += found.rays;
+        let found = Scatter::new([p, q], self.moments.bases(), &free, limit, choice);
+        found.add_to(&mut self.moments);
         self.error += scale * found.error;
         if found.hidden {
             let points = self.points(p, q).apart(p, q, gap);

@@ -369,11 +369,13 @@ impl Temple {
         self.blend("urn-foot", "bronze", place, foot);
         let body = [circle(0.16, 1.18), circle(0.55, 1.3), circle(0.75, 1.85), circle(0.3, 2.05)];
         self.blend("urn-body", "bronze", place, body);
-        let lip = [circle(0.3, 2.05), circle(0.15, 2.14), circle(0.3, 2.2), circle(0.4, 2.22)];
+        let (radius, top) = (0.4, 2.22);
+        let lip = [circle(0.3, 2.05), circle(0.15, 2.14), circle(0.3, 2.2), circle(radius, top)];
         self.blend("urn-lip", "bronze", place, lip);
         // Without a lid the urn would swallow light: the inside of its walls is no front.
         let [x, y, z] = place;
-        let lid = format!("disk = {{ center = [{x}, {y}, {}], normal = [0, 0, 1], radius = 0.4 }}", z + 2.22);
+        let z = z + top;
+        let lid = format!("disk = {{ center = [{x}, {y}, {z}], normal = [0, 0, 1], radius = {radius} }}");
         self.surface("urn-lid", "bronze", Put::Here, &lid);
     }
 }
