@@ -105,6 +105,8 @@ struct Goal {
     row: f64,
     /// What may pass unseen between two elements if no ray of a few does.
     unseen: f64,
+    /// What samples of shadows may err if an element is curved, a standard deviation.
+    sampled: f64,
     /// Where shadows are found by outlines.
     outlined: Option<Limit>,
 }
@@ -301,9 +303,19 @@ impl Scene<'_> {
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
             if task.blockers.is_empty() && task.own.is_empty() {
-                return Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, outlined: None };
+                return Goal {
+                    accuracy,
+                    bent: accuracy,
+                    least,
+                    row,
+                    unseen: 0.0,
+                    sampled: 0.0,
+                    outlined: None,
+                };
             }
-            let shaded = row.min(FACTOR_SHARE * self.tolerable(task, &factors));
+            let tolerable = self.tolerable(task, &factors);
+            // What is sampled errs to either side, unlike what passes unseen.
+            let sampled = accuracy.shadow_eps * row.min(tolerable);
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
             let [roughness, most] =
@@ -313,13 +325,13 @@ impl Scene<'_> {
             if self.has_outlines(task) {
                 // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
                 let floor = SLIGHT * task.entries[1].min(1.0);
-                let error = accuracy.shadow_eps * shaded.max(floor);
+                let error = accuracy.shadow_eps * row.min(FACTOR_SHARE * tolerable).max(floor);
                 let outlined = Some(Limit { error, entry: task.rough.max(floor) });
-                return Goal { accuracy, bent: accuracy, least, row, unseen, outlined };
+                return Goal { accuracy, bent: accuracy, least, row, unseen, sampled, outlined };
             }
             let bent = accuracy.loosened(factor);
             let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
-            Goal { accuracy, bent, least, row, unseen, outlined: None }
+            Goal { accuracy, bent, least, row, unseen, sampled, outlined: None }
         };
         tasks.iter().map(goal).collect()
     }
@@ -451,8 +463,7 @@ impl Scene<'_> {
             }
         }
         let accuracy = if blockers.is_empty() { accuracy } else { bent };
-        // What is sampled errs to either side, unlike what passes unseen.
-        let how = (accuracy, self.accuracy.shadow_eps * largest);
+        let how = (accuracy, goal.sampled);
         let mut block = if row == column {
             curved::self_block(receiver, &blockers, self.visibility, how, [least, largest])
         } else {

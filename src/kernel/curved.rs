@@ -9,8 +9,8 @@
 //! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
 //! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
 //!   [`super::vertex`];
-//! * what blockers may cut is halved a few times and then sampled: behind flat blockers at scattered points, as for planar
-//!   pairs ([`shaded`]).
+//! * what blockers may cut is sampled: parts apart at scattered points, as of planar pairs ([`shaded`]), others by the rules of
+//!   their contacts, after a few halvings.
 //!
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.

@@ -28,15 +28,17 @@ const PILOT: usize = 32;
 /// Fewest and most points of a stretch.
 const FEWEST: usize = 16;
 const MOST: usize = 1 << 14;
+/// Points that cost about as much as a rule over all there is where a horizon runs through.
+const DEAR: f64 = 3e3;
 /// By how much the scatter of stretches overstates the error of their sum, measured.
 const BALANCED: f64 = 2.0;
 
-/// Which of the two may be summed.
+/// Which of the two is summed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Choice {
-    /// What is seen or what is hidden, whichever is rarer: where a rule for both together exists.
+    /// What is seen or what is hidden, whichever is rarer: where a rule for both together is cheap.
     Rarer,
-    /// What is seen.
+    /// What is seen unless that needs many points, else whichever is rarer: where a rule for both together is dear.
     Seen,
 }
 
@@ -67,24 +69,12 @@ impl Scatter {
         choice: Choice,
     ) -> Self {
         let mut work = Work { patches, bases, sees, hidden: false, samples: 0, rays: 0, seen: 0 };
-        if choice == Choice::Rarer {
-            work.batch(PILOT);
-            work.hidden = 2 * work.seen >= work.rays;
-            work.samples = 0;
-        }
-        let mut points = FEWEST;
-        let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| work.batch(points)).collect();
-        loop {
-            let error = deviation(&batches) / BALANCED;
-            if error <= limit || points >= MOST {
-                let error = if error <= limit { 0.0 } else { error };
-                let Work { hidden, samples, rays, .. } = work;
-                return Self { values: mean(&batches), hidden, error, samples, rays };
-            }
-            batches = batches.chunks(2).map(mean).collect();
-            points *= 2;
-            batches.extend((0..BATCHES / 2).map(|_| work.batch(points)).collect::<Vec<_>>());
-        }
+        let of_seen = (choice == Choice::Seen).then(|| work.sum(limit, DEAR));
+        let enough = of_seen.filter(|(_, error)| *error <= limit);
+        let (values, error) = enough.unwrap_or_else(|| work.rarer(limit));
+        let error = if error <= limit { 0.0 } else { error };
+        let Work { hidden, samples, rays, .. } = work;
+        Self { values, hidden, error, samples, rays }
     }
 
     /// Adds what is seen to the moments of the pair, or takes off what is hidden.
@@ -108,6 +98,34 @@ struct Work<'a> {
 }
 
 impl Work<'_> {
+    /// The integral of what is rarer, and its error.
+    fn rarer(&mut self, limit: f64) -> (Vec<f64>, f64) {
+        if self.rays == 0 {
+            self.batch(PILOT);
+        }
+        self.hidden = 2 * self.seen >= self.rays;
+        self.samples = 0;
+        self.sum(limit, f64::INFINITY)
+    }
+
+    /// The integral and its error, which is above `limit` where more points are needed than may be taken: that ends it as soon
+    /// as `most` are foreseen.
+    fn sum(&mut self, limit: f64, most: f64) -> (Vec<f64>, f64) {
+        let mut points = FEWEST;
+        let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| self.batch(points)).collect();
+        loop {
+            let error = deviation(&batches) / BALANCED;
+            // The error falls about as the number of points grows.
+            let is_hopeless = points >= MOST || self.samples as f64 * error > most * limit;
+            if error <= limit || is_hopeless {
+                return (mean(&batches), error);
+            }
+            batches = batches.chunks(2).map(mean).collect();
+            points *= 2;
+            batches.extend((0..BATCHES / 2).map(|_| self.batch(points)).collect::<Vec<_>>());
+        }
+    }
+
     /// The integral by the next `count` points of the sequence.
     fn batch(&mut self, count: usize) -> Vec<f64> {
         let [receiver, emitter] = self.bases;

@@ -40,19 +40,19 @@ impl Job<'_> {
         }
         if !state.blockers.is_empty() {
             let spent = self.budget.shadows_spent(&self.moments);
-            if state.levels > 0 && !spent {
+            let is_small = share <= SMALL_PART * self.budget.scale;
+            let is_scattered = !is_small && gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            if state.levels > 0 && !spent && !is_scattered {
                 state.levels -= 1;
                 return self.halve(p, q, &contact, &state);
             }
             self.partly_hidden = true;
-            let is_apart = gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
-            let is_small = share <= SMALL_PART * self.budget.scale;
-            // Straight edges may run along the grid of a plain rule; curved ones cross it this way and that.
-            let is_flat = |blocker: &usize| self.visibility.pieces(*blocker).is_some();
-            if is_apart && !is_small && state.blockers.iter().any(is_flat) {
-                return self.scatter(p, q, gap, facing, &state.blockers);
-            }
-            if spent && (is_apart || is_small) {
+            if is_scattered {
+                if !self.scatter(p, q, facing, &state.blockers) {
+                    return;
+                }
+                state.blockers.clear();
+            } else if spent && is_small {
                 return self.roughly(p, q, Some(&contact), &state);
             }
         } else if let Some(value) = constant(p, q) {
