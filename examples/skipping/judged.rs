@@ -11,7 +11,9 @@ use crate::subject::Subject;
 
 /// Accuracy of what counts as exact where everything is planar, and elsewhere.
 const EXACT: [f64; 2] = [1e-5, 3e-4];
-/// Where most elements bend, about so many pairs are judged, by points of a sequence for each pair of their patches.
+/// Where most elements bend, or pairs are more than this, some are judged, by points of a sequence for each pair of their patches.
+const MOST_PAIRS: usize = 1 << 12;
+/// About so many then.
 const JUDGED: usize = 128;
 const SCATTERED: usize = 1 << 19;
 /// Part of a block that is hidden at least of a pair that counts as shaded then.
@@ -56,13 +58,15 @@ impl<'a> Judged<'a> {
     pub(crate) fn of(subject: &'a Subject) -> Self {
         let n = subject.elements.list().len();
         let [mostly, planar] = subject.is_planar();
-        let every = if mostly { 1 } else { (n * (n + 1) / 2 / JUDGED).next_power_of_two() };
+        let pairs = n * (n + 1) / 2;
+        let all = mostly && pairs <= MOST_PAIRS;
+        let every = if all { 1 } else { (pairs / JUDGED).next_power_of_two() };
         let exact = if planar { EXACT[0] } else { EXACT[1] };
         let mut judged =
             Self { subject, every, shaded: Vec::new(), open: Table::new(), shades: Table::new(), scale: 0.0 };
         judged.open = judged.assemble(Hiding::Off, [exact; 2]).blocks;
-        let least = if mostly { 10.0 * exact } else { SHADED };
-        judged.shades = if mostly { judged.differences(exact) } else { judged.sums() };
+        let least = if all { 10.0 * exact } else { SHADED };
+        judged.shades = if all { judged.differences(exact) } else { judged.sums() };
         // What differs by more than the rules may: something is hidden.
         let is_shaded =
             |pair: &Pair| square(&judged.shades[pair]) > least.powi(2) * square(&judged.open[pair]);

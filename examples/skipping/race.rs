@@ -11,14 +11,14 @@ use crate::subject::Subject;
 /// Error that both have to reach.
 const GOAL: f64 = 1e-2;
 /// The naive program's rules, points a direction.
-const POINTS: [usize; 13] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24];
-/// Our accuracies of shadows, in multiples of the default, and where most elements bend.
+const POINTS: [usize; 15] = [2, 3, 4, 5, 6, 7, 8, 10, 12, 14, 16, 20, 24, 28, 32];
+/// Our accuracies of shadows, in multiples of the default, and where some pairs are judged.
 const LOOSER: [f64; 5] = [1.0 / 3.0, 1.0, 3.0, 10.0, 30.0];
-const LOOSER_BENT: [f64; 5] = [0.05, 0.1, 1.0 / 3.0, 1.0, 3.0];
-/// Kernel eps where most elements bend: shadows there are seen at the points of the kernel's rules.
-const EPS_BENT: f64 = 1e-4;
+const LOOSER_SOME: [f64; 6] = [0.1, 0.2, 1.0 / 3.0, 2.0 / 3.0, 1.0, 3.0];
+/// Kernel eps there.
+const EPS_SOME: f64 = 1e-4;
 /// The naive program gives up before it needs more rays than this (about a minute).
-const MOST_RAYS: u64 = 8_000_000;
+const MOST_RAYS: u64 = 50_000_000;
 /// Seconds less than this part of those they are a difference of are noise.
 const NOISE: f64 = 0.1;
 
@@ -74,7 +74,7 @@ fn seconds(run: &Run) -> String {
 fn library(judged: &Judged) -> Option<Run> {
     let Options { eps, shadow_eps, .. } = Options::default();
     let [mostly_planar, _] = judged.subject.is_planar();
-    let (eps, looser) = if mostly_planar { (eps, LOOSER) } else { (EPS_BENT, LOOSER_BENT) };
+    let (eps, looser) = if judged.every == 1 { (eps, &LOOSER[..]) } else { (EPS_SOME, &LOOSER_SOME[..]) };
     let open = judged.blocks(Hiding::Off, [eps, shadow_eps]);
     let plain = open.seconds;
     let run = |(way, hiding): (&str, Hiding), looser: f64| {
@@ -93,9 +93,9 @@ fn library(judged: &Judged) -> Option<Run> {
         )
     };
     let ways = [("outlines", Hiding::Auto), ("rays", Hiding::Rays)];
-    // Bent blockers have no outlines here: both ways are the same.
+    // Blockers that bend have no outlines: both ways are the same.
     let ways = if mostly_planar { &ways[..] } else { &ways[1..] };
-    let runs: Vec<Run> = ways.iter().flat_map(|way| looser.map(|looser| run(*way, looser))).collect();
+    let runs: Vec<Run> = ways.iter().flat_map(|way| looser.iter().map(|looser| run(*way, *looser))).collect();
     runs.into_iter().filter(|run| run.error <= GOAL).min_by(|a, b| a.seconds.total_cmp(&b.seconds))
 }
 
