@@ -34,6 +34,8 @@ pub(crate) struct Judged<'a> {
     pub(crate) subject: &'a Subject,
     /// One pair in so many is judged.
     pub(crate) every: usize,
+    /// Whether all are, by the library itself.
+    pub(crate) all: bool,
     /// Those that anything is hidden of, ascending.
     pub(crate) shaded: Vec<Pair>,
     open: Table,
@@ -62,8 +64,15 @@ impl<'a> Judged<'a> {
         let all = mostly && pairs <= MOST_PAIRS;
         let every = if all { 1 } else { (pairs / JUDGED).next_power_of_two() };
         let exact = if planar { EXACT[0] } else { EXACT[1] };
-        let mut judged =
-            Self { subject, every, shaded: Vec::new(), open: Table::new(), shades: Table::new(), scale: 0.0 };
+        let mut judged = Self {
+            subject,
+            every,
+            all,
+            shaded: Vec::new(),
+            open: Table::new(),
+            shades: Table::new(),
+            scale: 0.0,
+        };
         judged.open = judged.assemble(Hiding::Off, [exact; 2]).blocks;
         let least = if all { 10.0 * exact } else { SHADED };
         judged.shades = if all { judged.differences(exact) } else { judged.sums() };
@@ -107,9 +116,8 @@ impl<'a> Judged<'a> {
         let visibility = Visibility::new(scene, hiding.shadows(accuracy.shadow_eps));
         let list = elements.list();
         let is_apart = |i: usize, j: usize| !list[i].bounds().overlaps(&list[j].bounds());
-        let wanted = |i: usize, j: usize| {
-            is_taken([i, j], list.len(), self.every) && (self.every == 1 || is_apart(i, j))
-        };
+        let wanted =
+            |i: usize, j: usize| is_taken([i, j], list.len(), self.every) && (self.all || is_apart(i, j));
         let start = ProcessTime::now();
         let blocks = Blocks::assemble_pairs(elements, &wanted, &visibility, accuracy, &|_, _| {});
         let seconds = start.elapsed().as_secs_f64();

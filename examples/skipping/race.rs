@@ -74,7 +74,7 @@ fn seconds(run: &Run) -> String {
 fn library(judged: &Judged) -> Option<Run> {
     let Options { eps, shadow_eps, .. } = Options::default();
     let [mostly_planar, _] = judged.subject.is_planar();
-    let (eps, looser) = if judged.every == 1 { (eps, &LOOSER[..]) } else { (EPS_SOME, &LOOSER_SOME[..]) };
+    let (eps, looser) = if judged.all { (eps, &LOOSER[..]) } else { (EPS_SOME, &LOOSER_SOME[..]) };
     let open = judged.blocks(Hiding::Off, [eps, shadow_eps]);
     let plain = open.seconds;
     let run = |(way, hiding): (&str, Hiding), looser: f64| {

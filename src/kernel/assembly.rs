@@ -314,8 +314,10 @@ impl Scene<'_> {
                 };
             }
             let tolerable = self.tolerable(task, &factors);
+            // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
+            let floor = SLIGHT * task.entries[1].min(1.0);
             // What is sampled errs to either side, unlike what passes unseen.
-            let sampled = accuracy.shadow_eps * row.min(tolerable);
+            let sampled = accuracy.shadow_eps * row.min(tolerable).max(floor);
             let shadowed = SHADOWED_ROW_SHARE * row;
             let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
             let [roughness, most] =
@@ -323,8 +325,6 @@ impl Scene<'_> {
             let factor = (shadowed / (roughness * task.rough)).min(most);
             let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
             if self.has_outlines(task) {
-                // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
-                let floor = SLIGHT * task.entries[1].min(1.0);
                 let error = accuracy.shadow_eps * row.min(FACTOR_SHARE * tolerable).max(floor);
                 let outlined = Some(Limit { error, entry: task.rough.max(floor) });
                 return Goal { accuracy, bent: accuracy, least, row, unseen, sampled, outlined };
@@ -443,7 +443,7 @@ impl Scene<'_> {
     fn curved_block(&self, task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
-        let Goal { accuracy, bent, least, row: largest, unseen, .. } = goal;
+        let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
         let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
         let is_told = enough <= MOST_RAYS;
         let asked = if is_told { blockers } else { &[] };
@@ -463,7 +463,7 @@ impl Scene<'_> {
             }
         }
         let accuracy = if blockers.is_empty() { accuracy } else { bent };
-        let how = (accuracy, goal.sampled);
+        let how = (accuracy, sampled);
         let mut block = if row == column {
             curved::self_block(receiver, &blockers, self.visibility, how, [least, largest])
         } else {

@@ -9,8 +9,8 @@
 //! * apart: a tensor rule, or [`super::horizon`] where a horizon may run through;
 //! * touching: brought to a rule by cuts and halves ([`super::touch`]), then [`super::edge`], [`super::seam`] or
 //!   [`super::vertex`];
-//! * what blockers may cut is sampled: parts apart at scattered points, as of planar pairs ([`shaded`]), others by the rules of
-//!   their contacts, after a few halvings.
+//! * what blockers may cut is sampled: parts apart that carry much at scattered points, as of planar pairs ([`shaded`]), others
+//!   by the rules of their contacts, after a few halvings.
 //!
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
@@ -25,6 +25,8 @@ mod pair;
 mod points;
 mod shaded;
 mod size;
+
+use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
 use crate::elements::patch::Patch;
@@ -106,6 +108,8 @@ pub(super) fn self_block(
         block.values.iter_mut().for_each(|value| *value *= 0.5);
         return block;
     }
+    // Half of all pairs are summed, and their sums on the diagonal taken twice.
+    job.budget.shadow_error *= FRAC_1_SQRT_2;
     for (index, part) in parts.iter().enumerate() {
         job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));
         job.sectors(std::slice::from_ref(part), &parts[index + 1..], blockers);

@@ -53,8 +53,8 @@ pub(super) struct Scatter {
     pub values: Vec<f64>,
     /// Whether `values` are of what is hidden.
     pub hidden: bool,
-    /// Largest standard deviation of `values`, and no less than a point carries, if that is above what was asked for; zero
-    /// elsewhere.
+    /// Largest standard deviation of `values`, and no less than a point carries, or three where none was met, if that is above
+    /// what was asked for; zero elsewhere.
     pub error: f64,
     /// Points.
     pub samples: u64,
@@ -74,7 +74,8 @@ impl Scatter {
     ) -> Self {
         let mut work = Work { patches, bases, sees, rays: 0, hidden: false, count: Count::default() };
         let of_seen = (choice == Choice::Seen).then(|| work.sum(limit, DEAR));
-        let enough = of_seen.filter(|(_, error)| *error <= limit);
+        // Where no points face each other these tell nothing.
+        let enough = of_seen.filter(|(_, error)| *error <= limit && work.count.facing > 0);
         let (values, error) = enough.unwrap_or_else(|| work.rarer(limit));
         let error = if error <= limit { 0.0 } else { error };
         let Work { hidden, count: Count { samples, .. }, rays, .. } = work;
@@ -150,13 +151,14 @@ impl Work<'_> {
         for index in first..first + count as u64 {
             let [x, y] = nodes(self.patches, index);
             let value = kernel(&x, &y) * x.area * y.area;
-            if value == 0.0 || self.is_seen(&x, &y, value) == self.hidden {
+            if value == 0.0 || self.look(&x, &y, value) == self.hidden {
                 continue;
             }
+            let value = value / count as f64;
             receiver.raw(receiver.frame().coordinates(&x), &mut left);
             emitter.raw(emitter.frame().coordinates(&y), &mut right);
             for (row, l) in sum.chunks_exact_mut(right.len()).zip(&left) {
-                row.iter_mut().zip(&right).for_each(|(sum, r)| *sum += value / count as f64 * l * r);
+                row.iter_mut().zip(&right).for_each(|(sum, r)| *sum += value * l * r);
             }
         }
         self.count.samples += count as u64;
@@ -179,7 +181,8 @@ impl Work<'_> {
         off / facing as f64 * weight / samples as f64 * receiver * emitter
     }
 
-    fn is_seen(&mut self, x: &Node, y: &Node, value: f64) -> bool {
+    /// Whether two points that face each other see each other; counts them.
+    fn look(&mut self, x: &Node, y: &Node, value: f64) -> bool {
         let seen = (self.sees)(x.position, y.position);
         self.rays += 1;
         self.count.facing += 1;
@@ -233,12 +236,16 @@ mod tests {
 
     /// Of a square and one above it, that sees it from the part x < `to` only: the sum and the samples.
     fn found(to: f64, limit: f64) -> (Scatter, f64) {
+        found_of(to, limit, Choice::Rarer)
+    }
+
+    fn found_of(to: f64, limit: f64, choice: Choice) -> (Scatter, f64) {
         let (floor, ceiling) = (square(0.0, true), square(1.0, false));
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
         let sees = |x: DVec3, _| x.x < to;
-        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, Choice::Rarer);
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, choice);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)
@@ -259,6 +266,24 @@ mod tests {
                 assert!(error.abs() <= 2.0 * limit, "{to} {limit:e}: {error:e}");
             }
         }
+    }
+
+    #[test]
+    fn what_is_seen_is_summed_unless_that_is_dear() {
+        for (limit, hidden) in [(1e-3, false), (1e-5, true)] {
+            let (found, exact) = found_of(0.99, limit, Choice::Seen);
+            assert_eq!(found.hidden, hidden);
+            assert!((found.values[0] - exact).abs() <= 3.0 * limit);
+        }
+    }
+
+    #[test]
+    fn patches_of_which_no_points_face_each_other_are_left_to_the_rule_over_all() {
+        let (up, down) = (square(0.0, true), square(-1.0, false));
+        let [p, q] = [Patch::of_polygon(&up, DVec3::Z), Patch::of_polygon(&down, -DVec3::Z)];
+        let bases = [basis(&p), basis(&q)];
+        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, Choice::Seen);
+        assert!(found.hidden && found.values == [0.0] && found.error == 0.0 && found.rays == 0);
     }
 
     #[test]

@@ -38,10 +38,12 @@ impl Job<'_> {
         if facing == Facing::Away {
             return;
         }
+        let is_small = share <= SMALL_PART * self.budget.scale;
+        let is_near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
         if !state.blockers.is_empty() {
             let spent = self.budget.shadows_spent(&self.moments);
-            let is_small = share <= SMALL_PART * self.budget.scale;
-            let is_scattered = !is_small && gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            // Rules of horizons leave out what a ball hides: its shadow must not be taken off beside them.
+            let is_scattered = !is_small && !is_near && self.ball.is_none();
             if state.levels > 0 && !spent && !is_scattered {
                 state.levels -= 1;
                 return self.halve(p, q, &contact, &state);
@@ -52,15 +54,17 @@ impl Job<'_> {
                     return;
                 }
                 state.blockers.clear();
-            } else if spent && is_small {
+            } else if spent && (is_small || !is_near) {
                 return self.roughly(p, q, Some(&contact), &state);
             }
-        } else if let Some(value) = constant(p, q) {
+        }
+        if state.blockers.is_empty()
+            && let Some(value) = constant(p, q)
+        {
             return self.constant(p, q, value);
         }
-        let small = gap > 0.0 && share <= SMALL_PART * self.budget.scale;
-        let near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
-        if small && (near || facing == Facing::Partly) && self.attempt(p, q, Some(&contact), &state) {
+        let is_doubtful = is_near || facing == Facing::Partly;
+        if gap > 0.0 && is_small && is_doubtful && self.attempt(p, q, Some(&contact), &state) {
             return;
         }
         match facing {
