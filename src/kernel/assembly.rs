@@ -40,8 +40,8 @@ const VISIBLE_SHARE: f64 = 0.1;
 /// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
 const SHADOWED_ROW_SHARE: f64 = 0.25;
 
-/// A block whose shadows are found by outlines may be wrong by their accuracy times this part of the largest view factor from
-/// either element: errors of a few blocks of one row may add up.
+/// A block whose shadows are found by outlines, or sampled between flat elements, may be wrong by their accuracy times this
+/// part of the largest view factor from either element: errors of a few blocks of one row may add up.
 const FACTOR_SHARE: f64 = 0.5;
 
 /// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from
@@ -109,6 +109,14 @@ struct Goal {
     sampled: f64,
     /// Where shadows are found by outlines.
     outlined: Option<Limit>,
+}
+
+impl Goal {
+    /// What samples of shadows may err if both elements are flat. They are halved first, but not into so many parts as curved
+    /// ones, whose errors balance each other.
+    fn flat(&self) -> f64 {
+        self.unseen.min(FACTOR_SHARE * self.sampled)
+    }
 }
 
 /// What sorting makes of a pair.
@@ -302,16 +310,10 @@ impl Scene<'_> {
             let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
             let accuracy = Accuracy { eps, ..self.accuracy };
             let row = of_rows(&rough);
+            let free =
+                Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, sampled: 0.0, outlined: None };
             if task.blockers.is_empty() && task.own.is_empty() {
-                return Goal {
-                    accuracy,
-                    bent: accuracy,
-                    least,
-                    row,
-                    unseen: 0.0,
-                    sampled: 0.0,
-                    outlined: None,
-                };
+                return free;
             }
             let tolerable = self.tolerable(task, &factors);
             // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
@@ -327,11 +329,11 @@ impl Scene<'_> {
             if self.has_outlines(task) {
                 let error = accuracy.shadow_eps * row.min(FACTOR_SHARE * tolerable).max(floor);
                 let outlined = Some(Limit { error, entry: task.rough.max(floor) });
-                return Goal { accuracy, bent: accuracy, least, row, unseen, sampled, outlined };
+                return Goal { unseen, sampled, outlined, ..free };
             }
             let bent = accuracy.loosened(factor);
             let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
-            Goal { accuracy, bent, least, row, unseen, sampled, outlined: None }
+            Goal { accuracy, bent, unseen, sampled, ..free }
         };
         tasks.iter().map(goal).collect()
     }
@@ -428,7 +430,7 @@ impl Scene<'_> {
         let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.unseen)),
+            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat())),
             false => self.curved_block(task, blockers, goal),
         };
         match goal.outlined {
