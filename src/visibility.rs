@@ -13,32 +13,22 @@ pub mod exact;
 pub mod rim;
 mod bodies;
 pub mod net;
+mod hiding;
+mod obstacle;
+mod whole;
 
-use std::sync::{Arc, OnceLock};
-
-use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, Surface, separated};
-use serde::{Deserialize, Serialize};
+use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated};
 
 use crate::scene::Scene;
 use ball::Ball;
 use bodies::{Bodies, Face};
+pub use hiding::{Hiding, Shadows};
 use net::Net;
-use pyramid::Pyramid;
-use rim::Rim;
+use obstacle::{Bend, Obstacle};
 
 /// A segment may touch surfaces within this part of its length at both ends; and those that the ends lie on.
 const END: f64 = 1e-9;
 const OWN_END: f64 = 1e-6;
-
-/// Errors of exact shadows relative to those of the transfers: they have one sign where those of rules have either, and add
-/// up in rows.
-const EXACT: f64 = 0.25;
-
-/// Points in each parameter at which a curved surface is looked at.
-const LOOKS: usize = 5;
-
-/// Cosine between any two normals of a surface that is taken for flat when it may hide itself.
-const ALIKE: f64 = 0.9999;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]
@@ -54,66 +44,6 @@ pub struct Visibility {
     standing_tree: Bvh,
     bodies: Bodies,
     shadows: Shadows,
-}
-
-/// Whether surfaces hide each other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Shadows {
-    /// Everything sees everything it faces.
-    Off,
-    /// Rays against the candidates of each pair. A curved blocker that reaches into the shaft of a pair by less
-    /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
-    /// of the light between them at the most.
-    Rays(f64),
-    /// The same, but planar surfaces behind planar blockers by their outlines.
-    Outlines(f64),
-}
-
-/// How it is found out what surfaces hide from each other.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Hiding {
-    /// Nothing hides anything.
-    Off,
-    /// Rays wherever something can stand between.
-    Rays,
-    /// Planar surfaces behind planar blockers by their outlines, all else by rays.
-    #[default]
-    Auto,
-    /// The same, to the accuracy of the transfers.
-    Exact,
-}
-
-impl Hiding {
-    /// Accuracy of visibility within a transfer of accuracy `eps`, where `shadow_eps` is asked for.
-    pub fn accuracy(self, eps: f64, shadow_eps: f64) -> f64 {
-        if self == Self::Exact { shadow_eps.min(EXACT * eps) } else { shadow_eps }
-    }
-
-    /// The shadows of this kind to the accuracy `eps`.
-    pub fn shadows(self, eps: f64) -> Shadows {
-        match self {
-            Self::Off => Shadows::Off,
-            Self::Rays => Shadows::Rays(eps),
-            Self::Auto | Self::Exact => Shadows::Outlines(eps),
-        }
-    }
-}
-
-#[derive(Debug)]
-struct Obstacle {
-    shape: Arc<dyn Surface>,
-    hull: Vec<DVec3>,
-    /// Around the hull.
-    ball: Ball,
-    /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
-    pieces: Option<Vec<Vec<DVec3>>>,
-    /// How it lies to itself.
-    bend: Bend,
-    /// Places and normals of a curved one, here and there.
-    looks: Vec<(DVec3, DVec3)>,
-    /// Made when it is first asked for.
-    net: OnceLock<Net>,
 }
 
 impl Visibility {
@@ -173,15 +103,6 @@ impl Visibility {
     /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let part = |index: usize| (&self.obstacles[index].ball, &self.obstacles[index].hull[..]);
-        self.reaching_between(blockers, part, a, b)
-    }
-
-    /// The same of one face of each body, bodies as a whole.
-    pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        let part = |index: usize| match self.bodies.of(index) {
-            Some(body) => (&body.ball, &body.hull[..]),
-            None => (&self.obstacles[index].ball, &self.obstacles[index].hull[..]),
-        };
         self.reaching_between(blockers, part, a, b)
     }
 
@@ -262,11 +183,6 @@ impl Visibility {
         self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
     }
 
-    /// Bounding box of a surface, or of the convex body that it is a face of.
-    pub fn bounds_of(&self, surface: usize) -> Aabb {
-        self.bodies.of(surface).map_or(self.boxes[surface], |body| body.bounds)
-    }
-
     /// Whether a point may see a place of a surface through another place of it. Not where the surface lies behind the plane
     /// of each of its points, as the outside of a ball; and not to speak of where all its normals are much the same.
     pub fn hides_itself(&self, surface: usize) -> bool {
@@ -278,31 +194,10 @@ impl Visibility {
         self.obstacles[surface].bend == Bend::Inward
     }
 
-    /// Points whose convex hull contains a surface, or the convex body that it is a face of.
-    pub fn hull(&self, surface: usize) -> &[DVec3] {
-        self.bodies.of(surface).map_or(&self.obstacles[surface].hull, |body| &body.hull)
-    }
-
-    /// Whether a surface, or the convex body that it is a face of, is certainly apart from the convex hull of a point and a ball.
-    pub fn is_apart(&self, surface: usize, x: DVec3, center: DVec3, radius: f64) -> bool {
-        self.ball_of(surface).misses_cone(x, center, radius)
-    }
-
     /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
         self.obstacles[surface].shape.occludes(&ray)
-    }
-
-    /// Whether `blocker`, or the convex body that it is a face of, may reach, however little, between the hulls of `a` and `b`.
-    pub fn reaches(&self, blocker: usize, a: &[DVec3], b: &[DVec3]) -> bool {
-        !self.ball_of(blocker).misses_between(&Ball::around(a), &Ball::around(b))
-            && !separated(a, b, self.hull(blocker), 0.0)
-    }
-
-    /// A ball around a surface, or around the convex body that it is a face of.
-    fn ball_of(&self, surface: usize) -> &Ball {
-        self.bodies.of(surface).map_or(&self.obstacles[surface].ball, |body| &body.ball)
     }
 
     /// Centre and radius of the only one of `blockers` where that is a whole ball.
@@ -327,53 +222,6 @@ impl Visibility {
         self.obstacles[surface].pieces.as_deref()
     }
 
-    /// Whether two surfaces are faces of one convex body: neither then hides anything from a point of the other's front.
-    pub fn are_of_one_body(&self, a: usize, b: usize) -> bool {
-        self.bodies.place(a).is_some_and(|body| self.bodies.place(b) == Some(body))
-    }
-
-    /// The faces of the convex body that a surface is a face of, ascending; itself alone where there is none.
-    pub fn faces<'a>(&'a self, surface: &'a usize) -> &'a [usize] {
-        self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
-    }
-
-    /// What the convex body that a surface is a face of hides from `x`; None where there is no body, or x lies inside: then
-    /// surfaces hide each for itself.
-    pub fn shadow_of_body(&self, surface: usize, x: DVec3) -> Option<Pyramid> {
-        self.bodies.of(surface)?.pyramid(x)
-    }
-
-    /// Those of `surfaces` that are no faces of bodies, and one face of each body.
-    pub fn one_of_each_body(&self, surfaces: &[usize]) -> Vec<usize> {
-        let is_first = |(place, surface): &(usize, &usize)| {
-            !surfaces[..*place].iter().any(|other| self.are_of_one_body(*other, **surface))
-        };
-        surfaces.iter().enumerate().filter(is_first).map(|(_, surface)| *surface).collect()
-    }
-
-    /// What planar `surfaces`, one of each body, hide from `x`, bodies as a whole.
-    pub fn pyramids(&self, surfaces: &[usize], x: DVec3) -> Vec<Pyramid> {
-        let mut pyramids = Vec::with_capacity(surfaces.len());
-        for surface in surfaces {
-            match self.shadow_of_body(*surface, x) {
-                Some(whole) => pyramids.push(whole),
-                None => {
-                    let pieces = self.faces(surface).iter().filter_map(|face| self.pieces(*face)).flatten();
-                    pyramids.extend(pieces.filter_map(|piece| Pyramid::over(piece, x)));
-                }
-            }
-        }
-        pyramids
-    }
-
-    /// The edges of a planar surface; where it is a face of a body, those of the whole body.
-    pub fn rims(&self, surface: usize) -> Vec<Rim> {
-        match self.bodies.of(surface) {
-            Some(body) => body.rims().collect(),
-            None => self.pieces(surface).into_iter().flatten().flat_map(|piece| Rim::all_of(piece)).collect(),
-        }
-    }
-
     /// A net over a surface.
     pub fn net(&self, surface: usize) -> &Net {
         let Obstacle { shape, net, .. } = &self.obstacles[surface];
@@ -394,8 +242,7 @@ impl Visibility {
 
     /// Whether any surface bends such that a point of it may see a thing in part and the rest of it below the horizon.
     pub fn any_horizon(&self) -> bool {
-        let bends = |looks: &[(DVec3, DVec3)]| looks.iter().any(|(_, n)| n.dot(looks[0].1) < ALIKE);
-        self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && bends(&obstacle.looks))
+        self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && obstacle.is_bent())
     }
 
     /// Whether any surface can stand between two others, as far as their planes tell.
@@ -414,22 +261,6 @@ impl Visibility {
             let t = if back { hit.t * (1.0 + 1e-12) } else { hit.t };
             ray.reaches(t).then_some(Hit { t, ..hit })
         })
-    }
-}
-
-impl Obstacle {
-    fn new(shape: &Arc<dyn Surface>) -> Self {
-        let hull = shape.region().map_or_else(|| shape.hull(&Rect::FULL), |region| region.outer().to_vec());
-        let pieces = shape.region().map(|region| region.convex_pieces().to_vec());
-        let jets = if pieces.is_some() { Vec::new() } else { looks(shape.as_ref()) };
-        let bend = Bend::of(&jets);
-        let looks = jets.iter().map(|jet| (jet.position, jet.normal)).collect();
-        let (shape, ball) = (Arc::clone(shape), Ball::around(&hull));
-        Self { shape, ball, hull, pieces, bend, looks, net: OnceLock::new() }
-    }
-
-    fn is_convex(&self) -> bool {
-        self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
     }
 }
 
@@ -476,36 +307,6 @@ fn breadth(points: &[DVec3]) -> f64 {
     let Some(far) = points.iter().max_by(farther) else { return 0.0 };
     let along = (far - points[0]).normalize_or_zero();
     points.iter().map(|x| (x - points[0]).cross(along).length()).fold(0.0, f64::max)
-}
-
-/// A net of points of a surface.
-fn looks(shape: &dyn Surface) -> Vec<Jet> {
-    let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
-    (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect()
-}
-
-/// How a surface lies to the tangent planes of its points.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Bend {
-    /// Behind each of them, or much the same plane everywhere: it hides nothing of itself from any point.
-    Outward,
-    /// Before each of them, as the inside of a ball: its points see each other.
-    Inward,
-    /// Neither.
-    Mixed,
-}
-
-impl Bend {
-    /// Judged by a net of points, none of a planar one.
-    fn of(jets: &[Jet]) -> Self {
-        let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
-        let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));
-        let height = |x: &Jet, y: &Jet| (y.position - x.position).dot(x.normal);
-        if all(&|x, y| height(x, y) <= END * size) || all(&|x, y| y.normal.dot(x.normal) >= ALIKE) {
-            return Bend::Outward;
-        }
-        if all(&|x, y| height(x, y) >= -END * size) { Bend::Inward } else { Bend::Mixed }
-    }
 }
 
 fn segment(x: DVec3, y: DVec3) -> Ray {

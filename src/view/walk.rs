@@ -1,13 +1,12 @@
 //! The walk from a point over the cells of elements.
 
-use std::f64::consts::{FRAC_1_PI, PI};
-use std::iter;
+mod estimate;
+
+use std::f64::consts::PI;
 
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use crate::elements::patch::Node;
-use crate::kernel::kernel;
 use crate::view::cell::{Cell, POINTS};
 use crate::view::facets::Facets;
 use crate::view::lamp::{Lamp, irradiance};
@@ -18,12 +17,6 @@ use crate::view::tree::Tree;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
-/// Cosine between the normals of a cell below which it is divided before anything is told of it.
-const STRAIGHT: f64 = 0.7;
-
-/// Width over distance of a curved cell above which it is divided.
-const NEAR: f64 = 1.5;
-
 /// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was, and of one of the surface
 /// that the point lies on.
 const DEPTH: usize = 24;
@@ -33,36 +26,8 @@ const OWN_DEPTH: usize = 8;
 /// Most cells that one sum may look at: beyond them every cell is taken as it is, and may err by all that it contributes.
 const MOST_CELLS: usize = 20_000;
 
-/// Part of its contribution by which a near cell of the point's own smooth surface may err: the kernel is bounded there.
-const NEAR_OWN: f64 = 0.1;
-
-/// How much more than a flat cell a curved one counts: the errors of neighbours have the same sign.
-const CURVED: f64 = 20.0;
-
 /// How close a point and its normal must come to those of a ball, in parts of its radius.
 const ON_DOME: f64 = 1e-9;
-
-/// (1 − cos ϑ)²/AREA_RULE is about the relative error of two-point rules for the area of a piece of a ball ϑ wide.
-const AREA_RULE: f64 = 500.0;
-
-/// By how much the error of Lambert's form, its factor taken from the Gauss rule, has to exceed the tolerance for the form not
-/// to be tried.
-const HOPELESS: f64 = 1.5;
-
-/// What a flat cell half hidden by flat blockers may contribute, in multiples of the tolerance, where its points alone decide
-/// what is seen of it: when some are seen and some not, and when all agree. Shadow edges cross cells this way and that, and what
-/// the points miss cancels.
-const SHADED: f64 = 4.0;
-const AGREED: f64 = 12.0;
-
-/// Part of a cell, if all of it were as bright as its brightest place, by which a rule may err that sees it in part.
-const RIM: f64 = 0.25;
-
-/// Width over distance above which lines are not trusted.
-const WIDE: f64 = 2.0;
-
-/// Part of the variation of a field over a cell that its bilinear interpolant misses.
-const LINEAR: f64 = 0.1;
 
 /// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
 const DARK: f64 = 0.4;
@@ -94,14 +59,6 @@ struct Pass<'a> {
     /// The kernel, where the surface is a ball around the point: 1/(4πR²) everywhere.
     dome: Option<f64>,
     out: &'a mut [f64],
-}
-
-/// The rule for a cell, with the error to be expected.
-struct Estimate {
-    /// Of each Gauss point; they add up to the form factor of the cell.
-    weights: [f64; POINTS],
-    /// Infinite where the weights leave shadows out.
-    error: f64,
 }
 
 impl<'a> Walk<'a> {
@@ -254,243 +211,12 @@ impl<'a> Walk<'a> {
         }
     }
 
-    fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
-        if cell.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
-            let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
-            return Estimate { weights: scaled(cell, [0.0; POINTS], factor), error: 0.0 };
-        }
-        let weights = self.weights(cell);
-        let width = 2.0 * cell.radius / self.distance(cell);
-        match (self.is_like_flat(cell), before.is_nothing()) {
-            (true, true) => self.clear_flat(pass, cell, weights, width),
-            (true, false) if self.shadows.are_flat(before) => {
-                self.hidden_flat(pass, cell, weights, width, before)
-            }
-            (true, false) if cell.is_flat() => self.by_lines(pass, cell, weights, width, before),
-            _ if pass.dome.is_some() && before.is_nothing() => self.under_dome(pass, cell),
-            _ => self.curved(pass, cell, weights, width, before),
-        }
-    }
-
-    /// Whether a cell is flat, or straight and seen from before all of it: Lambert's form holds for both.
-    fn is_like_flat(&self, cell: &Cell) -> bool {
-        let faces = |(point, normal): &(DVec3, DVec3)| (self.vantage.position - point).dot(*normal) > 0.0;
-        cell.is_straight && cell.facets.iter().all(faces)
-    }
-
-    /// Gauss far away, Lambert's form near by.
-    fn clear_flat(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], width: f64) -> Estimate {
-        let sum: f64 = weights.iter().sum();
-        let error = sum * gauss_error(cell, width);
-        let overlooks =
-            || self.vantage.clears(cell.center, cell.radius) || self.vantage.overlooks(&cell.hull);
-        if width < 1.0 && error <= pass.tolerance && overlooks() {
-            return Estimate { weights, error };
-        }
-        let by_form = lambert_error(cell, width);
-        if width < 1.0 && sum * by_form > HOPELESS * pass.tolerance {
-            return Estimate { weights, error: sum * by_form };
-        }
-        let factor = self.vantage.factor(&cell.hull, iter::empty());
-        Estimate { weights: scaled(cell, weights, factor), error: factor * by_form }
-    }
-
-    /// Lambert's form of the visible pieces of what is near or shines evenly; of other cells the points alone.
-    fn hidden_flat(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: Before,
-    ) -> Estimate {
-        if width >= 1.0 || cell.spread == 0.0 {
-            let factor = self.vantage.factor(&cell.hull, self.shadows.pyramids(before));
-            let seen = if cell.spread == 0.0 { weights } else { self.seen(pass, cell, weights, before) };
-            let weights = scaled(cell, seen, factor);
-            return Estimate { weights, error: factor * (cell.spread + cell.detail) };
-        }
-        let sum: f64 = weights.iter().sum();
-        let geometry = sum * gauss_error(cell, width);
-        if geometry > pass.tolerance {
-            return Estimate { weights, error: f64::INFINITY };
-        }
-        let seen = self.seen(pass, cell, weights, before);
-        let at_stake = sum * cell.brightness;
-        let is_little = at_stake <= SHADED * pass.tolerance;
-        let agreed = !is_little && self.agrees(pass, cell, &weights, &seen, before);
-        let doubt = at_stake / if agreed { AGREED } else { SHADED };
-        Estimate { weights: seen, error: doubt.max(geometry) }
-    }
-
-    /// Whether all points of a cell, its corners and its middle are seen, or none.
-    fn agrees(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: &[f64; POINTS],
-        seen: &[f64; POINTS],
-        before: Before,
-    ) -> bool {
-        let hides = |y: &DVec3| self.shadows.hide(before, *y, pass.tree.surface);
-        let mut others = cell.hull.iter().chain([&cell.center]);
-        match seen.iter().any(|weight| *weight > 0.0) {
-            true => weights == seen && !others.any(hides),
-            false => others.all(hides),
-        }
-    }
-
-    /// The visible parts of lines.
-    fn by_lines(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: Before,
-    ) -> Estimate {
-        let Some(facets) = self.shadows.facets(before, &cell.hull, &cell.hull, None) else {
-            return Estimate { weights: [0.0; POINTS], error: 0.0 };
-        };
-        if facets.is_empty() {
-            return self.clear_flat(pass, cell, weights, width);
-        }
-        let factor = self.vantage.factor(&cell.hull, iter::empty());
-        let stake = factor * cell.brightness;
-        if width < 1.0 && stake <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
-        }
-        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
-        let sum: f64 = shares.iter().sum();
-        let weights = match cell.is_parallelogram() {
-            true => shares.map(|share| factor * share),
-            false => scaled(cell, weights, factor * sum),
-        };
-        let form = match cell.is_parallelogram() {
-            true => cell.detail + LINEAR * cell.spread,
-            false => cell.detail + cell.spread,
-        };
-        let near = if width > WIDE { stake } else { 0.0 };
-        Estimate { weights, error: near.max(factor * sum * form) }
-    }
-
-    /// Gauss, of the part that lines across the cell show as seen.
-    fn curved(
-        &self,
-        pass: &Pass,
-        cell: &Cell,
-        weights: [f64; POINTS],
-        width: f64,
-        before: Before,
-    ) -> Estimate {
-        let whole: f64 = weights.iter().sum();
-        let stake = whole * cell.brightness;
-        if self.most_from(cell, width) <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
-        }
-        if cell.bend < STRAIGHT || (width > NEAR && !pass.own) {
-            return Estimate { weights, error: f64::INFINITY };
-        }
-        let near = if width > NEAR { NEAR_OWN * stake } else { CURVED * whole * gauss_error(cell, width) };
-        let form = near + self.rim(cell);
-        if before.is_nothing() {
-            return Estimate { weights, error: form };
-        }
-        if form > pass.tolerance {
-            return Estimate { weights, error: f64::INFINITY };
-        }
-        if stake <= pass.tolerance {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
-        }
-        let Some(facets) = self.shadows.facets(before, &cell.outline(), &cell.hull, Some(pass.tree.surface))
-        else {
-            return Estimate { weights: self.seen(pass, cell, weights, before), error: form };
-        };
-        if facets.is_empty() {
-            return Estimate { weights, error: form };
-        }
-        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
-        let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
-        let partial =
-            if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
-        Estimate { weights: weights.map(|weight| share * weight), error: form.max(partial) }
-    }
-
     /// The kernel between any two points of the inside of a ball, of which `surface` is the whole, if the point is one.
     fn dome(&self, surface: usize) -> Option<f64> {
         let (center, radius) = self.visibility.whole_dome(surface)?;
         let Vantage { position, normal, ground, .. } = *self.vantage;
         let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
         (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
-    }
-
-    /// The constant kernel: only the areas of the cell's points and the field decide.
-    fn under_dome(&self, pass: &Pass, cell: &Cell) -> Estimate {
-        let weights = cell.nodes.map(|node| pass.dome.unwrap_or(0.0) * node.area);
-        let whole: f64 = weights.iter().sum();
-        let turn = 1.0 - cell.bend;
-        Estimate { weights, error: whole * (cell.brightness * turn * turn / AREA_RULE + cell.detail) }
-    }
-
-    /// The most that a cell can send; infinite for a near one.
-    fn most_from(&self, cell: &Cell, width: f64) -> f64 {
-        if width >= 1.0 {
-            return f64::INFINITY;
-        }
-        let nearest = self.distance(cell) - cell.radius;
-        cell.brightness * cell.area() / (PI * nearest * nearest)
-    }
-
-    /// Error of a curved cell that is seen in part, at its silhouette or the horizon.
-    fn rim(&self, cell: &Cell) -> f64 {
-        let facing =
-            |place: &(DVec3, DVec3)| (self.vantage.position - place.0).normalize_or_zero().dot(place.1);
-        let cosines = || cell.facets.iter().map(facing);
-        let (low, high) = cosines().fold((f64::MAX, f64::MIN), |(low, high), c| (low.min(c), high.max(c)));
-        if high <= 0.0 || (low >= 0.0 && self.vantage.overlooks(&cell.hull)) {
-            return 0.0;
-        }
-        let distance = self.distance(cell);
-        RIM * cell.brightness * high * cell.area() / (PI * distance * distance)
-    }
-
-    /// Weights of the Gauss rule with the kernel, whatever stands between.
-    fn weights(&self, cell: &Cell) -> [f64; POINTS] {
-        let Vantage { position, normal, ground, .. } = *self.vantage;
-        if ground.is_none() && cell.is_flat() {
-            return self.weights_of_flat(cell);
-        }
-        let here = Node { position, normal, area: 1.0, parameters: Default::default() };
-        let under = |y: &Node| ground.is_some_and(|ground| (y.position - position).dot(ground) <= 0.0);
-        std::array::from_fn(|k| {
-            let there = &cell.nodes[k];
-            if under(there) { 0.0 } else { there.area * kernel(&here, there) }
-        })
-    }
-
-    /// The same of a flat cell: its points have one normal, and are taken side by side.
-    fn weights_of_flat(&self, cell: &Cell) -> [f64; POINTS] {
-        let Vantage { position, normal, .. } = *self.vantage;
-        let (out, [x, y, z]) = (cell.nodes[0].normal, &cell.lanes);
-        let mut weights = [0.0; POINTS];
-        for (k, weight) in weights.iter_mut().enumerate() {
-            let [dx, dy, dz] = [x[k] - position.x, y[k] - position.y, z[k] - position.z];
-            let arriving = normal.x * dx + normal.y * dy + normal.z * dz;
-            let leaving = -(out.x * dx + out.y * dy + out.z * dz);
-            let square = dx * dx + dy * dy + dz * dz;
-            let value = cell.nodes[k].area * (arriving * leaving * FRAC_1_PI / (square * square));
-            *weight = if arriving > 0.0 && leaving > 0.0 { value } else { 0.0 };
-        }
-        weights
-    }
-
-    fn seen(&self, pass: &Pass, cell: &Cell, weights: [f64; POINTS], before: Before) -> [f64; POINTS] {
-        let hidden = |k: usize| self.shadows.hide(before, cell.nodes[k].position, pass.tree.surface);
-        std::array::from_fn(|k| if weights[k] > 0.0 && hidden(k) { 0.0 } else { weights[k] })
-    }
-
-    fn distance(&self, cell: &Cell) -> f64 {
-        cell.center.distance(self.vantage.position)
     }
 }
 
@@ -500,23 +226,4 @@ impl Pass<'_> {
             *out += (0..POINTS).map(|k| weights[k] * cell.value(k, channel)).sum::<f64>();
         }
     }
-}
-
-/// Error of the Gauss rule of a clear cell `width` = h/r wide, over its form factor.
-fn gauss_error(cell: &Cell, width: f64) -> f64 {
-    let square = width * width;
-    cell.brightness * 0.02 * square * square + cell.spread * 0.05 * square * width + cell.detail
-}
-
-/// Error of Lambert's form with the field as it is at the points, over the form factor.
-fn lambert_error(cell: &Cell, width: f64) -> f64 {
-    cell.spread * (0.3 * width * width).min(1.0) + cell.detail
-}
-
-/// `weights` brought to the sum `factor`; by area where all of them vanish.
-fn scaled(cell: &Cell, weights: [f64; POINTS], factor: f64) -> [f64; POINTS] {
-    let areas = cell.nodes.map(|node| node.area);
-    let by = if weights.iter().any(|w| *w > 0.0) { weights } else { areas };
-    let sum: f64 = by.iter().sum();
-    by.map(|w| if sum > 0.0 { w * factor / sum } else { 0.0 })
 }
