@@ -170,6 +170,13 @@ impl AreaBasis {
         }
     }
 
+    /// R_0, the same everywhere.
+    pub fn constant(&self) -> f64 {
+        let mut values = vec![0.0; self.len()];
+        self.raw([0.0; 2], &mut values);
+        values[0]
+    }
+
     /// Coefficients c of Σ_k x_k φ_k = Σ_l c_l R_l, that is c = Tᵀ x.
     pub fn to_raw(&self, coefficients: &[f64]) -> Vec<f64> {
         let n = self.len();

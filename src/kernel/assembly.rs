@@ -6,6 +6,8 @@
 //! depend on the order of the work. A block that is small beside the largest of its row is integrated with less accuracy
 //! ([`super::reach`]).
 
+mod goal;
+
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -25,32 +27,16 @@ use super::curved;
 use super::obstruction::{Hidden, Obstruction};
 use super::planar;
 use super::planes::{self, Planes};
-use super::reach::{ROW_SHARE, Reach, relaxed};
+use super::reach::Reach;
 use super::rough::Rough;
 use super::sectors::sectors;
-use super::shade::Limit;
+use goal::Goal;
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
 
 /// What part of a pair is taken to be visible where blockers may stand in between.
 const VISIBLE_SHARE: f64 = 0.1;
-
-/// A block that something may stand in may be wrong by the accuracy of shadows times this part of the largest entry of
-/// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
-const SHADOWED_ROW_SHARE: f64 = 0.25;
-
-/// A block whose shadows are found by outlines, or sampled between flat elements, may be wrong by their accuracy times this
-/// part of the largest view factor from either element: errors of a few blocks of one row may add up.
-const FACTOR_SHARE: f64 = 0.5;
-
-/// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from
-/// nothing.
-const SLIGHT: f64 = 1e-3;
-
-/// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.
-const NEAR_ROUGHNESS: f64 = 3.0;
-const LARGEST_NEAR_FACTOR: f64 = 8.0;
 
 /// Where none of n rays passes, less than this over n of what is between two elements is visible, at 95 %.
 const UNSEEN: f64 = 3.0;
@@ -90,33 +76,6 @@ struct Task {
     blockers: Vec<usize>,
     /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
     own: Vec<usize>,
-}
-
-/// What the block of a task has to reach.
-#[derive(Clone, Copy)]
-struct Goal {
-    /// Relative to its own largest entry.
-    accuracy: Accuracy,
-    /// The same where surfaces of the pair hide a part of it themselves.
-    bent: Accuracy,
-    /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
-    least: f64,
-    /// About the largest entry of its row.
-    row: f64,
-    /// What may pass unseen between two elements if no ray of a few does.
-    unseen: f64,
-    /// What samples of shadows may err if an element is curved, a standard deviation.
-    sampled: f64,
-    /// Where shadows are found by outlines.
-    outlined: Option<Limit>,
-}
-
-impl Goal {
-    /// What samples of shadows may err if both elements are flat. They are halved first, but not into so many parts as curved
-    /// ones, whose errors balance each other.
-    fn flat(&self) -> f64 {
-        self.unseen.min(FACTOR_SHARE * self.sampled)
-    }
 }
 
 /// What sorting makes of a pair.
@@ -299,79 +258,6 @@ impl Scene<'_> {
         Cow::Owned(pose.block_from(&other, values))
     }
 
-    /// What each task has to reach.
-    fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
-        let least = self.largest(tasks, |task, _| task.entries[0]);
-        let rough = self.largest(tasks, |task, _| task.rough);
-        let factors = self.largest(tasks, |task, pair| task.rough * self.factor_scale(pair));
-        let goal = |task: &Task| {
-            let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
-            let least = ROW_SHARE * of_rows(&least);
-            let eps = relaxed(self.accuracy.eps, least, task.entries[1]);
-            let accuracy = Accuracy { eps, ..self.accuracy };
-            let row = of_rows(&rough);
-            let free =
-                Goal { accuracy, bent: accuracy, least, row, unseen: 0.0, sampled: 0.0, outlined: None };
-            if task.blockers.is_empty() && task.own.is_empty() {
-                return free;
-            }
-            let tolerable = self.tolerable(task, &factors);
-            // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
-            let floor = SLIGHT * task.entries[1].min(1.0);
-            // What is sampled errs to either side, unlike what passes unseen.
-            let sampled = accuracy.shadow_eps * row.min(tolerable).max(floor);
-            let shadowed = SHADOWED_ROW_SHARE * row;
-            let is_near = self.reaches[task.row as usize].is_near(&self.reaches[task.column as usize]);
-            let [roughness, most] =
-                if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
-            let factor = (shadowed / (roughness * task.rough)).min(most);
-            let unseen = accuracy.shadow_eps * shadowed.max(task.rough) / roughness;
-            if self.has_outlines(task) {
-                let error = accuracy.shadow_eps * row.min(FACTOR_SHARE * tolerable).max(floor);
-                let outlined = Some(Limit { error, entry: task.rough.max(floor) });
-                return Goal { unseen, sampled, outlined, ..free };
-            }
-            let bent = accuracy.loosened(factor);
-            let accuracy = if task.blockers.is_empty() { accuracy } else { bent };
-            Goal { accuracy, bent, unseen, sampled, ..free }
-        };
-        tasks.iter().map(goal).collect()
-    }
-
-    /// Whether at least one element of a task and all its blockers are planar, and shadows found by outlines. Not where one hides
-    /// a part of itself: the light it takes must not be taken twice.
-    fn has_outlines(&self, task: &Task) -> bool {
-        let is_planar = |index: u32| self.list[index as usize].plane.is_some();
-        (is_planar(task.row) || is_planar(task.column))
-            && task.own.is_empty()
-            && self.visibility.has_outlines(&task.blockers)
-    }
-
-    /// The largest `entry` of the tasks in each row, of a task and the pair (element of the row, other element).
-    fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
-        let mut rows = vec![0.0f64; self.list.len()];
-        for task in tasks {
-            let [row, column] = [task.row, task.column].map(|index| index as usize);
-            for pair in [[row, column], [column, row]] {
-                rows[pair[0]] = rows[pair[0]].max(entry(task, pair));
-            }
-        }
-        rows
-    }
-
-    /// √(A_j / A_i): what an entry of G between constants counts in the view factor F_ij.
-    fn factor_scale(&self, [own, other]: [usize; 2]) -> f64 {
-        (self.list[other].area / self.list[own].area).sqrt()
-    }
-
-    /// The largest that the first entry of a task may be for no view factor in either row to exceed the largest of that row, as
-    /// `factors` has them: a small error of a block is a large one of the view factors from a small element to a large one.
-    fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
-        let [row, column] = [task.row, task.column].map(|index| index as usize);
-        let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);
-        entry([row, column]).min(entry([column, row]))
-    }
-
     /// Finds the tasks that are equal to an earlier one and need the same accuracy.
     fn share(&self, tasks: &[Task], goals: &[Goal]) -> Vec<Source> {
         let mut first: HashMap<(u64, u64), usize> = HashMap::new();
@@ -430,7 +316,7 @@ impl Scene<'_> {
         let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
-            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat())),
+            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat)),
             false => self.curved_block(task, blockers, goal),
         };
         match goal.outlined {

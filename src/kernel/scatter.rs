@@ -72,8 +72,9 @@ impl Scatter {
         limit: f64,
         choice: Choice,
     ) -> Self {
-        let first = bases.map(first_value).iter().product();
-        let mut work = Work { patches, bases, first, sees, rays: 0, hidden: false, count: Count::default() };
+        let constants = bases.map(AreaBasis::constant).iter().product();
+        let mut work =
+            Work { patches, bases, constants, sees, rays: 0, hidden: false, count: Count::default() };
         let of_seen = (choice == Choice::Seen).then(|| work.sum(limit, DEAR));
         // Where no points face each other these tell nothing.
         let enough = of_seen.filter(|(_, error)| *error <= limit && work.count.facing > 0);
@@ -95,8 +96,8 @@ impl Scatter {
 struct Work<'a> {
     patches: [&'a Patch; 2],
     bases: [&'a AreaBasis; 2],
-    /// Product of their first functions.
-    first: f64,
+    /// Product of their constants.
+    constants: f64,
     sees: Sees<'a>,
     /// Segments tested, in all sums.
     rays: u64,
@@ -176,7 +177,7 @@ impl Work<'_> {
         }
         let met = if self.hidden { facing - seen } else { seen };
         let off = if met > 0 { OFF } else { UNMET };
-        off / facing as f64 * weight / samples as f64 * self.first
+        off / facing as f64 * weight / samples as f64 * self.constants
     }
 
     /// Whether two points that face each other see each other; counts them.
@@ -194,13 +195,6 @@ impl Work<'_> {
 pub(super) fn nodes([p, q]: [&Patch; 2], index: u64) -> [Node; 2] {
     let [s, t, u, v] = STEPS.map(|step| (0.5 + index as f64 * step).fract());
     [p.node(s, t), q.node(u, v)]
-}
-
-/// The first function of a basis, a constant.
-fn first_value(basis: &AreaBasis) -> f64 {
-    let mut values = vec![0.0; basis.len()];
-    basis.raw([0.0; 2], &mut values);
-    values[0]
 }
 
 /// The mean of estimates of the same integrals.

@@ -170,8 +170,8 @@ impl<'a> Work<'a> {
             moments: Moments::new(&pair[0].basis, &pair[1].basis),
             row: vec![0.0; other.basis.len()],
             unit,
-            constant: constant(other),
-            constants: unit * constant(outer) * constant(other),
+            constant: other.basis.constant(),
+            constants: unit * outer.basis.constant() * other.basis.constant(),
             points: points(outer.basis.total_degree(), accuracy),
             accuracy,
             hides: false,
@@ -348,13 +348,6 @@ impl<'a> Work<'a> {
         }
         self.samples += (first.nodes.len() * second.nodes.len()) as u64;
     }
-}
-
-/// The constant among the raw functions of an element.
-fn constant(element: &Element) -> f64 {
-    let mut functions = vec![0.0; element.basis.len()];
-    element.basis.raw([0.0; 2], &mut functions);
-    functions[0]
 }
 
 /// Points a direction of the outer rule: for functions of that degree times what is hidden, which is smooth but for its
