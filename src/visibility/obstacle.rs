@@ -47,7 +47,7 @@ impl Obstacle {
         self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
     }
 
-    /// Whether its normals differ.
+    /// Whether its normals differ by more than a trifle.
     pub(super) fn is_bent(&self) -> bool {
         self.looks.iter().any(|(_, normal)| normal.dot(self.looks[0].1) < ALIKE)
     }

@@ -3,13 +3,15 @@
 //! Which rule that is depends on whether cell and blockers are flat, and whether anything stands before the cell:
 //!
 //! ```text
-//! cell \ before it       nothing                 flat blockers             curved ones
+//! cell \ before it        nothing                 flat blockers             curved ones
 //! flat, shines evenly     Lambert                 Lambert, visible pieces   lines
 //! flat                    Gauss, near: Lambert    points, near: pieces      lines
 //! curved                  Gauss                   Gauss · lines             Gauss · lines
 //! ```
 //!
-//! Errors are those of [`super::super`]; the constants are measured.
+//! A straight cell, as of a tube along its axis, that is seen from before all of it counts as flat unless blockers are curved. A
+//! cell of a ball's inside that a point of the ball sees past nothing has a constant kernel. What can send no more than the
+//! tolerance is left to its points. Errors of clear cells are those of [`crate::view`]; the constants are measured.
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
