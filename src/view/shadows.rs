@@ -98,15 +98,12 @@ impl<'a> Shadows<'a> {
         range
     }
 
-    /// What a planar surface hides, or the convex body that it is a face of: seen from inside, its faces one by one.
+    /// What a planar surface hides, or the convex body that it is a face of, but for pieces below the horizon.
     fn pyramids_over(&self, surface: usize) -> SmallVec<[Pyramid; 1]> {
-        let x = self.vantage.position;
-        if let Some(whole) = self.visibility.shadow_of_body(surface, x) {
-            return smallvec![whole];
-        }
-        let faces = self.visibility.faces(&surface).iter().filter_map(|face| self.visibility.pieces(*face));
-        let pieces = faces.flatten().filter(|piece| !self.vantage.is_above(piece));
-        pieces.filter_map(|piece| Pyramid::over(piece, x)).collect()
+        let rises = |piece: &[DVec3]| !self.vantage.is_above(piece);
+        let mut pyramids = SmallVec::new();
+        self.visibility.add_pyramids(surface, self.vantage.position, rises, &mut pyramids);
+        pyramids
     }
 
     /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where

@@ -49,10 +49,20 @@ impl Visibility {
         self.bodies.of(*surface).map_or(std::slice::from_ref(surface), |body| &body.surfaces)
     }
 
-    /// What the convex body that a surface is a face of hides from `x`; None where there is no body, or x lies inside: then
-    /// surfaces hide each for itself.
-    pub fn shadow_of_body(&self, surface: usize, x: DVec3) -> Option<Pyramid> {
-        self.bodies.of(surface)?.pyramid(x)
+    /// Adds to `pyramids` what a planar surface hides from `x`, or the convex body that it is a face of: a body as a whole, else,
+    /// and from inside it, each convex piece that is `standing`.
+    pub fn add_pyramids(
+        &self,
+        surface: usize,
+        x: DVec3,
+        standing: impl Fn(&[DVec3]) -> bool,
+        pyramids: &mut impl Extend<Pyramid>,
+    ) {
+        if let Some(whole) = self.bodies.of(surface).and_then(|body| body.pyramid(x)) {
+            return pyramids.extend(Some(whole));
+        }
+        let pieces = self.faces(&surface).iter().filter_map(|face| self.pieces(*face)).flatten();
+        pyramids.extend(pieces.filter(|piece| standing(piece)).filter_map(|piece| Pyramid::over(piece, x)));
     }
 
     /// Those of `surfaces` that are no faces of bodies, and one face of each body.
@@ -66,15 +76,7 @@ impl Visibility {
     /// What planar `surfaces`, one of each body, hide from `x`, bodies as a whole.
     pub fn pyramids(&self, surfaces: &[usize], x: DVec3) -> Vec<Pyramid> {
         let mut pyramids = Vec::with_capacity(surfaces.len());
-        for surface in surfaces {
-            match self.shadow_of_body(*surface, x) {
-                Some(whole) => pyramids.push(whole),
-                None => {
-                    let pieces = self.faces(surface).iter().filter_map(|face| self.pieces(*face)).flatten();
-                    pyramids.extend(pieces.filter_map(|piece| Pyramid::over(piece, x)));
-                }
-            }
-        }
+        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, |_| true, &mut pyramids));
         pyramids
     }
 

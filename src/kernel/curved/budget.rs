@@ -13,7 +13,8 @@ const HORIZON_SAMPLES: f64 = 1e6;
 /// Part of the largest entry of its row below which a block gets less of these, and the least part of them it gets.
 const SMALL_IN_ROW: f64 = 0.25;
 const LEAST_WORTH: f64 = 0.25;
-/// Rays of one block after which shadows of contacts and small parts are sampled by the coarsest rule, times the square of their accuracy.
+/// Rays of one block after which shadows of contacts and small parts are sampled by the coarsest rule, times the square of
+/// their accuracy.
 const RAYS: f64 = 1.0;
 /// How many times the samples of contacts and horizons together a block may take before what is left is summed at once.
 const OVERDRAFT: u64 = 2;
