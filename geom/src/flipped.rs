@@ -1,6 +1,6 @@
 //! A surface turned over: same points, same parameters, front and back exchanged.
 
-use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, Surface};
+use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The surface `base` with its normal reversed. Parameters and tangents stay, so that here the normal is −x_u
@@ -50,6 +50,15 @@ impl Surface for Flipped {
 
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
+    }
+
+    fn corners(&self) -> Vec<DVec3> {
+        self.base.corners()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        let base = self.base.with_corners(place)?;
+        Some(base.map(|base| Box::new(Flipped::new(base)) as Box<dyn Surface>))
     }
 
     fn occludes(&self, ray: &Ray) -> bool {

@@ -63,15 +63,7 @@ impl<'a> Patch<'a> {
     /// The nearest point of the patch to `x`, for `x` close to it, and the unit normal there.
     pub(crate) fn foot(&self, x: DVec3) -> (DVec3, DVec3) {
         match self {
-            Patch::Flat(region) => {
-                let on_plane = x - (x - region.origin()).dot(region.normal()) * region.normal();
-                if region.contains(on_plane) {
-                    return (on_plane, region.normal());
-                }
-                let nearest = self.borders().into_iter().map(|border| border.point(border.nearest(x)));
-                let nearest = nearest.min_by(|a, b| a.distance_squared(x).total_cmp(&b.distance_squared(x)));
-                (nearest.expect("a region has borders"), region.normal())
-            }
+            Patch::Flat(region) => (region.nearest(x), region.normal()),
             Patch::Curved(surface, rect) => {
                 let foot = surface.project(x);
                 // Where a surface closes, a point of the seam has its foot on either side of it.

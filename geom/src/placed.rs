@@ -3,7 +3,7 @@
 //! Such a motion maps tangents by σ R, normals by R, areas by σ². A ray is carried back and the base is hit
 //! where the moved surface is: t stays the same, since the direction is carried back unnormalised.
 
-use crate::{Aabb, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, Surface};
+use crate::{Aabb, Foot, Hit, Jet, Motion, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 
 /// The surface `base` after a motion; parameters and front go with it.
@@ -72,6 +72,15 @@ impl Surface for Placed {
 
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
+    }
+
+    fn corners(&self) -> Vec<DVec3> {
+        self.base.corners().into_iter().map(|x| self.motion.point(x)).collect()
+    }
+
+    /// The base with its corners moved for good, so that they get to where they are put to the last bit.
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        self.base.with_corners(&|x| place(self.motion.point(x)))
     }
 
     fn occludes(&self, ray: &Ray) -> bool {

@@ -12,7 +12,10 @@ use glam::{DVec2, DVec3};
 
 /// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed
 /// decimals and single precision pass, a quad meant to be curved does not.
-pub(crate) const PLANARITY: f64 = 1e-6;
+pub(crate) const PLANARITY: f64 = 2e-5;
+
+/// How far off the plane a point may lie that counts as in the region, in multiples of the extent.
+const FLUSH: f64 = 1e-6;
 
 /// How near to the boundary a point counts as inside, in multiples of the extent: seams must not leak.
 const SEAM: f64 = 1e-9;
@@ -37,7 +40,7 @@ impl PlanarRegion {
     ///
     /// # Errors
     ///
-    /// Too few, repeated or non-finite vertices; no area; vertices farther than 1e-6 of the extent off the
+    /// Too few, repeated or non-finite vertices; no area; vertices farther than 2e-5 of the extent off the
     /// plane; a ring that crosses itself; a hole that leaves the outline or overlaps another. The fields are
     /// named `vertices` and `holes[k]`.
     pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
@@ -102,6 +105,32 @@ impl PlanarRegion {
         self.extent
     }
 
+    /// Height of `point` over the plane, positive before the front (units of length).
+    pub fn height(&self, point: DVec3) -> f64 {
+        (point - self.origin()).dot(self.normal)
+    }
+
+    /// All corners: those of the outline, then those of each hole.
+    pub fn corners(&self) -> Vec<DVec3> {
+        self.outer.iter().chain(self.holes.iter().flatten()).copied().collect()
+    }
+
+    /// The nearest point of the region.
+    pub fn nearest(&self, point: DVec3) -> DVec3 {
+        let foot = point - self.height(point) * self.normal;
+        if self.contains(foot) {
+            return foot;
+        }
+        let rings = std::iter::once(&self.outer).chain(&self.holes);
+        let edges = rings.flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+        let nearest = edges.map(|(a, b)| {
+            let along = (point - *a).dot(*b - *a) / a.distance_squared(*b);
+            a.lerp(*b, along.clamp(0.0, 1.0))
+        });
+        let nearer = |a: &DVec3, b: &DVec3| a.distance_squared(point).total_cmp(&b.distance_squared(point));
+        nearest.min_by(nearer).expect("a region has edges")
+    }
+
     /// Coordinates of the foot of `point` on the plane, along [`PlanarRegion::axes`] from
     /// [`PlanarRegion::origin`].
     pub fn to_plane(&self, point: DVec3) -> DVec2 {
@@ -112,8 +141,7 @@ impl PlanarRegion {
     /// Whether `point` lies in the region: in its plane within 1e-6 of the extent, and inside or within 1e-9
     /// of the boundary.
     pub fn contains(&self, point: DVec3) -> bool {
-        let height = (point - self.origin()).dot(self.normal);
-        height.abs() <= PLANARITY * self.extent && self.covers(self.to_plane(point))
+        self.height(point).abs() <= FLUSH * self.extent && self.covers(self.to_plane(point))
     }
 
     /// Whether the plane coordinates `at` lie in the region or within 1e-9 of its boundary.

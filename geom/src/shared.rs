@@ -1,6 +1,6 @@
 //! A surface shared by several holders is a surface.
 
-use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, Surface};
+use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 use std::sync::Arc;
 
@@ -28,6 +28,14 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
 
     fn region(&self) -> Option<&PlanarRegion> {
         (**self).region()
+    }
+
+    fn corners(&self) -> Vec<DVec3> {
+        (**self).corners()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        (**self).with_corners(place)
     }
 
     fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {

@@ -4,7 +4,7 @@
 //! front the side X_u × X_v points to. A shape has to give its jet, its bounds and its nearest ray hit;
 //! everything else follows from these three, and a shape replaces what it knows in closed form.
 
-use crate::{Aabb, Hit, PlanarRegion, Ray, Rect};
+use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, ShapeError};
 use glam::DVec3;
 use radiosity_core::gauss::{Legendre, Rule};
 use std::fmt::Debug;
@@ -73,6 +73,19 @@ pub trait Surface: Debug + Send + Sync {
 
     /// Outline and holes, where the surface is a polygon in a plane.
     fn region(&self) -> Option<&PlanarRegion> {
+        None
+    }
+
+    /// The corners of a surface that is given by them: those of the outline, then those of each hole. None of any other.
+    fn corners(&self) -> Vec<DVec3> {
+        Vec::new()
+    }
+
+    /// The same surface with each of its [corners](Surface::corners) where `place` puts it; None where it has none.
+    ///
+    /// # Errors
+    /// Those of the surface's constructor: corners that coincide, or lie in no plane.
+    fn with_corners(&self, _place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
         None
     }
 

@@ -22,6 +22,7 @@ use glam::DVec3;
 /// A four-cornered patch of straight rulings both ways; planar convex quadrilaterals included.
 #[derive(Clone, Debug)]
 pub struct Bilinear {
+    vertices: [DVec3; 4],
     a: DVec3,
     b: DVec3,
     c: DVec3,
@@ -60,7 +61,7 @@ impl Bilinear {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }
         let region = planar.then(|| PlanarRegion::new(vertices.to_vec(), vec![])).transpose()?;
-        Ok(Bilinear { a, b, c, d, region })
+        Ok(Bilinear { vertices, a, b, c, d, region })
     }
 
     fn point(&self, u: f64, v: f64) -> DVec3 {
@@ -103,6 +104,14 @@ impl Surface for Bilinear {
 
     fn region(&self) -> Option<&PlanarRegion> {
         self.region.as_ref()
+    }
+
+    fn corners(&self) -> Vec<DVec3> {
+        self.vertices.to_vec()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        Some(Bilinear::new(self.vertices.map(place)).map(|moved| Box::new(moved) as Box<dyn Surface>))
     }
 
     /// What lies on the patch lies there once, and a descent from anywhere finds it.

@@ -2,6 +2,7 @@
 //!
 //! Front e₁ × e₂. Area |e₁ × e₂|, area element a quarter of it. Range: any two edges that span a plane.
 
+use super::Bilinear;
 use super::affine::Affine;
 use super::{check_edge, check_finite};
 use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
@@ -55,6 +56,16 @@ impl Surface for Parallelogram {
 
     fn region(&self) -> Option<&PlanarRegion> {
         Some(&self.region)
+    }
+
+    fn corners(&self) -> Vec<DVec3> {
+        self.region.corners()
+    }
+
+    /// A quadrilateral of straight sides: moved one by one, the corners need not make a parallelogram.
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        let vertices = std::array::from_fn(|k| place(self.region.outer()[k]));
+        Some(Bilinear::new(vertices).map(|moved| Box::new(moved) as Box<dyn Surface>))
     }
 
     fn project(&self, point: DVec3) -> Foot {

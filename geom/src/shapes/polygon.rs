@@ -53,6 +53,17 @@ impl Surface for Polygon {
         Some(&self.region)
     }
 
+    fn corners(&self) -> Vec<DVec3> {
+        self.region.corners()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        let ring = |ring: &[DVec3]| ring.iter().map(|x| place(*x)).collect();
+        let holes = self.region.holes().iter().map(|hole| ring(hole)).collect();
+        let moved = Polygon::new(ring(self.region.outer()), holes);
+        Some(moved.map(|moved| Box::new(moved) as Box<dyn Surface>))
+    }
+
     fn project(&self, point: DVec3) -> Foot {
         self.map.nearest(point)
     }

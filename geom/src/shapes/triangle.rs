@@ -50,6 +50,15 @@ impl Surface for Triangle {
     fn region(&self) -> Option<&PlanarRegion> {
         Some(&self.region)
     }
+
+    fn corners(&self) -> Vec<DVec3> {
+        self.region.corners()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        let vertices = std::array::from_fn(|k| place(self.region.outer()[k]));
+        Some(Triangle::new(vertices).map(|moved| Box::new(moved) as Box<dyn Surface>))
+    }
 }
 
 #[cfg(test)]

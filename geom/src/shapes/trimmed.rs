@@ -52,6 +52,19 @@ impl Surface for Trimmed {
         Some(&self.region)
     }
 
+    fn corners(&self) -> Vec<DVec3> {
+        self.region.corners()
+    }
+
+    fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
+        // The holes of the base stand behind those cut out of it, and move with it.
+        let of_base = self.base.region().map_or(0, |region| region.holes().len());
+        let own = &self.region.holes()[..self.region.holes().len() - of_base];
+        let holes = own.iter().map(|hole| hole.iter().map(|x| place(*x)).collect()).collect();
+        let moved = self.base.with_corners(place)?.and_then(|base| Trimmed::new(base, holes));
+        Some(moved.map(|moved| Box::new(moved) as Box<dyn Surface>))
+    }
+
     fn project(&self, point: DVec3) -> Foot {
         self.base.project(point)
     }
