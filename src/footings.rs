@@ -72,7 +72,7 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspec
     let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
     let suspect = |face: PlanarRegion| {
         let standing = lines::around(&lines, &face);
-        Suspect::new(scene, Footing { surface, region: face, standing }, region)
+        Suspect::new(Footing { surface, region: face, standing }, region)
     };
     let mut found: Vec<Suspect> = proper.map(suspect).collect();
     seal::keep_apart(&mut found);

@@ -33,6 +33,8 @@ pub struct Element {
     pub constant: Vec<f64>,
     /// Points whose convex hull contains it.
     pub hull: Vec<DVec3>,
+    /// Diagonal of its bounding box (scene length).
+    pub extent: f64,
 }
 
 impl Element {
@@ -72,7 +74,7 @@ impl Element {
 
     /// Bounding box.
     pub fn bounds(&self) -> Aabb {
-        self.hull.iter().fold(Aabb::EMPTY, |bounds, point| bounds.grow(*point))
+        Aabb::around(self.hull.iter().copied())
     }
 }
 
@@ -103,7 +105,8 @@ pub(super) fn element(
         Some(_) => patches.iter().flat_map(Patch::polygon).collect(),
         None => shape.hull(&rect),
     };
-    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull }))
+    let extent = Aabb::around(hull.iter().copied()).diagonal();
+    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent }))
 }
 
 fn flat_patches(

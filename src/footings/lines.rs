@@ -30,11 +30,13 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
             continue;
         }
         let tolerance = TOUCH * region.extent().min(standing.extent());
-        let in_plane = |x: &DVec3| (*x - region.origin()).dot(region.normal()).abs() <= tolerance;
+        let in_plane = |x: &DVec3| region.height(*x).abs() <= tolerance;
+        // On the plane to rounding: a part of it that is cut out along the lines must not tower over it.
+        let onto_plane = |x: DVec3| x - region.height(x) * region.normal();
         let is_own =
             |line: &[DVec3; 2]| own.iter().any(|side| line.iter().all(|x| distance(*x, *side) <= tolerance));
         let lines = outline(standing).into_iter().filter(|line| line.iter().all(in_plane) && !is_own(line));
-        found.extend(lines.map(|ends| Line { ends, owner: other }));
+        found.extend(lines.map(|ends| Line { ends: ends.map(onto_plane), owner: other }));
     }
     found
 }

@@ -3,7 +3,7 @@
 //! From places all over it rays go out in directions all over the half-space. It is sealed off if each of them meets the
 //! back of a surface first. Where two bodies touch, one side alone may stand between them, or none at all: a ray may then
 //! end on the front of a part that is sealed off itself. Parts that hold each other up so have to be the smaller parts of
-//! surfaces that do not shine, or a whole dark room would count as a footing.
+//! their surfaces, or a whole room would count as a footing.
 
 use radiosity_geom::{DVec3, PlanarRegion, Ray};
 use rayon::prelude::*;
@@ -29,7 +29,7 @@ pub(super) struct Suspect {
 
 impl Suspect {
     /// Of a part of a surface that covers `region` as a whole.
-    pub(super) fn new(scene: &Scene, footing: Footing, region: &PlanarRegion) -> Self {
+    pub(super) fn new(footing: Footing, region: &PlanarRegion) -> Self {
         let pieces = footing.region.convex_pieces();
         let inside = |piece: &Vec<DVec3>| {
             let middle = piece.iter().sum::<DVec3>() / piece.len() as f64;
@@ -37,8 +37,7 @@ impl Suspect {
             std::iter::once(middle).chain(corners).collect::<Vec<_>>()
         };
         let places = pieces.iter().flat_map(inside).filter(|x| region.contains(*x)).collect();
-        let small = footing.region.area() < 0.5 * region.area();
-        let is_minor = small && !scene.surfaces[footing.surface].material.emits();
+        let is_minor = footing.region.area() < 0.5 * region.area();
         Self { footing, places, is_minor }
     }
 }

@@ -12,7 +12,6 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use radiosity_geom::Aabb;
 use rayon::prelude::*;
 
 use crate::elements::patch::Patch;
@@ -54,7 +53,6 @@ struct Scene<'a> {
     roughs: Vec<Rough>,
     /// Whether blocks are estimated: what is planar needs it for its shadows only.
     is_estimated: bool,
-    boxes: Vec<Aabb>,
     /// The sectors of each.
     parts: Vec<Vec<Patch>>,
     visibility: &'a Visibility,
@@ -110,7 +108,6 @@ pub(super) fn assemble(
         reaches: list.iter().map(Reach::of).collect(),
         roughs: list.par_iter().map(Rough::of).collect(),
         is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
-        boxes: list.iter().map(Element::bounds).collect(),
         parts: list.par_iter().map(sectors).collect(),
         visibility,
         accuracy,
@@ -204,8 +201,7 @@ impl Scene<'_> {
 
     /// Whether the plane of either element leaves nothing of the other in front of it.
     fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
-        let size = self.boxes[row].union(self.boxes[column]).diagonal();
-        match planes::of(&self.list[row], &self.list[column], size) {
+        match planes::of(&self.list[row], &self.list[column]) {
             Planes::Exchanging => None,
             Planes::Facing => Some(Sorted::Facing),
             Planes::Coplanar => Some(Sorted::Coplanar),

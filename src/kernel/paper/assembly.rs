@@ -83,7 +83,7 @@ fn integrate(
     extra: usize,
 ) -> Outcome {
     let (x, y) = (receiver.element, emitter.element);
-    match planes::of(x, y, x.bounds().union(y.bounds()).diagonal()) {
+    match planes::of(x, y) {
         Planes::Exchanging => {}
         Planes::Facing => return Outcome::Facing,
         Planes::Coplanar => return Outcome::Coplanar,
