@@ -12,33 +12,43 @@ mod cure;
 mod draft;
 mod error;
 mod fields;
+mod fitted;
+mod gap;
 mod file;
 mod json_text;
 mod language;
 mod material;
+mod middle;
 mod names;
 mod nearest;
 mod polygon_list;
 mod ranges;
 mod shape;
 mod source;
+mod stacked;
 mod surface;
 mod toml_text;
 mod tree;
 mod validation;
+mod weld;
 
 use std::{io, path::Path};
+
+use radiosity_geom::DVec3;
 
 pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
+pub use fitted::{Fitted, Lying};
 pub use material::Material;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use source::{Place, Source};
 pub use surface::SceneSurface;
+pub use weld::Welded;
 
+use draft::Surfaces;
 use error::{Located, surface_title};
 use file::SceneFile;
 use language::Language;
@@ -54,6 +64,10 @@ pub struct Scene {
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
+    /// What was taken off all coordinates, of surfaces and of the camera: zero but for scenes far from the origin.
+    pub middle: DVec3,
+    /// What was done to the shapes to fit them together.
+    pub fitted: Fitted,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
     /// The camera, if one is given.
@@ -223,12 +237,17 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
     let file = SceneFile::read(tree)?;
     let bands = validation::bands(file.bands, source)?;
     let materials = validation::materials(file.materials, bands.len())?;
+    let Surfaces { list, middle, fitted } =
+        validation::surfaces(file.surfaces, &materials, bands.len(), source)?;
+    let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
         name: stem(&source.origin),
         title: file.title,
-        surfaces: validation::surfaces(file.surfaces, &materials, bands.len(), source)?,
+        middle,
+        fitted,
+        surfaces: list,
         bands,
-        camera: file.camera.map(validation::camera).transpose()?,
+        camera: camera.map(|camera| camera.about(middle)),
         origin: source.origin.to_string(),
         source: Some(source.clone()),
     })

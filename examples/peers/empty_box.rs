@@ -117,7 +117,7 @@ fn floor(scene: &Scene, way: &Way) -> Result<Floor, Box<dyn Error>> {
     let read = if way.gather.is_some() { Read::Gather } else { Read::Basis };
     let readings = in_threads(1, || {
         let reader = Reader::new(&solution, &visibility, read, way.gather.unwrap_or(way.eps));
-        probe(&reader, &centres(), &|_, _| {})
+        probe(&reader, &centres(), scene.middle, &|_, _| {})
     })?;
     let readings = readings.map_err(|(_, fault)| fault)?;
     Ok(Floor {

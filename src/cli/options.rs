@@ -16,7 +16,7 @@ use crate::cli::{
     masks::MaskArgs,
     memory,
     modes::{DirectMode, Kernel, Order, QualityMode, Shadows, Subdivide, subdivide},
-    numbers::{at_least_one, fraction, positive, threads},
+    numbers::{at_least_one, fraction, not_negative, positive, threads},
     output_file::OutputFile,
 };
 
@@ -34,6 +34,10 @@ pub(crate) struct SceneArg {
     /// Sets a parameter of a built-in scene, as often as needed; `radiosity scenes` lists them
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
+
+    /// Corners and planes nearer than this length are made to agree; 0 for none [default: the rounding of the coordinates]
+    #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
+    pub(crate) tolerance_length: Option<f64>,
 }
 
 impl SceneArg {
@@ -55,7 +59,7 @@ impl SceneArg {
     /// The text of the scene, or of a solution.
     pub(crate) fn text(&self) -> Result<Source, SceneError> {
         let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Scene::text_of(&self.scene, &settings)
+        Ok(Scene::text_of(&self.scene, &settings)?.within(self.tolerance_length))
     }
 }
 

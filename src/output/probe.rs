@@ -16,7 +16,7 @@ const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
 /// A point with the direction it receives along.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Probe {
-    /// The point.
+    /// The point, in the coordinates that the scene was given in.
     pub position: DVec3,
     /// Unit normal.
     pub normal: DVec3,
@@ -55,20 +55,21 @@ pub enum ProbeFault {
     Tilted,
 }
 
-/// Reads every probe; `progress` hears (probes done, probes in all), from any thread.
+/// Reads every probe; `middle` is what was taken off the scene's coordinates ([`Scene::middle`](crate::scene::Scene::middle)), and `progress` hears (probes done, probes in all), from any thread.
 ///
 /// # Errors
 /// The index of the first probe that polynomials say nothing of, unless all light is gathered.
 pub fn probe(
     reader: &Reader,
     probes: &[Probe],
+    middle: DVec3,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Reading>, (usize, ProbeFault)> {
     let done = AtomicUsize::new(0);
     let readings: Vec<Result<Reading, ProbeFault>> = probes
         .par_iter()
         .map(|probe| {
-            let reading = read(reader, probe);
+            let reading = read(reader, probe, middle);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
             reading
         })
@@ -76,8 +77,8 @@ pub fn probe(
     readings.into_iter().enumerate().map(|(k, reading)| reading.map_err(|fault| (k, fault))).collect()
 }
 
-fn read(reader: &Reader, probe: &Probe) -> Result<Reading, ProbeFault> {
-    let Probe { position, normal } = *probe;
+fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeFault> {
+    let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
     let spot = Spot::find(elements, reader.visibility(), position, normal);
     let along_surface = |spot: &Spot| reader.irradiance(spot.element, &spot.place, spot.normal);

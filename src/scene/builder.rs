@@ -7,7 +7,7 @@ use radiosity_geom::Surface;
 use crate::scene::{
     Scene,
     camera::Camera,
-    draft::{self, SurfaceDraft},
+    draft::{self, SurfaceDraft, Surfaces},
     error::{Located, SceneError, material_title},
     material::Material,
     names::UniqueNames,
@@ -32,6 +32,7 @@ pub struct SceneBuilder {
     name: String,
     bands: Vec<String>,
     camera: Option<Camera>,
+    tolerance: Option<f64>,
     materials: Vec<NamedMaterial>,
     surfaces: Vec<SurfaceDraft>,
 }
@@ -47,6 +48,7 @@ impl SceneBuilder {
             name: name.into(),
             bands: bands.into_iter().map(Into::into).collect(),
             camera: None,
+            tolerance: None,
             materials: Vec::new(),
             surfaces: Vec::new(),
         }
@@ -96,6 +98,13 @@ impl SceneBuilder {
         self
     }
 
+    /// Makes corners and planes agree within `length` (scene length) instead of within the rounding of their coordinates; 0 leaves
+    /// all corners where they are.
+    pub fn tolerance(&mut self, length: f64) -> &mut Self {
+        self.tolerance = Some(length);
+        self
+    }
+
     /// The scene, if everything in it is right.
     ///
     /// # Errors
@@ -112,10 +121,14 @@ impl SceneBuilder {
         check_materials(&self.materials, self.bands.len())?;
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
+        let drafts = self.surfaces.into_iter().map(SurfaceDraft::checked);
+        let Surfaces { list, middle, fitted } = draft::surfaces(drafts, self.tolerance)?;
         Ok(Scene {
-            surfaces: draft::surfaces(self.surfaces.into_iter().map(SurfaceDraft::checked))?,
+            middle,
+            fitted,
+            surfaces: list,
             bands: self.bands,
-            camera,
+            camera: camera.map(|camera| camera.about(middle)),
             title: None,
             origin: self.name.clone(),
             name: self.name,

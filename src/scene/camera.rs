@@ -32,6 +32,11 @@ impl Camera {
         Self { eye, target, up: DVec3::Z, fov: 40.0, width: 512, height: 512 }
     }
 
+    /// The same in coordinates about `middle`.
+    pub(super) fn about(self, middle: DVec3) -> Self {
+        Self { eye: self.eye - middle, target: self.target - middle, ..self }
+    }
+
     /// Checks that the camera has a view.
     ///
     /// # Errors

@@ -10,8 +10,14 @@ use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, clip_polygon, polygon_area};
 
-/// Distance, relative to the extent, below which points and planes are the same.
+/// Distance, relative to the smaller extent, below which points and planes are the same.
 const SAME: f64 = 1e-9;
+
+/// Rounding of heights over a plane, as a part of its extent.
+const ROUNDING: f64 = 1e-14;
+
+/// Sine of the angle between planes that are the same.
+const PARALLEL: f64 = 1e-6;
 
 /// Share of the smaller area two regions must have in common; touching edges have none but rounding.
 const SHARED: f64 = 1e-9;
@@ -54,6 +60,14 @@ impl Occupied {
         }
     }
 
+    /// The area that two planar ones have in common; 0 if either is curved.
+    pub(super) fn common_area(&self, other: &Occupied) -> f64 {
+        match (self.shape.region(), other.shape.region()) {
+            (Some(a), Some(b)) => common_area(a, b),
+            _ => 0.0,
+        }
+    }
+
     /// Whether the two lie in one another.
     pub(super) fn coincides(&self, other: &Occupied) -> bool {
         self.bounds.overlaps(&other.bounds)
@@ -65,14 +79,15 @@ impl Occupied {
 }
 
 fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
-    let tolerance = SAME * a.extent().max(b.extent());
-    let lies_in = |a: &PlanarRegion, b: &PlanarRegion| {
-        b.outer().iter().all(|point| (*point - a.origin()).dot(a.normal()).abs() <= tolerance)
-    };
-    lies_in(a, b) && lies_in(b, a)
+    let (small, large) = if a.extent() <= b.extent() { (a, b) } else { (b, a) };
+    // Over the small one's plane, as uncertain as the small one, the large one may reach far up.
+    let rounding = ROUNDING * large.extent();
+    small.outer().iter().all(|point| large.height(*point).abs() <= SAME * small.extent() + rounding)
+        && large.normal().cross(small.normal()).length() <= PARALLEL
 }
 
-fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
+/// The area that two regions have in common, seen along the normal of the second.
+pub(super) fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
     let (ours, theirs) = (a.convex_pieces(), b.convex_pieces());
     let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
     pairs.map(|(our, their)| polygon_area(&clip_to(our, their, b.normal()))).sum()

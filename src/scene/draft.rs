@@ -5,12 +5,14 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, Flipped, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, DVec3, Flipped, Rect, Surface};
 
 use crate::scene::{
     coincident::Occupied,
     error::{Fault, Located, surface_title},
+    fitted::{self, Fitted},
     material::Material,
+    middle,
     names::UniqueNames,
     ranges::{check_order, check_parts},
     source::{Place, Span},
@@ -87,11 +89,17 @@ impl SurfaceDraft {
         }
     }
 
+    /// Refuses sizes whose powers leave the range of numbers.
+    fn check_extents(&self) -> Result<(), Located> {
+        let span = self.typed.as_ref().map(|typed| &typed.shape);
+        self.shapes.iter().try_for_each(|(_, shape)| {
+            check_extent(shape)
+                .map_err(|fault| self.located(span, fault).within(|| surface_title(&self.name)))
+        })
+    }
+
     /// The surface of one of its shapes, and its back if it is two-sided.
-    fn sides(&self, (name, shape): &NamedShape) -> Result<Vec<SceneSurface>, Located> {
-        let shape_span = self.typed.as_ref().map(|typed| &typed.shape);
-        check_extent(shape)
-            .map_err(|fault| self.located(shape_span, fault).within(|| surface_title(&self.name)))?;
+    fn sides(&self, (name, shape): &NamedShape) -> Vec<SceneSurface> {
         let side = |name: String, flip: bool| SceneSurface {
             name,
             kind: self.kind,
@@ -103,21 +111,44 @@ impl SurfaceDraft {
             place: self.typed.as_ref().map(|typed| typed.place.clone()),
         };
         let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip));
-        Ok([side(name.clone(), self.flip)].into_iter().chain(back).collect())
+        [side(name.clone(), self.flip)].into_iter().chain(back).collect()
     }
 }
 
-/// The surfaces of all drafts, in their order, each with a name of its own and none in another.
+/// The surfaces of a scene with what was done to their shapes.
+pub(super) struct Surfaces {
+    pub(super) list: Vec<SceneSurface>,
+    /// What was taken off all coordinates.
+    pub(super) middle: DVec3,
+    pub(super) fitted: Fitted,
+}
+
+/// The surfaces of all drafts, in their order, each with a name of its own and none in another. Their shapes are fitted together
+/// within `tolerance` (scene length), or within that of the input.
 pub(super) fn surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
-) -> Result<Vec<SceneSurface>, Located> {
+    tolerance: Option<f64>,
+) -> Result<Surfaces, Located> {
+    let mut drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
+    drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
+    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
+    let fitted = fitted::fit(&mut drafts, middle, tolerance);
+    let list = named(&drafts)?;
+    if list.is_empty() {
+        Err(Located::nowhere(Fault::EmptyScene))
+    } else {
+        Ok(Surfaces { list, middle, fitted })
+    }
+}
+
+/// The surfaces of all drafts, each with a name of its own and none in another.
+fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
     let mut names = UniqueNames::default();
     let mut claims = Vec::new();
     let mut surfaces = Vec::new();
     for draft in drafts {
-        let draft = draft?;
         let typed = draft.typed.as_ref();
-        let shapes = draft.shapes.iter().map(|shape| draft.sides(shape)).collect::<Result<Vec<_>, _>>()?;
+        let shapes: Vec<Vec<SceneSurface>> = draft.shapes.iter().map(|shape| draft.sides(shape)).collect();
         for side in shapes.iter().flatten() {
             let name = names.add(&side.name, typed.map(|typed| typed.name_line));
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
@@ -132,7 +163,7 @@ pub(super) fn surfaces(
         }
     }
     check_apart(&claims)?;
-    if surfaces.is_empty() { Err(Located::nowhere(Fault::EmptyScene)) } else { Ok(surfaces) }
+    Ok(surfaces)
 }
 
 /// Refuses sizes whose powers leave the range of numbers.

@@ -31,12 +31,14 @@ impl<T> At<T> {
 }
 
 /// A scene's text with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
     /// The whole text, without a byte-order mark before it.
     pub text: Arc<str>,
+    /// Distance within which corners and planes are made to agree (scene length), instead of that of the input.
+    pub tolerance: Option<f64>,
     /// Where lines start, ascending: every surface asks for its place.
     line_starts: Arc<[usize]>,
     /// Characters before each [`STRIDE`] bytes of the text.
@@ -70,9 +72,16 @@ impl Source {
         Source {
             origin: origin.into(),
             text: text.into(),
+            tolerance: None,
             line_starts: std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect(),
             characters: std::iter::once(0).chain(counts).collect(),
         }
+    }
+
+    /// The same text, to be read with corners and planes made to agree within `tolerance` (scene length).
+    #[must_use]
+    pub fn within(self, tolerance: Option<f64>) -> Self {
+        Self { tolerance, ..self }
     }
 
     /// The line on which `index` stands, counted from 1.

@@ -6,13 +6,12 @@ use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
-    draft::{self, NamedShape, SurfaceDraft, Typed},
+    draft::{self, NamedShape, SurfaceDraft, Surfaces, Typed},
     error::{Fault, Located, material_title, surface_title},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
     names::UniqueNames,
     source::{At, Source},
-    surface::SceneSurface,
 };
 
 /// Materials by name.
@@ -109,13 +108,13 @@ pub(super) fn surfaces(
     materials: &Materials,
     bands: usize,
     source: &Source,
-) -> Result<Vec<SceneSurface>, Located> {
+) -> Result<Surfaces, Located> {
     let drafts = files.iter().enumerate().map(|(index, file)| {
         let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
         let title = surface_title(&name);
         draft(file, name, materials, bands, source).map_err(|error| error.within(|| title))
     });
-    draft::surfaces(drafts)
+    draft::surfaces(drafts, source.tolerance)
 }
 
 /// One entry, with its material and shapes.

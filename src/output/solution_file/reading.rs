@@ -92,7 +92,7 @@ fn with_masks(solution: Solution, scene: &Scene, options: &Options) -> Solution 
 impl SavedScene {
     fn read(&self) -> Result<Scene, SolutionFault> {
         let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
-        let scene = Scene::parse(&Source::new(&self.origin, text))
+        let scene = Scene::parse(&Source::new(&self.origin, text).within(self.tolerance))
             .map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name == self.name {
             Ok(scene)

@@ -19,7 +19,7 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      irradiance[band][k] p_i(a) p_j(b), with p_n(x) = sqrt(n + 1/2) P_n(x) (Legendre) and k running over total degree \
      d = 0..N ascending, within d over j = 0..d with i = d - j (basis total-degree-legendre), or k = i (N + 1) + j with \
      i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
-     b = (x - origin).second for a point x; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
+     b = (x - origin).second for a point x, less scene.middle where that is given; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
      radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back.";
@@ -48,6 +48,16 @@ pub(super) struct SavedScene {
     pub(super) origin: String,
     /// TOML or JSON; null for a scene built in code, which cannot be read back.
     pub(super) text: Option<String>,
+    /// Distance within which corners were made to agree, where it was asked for (scene length).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) tolerance: Option<f64>,
+    /// What was taken off the coordinates of a scene far from the origin: frames are about this point.
+    #[serde(default, skip_serializing_if = "is_origin")]
+    middle: [f64; 3],
+}
+
+fn is_origin(middle: &[f64; 3]) -> bool {
+    *middle == [0.0; 3]
 }
 
 impl SolutionFile {
@@ -62,6 +72,8 @@ impl SolutionFile {
                 name: scene.name.clone(),
                 origin: scene.origin.clone(),
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
+                tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
+                middle: scene.middle.to_array(),
             },
             bands: scene.bands.clone(),
             evaluation: EVALUATION.to_owned(),

@@ -1,0 +1,72 @@
+//! Shapes as they were typed → shapes that fit together.
+//!
+//! In this order: the middle of a scene far from the origin is taken off ([`middle`]), what agrees to the rounding of the input
+//! is made to agree ([`weld`](mod@weld)), and flat sheets that lie on others are set apart ([`stacked`]).
+
+use std::sync::Arc;
+
+use radiosity_geom::{DVec3, Surface};
+
+use crate::scene::{
+    draft::SurfaceDraft,
+    middle,
+    stacked::{self, Sheet},
+    weld::{Welded, weld},
+};
+
+/// What was done to the shapes of a scene to fit them together.
+#[derive(Clone, Debug, Default, PartialEq)]
+#[non_exhaustive]
+pub struct Fitted {
+    /// Corners and planes that were made to agree.
+    pub welded: Welded,
+    /// Surfaces that lie on others in one plane, and were set apart from them by a trifle.
+    pub lying: Vec<Lying>,
+}
+
+/// A surface that lies on another, in its plane.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Lying {
+    /// Name of the surface.
+    pub surface: String,
+    /// Name of the larger one that it lies on.
+    pub on: String,
+}
+
+/// Fits the shapes of `drafts` together, `middle` taken off; `tolerance` (scene length) is taken instead of that of the input.
+pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<f64>) -> Fitted {
+    let mut shapes: Vec<&mut Arc<dyn Surface>> =
+        drafts.iter_mut().flat_map(|draft| draft.shapes.iter_mut().map(|(_, shape)| shape)).collect();
+    if middle != DVec3::ZERO {
+        shapes.iter_mut().for_each(|shape| **shape = middle::taken_off(shape, middle));
+    }
+    let typed: Vec<Arc<dyn Surface>> = shapes.iter().map(|shape| Arc::clone(shape)).collect();
+    let welded = weld(&mut shapes, middle, tolerance);
+    Fitted { welded, lying: set_apart(drafts, &typed) }
+}
+
+/// Moves flat sheets off those that they lie on; `typed` are all shapes before they were welded.
+fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lying> {
+    let shapes = drafts.iter().flat_map(|draft| draft.shapes.iter().map(move |named| (draft, named)));
+    let sheet =
+        |((draft, (name, shape)), typed): ((&SurfaceDraft, &(String, Arc<dyn Surface>)), &Arc<_>)| Sheet {
+            shape: Arc::clone(shape),
+            typed: Arc::clone(typed),
+            two_sided: draft.two_sided,
+            flip: draft.flip,
+            name: name.clone(),
+        };
+    let mut sheets: Vec<Sheet> =
+        shapes.zip(typed).map(sheet).filter(|sheet| sheet.shape.region().is_some()).collect();
+    let lying = stacked::set_apart(&mut sheets);
+    if lying.is_empty() {
+        return Vec::new();
+    }
+    let name = |index: usize| sheets[index].name.clone();
+    let found = lying.iter().map(|lying| Lying { surface: name(lying.sheet), on: name(lying.on) }).collect();
+    let mut moved = sheets.into_iter();
+    let flat =
+        drafts.iter_mut().flat_map(|draft| &mut draft.shapes).filter(|(_, shape)| shape.region().is_some());
+    flat.zip(&mut moved).for_each(|((_, shape), sheet)| *shape = sheet.shape);
+    found
+}

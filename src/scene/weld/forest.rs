@@ -1,0 +1,29 @@
+//! Things that are one, by pairs: a forest of disjoint sets.
+
+/// Sets of the numbers 0 to n − 1; the least of each stands for it.
+#[derive(Debug)]
+pub(super) struct Forest {
+    parents: Vec<usize>,
+}
+
+impl Forest {
+    /// Each number by itself.
+    pub(super) fn new(count: usize) -> Self {
+        Self { parents: (0..count).collect() }
+    }
+
+    /// The least of the set of `place`.
+    pub(super) fn root(&self, mut place: usize) -> usize {
+        while self.parents[place] != place {
+            place = self.parents[place];
+        }
+        place
+    }
+
+    /// Makes one set of those of `a` and `b`.
+    pub(super) fn join(&mut self, a: usize, b: usize) {
+        let [a, b] = [a, b].map(|place| self.root(place));
+        self.parents[a.max(b)] = a.min(b);
+        self.parents[a.min(b)] = a.min(b);
+    }
+}

@@ -1,0 +1,95 @@
+//! The surfaces that are given by their corners.
+
+use std::sync::Arc;
+
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface};
+
+use super::tolerance::{Measures, Tolerance, computed, is_single};
+
+/// A surface given by its corners.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    /// In the order of [`Surface::corners`].
+    pub(super) corners: Vec<DVec3>,
+    /// Of a flat one.
+    pub(super) region: Option<PlanarRegion>,
+    pub(super) tolerance: Tolerance,
+    bounds: Aabb,
+}
+
+/// All sheets of a scene.
+#[derive(Debug)]
+pub(super) struct Sheets {
+    pub(super) list: Vec<Sheet>,
+    tree: Bvh,
+    /// Largest coordinate of any corner (scene length).
+    largest: f64,
+}
+
+impl Sheets {
+    /// Those among `shapes`, with `middle` taken off their coordinates, with the tolerance that is `asked` for.
+    pub(super) fn of(shapes: &[&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Self {
+        let list: Vec<Sheet> = shapes.iter().filter_map(|shape| Sheet::of(shape, middle, asked)).collect();
+        let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds).collect();
+        let largest = list.iter().flat_map(|sheet| &sheet.corners).map(|x| x.abs().max_element());
+        Self { tree: Bvh::build(&boxes), largest: largest.fold(0.0, f64::max), list }
+    }
+
+    /// Distances below which all is one in the precision that is computed in (scene length).
+    pub(super) fn reach(&self) -> f64 {
+        computed(self.largest)
+    }
+
+    /// The sheets whose boxes, with room for their tolerances, overlap `bounds`, ascending.
+    pub(super) fn near(&self, bounds: &Aabb) -> Vec<usize> {
+        let mut found = Vec::new();
+        self.tree.overlapping(bounds, |index| found.push(index));
+        found.sort_unstable();
+        found
+    }
+}
+
+impl Sheet {
+    fn of(shape: &Arc<dyn Surface>, middle: DVec3, asked: Option<f64>) -> Option<Self> {
+        let corners = shape.corners();
+        if corners.is_empty() {
+            return None;
+        }
+        let region = shape.region().cloned();
+        let tolerance = Tolerance::of(&measures(&corners, middle, region.as_ref()), asked);
+        let bounds = Aabb::around(corners.iter().copied()).inflate(tolerance.most());
+        Some(Self { corners, region, tolerance, bounds })
+    }
+
+    /// The box around it, with room for its tolerance.
+    pub(super) fn bounds(&self) -> &Aabb {
+        &self.bounds
+    }
+
+    /// The least and the largest height of its corners over the plane of `region` (scene length).
+    pub(super) fn heights_over(&self, region: &PlanarRegion) -> [f64; 2] {
+        let range = |[low, high]: [f64; 2], h: f64| [low.min(h), high.max(h)];
+        self.corners.iter().map(|x| region.height(*x)).fold([f64::INFINITY, f64::NEG_INFINITY], range)
+    }
+}
+
+fn measures(corners: &[DVec3], middle: DVec3, region: Option<&PlanarRegion>) -> Measures {
+    let extent = Aabb::around(corners.iter().copied()).diagonal();
+    let rings = match region {
+        Some(region) => {
+            std::iter::once(region.outer()).chain(region.holes().iter().map(Vec::as_slice)).collect()
+        }
+        None => vec![corners],
+    };
+    let sides = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
+    let typed = || corners.iter().map(|x| *x + middle);
+    let height = |x: &DVec3| region.map_or(0.0, |region| region.height(*x).abs());
+    Measures {
+        extent,
+        shortest: sides.map(|(a, b)| a.distance(*b)).fold(f64::INFINITY, f64::min),
+        breadth: region.map_or(extent, |region| region.area() / extent),
+        unevenness: corners.iter().map(height).fold(0.0, f64::max),
+        largest: typed().map(|x| x.abs().max_element()).fold(0.0, f64::max),
+        is_single: typed().all(is_single),
+    }
+}
