@@ -1,7 +1,8 @@
 //! Flat sheets that lie before or behind each other, within their tolerance but apart.
 //!
 //! A box that hovers over a floor, a picture before a wall, two plates: their gap has a sign in all corners, and light
-//! depends on it. The rules of transport hold for every gap but the [least](gap::least), so such sheets are not welded.
+//! depends on it. The rules of transport hold for every gap but the [least](gap::least), so such sheets are
+//! not welded, but for gaps within the rounding of their coordinates.
 
 use std::collections::HashSet;
 
@@ -28,7 +29,8 @@ pub(super) fn pairs(sheets: &Sheets) -> Apart {
             let Some(over) = &sheets.list[other].region else { continue };
             let tolerance = sheet.tolerance.with(&sheets.list[other].tolerance);
             let [low, high] = sheets.list[other].heights_over(region);
-            let told = gap::least(region.extent(), over.extent());
+            let uncertain = sheet.tolerance.uncertainty(&sheets.list[other].tolerance);
+            let told = gap::least(region.extent(), over.extent()).max(uncertain);
             let is_near = low.abs().max(high.abs()) <= SLAB * tolerance;
             if is_near
                 && (low > told || high < -told)

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface};
 
-use super::tolerance::{Measures, Tolerance, computed, is_single};
+use super::tolerance::{Measures, Tolerance, computed, rounding};
 
 /// A surface given by its corners.
 #[derive(Debug)]
@@ -27,9 +27,18 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// Those among `shapes`, with `middle` taken off their coordinates, with the tolerance that is `asked` for.
+    /// Those among `shapes`, `middle` taken off their coordinates, with the tolerance that is `asked` for (scene length).
     pub(super) fn of(shapes: &[&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Self {
-        let list: Vec<Sheet> = shapes.iter().filter_map(|shape| Sheet::of(shape, middle, asked)).collect();
+        let shapes: Vec<&Arc<dyn Surface>> =
+            shapes.iter().map(|shape| &**shape).filter(|shape| !shape.corners().is_empty()).collect();
+        let measures: Vec<Measures> = shapes.iter().map(|shape| measures(shape, middle)).collect();
+        let unevenness = measures.iter().map(|measures| measures.unevenness).fold(0.0, f64::max);
+        let tolerance = |measures: &Measures| match asked {
+            Some(length) => Tolerance::asked(measures, length),
+            None => Tolerance::of(measures, unevenness),
+        };
+        let list: Vec<Sheet> =
+            shapes.iter().zip(&measures).map(|(shape, own)| Sheet::of(shape, tolerance(own))).collect();
         let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds).collect();
         let largest = list.iter().flat_map(|sheet| &sheet.corners).map(|x| x.abs().max_element());
         Self { tree: Bvh::build(&boxes), largest: largest.fold(0.0, f64::max), list }
@@ -50,15 +59,11 @@ impl Sheets {
 }
 
 impl Sheet {
-    fn of(shape: &Arc<dyn Surface>, middle: DVec3, asked: Option<f64>) -> Option<Self> {
+    fn of(shape: &Arc<dyn Surface>, tolerance: Tolerance) -> Self {
         let corners = shape.corners();
-        if corners.is_empty() {
-            return None;
-        }
-        let region = shape.region().cloned();
-        let tolerance = Tolerance::of(&measures(&corners, middle, region.as_ref()), asked);
         let bounds = Aabb::around(corners.iter().copied()).inflate(tolerance.most());
-        Some(Self { corners, region, tolerance, bounds })
+        let region = shape.region().cloned().or_else(|| flattened(&corners, tolerance.largest()));
+        Self { region, corners, tolerance, bounds }
     }
 
     /// The box around it, with room for its tolerance.
@@ -73,23 +78,35 @@ impl Sheet {
     }
 }
 
-fn measures(corners: &[DVec3], middle: DVec3, region: Option<&PlanarRegion>) -> Measures {
+/// The region of a quadrilateral that is bent by no more than `tolerance` (scene length): it is meant to be flat.
+fn flattened(corners: &[DVec3], tolerance: f64) -> Option<PlanarRegion> {
+    let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+    let sides = corners.iter().zip(corners.iter().cycle().skip(1));
+    let normal = sides.map(|(a, b)| (*a - middle).cross(*b - middle)).sum::<DVec3>().try_normalize()?;
+    let height = |x: &DVec3| (*x - middle).dot(normal);
+    let is_flat = corners.iter().all(|x| height(x).abs() <= tolerance);
+    let on_plane = corners.iter().map(|x| *x - height(x) * normal).collect();
+    is_flat.then(|| PlanarRegion::new(on_plane, Vec::new()).ok()).flatten()
+}
+
+/// Of a shape with corners; their coordinates were rounded before `middle` was taken off.
+fn measures(shape: &Arc<dyn Surface>, middle: DVec3) -> Measures {
+    let (corners, region) = (shape.corners(), shape.region());
     let extent = Aabb::around(corners.iter().copied()).diagonal();
-    let rings = match region {
+    let rings: Vec<&[DVec3]> = match region {
         Some(region) => {
             std::iter::once(region.outer()).chain(region.holes().iter().map(Vec::as_slice)).collect()
         }
-        None => vec![corners],
+        None => vec![&corners],
     };
     let sides = rings.iter().flat_map(|ring| ring.iter().zip(ring.iter().cycle().skip(1)));
-    let typed = || corners.iter().map(|x| *x + middle);
+    let typed: Vec<DVec3> = corners.iter().map(|x| *x + middle).collect();
     let height = |x: &DVec3| region.map_or(0.0, |region| region.height(*x).abs());
     Measures {
         extent,
         shortest: sides.map(|(a, b)| a.distance(*b)).fold(f64::INFINITY, f64::min),
         breadth: region.map_or(extent, |region| region.area() / extent),
         unevenness: corners.iter().map(height).fold(0.0, f64::max),
-        largest: typed().map(|x| x.abs().max_element()).fold(0.0, f64::max),
-        is_single: typed().all(is_single),
+        rounding: rounding(&typed, extent),
     }
 }
