@@ -19,6 +19,7 @@
 mod aabb;
 mod bernstein;
 mod clip;
+mod hull;
 mod ray;
 mod rect;
 mod separated;
@@ -49,6 +50,7 @@ pub use bvh::Bvh;
 pub use clip::{clip_polygon, overhang, polygon_area};
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
+pub use hull::extreme_points;
 pub use motion::Motion;
 pub use patch::{Border, Patch};
 pub use placed::Placed;

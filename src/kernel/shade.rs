@@ -22,6 +22,7 @@ use core::f64::consts::FRAC_1_PI;
 use std::borrow::Cow;
 
 use radiosity_geom::{DVec2, DVec3, clip_polygon};
+use rayon::prelude::*;
 
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
@@ -44,6 +45,16 @@ const DEPTH: usize = 14;
 const INNER_DEPTH: usize = 40;
 /// Loosest relative accuracy of the rules, whatever little a block weighs beside its row.
 const LOOSEST: f64 = 0.05;
+/// Cells that one patch of the outer element is cut into at the most: what is left then is the error of the block. The worst
+/// patches of the built-in scenes take a tenth of it, and the rooms of `stress` with their slits.
+const MOST_CELLS: u64 = 1 << 16;
+
+/// Patches of the outer element from which on they are summed side by side.
+const MANY: usize = 8;
+
+/// Differences of cells below this part of the entry are rounding.
+const ROUNDING: f64 = 1e-15;
+
 /// By how much two levels may differ, in multiples of what the finer one may be wrong by.
 const AGREED: f64 = 2.5;
 
@@ -83,12 +94,26 @@ impl Shade {
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
         let Sides { side, outer, inner } = Sides::of(pair, blockers, visibility);
         let bodies = visibility.one_of_each_body(blockers);
-        let mut work = Work::new(pair, side, &inner, (&bodies, visibility), limit);
+        let task = Task::new(pair, side, &inner, (&bodies, visibility), limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
-        for patch in &outer {
+        let add = |work: &mut Work, patch: &Patch| {
+            work.left = MOST_CELLS;
             work.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
+        };
+        let mut work = Work::new(&task);
+        if outer.len() < MANY {
+            outer.iter().for_each(|patch| add(&mut work, patch));
+            return work.finish();
         }
+        // Sums of parts, in the order of the patches: the same on any number of threads.
+        let sum_of = |patch: &Patch| {
+            let mut part = Work::new(&task);
+            add(&mut part, patch);
+            part
+        };
+        let parts: Vec<Work> = outer.par_iter().map(sum_of).collect();
+        parts.iter().for_each(|part| work.merge(part));
         work.finish()
     }
 }
@@ -115,8 +140,9 @@ impl Shadow {
     }
 }
 
-/// The shade of one pair under way.
-struct Work<'a> {
+/// The pair whose shade is wanted.
+struct Task<'a> {
+    pair: [&'a Element; 2],
     visibility: &'a Visibility,
     edges: Edges,
     side: Side,
@@ -125,9 +151,6 @@ struct Work<'a> {
     /// The parts of the inner element that face the outer one.
     polygons: Vec<Vec<DVec3>>,
     normal: DVec3,
-    moments: Moments<'a>,
-    /// Raw functions of the inner element at a point.
-    row: Vec<f64>,
     /// About the largest φ_k φ_l of the raw functions.
     unit: f64,
     /// The constant raw function of the inner element; and what an entry is of constants on both.
@@ -136,15 +159,11 @@ struct Work<'a> {
     points: usize,
     /// Relative accuracy of the inner integrals.
     accuracy: f64,
-    hides: bool,
-    dark: bool,
-    error: f64,
-    samples: u64,
-    /// Largest error of an entry.
-    whole_limit: f64,
+    /// What is asked of the whole block.
+    limit: Limit,
 }
 
-impl<'a> Work<'a> {
+impl<'a> Task<'a> {
     fn new(
         pair: [&'a Element; 2],
         side: Side,
@@ -156,30 +175,63 @@ impl<'a> Work<'a> {
             Side::Receiver => pair,
             Side::Emitter => [pair[1], pair[0]],
         };
-        let hull = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
+        let corners: Vec<DVec3> = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
+        let normal = other.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
         let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
         let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST);
         Self {
+            pair,
             visibility,
-            edges: Edges::new(blockers, visibility, hull),
+            edges: Edges::new(blockers, visibility, &corners, normal),
             side,
             outer,
             inner: other,
             polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
-            normal: other.plane.map_or(DVec3::ZERO, |(_, normal)| normal),
-            moments: Moments::new(&pair[0].basis, &pair[1].basis),
-            row: vec![0.0; other.basis.len()],
+            normal,
             unit,
             constant: other.basis.constant(),
             constants: unit * outer.basis.constant() * other.basis.constant(),
             points: points(outer.basis.total_degree(), accuracy),
             accuracy,
+            limit,
+        }
+    }
+}
+
+/// The shade of one pair under way.
+struct Work<'a> {
+    task: &'a Task<'a>,
+    moments: Moments<'a>,
+    /// Raw functions of the inner element at a point.
+    row: Vec<f64>,
+    hides: bool,
+    dark: bool,
+    error: f64,
+    samples: u64,
+    /// Cells that may still be halved.
+    left: u64,
+}
+
+impl<'a> Work<'a> {
+    fn new(task: &'a Task<'a>) -> Self {
+        Self {
+            task,
+            moments: Moments::new(&task.pair[0].basis, &task.pair[1].basis),
+            row: vec![0.0; task.inner.basis.len()],
             hides: false,
             dark: true,
             error: 0.0,
             samples: 0,
-            whole_limit: limit.error,
+            left: 0,
         }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.moments.add_raw(other.moments.values(), false, 0);
+        self.hides |= other.hides;
+        self.dark &= other.dark;
+        self.error += other.error;
+        self.samples += other.samples;
     }
 
     fn finish(self) -> Shade {
@@ -189,7 +241,7 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
-        let blockers = self.visibility.narrow_bodies(blockers, &cell.hull(), self.edges.inner());
+        let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
             return;
@@ -199,20 +251,23 @@ impl<'a> Work<'a> {
         let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
         let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
         let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
-        let difference = differences.fold(0.0, f64::max) * self.unit;
+        let difference = differences.fold(0.0, f64::max) * self.task.unit;
         // The first two levels, of few points, may agree by chance.
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
+        let agreed = agreed.max(ROUNDING * self.task.limit.entry);
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
         let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
         let is_told = difference <= agreed && is_sure;
-        if depth == 0 && difference > agreed {
+        self.left = self.left.saturating_sub(parts.len() as u64);
+        let is_last = depth == 0 || self.left == 0;
+        if is_last && difference > agreed {
             self.error += difference;
         }
-        let may_miss = is_told && depth > 0 && self.may_miss(cell, &blockers);
-        let entries = self.outer.basis.len() * self.inner.basis.len();
+        let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
+        let entries = self.task.outer.basis.len() * self.task.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
         for (part, sum) in parts.iter().zip(sums) {
-            let is_done = depth == 0 || is_told && !(may_miss && self.may_miss(part, &blockers));
+            let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
                 self.moments.add_raw(&sum.values[..entries], false, 0);
             } else {
@@ -223,8 +278,12 @@ impl<'a> Work<'a> {
 
     /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
     fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
-        CARRIED * self.most(cell) > self.whole_limit
-            && self.edges.may_be_passed_over(cell, blockers, [self.points as f64, self.accuracy])
+        CARRIED * self.most(cell) > self.task.limit.error
+            && self.task.edges.may_be_passed_over(
+                cell,
+                blockers,
+                [self.task.points as f64, self.task.accuracy],
+            )
     }
 
     /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.
@@ -232,19 +291,19 @@ impl<'a> Work<'a> {
         let nodes =
             [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
         let seen = |x: &Node| -> f64 {
-            self.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+            self.task.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
         };
-        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.constants
+        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.task.constants
     }
 
     /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. Behind them, where the outer functions are
     /// constant, those with its two coordinates: one number may be the same on two levels by chance, three hardly are.
     fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Sum {
-        let (own, other) = (self.outer.basis.len(), self.inner.basis.len());
+        let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
         let witnesses = if own == 1 { 2 * other } else { 0 };
         let (mut sum, mut shadow) = (vec![0.0; own * other + witnesses], None);
         let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
-        let rule = UnitRule::of(self.points);
+        let rule = UnitRule::of(self.task.points);
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
             let x = cell.node(s, t);
             right.fill(0.0);
@@ -253,10 +312,10 @@ impl<'a> Work<'a> {
             if found == Shadow::Nothing {
                 continue;
             }
-            let coordinates = self.outer.basis.frame().coordinates(&x);
-            self.outer.basis.raw(coordinates, &mut left);
+            let coordinates = self.task.outer.basis.frame().coordinates(&x);
+            self.task.outer.basis.raw(coordinates, &mut left);
             let weight = ws * wt * x.area;
-            let (rows, columns) = match self.side {
+            let (rows, columns) = match self.task.side {
                 Side::Receiver => (&left, &right),
                 Side::Emitter => (&right, &left),
             };
@@ -273,9 +332,9 @@ impl<'a> Work<'a> {
 
     /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; how much that is.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
-        let pyramids = self.visibility.pyramids(blockers, x.position);
+        let pyramids = self.task.visibility.pyramids(blockers, x.position);
         let (mut any, mut everything) = (false, true);
-        for index in 0..self.polygons.len() {
+        for index in 0..self.task.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };
             let (hidden, all) = inside_any(&polygon, &pyramids);
             everything &= all;
@@ -293,11 +352,11 @@ impl<'a> Work<'a> {
 
     /// The part of a polygon of the inner element that a point would see with nothing in between.
     fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
-        let polygon = &self.polygons[index];
-        if self.outer.plane.is_some() {
+        let polygon = &self.task.polygons[index];
+        if self.task.outer.plane.is_some() {
             return Some(Cow::Borrowed(polygon));
         }
-        let is_before = (x.position - polygon[0]).dot(self.normal) > 0.0;
+        let is_before = (x.position - polygon[0]).dot(self.task.normal) > 0.0;
         let above = clip_polygon(polygon, x.position, x.normal);
         (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
@@ -306,11 +365,11 @@ impl<'a> Work<'a> {
     fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
         if out.len() == 1 {
             self.samples += seen.len() as u64;
-            out[0] += self.constant * irradiance_seen(x.normal, seen);
+            out[0] += self.task.constant * irradiance_seen(x.normal, seen);
             return;
         }
         let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
-        for patch in Patch::of_polygon(&polygon, self.normal) {
+        for patch in Patch::of_polygon(&polygon, self.task.normal) {
             self.gauss(x, &patch, out, INNER_DEPTH);
         }
     }
@@ -323,16 +382,16 @@ impl<'a> Work<'a> {
             let direction = if along >= across { Direction::Along } else { Direction::Across };
             return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
         }
-        let basis = &self.inner.basis;
+        let basis = &self.task.inner.basis;
         let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
         let rule = |extent: f64| {
             let ratio = (gap / extent).max(SMALLEST_RATIO);
             let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
-            UnitRule::of(separated::points(degree, self.accuracy, rho))
+            UnitRule::of(separated::points(degree, self.task.accuracy, rho))
         };
         let (first, second) = (rule(along), rule(across));
         let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
-        let height = (x.position - a).dot(self.normal) * FRAC_1_PI;
+        let height = (x.position - a).dot(self.task.normal) * FRAC_1_PI;
         for (s, ws) in first.iter() {
             let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
             for (t, wt) in second.iter() {

@@ -85,9 +85,13 @@ pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, boo
     let Some((last, others)) = mixed.split_last() else { return (Vec::new(), false) };
     let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
     for pyramid in others {
-        let mut kept = Vec::new();
-        for part in rest {
-            match pyramid.cover_seen(&part) {
+        let covers: SmallVec<[Cover; 16]> = rest.iter().map(|part| pyramid.cover_seen(part)).collect();
+        if covers.iter().all(|cover| *cover == Cover::Clear) {
+            continue;
+        }
+        let mut kept = Vec::with_capacity(rest.len() + 4);
+        for (part, cover) in rest.into_iter().zip(covers) {
+            match cover {
                 Cover::Clear => kept.push(part),
                 Cover::Hidden => hidden.push(part),
                 Cover::Mixed => {

@@ -6,6 +6,7 @@
 //! of equals is taken. Front by the right-hand rule of the outline. Area by Newell's formula, less the holes.
 
 use super::affine::Affine;
+use crate::hull::convex_hull;
 use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::{DVec2, DVec3};
 
@@ -94,30 +95,6 @@ fn rectangle_along(hull: &[DVec2], along: DVec2) -> (DVec2, DVec2, DVec2) {
     let ((u0, u1), (v0, v1)) = (range(along), range(across));
     let center = 0.5 * ((u0 + u1) * along + (v0 + v1) * across);
     (center, 0.5 * (u1 - u0) * along, 0.5 * (v1 - v0) * across)
-}
-
-/// The convex hull, counter-clockwise, starting with the earliest vertex of the outline that lies on it.
-fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
-    let mut sorted = points.to_vec();
-    sorted.sort_by(|p, q| (p.x, p.y).partial_cmp(&(q.x, q.y)).expect("finite coordinates"));
-    let chain = |points: &mut dyn Iterator<Item = DVec2>| {
-        let mut hull: Vec<DVec2> = Vec::new();
-        for p in points {
-            while hull.len() >= 2
-                && (hull[hull.len() - 1] - hull[hull.len() - 2]).perp_dot(p - hull[hull.len() - 1]) <= 0.0
-            {
-                hull.pop();
-            }
-            hull.push(p);
-        }
-        hull.pop();
-        hull
-    };
-    let mut hull = chain(&mut sorted.iter().copied());
-    hull.extend(chain(&mut sorted.iter().rev().copied()));
-    let start = points.iter().find_map(|p| hull.iter().position(|q| p == q)).expect("a hull has vertices");
-    hull.rotate_left(start);
-    hull
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@
 //! rules found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner
 //! element, and where it reaches between the two.
 
-use radiosity_geom::{DVec3, separated};
+use radiosity_geom::{DVec3, extreme_points, separated};
 
 use crate::elements::patch::Patch;
 use crate::kernel::pair::segment_distance;
@@ -38,13 +38,17 @@ pub(super) struct Edges {
     rims: Vec<(usize, Vec<Rim>)>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
+    /// Mean of the corners of its parts.
+    middle: DVec3,
 }
 
 impl Edges {
-    /// Those of `blockers`, one for each body, before the inner element within the hull of `inner`.
-    pub(super) fn new(blockers: &[usize], visibility: &Visibility, inner: Vec<DVec3>) -> Self {
+    /// Those of `blockers`, one for each body, before the flat inner element whose parts have these `corners`, in a plane with
+    /// that `normal`.
+    pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
         let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
-        Self { rims, inner }
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        Self { rims, inner: extreme_points(corners, normal), middle }
     }
 
     /// Points whose convex hull holds the inner element.
@@ -66,8 +70,10 @@ impl Edges {
         let is_tight = accuracy < TIGHT;
         let is_narrow = |rim: &Rim| {
             let breadth = || {
-                let seen = seen_breadth(&self.inner, rim, &corners, is_tight);
-                seen / seen_breadth(&corners, rim, &self.inner, false).max(f64::MIN_POSITIVE)
+                let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+                let rest: &[DVec3] = if is_tight { &corners } else { &[] };
+                let seen = seen_breadth(&self.inner, rim, middle, rest);
+                seen / seen_breadth(&corners, rim, self.middle, &[]).max(f64::MIN_POSITIVE)
             };
             (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
@@ -80,9 +86,9 @@ impl Edges {
     }
 }
 
-/// Breadth of `points` across the planes through an edge and the middle of `others`, times how far that is from the edge's line;
-/// where `everywhere`, the least of that and of those of each of `others`.
-fn seen_breadth(points: &[DVec3], rim: &Rim, others: &[DVec3], everywhere: bool) -> f64 {
+/// Breadth of `points` across the planes through an edge and `middle`, times how far that is from the edge's line; the least of
+/// that and of those of each of the `rest`.
+fn seen_breadth(points: &[DVec3], rim: &Rim, middle: DVec3, rest: &[DVec3]) -> f64 {
     let [a, b] = rim.ends;
     let along = (b - a).normalize_or_zero();
     let breadth = |from: DVec3| {
@@ -92,7 +98,5 @@ fn seen_breadth(points: &[DVec3], rim: &Rim, others: &[DVec3], everywhere: bool)
             heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), h| (low.min(h), high.max(h)));
         high - low
     };
-    let middle = breadth(others.iter().sum::<DVec3>() / others.len() as f64);
-    let rest = if everywhere { others } else { &[] };
-    rest.iter().map(|x| breadth(*x)).fold(middle, f64::min)
+    rest.iter().map(|x| breadth(*x)).fold(breadth(middle), f64::min)
 }
