@@ -12,7 +12,7 @@ mod seal;
 
 use std::sync::Arc;
 
-use radiosity_geom::{PlanarRegion, Surface, shapes::Trimmed};
+use radiosity_geom::{PlanarRegion, Surface, shapes::Trimmed, touching};
 use rayon::prelude::*;
 
 use crate::scene::Scene;
@@ -65,7 +65,7 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspec
     if lines.is_empty() {
         return Vec::new();
     }
-    let tolerance = lines::TOUCH * region.extent();
+    let tolerance = touching(region.extent(), 0.0);
     let ends = lines::outline(region).into_iter().chain(lines.iter().map(|line| line.ends));
     let loops = faces::faces(&ends.collect::<Vec<_>>(), &|x| region.to_plane(x), tolerance);
     let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());

@@ -17,7 +17,7 @@ mod hiding;
 mod obstacle;
 mod whole;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated};
+use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated, touching};
 
 use crate::scene::Scene;
 use ball::Ball;
@@ -55,7 +55,7 @@ impl Visibility {
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
-        let bodies = bodies(&obstacles, &boxes);
+        let bodies = bodies(&obstacles);
         Self { obstacles, boxes, tree, standing, standing_tree, bodies, shadows }
     }
 
@@ -270,8 +270,6 @@ impl Visibility {
 /// convex room drop out here once and for all. So does a bent wall, such as a twisted one of a measured room, whose depth
 /// is no more than the accuracy of the shadows allows, as part of its size.
 fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
-    let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
-    let rounding = END * scene.diagonal();
     let tolerance = match shadows {
         Shadows::Off => 0.0,
         Shadows::Rays(eps) | Shadows::Outlines(eps) => eps,
@@ -279,26 +277,27 @@ fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usi
     let walls_in = |index: &usize| {
         let Obstacle { shape, hull, .. } = &obstacles[*index];
         let Jet { position, normal, .. } = shape.jet(0.0, 0.0);
+        let size = boxes[*index].diagonal();
         let height = |x: &DVec3| (x - position).dot(normal);
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
         let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
-        let others = || obstacles.iter().flat_map(|other| &other.hull).map(height);
-        high - low <= rounding.max(tolerance * boxes[*index].diagonal())
-            && (others().all(|h| h >= low - rounding) || others().all(|h| h <= high + rounding))
+        let others = || obstacles.iter().flat_map(|other| &other.hull);
+        let room = |x: &DVec3| touching(size, x.distance(position));
+        high - low <= touching(size, 0.0).max(tolerance * size)
+            && (others().all(|x| height(x) >= low - room(x)) || others().all(|x| height(x) <= high + room(x)))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
 }
 
 /// The convex bodies that surfaces close.
-fn bodies(obstacles: &[Obstacle], boxes: &[Aabb]) -> Bodies {
+fn bodies(obstacles: &[Obstacle]) -> Bodies {
     let faces = obstacles.iter().enumerate().filter_map(|(surface, Obstacle { shape, hull, .. })| {
         let region = shape.region().filter(|region| region.holes().is_empty())?;
         Some(Face { surface, outline: &hull[..], normal: region.normal() })
     });
     let faces: Vec<Face> = faces.collect();
     let points: Vec<DVec3> = obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect();
-    let scene = boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other));
-    Bodies::new(&faces, obstacles.len(), &points, scene.diagonal())
+    Bodies::new(&faces, obstacles.len(), &points)
 }
 
 /// Largest distance of points from the line through the first and the point farthest from it.

@@ -28,6 +28,7 @@ mod shape_error;
 mod motion;
 mod roots;
 mod slabs;
+mod touch;
 mod zeros;
 
 mod bvh;
@@ -60,3 +61,4 @@ pub use region::PlanarRegion;
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
+pub use touch::touching;

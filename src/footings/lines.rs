@@ -1,12 +1,10 @@
 //! Lines along which other planar surfaces stand on one.
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, touching};
 
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
-/// Below this part of the smaller extent lengths count as zero.
-pub(super) const TOUCH: f64 = 1e-6;
 /// Sine of the angle of two planes below which they count as parallel.
 const PARALLEL: f64 = 1e-6;
 
@@ -21,7 +19,7 @@ pub(super) struct Line {
 
 /// The sides of other surfaces that lie on the face of `surface`; those along its own outline are left out.
 pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: &PlanarRegion) -> Vec<Line> {
-    let bounds = Aabb::around(region.outer().iter().copied()).inflate(TOUCH * region.extent());
+    let bounds = Aabb::around(region.outer().iter().copied()).inflate(touching(region.extent(), 0.0));
     let own = outline(region);
     let mut found = Vec::new();
     for other in obstacles.near(&bounds).into_iter().filter(|other| *other != surface) {
@@ -29,7 +27,8 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
         if standing.normal().cross(region.normal()).length() < PARALLEL {
             continue;
         }
-        let tolerance = TOUCH * region.extent().min(standing.extent());
+        let tolerance =
+            touching(region.extent().min(standing.extent()), region.extent().max(standing.extent()));
         let in_plane = |x: &DVec3| region.height(*x).abs() <= tolerance;
         // On the plane to rounding: a part of it that is cut out along the lines must not tower over it.
         let onto_plane = |x: DVec3| x - region.height(x) * region.normal();
@@ -52,7 +51,7 @@ pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
 
 /// The owners of those `lines` that run along the sides of `face`, ascending.
 pub(super) fn around(lines: &[Line], face: &PlanarRegion) -> Vec<usize> {
-    let tolerance = 2.0 * TOUCH * face.extent();
+    let tolerance = 2.0 * touching(face.extent(), 0.0);
     let middles: Vec<DVec3> = outline(face).iter().map(|[a, b]| a.midpoint(*b)).collect();
     let bounds = |line: &&Line| middles.iter().any(|x| distance(*x, line.ends) <= tolerance);
     let mut owners: Vec<usize> = lines.iter().filter(bounds).map(|line| line.owner).collect();

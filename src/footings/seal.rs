@@ -5,7 +5,7 @@
 //! end on the front of a part that is sealed off itself. Parts that hold each other up so have to be the smaller parts of
 //! their surfaces, or a whole room would count as a footing.
 
-use radiosity_geom::{DVec3, PlanarRegion, Ray};
+use radiosity_geom::{DVec3, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
 use super::Footing;
@@ -16,9 +16,6 @@ use crate::visibility::Visibility;
 const RAYS: usize = 64;
 /// Where between the middle of a piece and its corners places lie.
 const OUTWARD: f64 = 0.95;
-/// How far from its start a ray begins, relative to the scene.
-const CLEAR: f64 = 1e-9;
-
 /// A part of a surface that may be sealed off.
 pub(super) struct Suspect {
     pub(super) footing: Footing,
@@ -53,10 +50,8 @@ pub(super) fn keep_apart(suspects: &mut [Suspect]) {
 
 /// Which of the suspects are sealed off.
 pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]) -> Vec<bool> {
-    let bounds = obstacles.bounds();
-    let clear = CLEAR * bounds.diagonal();
     let seen: Vec<Option<Vec<usize>>> =
-        suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, suspects, suspect, clear)).collect();
+        suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, suspects, suspect)).collect();
     let mut sealed: Vec<bool> = seen.iter().map(Option::is_some).collect();
     loop {
         let holds = |own: usize| {
@@ -77,12 +72,12 @@ fn fronts_seen(
     obstacles: &Visibility,
     suspects: &[Suspect],
     own: &Suspect,
-    clear: f64,
 ) -> Option<Vec<usize>> {
     if own.places.is_empty() {
         return None;
     }
     let normal = own.footing.region.normal();
+    let clear = touching(own.footing.region.extent(), 0.0);
     let first = (own.footing.region.outer()[1] - own.footing.region.outer()[0]).normalize();
     let axes = [first, normal.cross(first), normal];
     let mut seen = Vec::new();

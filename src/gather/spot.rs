@@ -11,8 +11,10 @@ use crate::solution::Place;
 use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
-/// How far from a surface a point counts as lying on it, in multiples of the scene's diagonal.
+/// How far from a surface a point counts as lying on it, in multiples of the scene's diagonal, and at most of the surface's own:
+/// typed points are rounded as coarsely as the scene is large, but small things may stand before a sky.
 pub const ON_SURFACE: f64 = 1e-6;
+const OF_ITS_OWN: f64 = 1e-4;
 
 /// How far points are moved inwards, in multiples of the scene's diagonal, and at most of the way to the middle.
 const INWARDS: f64 = 1e-7;
@@ -43,6 +45,7 @@ impl Spot {
         let around = Aabb { min: x, max: x }.inflate(tolerance);
         let touched = |surface: usize| {
             let shape = elements.shape(surface);
+            let tolerance = tolerance.min(OF_ITS_OWN * extent(shape));
             let foot = shape.project(x);
             let jet = shape.jet(foot.u, foot.v);
             let inside = shape.region().is_none_or(|region| region.contains(jet.position));
@@ -76,6 +79,7 @@ impl Spot {
     /// The spot at these parameters, moved by `step`: `away` from what else touches it, or else inwards.
     fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
+        let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));
         let start = shape.jet(at[0], at[1]).position;
         let aside = start + step * away.normalize_or_zero();
         let is_free = shape.region().is_some_and(|region| region.contains(aside));
@@ -89,13 +93,18 @@ impl Spot {
                 let foot = shape.project(start.lerp(middle, share));
                 [foot.u, foot.v]
             }
-            None => at.map(|x| x * (1.0 - (step / shape.bounds(&Rect::FULL).diagonal()).min(AT_MOST))),
+            None => at.map(|x| x * (1.0 - (step / extent(shape)).min(AT_MOST))),
         };
         let jet = shape.jet(parameters[0], parameters[1]);
         let element = elements.at(surface, parameters)?;
         let place = Place { surface, parameters, position: jet.position };
         Some(Self { place, foot: at, element, normal: jet.normal })
     }
+}
+
+/// Diagonal of the box around a surface (scene length).
+fn extent(shape: &dyn Surface) -> f64 {
+    shape.bounds(&Rect::FULL).diagonal()
 }
 
 /// Middle of the convex piece of a planar surface that holds `x`, or comes nearest to it.

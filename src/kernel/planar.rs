@@ -19,7 +19,7 @@
 //! ([`super::scatter`]) until it is known well enough. Only where patches touch every sample of the rule
 //! is multiplied by its own visibility.
 
-use radiosity_geom::polygon_area;
+use radiosity_geom::{polygon_area, touching};
 
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
@@ -38,8 +38,6 @@ use super::scatter::{Choice, Scatter};
 use super::separated::{self, SMALLEST_RATIO};
 use super::vertex;
 
-/// Corners closer than this part of the pair's size coincide.
-const COINCIDENT: f64 = 1e-9;
 /// Pairs are not halved below this part of their size.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
 /// A part that carries less than this times ε of the geometric mean of the two areas is left out.
@@ -100,6 +98,8 @@ struct Job<'a> {
     accuracy: Accuracy,
     degrees: [usize; 2],
     size: f64,
+    /// Points nearer than this coincide (scene length).
+    tolerance: f64,
     /// √(A_i A_j).
     unit: f64,
     /// About the largest φ_k φ_l of the raw functions.
@@ -129,12 +129,13 @@ impl<'a> Job<'a> {
         visibility: &'a Visibility,
         (accuracy, shadow_error): (Accuracy, f64),
     ) -> Self {
-        let size = receiver.bounds().diagonal().max(emitter.bounds().diagonal());
+        let [small, size] = [f64::min, f64::max].map(|of| of(receiver.extent, emitter.extent));
         Self {
             visibility,
             accuracy,
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size,
+            tolerance: touching(small, size),
             unit: (receiver.area * emitter.area).sqrt(),
             scale: receiver.basis.transform()[0] * emitter.basis.transform()[0],
             shadow_error,
@@ -151,17 +152,13 @@ impl<'a> Job<'a> {
         Block { unresolved: self.unresolved, error: self.error, ..block }
     }
 
-    fn tolerance(&self) -> f64 {
-        COINCIDENT * self.size
-    }
-
     /// A pair of whole patches: clips flat ones by each other's plane.
     fn whole(&mut self, p: &Patch, q: &Patch, state: &State) {
         let (Some(facet_p), Some(facet_q)) = (facet(p), facet(q)) else {
             return self.visit(p, q, state.clone());
         };
-        let seen = facet_p.in_front_of(&facet_q, self.tolerance());
-        let seeing = facet_q.in_front_of(&facet_p, self.tolerance());
+        let seen = facet_p.in_front_of(&facet_q, self.tolerance);
+        let seeing = facet_q.in_front_of(&facet_p, self.tolerance);
         let (Some(seen), Some(seeing)) = (seen, seeing) else { return };
         let area = polygon_area(&seen.corners).min(polygon_area(&seeing.corners));
         if area < NEGLIGIBLE * self.accuracy.eps * self.unit {
@@ -174,7 +171,7 @@ impl<'a> Job<'a> {
 
     /// A pair of facets in front of each other: matches their contact. Returns the number of pairs it took.
     fn facets(&mut self, p: &Facet, q: &Facet, state: &State) -> usize {
-        let pairs = match_contact(p, q, self.tolerance());
+        let pairs = match_contact(p, q, self.tolerance);
         let count = pairs.len();
         for (a, b) in pairs {
             for patch_a in Patch::of_polygon(&a.corners, a.normal) {
@@ -195,8 +192,7 @@ impl<'a> Job<'a> {
                 return;
             }
         }
-        let contact =
-            if state.touching { classify(p, q, self.tolerance()) } else { Contact::Apart(gap(p, q)) };
+        let contact = if state.touching { classify(p, q, self.tolerance) } else { Contact::Apart(gap(p, q)) };
         if !state.blockers.is_empty() && state.levels > 0 {
             state.levels -= 1;
             return self.halve(p, q, &contact, state);

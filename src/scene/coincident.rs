@@ -8,13 +8,10 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, clip_polygon, polygon_area};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, clip_polygon, polygon_area, touching};
 
-/// Distance, relative to the smaller extent, below which points and planes are the same.
+/// Distance, relative to the smaller extent, below which points of curved surfaces are the same.
 const SAME: f64 = 1e-9;
-
-/// Rounding of heights over a plane, as a part of its extent.
-const ROUNDING: f64 = 1e-14;
 
 /// Sine of the angle between planes that are the same.
 const PARALLEL: f64 = 1e-6;
@@ -81,8 +78,8 @@ impl Occupied {
 fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     let (small, large) = if a.extent() <= b.extent() { (a, b) } else { (b, a) };
     // Over the small one's plane, as uncertain as the small one, the large one may reach far up.
-    let rounding = ROUNDING * large.extent();
-    small.outer().iter().all(|point| large.height(*point).abs() <= SAME * small.extent() + rounding)
+    let tolerance = touching(small.extent(), large.extent());
+    small.outer().iter().all(|point| large.height(*point).abs() <= tolerance)
         && large.normal().cross(small.normal()).length() <= PARALLEL
 }
 

@@ -9,7 +9,7 @@ use crate::elements::Element;
 use crate::view::tree::Tree;
 use crate::visibility::Visibility;
 
-/// Heights below this part of the scene's extent count as none.
+/// Heights below this part of the distance count as none.
 const FLAT: f64 = 1e-9;
 
 /// A point or a small piece of surface that receives light.
@@ -48,12 +48,12 @@ impl Surroundings {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
         let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
-        let flat = FLAT * everywhere.diagonal();
-        let ground = horizon.map(|normal| (normal, lowest(site, normal) + flat));
-        let rises =
-            |hull: &[DVec3]| ground.is_none_or(|(normal, low)| hull.iter().any(|x| x.dot(normal) > low));
+        let ground = horizon.map(|normal| (normal, lowest(site, normal)));
+        let rises = |hull: &[DVec3]| {
+            ground.is_none_or(|(normal, point)| hull.iter().any(|x| is_over(*x, point, normal)))
+        };
         let is_before = |points: &[DVec3], tree: &Tree| {
-            tree.plane.is_none_or(|(point, normal)| points.iter().any(|x| (x - point).dot(normal) > flat))
+            tree.plane.is_none_or(|(point, normal)| points.iter().any(|x| is_over(*x, point, normal)))
         };
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
@@ -64,8 +64,7 @@ impl Surroundings {
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
         let mut places = Vec::new();
         let ranges = trees.iter().map(|tree| {
-            let sinks = ground.is_some_and(|(normal, low)| highest(&tree.bounds, normal) <= low);
-            if sinks || !is_before(site, tree) {
+            if !rises(&tree.bounds.corners()) || !is_before(site, tree) {
                 return None;
             }
             let shaft = around.union(tree.bounds);
@@ -118,12 +117,14 @@ impl Surroundings {
     }
 }
 
-/// The least of points along a direction.
-fn lowest(points: &[DVec3], direction: DVec3) -> f64 {
-    points.iter().map(|x| x.dot(direction)).fold(f64::INFINITY, f64::min)
+/// The first of the points that are lowest along a direction.
+fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
+    let lower = |a: &&DVec3, b: &&DVec3| a.dot(direction).total_cmp(&b.dot(direction));
+    points.iter().min_by(lower).copied().expect("a site has points")
 }
 
-/// The greatest of a box along a direction.
-fn highest(bounds: &Aabb, direction: DVec3) -> f64 {
-    (bounds.min * direction).max(bounds.max * direction).element_sum()
+/// Whether `x` stands over the plane through `point` with that unit normal by more than a trifle of its distance.
+fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
+    let offset = x - point;
+    offset.dot(normal) > FLAT * offset.length()
 }

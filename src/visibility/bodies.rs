@@ -15,20 +15,20 @@
 
 use std::collections::HashMap;
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, DVec3, touching};
 use smallvec::SmallVec;
 
 use super::ball::Ball;
 use super::pyramid::Pyramid;
 use super::rim::{Rim, sides};
 
-/// Heights below this part of the distance, or of the scene's size, count as none.
+/// Heights below this part of the distance count as none.
 const FLAT: f64 = 1e-9;
 
 /// Fewest faces of a body, the missing one not counted.
 const FEWEST: usize = 3;
 
-/// Depth of a body below each of its faces, in parts of the scene's size.
+/// Depth of a body below each of its faces, in parts of its own size.
 const THINNEST: f64 = 1e-6;
 
 /// A planar surface without holes, seen as a face.
@@ -89,14 +89,14 @@ struct Edge {
 }
 
 impl Bodies {
-    /// Those that `faces` close in a scene of so many surfaces within the hull of `points`, about `size` wide.
-    pub(super) fn new(faces: &[Face], surfaces: usize, points: &[DVec3], size: f64) -> Self {
+    /// Those that `faces` close in a scene of so many surfaces within the hull of `points`.
+    pub(super) fn new(faces: &[Face], surfaces: usize, points: &[DVec3]) -> Self {
         let mut bodies = Self { list: Vec::new(), of_surface: vec![None; surfaces] };
-        let twins = twins(faces, FLAT * size);
+        let twins = twins(faces);
         let mut seen = vec![false; faces.len()];
         for first in 0..faces.len() {
             let group = group(first, &twins, &mut seen);
-            if let Some(body) = Body::of(&group, faces, &twins, points, size) {
+            if let Some(body) = Body::of(&group, faces, &twins, points) {
                 group
                     .iter()
                     .for_each(|face| bodies.of_surface[faces[*face].surface] = Some(bodies.list.len()));
@@ -118,9 +118,12 @@ impl Bodies {
 }
 
 /// For each side of each face the face at the other side of that edge: the one that runs along it the other way.
-fn twins(faces: &[Face], tolerance: f64) -> Vec<Vec<Option<usize>>> {
-    let place = |x: DVec3| (x / tolerance).round().to_array().map(|x| x as i64);
-    let key = |[a, b]: [DVec3; 2]| [place(a), place(b)];
+fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
+    let key = |[a, b]: [DVec3; 2]| {
+        // A power of two, the same for both ways along an edge; the factor keeps usual lengths away from where it jumps.
+        let tolerance = touching((1.37 * a.distance(b)).log2().floor().exp2(), 0.0);
+        [a, b].map(|x| (x / tolerance).round().to_array().map(|x| x as i64))
+    };
     let mut runs: HashMap<[[i64; 3]; 2], SmallVec<[usize; 2]>> = HashMap::new();
     for (index, face) in faces.iter().enumerate() {
         sides(face.outline).for_each(|side| runs.entry(key(side)).or_default().push(index));
@@ -146,13 +149,7 @@ fn group(first: usize, twins: &[Vec<Option<usize>>], seen: &mut [bool]) -> Vec<u
 
 impl Body {
     /// That of a group of faces, if they close one.
-    fn of(
-        group: &[usize],
-        faces: &[Face],
-        twins: &[Vec<Option<usize>>],
-        points: &[DVec3],
-        size: f64,
-    ) -> Option<Self> {
+    fn of(group: &[usize], faces: &[Face], twins: &[Vec<Option<usize>>], points: &[DVec3]) -> Option<Self> {
         if group.len() < FEWEST {
             return None;
         }
@@ -161,6 +158,8 @@ impl Body {
         hull.sort_unstable_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)).then(a.z.total_cmp(&b.z)));
         hull.dedup();
         let middle = hull.iter().sum::<DVec3>() / hull.len() as f64;
+        let ball = Ball::around(&hull);
+        let size = 2.0 * ball.radius();
         let plane = |face: &usize| Plane { point: faces[*face].outline[0], outward: faces[*face].normal };
         let mut planes: Vec<Plane> = group.iter().map(plane).collect();
         let places: HashMap<usize, usize> =
@@ -181,13 +180,12 @@ impl Body {
         if !rim.is_empty() {
             planes.push(missing_face(&rim, points, size)?);
         }
-        let lies_behind = |plane: &Plane| hull.iter().all(|x| plane.height(*x) <= FLAT * size);
+        let lies_behind = |plane: &Plane| hull.iter().all(|x| plane.height(*x) <= touching(size, 0.0));
         let is_thick = |plane: &Plane| hull.iter().any(|x| plane.height(*x) < -THINNEST * size);
         let is_convex = planes.iter().all(|plane| lies_behind(plane) && is_thick(plane));
         let mut surfaces: Vec<usize> = group.iter().map(|face| faces[*face].surface).collect();
         surfaces.sort_unstable();
-        let (ball, bounds, is_open) =
-            (Ball::around(&hull), Aabb::around(hull.iter().copied()), !rim.is_empty());
+        let (bounds, is_open) = (Aabb::around(hull.iter().copied()), !rim.is_empty());
         is_convex.then_some(Self { surfaces, hull, ball, bounds, middle, planes, is_open, edges })
     }
 
@@ -217,8 +215,9 @@ fn missing_face(rim: &[[DVec3; 2]], points: &[DVec3], size: f64) -> Option<Plane
     let point = rim[0][0];
     let area: DVec3 = rim.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
     let plane = Plane { point, outward: area.try_normalize()? };
-    let is_flat = rim.iter().all(|[a, _]| plane.height(*a).abs() <= FLAT * size);
-    (is_flat && points.iter().all(|x| plane.height(*x) <= FLAT * size)).then_some(plane)
+    let is_flat = rim.iter().all(|[a, _]| plane.height(*a).abs() <= touching(size, 0.0));
+    let is_behind = |x: &DVec3| plane.height(*x) <= touching(size, x.distance(point));
+    (is_flat && points.iter().all(is_behind)).then_some(plane)
 }
 
 #[cfg(test)]
@@ -247,7 +246,7 @@ mod tests {
             .map(|((surface, normal), outline)| Face { surface: *surface, outline, normal: *normal })
             .collect();
         let points: Vec<DVec3> = outlines.iter().flatten().chain(others).copied().collect();
-        Bodies::new(&faces, outlines.len(), &points, 10.0)
+        Bodies::new(&faces, outlines.len(), &points)
     }
 
     fn is_met(outline: &[DVec3], x: DVec3, y: DVec3) -> bool {

@@ -3,7 +3,7 @@
 //! The outer one is curved, or is farther from the blockers, measured by its size. A flat one is cut along the sides of blockers
 //! that stand on it; of two flat ones only what faces the other counts.
 
-use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_geom::{DVec3, clip_polygon, touching};
 
 use crate::elements::Element;
 use crate::elements::patch::Patch;
@@ -13,8 +13,6 @@ use crate::kernel::pair::polygon_distance;
 use crate::kernel::sectors::sectors;
 use crate::visibility::Visibility;
 
-/// Heights below this part of the pair's size count as lying in a plane.
-const COPLANAR: f64 = 1e-9;
 /// A blocker's side nearer to the plane of the outer element than this part of its length makes shadows there that are
 /// almost edges.
 const STANDING: f64 = 1e-2;
@@ -62,11 +60,12 @@ fn facets(element: &Element) -> Vec<Facet> {
 
 /// The parts of the patches of either element in front of the other's plane.
 fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
-    let size = pair[0].bounds().union(pair[1].bounds()).diagonal();
+    let distance = pair[0].bounds().union(pair[1].bounds()).diagonal();
+    let tolerance = touching(pair[0].extent.min(pair[1].extent), distance);
     [[pair[0], pair[1]], [pair[1], pair[0]]].map(|[own, other]| {
         let Some((point, up)) = other.plane else { return Vec::new() };
         let plane = Facet { corners: vec![point], normal: up };
-        facets(own).iter().filter_map(|facet| facet.in_front_of(&plane, COPLANAR * size)).collect()
+        facets(own).iter().filter_map(|facet| facet.in_front_of(&plane, tolerance)).collect()
     })
 }
 
