@@ -49,7 +49,7 @@ impl Inspection {
         let mut warnings = light(scene);
         warnings.extend(scene.surfaces.iter().filter_map(material));
         warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, found)));
-        warnings.extend(gap::gaps(&sheets, &rims, &contacts));
+        warnings.extend(gap::gaps(scene, &sheets, &rims, &contacts));
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets));

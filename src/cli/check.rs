@@ -8,7 +8,8 @@ use std::{
 use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Touch};
-use radiosity::scene::{Camera, Scene, SceneSurface};
+use radiosity::scene::{Camera, Lying, Scene, SceneSurface};
+use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
 use crate::cli::{error::CliError, options::SceneArg, table::Table};
@@ -58,6 +59,12 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     if !inspection.contacts.is_empty() {
         writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
     }
+    if scene.fitted.welded.corners > 0 {
+        writeln!(text, "welded: {}", scene.fitted.welded)?;
+    }
+    for Lying { surface, on } in &scene.fitted.lying {
+        writeln!(text, "set apart: {surface} lies on {on}")?;
+    }
     for footing in &inspection.footings {
         writeln!(text, "covered: {}", footing_line(scene, footing))?;
     }
@@ -65,7 +72,7 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
     }
     match &scene.camera {
-        Some(camera) => writeln!(text, "camera: {}", camera_line(camera))?,
+        Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
         None => writeln!(text, "camera: none")?,
     }
     for warning in &inspection.warnings {
@@ -151,7 +158,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {
-        let at = if let Touch::Crossing { at } = contact.touch { Some(at.to_array()) } else { None };
+        let at = if let Touch::Crossing { at } = contact.touch { Some((at + scene.middle).to_array()) } else { None };
         json!({ "surfaces": contact.surfaces.each_ref().map(name), "touch": touch_key(contact.touch), "at": at })
     });
     let shells = inspection.shells.iter().map(|shell| {
@@ -164,7 +171,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     });
     let camera = scene.camera.as_ref().map(|camera| {
         json!({
-            "eye": camera.eye.to_array(), "target": camera.target.to_array(), "up": camera.up.to_array(),
+            "eye": (camera.eye + scene.middle).to_array(), "target": (camera.target + scene.middle).to_array(), "up": camera.up.to_array(),
             "fov": camera.fov, "width": camera.width, "height": camera.height,
         })
     });
@@ -172,7 +179,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "scene": scene.name, "title": scene.title, "bands": scene.bands,
         "area": inspection.areas.iter().sum::<f64>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
-        "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
+        "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
     })
 }
 
@@ -198,8 +205,8 @@ fn numbers(numbers: &[f64]) -> String {
     shown.iter().map(f64::to_string).collect::<Vec<_>>().join(", ")
 }
 
-fn camera_line(camera: &Camera) -> String {
+fn camera_line(camera: &Camera, middle: DVec3) -> String {
     let Camera { eye, target, fov, width, height, .. } = camera;
-    let (eye, target) = (vector(eye.to_array()), vector(target.to_array()));
+    let (eye, target) = (vector((eye + middle).to_array()), vector((target + middle).to_array()));
     format!("at {eye}, looking at {target}, {fov:.1} degrees high, {width}x{height} pixels")
 }

@@ -115,7 +115,7 @@ fn proposal(scene: &Scene) -> String {
     let step = 10f64.powf((1e-3 * bounds.diagonal()).log10().ceil());
     let decimals = (-step.log10()).max(0.0).round() as usize;
     let point = |p: DVec3| {
-        let [x, y, z] = p.to_array().map(|x| (x / step).round() * step + 0.0);
+        let [x, y, z] = (p + scene.middle).to_array().map(|x| (x / step).round() * step + 0.0);
         format!("[{x:.decimals$}, {y:.decimals$}, {z:.decimals$}]")
     };
     format!("[camera] eye = {}, target = {}, up = [0, 0, 1], fov = {fov}", point(eye), point(middle))

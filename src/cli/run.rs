@@ -220,6 +220,7 @@ impl Run {
                 decimals(checks.row_sum_max, 4)
             ),
         ];
+        lines.extend(self.solved.scene.fitted.line());
         lines.extend(
             self.report
                 .accuracy_estimate

@@ -180,6 +180,7 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
+        lines.extend(scene.fitted.line());
         if self.pairs.is_empty() {
             lines.extend(self.sums(factors));
         }

@@ -68,7 +68,7 @@ pub(super) fn intrusion(scene: &Scene, contact: &Contact) -> Option<Warning> {
     let [own, other] = contact.surfaces.map(|index| &scene.surfaces[index].name);
     match contact.touch {
         Touch::Crossing { at } => {
-            let place = place(at);
+            let place = place(at + scene.middle);
             let message = format!("passes through {other:?} near {place}: end one where it meets the other");
             Some(Warning::about("crossing", own, message))
         }

@@ -10,10 +10,11 @@ use crate::inspection::{
     sheet::Sheets,
     warning::{Warning, place},
 };
+use crate::scene::Scene;
 
 /// Borders that nearly reach another sheet, once for each pair, where the gap is widest; surfaces that pass through each
 /// other have other worries.
-pub(super) fn gaps(sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
+pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
     let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Touch::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
     let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));
@@ -29,7 +30,7 @@ pub(super) fn gaps(sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<W
     }
     let warning = |([own, other], distance, point): ([usize; 2], f64, DVec3)| {
         let [own, other] = [own, other].map(|k| &sheets.list[k].name);
-        let place = place(point);
+        let place = place(point + scene.middle);
         let message =
             format!("leaves a gap of {distance:.2e} to {other:?} near {place}: move their borders together");
         Warning::about("gap", own, message)

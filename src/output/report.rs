@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::adaptation::{Achieved, End};
 use crate::checks::Checks;
 use crate::kernel::PairCounts;
-use crate::scene::Scene;
+use crate::scene::{Fitted, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
 
@@ -18,6 +18,8 @@ pub struct Report {
     pub bands: Vec<String>,
     /// Number of surfaces.
     pub surfaces: usize,
+    /// What was done to their shapes to fit them together when the scene was read.
+    pub fitted: Fitted,
     /// Number of elements.
     pub elements: usize,
     /// Number of coefficients per band.
@@ -104,6 +106,7 @@ impl Report {
             scene: scene.name.clone(),
             bands: scene.bands.clone(),
             surfaces: scene.surfaces.len(),
+            fitted: scene.fitted.clone(),
             elements: elements.list().len(),
             unknowns: elements.coefficients(),
             order: options.order,

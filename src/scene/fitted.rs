@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Surface};
+use serde::Serialize;
 
 use crate::scene::{
     draft::SurfaceDraft,
@@ -15,7 +16,7 @@ use crate::scene::{
 };
 
 /// What was done to the shapes of a scene to fit them together.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Fitted {
     /// Corners and planes that were made to agree.
@@ -25,12 +26,26 @@ pub struct Fitted {
 }
 
 /// A surface that lies on another, in its plane.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Lying {
     /// Name of the surface.
     pub surface: String,
     /// Name of the larger one that it lies on.
     pub on: String,
+}
+
+impl Fitted {
+    /// What was done in one line; none where all shapes are as they were typed.
+    pub fn line(&self) -> Option<String> {
+        let welded = (self.welded.corners > 0).then(|| format!("welded: {}", self.welded));
+        let lying = match self.lying.len() {
+            0 => None,
+            1 => Some(format!("'{}' lies on '{}'", self.lying[0].surface, self.lying[0].on)),
+            count => Some(format!("{count} surfaces lie on others")),
+        };
+        let parts: Vec<String> = welded.into_iter().chain(lying).collect();
+        (!parts.is_empty()).then(|| parts.join("; "))
+    }
 }
 
 /// Fits the shapes of `drafts` together, `middle` taken off; `tolerance` (scene length) is taken instead of that of the input.

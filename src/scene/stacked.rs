@@ -6,6 +6,7 @@
 //! exchanges with it alone, as it does in the limit of no gap. Copies and partial overlaps that nothing tells apart are
 //! refused.
 
+use std::cmp::Ordering;
 use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
@@ -18,9 +19,6 @@ const OFF: f64 = 1.5;
 
 /// Part of an area that rounding may take for another.
 const SAME_AREA: f64 = 1e-6;
-
-/// Most sheets on top of each other, less one.
-const MOST_LAYERS: usize = 4;
 
 /// A flat sheet that may lie on others.
 #[derive(Clone, Debug)]
@@ -63,6 +61,21 @@ impl Sheet {
         self.region().map_or(0.0, PlanarRegion::extent)
     }
 
+    /// What decides which of two sheets that coincide lies on the other: the smaller, or of equal ones the one whose middle, or
+    /// else whose normal, comes later.
+    fn rank(&self) -> [f64; 7] {
+        let corners = self.shape.corners();
+        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
+        let steps = -(self.area().log2() / SAME_AREA).round();
+        let [a, b] = [middle, self.normal()].map(|x| x.to_array());
+        [steps, a[0], a[1], a[2], b[0], b[1], b[2]]
+    }
+
+    fn order(&self, other: &Sheet) -> Ordering {
+        let pairs = self.rank().into_iter().zip(other.rank());
+        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
+    }
+
     /// Mean height of its corners over another sheet, as they were typed.
     fn typed_height(&self, other: &Sheet) -> f64 {
         let corners = self.typed.corners();
@@ -78,58 +91,65 @@ impl Sheet {
 
 /// Moves sheets that lie on others off them. Returns which do; those that nothing tells apart stay.
 pub(super) fn set_apart(sheets: &mut [Sheet]) -> Vec<Lying> {
-    let mut found: Vec<Lying> = Vec::new();
-    for _ in 0..MOST_LAYERS {
-        let steps = steps(sheets);
-        if steps.is_empty() {
-            break;
-        }
-        for (lying, step) in steps {
-            let sheet = &mut sheets[lying.sheet];
-            if let Some(Ok(moved)) = sheet.shape.with_corners(&|x| x + step) {
-                sheet.shape = Arc::from(moved);
-            }
-            if !found.contains(&lying) {
-                found.push(lying);
+    let mut steps: HashMap<usize, Step> = HashMap::new();
+    for (sheet, lower) in layers(sheets) {
+        for (on, direction) in lower {
+            // What lies on something that is moved itself goes along.
+            let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
+            let step = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
+            let known = steps.entry(sheet).or_insert(Step { on, by: step });
+            if step.length_squared() > known.by.length_squared() {
+                *known = Step { on, by: step };
             }
         }
     }
-    found
+    let mut lying: Vec<Lying> =
+        steps.iter().map(|(sheet, step)| Lying { sheet: *sheet, on: step.on }).collect();
+    lying.sort_unstable_by_key(|lying| lying.sheet);
+    for (sheet, Step { by, .. }) in steps {
+        if let Some(Ok(moved)) = sheets[sheet].shape.with_corners(&|x| x + by) {
+            sheets[sheet].shape = Arc::from(moved);
+        }
+    }
+    lying
 }
 
-/// Which sheets lie on others, and by how much each is to be moved; each sheet once.
-fn steps(sheets: &[Sheet]) -> Vec<(Lying, DVec3)> {
+/// By how much a sheet is moved, and off which.
+struct Step {
+    on: usize,
+    by: DVec3,
+}
+
+/// A sheet with those that it lies on and the directions off them.
+type Layer = (usize, Vec<(usize, DVec3)>);
+
+/// The sheets that lie on others, lower ones first.
+fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     let occupied: Vec<Occupied> = sheets.iter().map(|sheet| Occupied::new(&sheet.shape)).collect();
     let boxes: Vec<Aabb> = occupied.iter().map(|occupied| *occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
     let solids = faces_of_solids(sheets);
-    let mut moved = HashSet::new();
-    let mut steps = Vec::new();
+    let mut lower: HashMap<usize, Vec<(usize, DVec3)>> = HashMap::new();
     for own in 0..sheets.len() {
         let mut near = Vec::new();
         tree.overlapping(&boxes[own], |other| near.push(other));
-        near.sort_unstable();
         for other in near.into_iter().filter(|other| *other < own) {
             let is_pair = sheets[own].is_back_of(&sheets[other]) || sheets[other].is_back_of(&sheets[own]);
             if is_pair || !occupied[own].coincides(&occupied[other]) {
                 continue;
             }
-            // Of equal ones the later lies on the earlier.
-            let larger = (1.0 + SAME_AREA) * sheets[other].area() < sheets[own].area();
-            let (sheet, on) = if larger { (other, own) } else { (own, other) };
-            let pair = Pair {
-                sheet: &sheets[sheet],
-                on: &sheets[on],
-                solid: [solids.contains(&sheet), solids.contains(&on)],
-            };
-            let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) else { continue };
-            if moved.insert(sheet) {
-                let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
-                steps.push((Lying { sheet, on }, off * direction));
+            let (sheet, on) =
+                if sheets[own].order(&sheets[other]).is_gt() { (own, other) } else { (other, own) };
+            let solid = [solids.contains(&sheet), solids.contains(&on)];
+            let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], solid };
+            if let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) {
+                lower.entry(sheet).or_default().push((on, direction));
             }
         }
     }
-    steps
+    let mut layers: Vec<Layer> = lower.into_iter().collect();
+    layers.sort_by(|a, b| sheets[a.0].order(&sheets[b.0]));
+    layers
 }
 
 /// A sheet and the larger one that it lies on.
@@ -152,21 +172,16 @@ impl Pair<'_> {
             let height = self.sheet.typed_height(self.on);
             (height != 0.0).then(|| height.signum() * up)
         };
+        let [is_face, both] = [self.solid[0], self.solid == [true; 2]];
         match self.on.two_sided {
-            // The bottom of a box on a box of its size.
-            false if is_copy => {
-                if faces_it && self.solid == [true; 2] {
-                    Some(up)
-                } else {
-                    by_sign()
-                }
-            }
-            false if faces_it || is_within => Some(up),
+            // The bottom of a box: it may cover the top of another of its size.
+            false if faces_it && is_face && (both || !is_copy) => Some(up),
+            false if !faces_it && is_within && !is_copy => Some(up),
             false => by_sign(),
-            true if self.sheet.two_sided && !is_copy => Some(by_sign().unwrap_or(up)),
-            true if self.sheet.two_sided || is_copy => by_sign(),
+            true if is_copy => by_sign(),
+            true if self.sheet.two_sided => Some(by_sign().unwrap_or(up)),
             // A box stands on a board with its bottom; a picture shows its front.
-            true => Some(by_sign().unwrap_or(if self.solid[0] { -normal } else { normal })),
+            true => Some(by_sign().unwrap_or(if is_face { -normal } else { normal })),
         }
     }
 }
@@ -188,4 +203,108 @@ fn faces_of_solids(sheets: &[Sheet]) -> HashSet<usize> {
         others.into_iter().any(|(other, count)| count > 1 && across(other))
     };
     (0..sheets.len()).filter(|own| shares_edge(*own)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_geom::shapes::Polygon;
+
+    use super::*;
+
+    fn sheet(name: &str, corners: &[[f64; 3]]) -> Sheet {
+        let corners = corners.iter().map(|x| DVec3::from_array(*x)).collect();
+        let shape: Arc<dyn Surface> = Arc::new(Polygon::new(corners, Vec::new()).expect("a polygon"));
+        Sheet { typed: Arc::clone(&shape), shape, two_sided: false, flip: false, name: name.to_owned() }
+    }
+
+    /// A square from `low` to `high` at height z, front up.
+    fn square(name: &str, low: f64, high: f64, z: f64) -> Sheet {
+        sheet(name, &[[low, low, z], [high, low, z], [high, high, z], [low, high, z]])
+    }
+
+    fn down(sheet: Sheet) -> Sheet {
+        Sheet { flip: true, ..sheet }
+    }
+
+    /// A wall over an edge of a square, so that the square is a face of a body.
+    fn wall(low: f64, high: f64, z: f64) -> Sheet {
+        sheet("wall", &[[low, low, z], [high, low, z], [high, low, z + 1.0], [low, low, z + 1.0]])
+    }
+
+    fn height(sheet: &Sheet) -> f64 {
+        sheet.shape.corners()[0].z
+    }
+
+    /// The heights that the sheets get to.
+    fn heights(mut sheets: Vec<Sheet>) -> Vec<f64> {
+        set_apart(&mut sheets);
+        sheets.iter().map(height).collect()
+    }
+
+    #[test]
+    fn the_bottom_of_a_box_is_lifted_off_its_floor_into_the_box() {
+        let mut sheets =
+            vec![square("floor", 0.0, 4.0, 0.0), down(square("bottom", 1.0, 2.0, 0.0)), wall(1.0, 2.0, 0.0)];
+        let lying = set_apart(&mut sheets);
+        assert_eq!(lying, [Lying { sheet: 1, on: 0 }]);
+        let gap = height(&sheets[1]);
+        assert!(gap > 0.0 && gap < 1e-6 && height(&sheets[0]) == 0.0);
+    }
+
+    #[test]
+    fn a_sheet_that_may_be_turned_over_by_mistake_stays() {
+        assert_eq!(
+            heights(vec![square("floor", 0.0, 4.0, 0.0), down(square("rug", 1.0, 2.0, 0.0))]),
+            [0.0, 0.0]
+        );
+        assert_eq!(heights(vec![square("floor", 0.0, 4.0, 0.0), square("copy", 0.0, 4.0, 0.0)]), [0.0, 0.0]);
+        assert_eq!(heights(vec![square("one", 0.0, 4.0, 0.0), square("other", 2.0, 6.0, 0.0)]), [0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_picture_hangs_before_its_wall() {
+        let found = heights(vec![square("picture", 1.0, 2.0, 0.0), square("wall", 0.0, 4.0, 0.0)]);
+        assert!(found[0] > 0.0 && found[1] == 0.0);
+        let found = heights(vec![square("picture", 1.0, 2.0, 0.0), down(square("wall", 0.0, 4.0, 0.0))]);
+        assert_eq!(found, [0.0, 0.0], "it shows the wall its face");
+    }
+
+    #[test]
+    fn boxes_of_one_size_stand_on_each_other_in_either_order() {
+        let faces = || {
+            [
+                square("top", 0.0, 1.0, 0.0),
+                wall(0.0, 1.0, -1.0),
+                down(square("bottom", 0.0, 1.0, 0.0)),
+                wall(0.0, 1.0, 0.0),
+            ]
+        };
+        let gap = |sheets: &[Sheet]| {
+            let of =
+                |name: &str| height(sheets.iter().find(|sheet| sheet.name == name).expect("it is there"));
+            of("bottom") - of("top")
+        };
+        let (mut one, mut other) = (faces().to_vec(), faces().to_vec());
+        other.reverse();
+        set_apart(&mut one);
+        set_apart(&mut other);
+        assert!(gap(&one) > 0.0 && gap(&one) == gap(&other));
+    }
+
+    #[test]
+    fn layers_lie_on_each_other() {
+        let found = heights(vec![
+            square("floor", 0.0, 4.0, 0.0),
+            Sheet { two_sided: true, ..square("board", 0.5, 3.0, 0.0) },
+            down(square("bottom", 1.0, 2.0, 0.0)),
+            wall(1.0, 2.0, 0.0),
+        ]);
+        assert!(found[0] < found[1] && found[1] < found[2], "{found:?}");
+    }
+
+    #[test]
+    fn two_sides_of_one_sheet_stay_together() {
+        let sheets = vec![square("sheet", 0.0, 1.0, 0.0), down(square("sheet:back", 0.0, 1.0, 0.0))];
+        assert_eq!(heights(sheets), [0.0, 0.0]);
+    }
 }

@@ -37,8 +37,10 @@ impl Sheets {
             Some(length) => Tolerance::asked(measures, length),
             None => Tolerance::of(measures, unevenness),
         };
-        let list: Vec<Sheet> =
+        let mut list: Vec<Sheet> =
             shapes.iter().zip(&measures).map(|(shape, own)| Sheet::of(shape, tolerance(own))).collect();
+        // The same corners to the last bit, whatever the order of the surfaces.
+        list.sort_by_cached_key(Sheet::key);
         let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds).collect();
         let largest = list.iter().flat_map(|sheet| &sheet.corners).map(|x| x.abs().max_element());
         Self { tree: Bvh::build(&boxes), largest: largest.fold(0.0, f64::max), list }
@@ -64,6 +66,13 @@ impl Sheet {
         let bounds = Aabb::around(corners.iter().copied()).inflate(tolerance.most());
         let region = shape.region().cloned().or_else(|| flattened(&corners, tolerance.largest()));
         Self { region, corners, tolerance, bounds }
+    }
+
+    /// The bits of its corners, sorted.
+    fn key(&self) -> Vec<[u64; 3]> {
+        let mut bits: Vec<[u64; 3]> = self.corners.iter().map(|x| x.to_array().map(f64::to_bits)).collect();
+        bits.sort_unstable();
+        bits
     }
 
     /// The box around it, with room for its tolerance.

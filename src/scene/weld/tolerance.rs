@@ -106,10 +106,21 @@ pub(super) fn rounding(corners: &[DVec3], extent: f64) -> f64 {
     let coordinates = || corners.iter().flat_map(|x| x.to_array());
     let largest = coordinates().map(f64::abs).fold(0.0, f64::max);
     let single = if coordinates().all(is_single) && coordinates().any(is_long) { SINGLE } else { DOUBLE };
-    let has_decimals = |unit: &f64| coordinates().all(|x| (x * unit).round() / unit == x);
-    let unit = (0..=DECIMALS).map(|count| 10f64.powi(count)).find(has_decimals);
-    let decimal = unit.filter(|unit| extent * unit >= LEAST_UNITS).map_or(0.0, |unit| 0.5 / unit);
-    (single * largest).max(decimal)
+    (single * largest).max(decimal(corners, extent))
+}
+
+/// What coordinates were rounded by if all have the same few decimals, and most of them use the last; else 0 (scene length).
+fn decimal(corners: &[DVec3], extent: f64) -> f64 {
+    let mut coordinates: Vec<f64> = corners.iter().flat_map(|x| x.to_array()).filter(|x| *x != 0.0).collect();
+    coordinates.sort_unstable_by(f64::total_cmp);
+    coordinates.dedup();
+    let fits = |unit: f64, x: f64| (x * unit).round() / unit == x;
+    let units = (0..=DECIMALS).map(|count| 10f64.powi(count));
+    let Some(unit) = units.into_iter().find(|unit| coordinates.iter().all(|x| fits(*unit, *x))) else {
+        return 0.0;
+    };
+    let used = coordinates.iter().filter(|x| !fits(0.1 * unit, **x)).count();
+    if extent * unit >= LEAST_UNITS && 2 * used > coordinates.len() { 0.5 / unit } else { 0.0 }
 }
 
 fn is_single(x: f64) -> bool {
@@ -143,8 +154,12 @@ mod tests {
         let third = f64::from(1.0f32 / 3.0);
         assert_eq!(rounding_of([[0.0, 0.5, 4.0], [third, 2.25, 0.0], [0.0; 3]]), 4.0 * SINGLE);
         assert_eq!(rounding_of([[0.0, 0.5, 4.0], [1.0 / 3.0, 2.25, 0.0], [0.0; 3]]), 4.0 * DOUBLE);
-        // Six decimals of a sheet one wide, but not two of one.
-        assert_eq!(rounding_of([[0.123456, 0.5, 4.0], [0.1, 2.25, 0.0], [0.0; 3]]), 5e-7);
+        // Six decimals of a sheet one wide, but not two of one, and not where one coordinate alone has them.
+        assert_eq!(
+            rounding_of([[0.123456, 0.5, 4.054321], [0.1, 2.234567, 0.0], [0.345678, 0.0, 0.0]]),
+            5e-7
+        );
+        assert_eq!(rounding_of([[0.123456, 0.5, 4.0], [0.1, 2.25, 0.0], [0.0; 3]]), 4.0 * DOUBLE);
         assert_eq!(rounding_of([[0.12, 0.5, 4.0], [0.1, 2.25, 0.0], [0.0; 3]]), 4.0 * DOUBLE);
     }
 
