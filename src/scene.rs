@@ -124,12 +124,7 @@ impl Scene {
     /// # Errors
     /// The first thing wrong in the text.
     pub fn parse(source: &Source) -> Result<Scene, SceneError> {
-        let Source { origin, text, .. } = source;
-        match Language::of(source) {
-            Language::Toml => Scene::from_toml(text, origin),
-            Language::Json => Scene::from_json(text, origin),
-            Language::Csv => Scene::from_csv(text, origin),
-        }
+        read(source, Language::of(source))
     }
 
     /// Reads TOML; `origin` is its name in messages.
@@ -137,9 +132,7 @@ impl Scene {
     /// # Errors
     /// The first thing wrong in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
-        let source = Source::new(origin, text);
-        let tree = toml_text::parse(&source.text);
-        tree.and_then(|tree| assemble(&tree, &source)).map_err(|located| located.in_source(&source))
+        read(&Source::new(origin, text), Language::Toml)
     }
 
     /// Reads JSON, the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
@@ -148,12 +141,7 @@ impl Scene {
     /// # Errors
     /// The first thing wrong in the text.
     pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
-        let source = Source::new(origin, text);
-        let scene = |tree: Node| match &tree.value {
-            Value::List(polygons) => assemble(&polygon_list::from_list(polygons, &tree.span), &source),
-            _ => assemble(&tree, &source),
-        };
-        json_text::parse(&source.text).and_then(scene).map_err(|located| located.in_source(&source))
+        read(&Source::new(origin, text), Language::Json)
     }
 
     /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
@@ -161,10 +149,7 @@ impl Scene {
     /// # Errors
     /// The first thing wrong in the text.
     pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
-        let source = Source::new(origin, text);
-        polygon_list::from_csv(&source.text)
-            .and_then(|tree| assemble(&tree, &source))
-            .map_err(|located| located.in_source(&source))
+        read(&Source::new(origin, text), Language::Csv)
     }
 
     /// The index of the surface of that name.
@@ -230,6 +215,19 @@ impl Scene {
             false => Err(whole_file(&self.origin, Fault::NoEmitter)),
         }
     }
+}
+
+/// Text → tree → scene.
+fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
+    let tree = match language {
+        Language::Toml => toml_text::parse(&source.text),
+        Language::Json => json_text::parse(&source.text).map(|tree| match &tree.value {
+            Value::List(polygons) => polygon_list::from_list(polygons, &tree.span),
+            _ => tree,
+        }),
+        Language::Csv => polygon_list::from_csv(&source.text),
+    };
+    tree.and_then(|tree| assemble(&tree, source)).map_err(|located| located.in_source(source))
 }
 
 /// Tree → as typed → valid.

@@ -5,6 +5,7 @@ mod bad_input;
 mod behaviour;
 mod builtin;
 mod exact_factors;
+mod fitted;
 mod inspection;
 mod pictures;
 mod probe;
