@@ -27,6 +27,7 @@ mod shape_error;
 
 mod motion;
 mod roots;
+mod rounding;
 mod slabs;
 mod touch;
 mod zeros;
@@ -58,6 +59,7 @@ pub use placed::Placed;
 pub use ray::{Hit, Ray};
 pub use rect::Rect;
 pub use region::PlanarRegion;
+pub use rounding::coordinate_rounding;
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};

@@ -7,12 +7,16 @@
 mod pieces;
 mod rings;
 
-use crate::{Motion, ShapeError};
+use crate::{Motion, ShapeError, coordinate_rounding};
 use glam::{DVec2, DVec3};
 
 /// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed
 /// decimals and single precision pass, a quad meant to be curved does not.
 pub(crate) const PLANARITY: f64 = 2e-5;
+
+/// By how many roundings of its coordinates a vertex may miss a plane through others: each misses by one, and a plane through
+/// three adds up to three more where it is extended; twice that.
+const ROUNDINGS: f64 = 8.0;
 
 /// How far off the plane a point may lie that counts as in the region, in multiples of the extent.
 const FLUSH: f64 = 1e-6;
@@ -40,8 +44,8 @@ impl PlanarRegion {
     ///
     /// # Errors
     ///
-    /// Too few, repeated or non-finite vertices; no area; vertices farther than 2e-5 of the extent, or than single precision rounds
-    /// them, off the plane; a ring that crosses itself; a hole that leaves the outline or overlaps another. The fields are
+    /// Too few, repeated or non-finite vertices; no area; vertices farther than 2e-5 of the extent, or than their
+    /// coordinates are rounded, off the plane; a ring that crosses itself; a hole that leaves the outline or overlaps another. The fields are
     /// named `vertices` and `holes[k]`.
     pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
         let names: Vec<String> = (0..=holes.len()).map(ring_name).collect();
@@ -247,19 +251,10 @@ fn check_planar(
 ) -> Result<(), ShapeError> {
     let heights = ring.iter().map(|x| (*x - origin).dot(normal).abs());
     let (index, deviation) = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1)).expect("three vertices");
-    if deviation <= (PLANARITY * extent).max(single_rounding(ring)) {
+    if deviation <= (PLANARITY * extent).max(ROUNDINGS * coordinate_rounding(ring, Some(normal))) {
         return Ok(());
     }
     Err(ShapeError::NotPlanar { field: name.to_owned(), index, deviation })
-}
-
-/// How far corners may lie off their plane that were rounded to single precision, far from the origin perhaps: 8 halves of a
-/// unit in the last place of the largest coordinate. None where they were not.
-fn single_rounding(ring: &[DVec3]) -> f64 {
-    let coordinates = || ring.iter().flat_map(|x| x.to_array());
-    let largest = coordinates().map(f64::abs).fold(0.0, f64::max);
-    let is_single = coordinates().all(|x| f64::from(x as f32) == x);
-    if is_single { 8.0 * largest / f64::from(1 << 24) } else { 0.0 }
 }
 
 /// Unit axes of the plane, the first along the first edge.

@@ -62,7 +62,8 @@ impl Loaded {
         if !is_solution(&text.text) {
             return Self::new(source, Scene::parse(&text)?, None, started);
         }
-        if let Some(option) = fixed.first() {
+        let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
+        if let Some(option) = fixed.first().or(tolerance.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
         let Solved { scene, options, outcome, achieved } = read(&text)?;

@@ -131,6 +131,7 @@ pub(super) fn surfaces(
 ) -> Result<Surfaces, Located> {
     let mut drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
     drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
+    tolerance.map_or(Ok(()), check_tolerance)?;
     let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
     let fitted = fitted::fit(&mut drafts, middle, tolerance);
     let list = named(&drafts)?;
@@ -164,6 +165,17 @@ fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
     }
     check_apart(&claims)?;
     Ok(surfaces)
+}
+
+/// Refuses lengths that are none.
+fn check_tolerance(value: f64) -> Result<(), Located> {
+    match value.is_finite() && value >= 0.0 {
+        true => Ok(()),
+        false => {
+            let fault = Fault::OutOfRange { what: "the tolerance length", value, range: "0 ≤ length" };
+            Err(Located::nowhere(fault))
+        }
+    }
 }
 
 /// Refuses sizes whose powers leave the range of numbers.

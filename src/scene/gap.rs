@@ -3,7 +3,7 @@
 //! Shadows pass over the ends of segments, and outlines over what is as near to their planes as 1e-9 of the distance that light
 //! goes: of what lies on a large sheet, about its extent. Contours of two small sheets tell smaller gaps apart, but what lies
 //! between them must not be passed over either. Measured with plates, pictures and boxes over floors: row sums hold from
-//! about 4e-9 of the larger extent on (`tests/transport/rounded.rs`).
+//! about 4e-9 of the larger extent on (`tests/rounded/gaps.rs`).
 
 /// Least gap as a part of the smaller and of the larger extent of two sheets, and the largest part of the smaller that is taken
 /// for none: their view factor is 1 less about four times that.

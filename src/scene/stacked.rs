@@ -1,16 +1,17 @@
 //! Flat sheets that lie in one plane and share some area of it: what stands on something, or hangs on it.
 //!
-//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It follows from what they are:
-//! one that lies on a one-sided sheet lies on its front, be it the bottom of a box on a floor or a picture on a wall. The
-//! smaller one is moved off the larger by a trifle, for which the rules of transport hold: what stands on a floor then
-//! exchanges with it alone, as it does in the limit of no gap. Copies and partial overlaps that nothing tells apart are
-//! refused.
+//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It follows from what they are. A face
+//! that shares its border with others belongs where those are: the bottom of a box on a floor goes up into the box, the wall of a
+//! room beside another stays with its room. A sheet by itself lies on the front of a larger one, as a picture on a wall. Else what
+//! was typed decides, if it is more than rounding; what nothing tells apart is refused. The smaller one is moved off the larger
+//! by a trifle, for which the rules of transport hold: what stands on a floor exchanges with it alone, as it does in the limit
+//! of no gap.
 
 use std::cmp::Ordering;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface};
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, touching};
 
 use crate::scene::{coincident::Occupied, gap};
 
@@ -61,10 +62,10 @@ impl Sheet {
         self.region().map_or(0.0, PlanarRegion::extent)
     }
 
-    /// What decides which of two sheets that coincide lies on the other: the smaller, or of equal ones the one whose middle, or
-    /// else whose normal, comes later.
+    /// What decides which of two sheets that coincide lies on the other: the smaller, or of equal ones the one whose middle as it
+    /// was typed, or else whose normal, comes later.
     fn rank(&self) -> [f64; 7] {
-        let corners = self.shape.corners();
+        let corners = self.typed.corners();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
         let steps = -(self.area().log2() / SAME_AREA).round();
         let [a, b] = [middle, self.normal()].map(|x| x.to_array());
@@ -128,7 +129,6 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     let occupied: Vec<Occupied> = sheets.iter().map(|sheet| Occupied::new(&sheet.shape)).collect();
     let boxes: Vec<Aabb> = occupied.iter().map(|occupied| *occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
-    let solids = faces_of_solids(sheets);
     let mut lower: HashMap<usize, Vec<(usize, DVec3)>> = HashMap::new();
     for own in 0..sheets.len() {
         let mut near = Vec::new();
@@ -138,17 +138,24 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
             if is_pair || !occupied[own].coincides(&occupied[other]) {
                 continue;
             }
-            let (sheet, on) =
-                if sheets[own].order(&sheets[other]).is_gt() { (own, other) } else { (other, own) };
-            let solid = [solids.contains(&sheet), solids.contains(&on)];
-            let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], solid };
+            let (sheet, on) = match sheets[own].order(&sheets[other]) {
+                Ordering::Greater => (own, other),
+                Ordering::Less => (other, own),
+                Ordering::Equal => continue,
+            };
+            let up = sheets[on].normal();
+            let height = |index: usize| {
+                let way = sheets[index].region().map_or(0.0, |region| region.normal().dot(up).signum());
+                way * body(index, sheets, &tree, &boxes[index])
+            };
+            let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], bodies: [sheet, on].map(height) };
             if let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) {
                 lower.entry(sheet).or_default().push((on, direction));
             }
         }
     }
     let mut layers: Vec<Layer> = lower.into_iter().collect();
-    layers.sort_by(|a, b| sheets[a.0].order(&sheets[b.0]));
+    layers.sort_by(|a, b| sheets[a.0].order(&sheets[b.0]).then(a.0.cmp(&b.0)));
     layers
 }
 
@@ -156,8 +163,8 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
 struct Pair<'a> {
     sheet: &'a Sheet,
     on: &'a Sheet,
-    /// Whether either shares an edge with sheets of other planes.
-    solid: [bool; 2],
+    /// Height of what shares its border with either, over the front of the larger one; 0 where there is nothing.
+    bodies: [f64; 2],
 }
 
 impl Pair<'_> {
@@ -167,42 +174,81 @@ impl Pair<'_> {
         let common = own.common_area(other);
         let is_within = common > (1.0 - SAME_AREA) * self.sheet.area();
         let is_copy = is_within && common > (1.0 - SAME_AREA) * self.on.area();
-        let faces_it = !self.sheet.two_sided && normal.dot(up) < 0.0;
-        let by_sign = || {
-            let height = self.sheet.typed_height(self.on);
-            (height != 0.0).then(|| height.signum() * up)
-        };
-        let [is_face, both] = [self.solid[0], self.solid == [true; 2]];
-        match self.on.two_sided {
-            // The bottom of a box: it may cover the top of another of its size.
-            false if faces_it && is_face && (both || !is_copy) => Some(up),
-            false if !faces_it && is_within && !is_copy => Some(up),
-            false => by_sign(),
-            true if is_copy => by_sign(),
-            true if self.sheet.two_sided => Some(by_sign().unwrap_or(up)),
-            // A box stands on a board with its bottom; a picture shows its front.
-            true => Some(by_sign().unwrap_or(if is_face { -normal } else { normal })),
+        let is_alike = normal.dot(up) > 0.0;
+        if is_copy && self.bodies[0] * self.bodies[1] > 0.0 {
+            // The inner and the outer skin of one shell: their backs are together.
+            return (!is_alike).then_some(-up);
         }
+        if self.bodies[0] != 0.0 {
+            return Some(self.bodies[0].signum() * up);
+        }
+        let by_sign = |least: f64| {
+            let height = self.sheet.typed_height(self.on);
+            (height.abs() > least).then(|| height.signum() * up)
+        };
+        let rounding = touching(0.0, self.reach());
+        match (self.sheet.two_sided, self.on.two_sided) {
+            // Two plates in one plane: either may be in front, but what was typed twice is a mistake.
+            (true, true) if self.is_typed_twice() => None,
+            (true, true) => by_sign(0.0).or((!is_copy).then_some(up)),
+            _ if is_copy => by_sign(rounding),
+            (true, false) => Some(up),
+            (false, false) if is_within && is_alike => Some(up),
+            (false, true) if is_within => by_sign(rounding).or(Some(normal)),
+            (false, _) => by_sign(rounding),
+        }
+    }
+
+    /// The farthest that the larger sheet was typed from the origin.
+    fn reach(&self) -> f64 {
+        self.on.typed.corners().iter().map(|x| x.length()).fold(0.0, f64::max)
+    }
+
+    /// Whether both have the same corners to the last bit.
+    fn is_typed_twice(&self) -> bool {
+        let [own, other] = [self.sheet, self.on].map(|sheet| sheet.typed.corners());
+        own.iter().all(|x| other.contains(x))
     }
 }
 
-/// The sheets that share an edge with one in another plane.
-fn faces_of_solids(sheets: &[Sheet]) -> HashSet<usize> {
-    let key = |x: DVec3| x.to_array().map(|x| (x + 0.0).to_bits());
-    let mut at: HashMap<[u64; 3], Vec<usize>> = HashMap::new();
-    let corners: Vec<Vec<DVec3>> = sheets.iter().map(|sheet| sheet.shape.corners()).collect();
-    for (index, corners) in corners.iter().enumerate() {
-        corners.iter().for_each(|corner| at.entry(key(*corner)).or_default().push(index));
+/// Height over a sheet's plane of what shares its border: of sheets in other planes with a side along one of its own. Faces of one
+/// body run along it the other way; of others only where there are none.
+fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
+    let Some(region) = sheets[own].region() else { return 0.0 };
+    let tolerance = touching(region.extent(), bounds.center().length());
+    let mut near = Vec::new();
+    tree.overlapping(bounds, |other| near.push(other));
+    near.sort_unstable();
+    let (mut of_body, mut of_all) = (0.0, 0.0);
+    for other in near.into_iter().filter(|other| *other != own) {
+        let Some(runs) = run_along(&sheets[own], &sheets[other], tolerance) else { continue };
+        let corners = sheets[other].shape.corners();
+        let height = corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64;
+        of_all += height;
+        of_body += if runs < 0.0 { height } else { 0.0 };
     }
-    let shares_edge = |own: usize| {
-        let mut others: HashMap<usize, usize> = HashMap::new();
-        for other in corners[own].iter().flat_map(|corner| &at[&key(*corner)]) {
-            *others.entry(*other).or_default() += 1;
-        }
-        let across = |other: usize| sheets[own].normal().cross(sheets[other].normal()).length() > 1e-6;
-        others.into_iter().any(|(other, count)| count > 1 && across(other))
-    };
-    (0..sheets.len()).filter(|own| shares_edge(*own)).collect()
+    [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
+}
+
+/// Whether a side of another sheet lies on one of a sheet's own: positive where both run the same way about their fronts.
+fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
+    let way = if own.flip == other.flip { 1.0 } else { -1.0 };
+    sides(other.region()?).find_map(|[a, b]| {
+        let holds = |[p, q]: &[DVec3; 2]| [a, b].iter().all(|x| to_segment(*x, *p, *q) <= tolerance);
+        let [p, q] = sides(own.region()?).find(holds)?;
+        Some(way * (q - p).dot(b - a))
+    })
+}
+
+fn sides(region: &PlanarRegion) -> impl Iterator<Item = [DVec3; 2]> {
+    let outline = region.outer();
+    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
+}
+
+/// Distance of a point from a segment.
+fn to_segment(x: DVec3, a: DVec3, b: DVec3) -> f64 {
+    let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+    x.distance(a.lerp(b, along))
 }
 
 #[cfg(test)]
@@ -289,6 +335,44 @@ mod tests {
         set_apart(&mut one);
         set_apart(&mut other);
         assert!(gap(&one) > 0.0 && gap(&one) == gap(&other));
+    }
+
+    #[test]
+    fn rooms_side_by_side_keep_their_walls() {
+        // The wall between two rooms, once for each of them, its fronts towards their insides.
+        let one = sheet("one", &[[0.0, 0.0, 0.0], [0.0, 3.0, 0.0], [0.0, 3.0, 3.0], [0.0, 0.0, 3.0]]);
+        let other =
+            down(sheet("other", &[[0.0, 0.0, 0.0], [0.0, 2.0, 0.0], [0.0, 2.0, 3.0], [0.0, 0.0, 3.0]]));
+        let floor = |x: f64, y: f64| sheet("floor", &[[0.0; 3], [x, 0.0, 0.0], [x, y, 0.0], [0.0, y, 0.0]]);
+        let mut sheets = vec![one, floor(4.0, 3.0), other, down(floor(-4.0, 2.0))];
+        assert!(sheets[0].normal().x > 0.0 && sheets[2].normal().x < 0.0);
+        set_apart(&mut sheets);
+        let place = |index: usize| sheets[index].shape.corners()[0].x;
+        assert!(place(2) < place(0), "each room has its own wall: their backs are together");
+    }
+
+    #[test]
+    fn the_skins_of_a_shell_stand_back_to_back() {
+        // A floor seen from above and the same from below, each with a wall of its own above it.
+        let [inner, outer] = [square("inner", 0.0, 1.0, 0.0), down(square("outer", 0.0, 1.0, 0.0))];
+        let found = heights(vec![inner, down(wall(0.0, 1.0, 0.0)), outer, wall(0.0, 1.0, 0.0)]);
+        assert!(found[2] < found[0], "{found:?}");
+    }
+
+    #[test]
+    fn a_lid_under_a_slab_stays_under_it() {
+        let found =
+            heights(vec![square("slab", 0.0, 4.0, 1.0), square("lid", 1.0, 2.0, 1.0), wall(1.0, 2.0, 0.0)]);
+        assert!(found[1] < found[0], "{found:?}");
+    }
+
+    #[test]
+    fn rounding_tells_nothing() {
+        let copy = Sheet { typed: square("typed", 0.0, 4.0, 1e-16).shape, ..square("copy", 0.0, 4.0, 0.0) };
+        assert_eq!(heights(vec![square("sheet", 0.0, 4.0, 0.0), copy]), [0.0, 0.0]);
+        let told = Sheet { typed: square("typed", 0.0, 4.0, -1e-10).shape, ..square("copy", 0.0, 4.0, 0.0) };
+        let found = heights(vec![square("sheet", 0.0, 4.0, 0.0), down(told)]);
+        assert!(found[0] != found[1]);
     }
 
     #[test]

@@ -21,7 +21,7 @@ mod planes;
 mod sheet;
 mod tolerance;
 
-use std::{fmt, sync::Arc};
+use std::{collections::HashSet, fmt, sync::Arc};
 
 use radiosity_geom::{DVec3, Surface};
 use serde::Serialize;
@@ -54,21 +54,49 @@ pub(super) fn weld(shapes: &mut [&mut Arc<dyn Surface>], middle: DVec3, asked: O
     let corners = Corners::merged(&sheets, &apart);
     let planes = Planes::of(&sheets, &corners, &apart);
     let places = flatten::flattened(&corners, &planes, sheets.reach());
+    let moved = rebuilt(shapes, &corners, &places);
     let mut welded = Welded::default();
-    for (from, node) in corners.starts() {
-        let moved = places[node].distance(from);
-        welded.corners += usize::from(moved > 0.0);
-        welded.largest = welded.largest.max(moved);
-    }
-    let place = |x: DVec3| corners.node(x).map_or(x, |node| places[node]);
-    for shape in shapes {
-        let is_moved = shape.corners().iter().any(|x| place(*x) != *x);
-        // A sheet that would collapse stays where it is.
-        if let Some(Ok(moved)) = is_moved.then(|| shape.with_corners(&place)).flatten() {
-            **shape = Arc::from(moved);
+    let mut known = HashSet::new();
+    for (shape, moved) in shapes.iter_mut().zip(moved) {
+        let Some(moved) = moved else { continue };
+        for (from, to) in shape.corners().into_iter().zip(moved.corners()).filter(|(from, to)| from != to) {
+            welded.corners += usize::from(known.insert(corners.node(from)));
+            welded.largest = welded.largest.max(from.distance(to));
         }
+        **shape = moved;
     }
     welded
+}
+
+/// The shapes with corners in other places; none for those that keep all of theirs. Corners of a shape that would collapse stay, in
+/// all shapes.
+fn rebuilt(
+    shapes: &[&mut Arc<dyn Surface>],
+    corners: &Corners,
+    places: &[DVec3],
+) -> Vec<Option<Arc<dyn Surface>>> {
+    let mut held: HashSet<usize> = HashSet::new();
+    loop {
+        let place = |x: DVec3| match corners.node(x) {
+            Some(node) if !held.contains(&node) => places[node],
+            _ => x,
+        };
+        let rebuilt = |shape: &&mut Arc<dyn Surface>| {
+            let is_moved = shape.corners().iter().any(|x| place(*x) != *x);
+            is_moved.then(|| shape.with_corners(&place)).flatten().transpose()
+        };
+        let results: Vec<_> = shapes.iter().map(rebuilt).collect();
+        let failed = shapes
+            .iter()
+            .zip(&results)
+            .filter(|(_, result)| result.is_err())
+            .map(|(shape, _)| shape.corners());
+        let stay: Vec<usize> = failed.flatten().filter_map(|x| corners.node(x)).collect();
+        if stay.is_empty() {
+            return results.into_iter().map(|result| result.ok().flatten().map(Arc::from)).collect();
+        }
+        held.extend(stay);
+    }
 }
 
 #[cfg(test)]

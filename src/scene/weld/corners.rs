@@ -19,8 +19,6 @@ pub(super) struct Corners {
     pub(super) tolerances: Vec<f64>,
     /// The node of each position, by its bits.
     of_position: HashMap<[u64; 3], usize>,
-    /// Each position with its node.
-    starts: Vec<(DVec3, usize)>,
 }
 
 fn bits(x: DVec3) -> [u64; 3] {
@@ -36,6 +34,9 @@ impl Corners {
         let count = places.list.len();
         let mut members: HashMap<usize, Vec<usize>> = HashMap::new();
         (0..count).for_each(|place| members.entry(forest.root(place)).or_default().push(place));
+        // Chains of corners may join what must not be one: then each of them stands for itself.
+        let broken = members.extract_if(|_, group| places.conflict(group, apart)).collect::<Vec<_>>();
+        members.extend(broken.into_iter().flat_map(|(_, group)| group).map(|place| (place, vec![place])));
         let (mut nodes, mut owners, mut starts) = (Vec::new(), Vec::new(), Vec::new());
         for place in 0..count {
             let Some(group) = members.get(&place) else { continue };
@@ -52,17 +53,12 @@ impl Corners {
             owners.iter().map(|sheet| sheets.list[*sheet].tolerance.largest()).fold(0.0, f64::max)
         };
         let tolerances = owners.iter().map(largest).collect();
-        Self { nodes, sheets: owners, tolerances, of_position, starts }
+        Self { nodes, sheets: owners, tolerances, of_position }
     }
 
     /// The node of the corner at that very position.
     pub(super) fn node(&self, position: DVec3) -> Option<usize> {
         self.of_position.get(&bits(position)).copied()
-    }
-
-    /// Each position with its node.
-    pub(super) fn starts(&self) -> impl Iterator<Item = (DVec3, usize)> {
-        self.starts.iter().copied()
     }
 }
 
@@ -112,6 +108,16 @@ impl Places {
             });
         }
         forest
+    }
+
+    /// Whether two of a group of places are of one sheet, or of sheets that are apart.
+    fn conflict(&self, group: &[usize], apart: &Apart) -> bool {
+        let pairs = group.iter().enumerate().flat_map(|(k, a)| group[..k].iter().map(move |b| (*a, *b)));
+        pairs.into_iter().any(|(a, b)| {
+            self.sheets[a]
+                .iter()
+                .any(|own| self.sheets[b].iter().any(|other| own == other || apart.contains(&(*own, *other))))
+        })
     }
 
     /// Whether two places are nearer than the tolerance of a pair of their sheets, but not one to rounding already.

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface};
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, coordinate_rounding};
 
-use super::tolerance::{Measures, Tolerance, computed, rounding};
+use super::tolerance::{Evidence, Measures, Tolerance, computed, decimal};
 
 /// A surface given by its corners.
 #[derive(Debug)]
@@ -32,10 +32,14 @@ impl Sheets {
         let shapes: Vec<&Arc<dyn Surface>> =
             shapes.iter().map(|shape| &**shape).filter(|shape| !shape.corners().is_empty()).collect();
         let measures: Vec<Measures> = shapes.iter().map(|shape| measures(shape, middle)).collect();
-        let unevenness = measures.iter().map(|measures| measures.unevenness).fold(0.0, f64::max);
+        let corners = || shapes.iter().flat_map(|shape| shape.corners());
+        let evidence = Evidence {
+            unevenness: measures.iter().map(|measures| measures.unevenness).fold(0.0, f64::max),
+            decimal: decimal(corners().map(|x| x + middle), Aabb::around(corners()).diagonal()),
+        };
         let tolerance = |measures: &Measures| match asked {
             Some(length) => Tolerance::asked(measures, length),
-            None => Tolerance::of(measures, unevenness),
+            None => Tolerance::of(measures, evidence),
         };
         let mut list: Vec<Sheet> =
             shapes.iter().zip(&measures).map(|(shape, own)| Sheet::of(shape, tolerance(own))).collect();
@@ -116,6 +120,6 @@ fn measures(shape: &Arc<dyn Surface>, middle: DVec3) -> Measures {
         shortest: sides.map(|(a, b)| a.distance(*b)).fold(f64::INFINITY, f64::min),
         breadth: region.map_or(extent, |region| region.area() / extent),
         unevenness: corners.iter().map(height).fold(0.0, f64::max),
-        rounding: rounding(&typed, extent),
+        rounding: coordinate_rounding(&typed, region.map(PlanarRegion::normal)),
     }
 }

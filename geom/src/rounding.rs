@@ -1,0 +1,53 @@
+//! What coordinates were rounded by, as they tell it themselves.
+//!
+//! A number of single precision that is not a few decimals long was rounded to single precision: of numbers in double
+//! precision one in 2²⁹ is one by chance. 0.5 and 5 400 000 may have been typed and tell nothing.
+
+use glam::DVec3;
+
+/// Half a unit in the last place of single and of double precision, relative to the number.
+const SINGLE: f64 = 1.0 / (1u64 << 24) as f64;
+const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
+
+/// Numbers that are multiples of one over this may have been typed.
+const PLAIN: f64 = 1000.0;
+
+/// By how much `points` that are given in one precision may lie off along the unit vector `direction`, for their rounding (their
+/// unit of length): of each coordinate as much as its largest is rounded by. Without a direction, along any.
+pub fn coordinate_rounding(points: &[DVec3], direction: Option<DVec3>) -> f64 {
+    let largest = points.iter().fold(DVec3::ZERO, |largest, x| largest.max(x.abs()));
+    let along = direction.map_or(DVec3::ONE, DVec3::abs);
+    let coordinates = || points.iter().flat_map(|x| x.to_array());
+    let is_single = coordinates().all(|x| f64::from(x as f32) == x) && !coordinates().all(is_plain);
+    largest.dot(along) * if is_single { SINGLE } else { DOUBLE }
+}
+
+fn is_plain(x: f64) -> bool {
+    (x * PLAIN).round() / PLAIN == x
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_numbers_of_single_precision_were_rounded_to_it() {
+        let third = f64::from(1.0f32 / 3.0);
+        let of = |x: f64| {
+            coordinate_rounding(&[DVec3::new(x, 4.0, 0.0), DVec3::new(0.5, 0.0, 2.25)], Some(DVec3::Y))
+        };
+        assert_eq!(of(0.125), 4.0 * DOUBLE);
+        assert_eq!(of(third), 4.0 * SINGLE);
+        assert_eq!(of(1.0 / 3.0), 4.0 * DOUBLE);
+        // Map coordinates in whole metres.
+        assert_eq!(of(5_400_001.0), 4.0 * DOUBLE);
+    }
+
+    #[test]
+    fn what_is_level_is_not_rounded_upwards() {
+        let far = f64::from(1e5f32 / 3.0);
+        let floor = [DVec3::new(far, far, 0.0), DVec3::new(-far, 0.0, 0.0)];
+        assert_eq!(coordinate_rounding(&floor, Some(DVec3::Z)), 0.0);
+        assert!(coordinate_rounding(&floor, None) > 1e-3);
+    }
+}
