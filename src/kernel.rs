@@ -30,6 +30,7 @@ mod integrand;
 mod moments;
 mod near;
 mod obstruction;
+mod order;
 mod pair;
 pub mod paper;
 mod parts;

@@ -17,6 +17,8 @@ mod hiding;
 mod obstacle;
 mod whole;
 
+use std::cmp::Ordering;
+
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated, touching};
 
 use crate::scene::Scene;
@@ -43,6 +45,8 @@ pub struct Visibility {
     /// Of those.
     standing_tree: Bvh,
     bodies: Bodies,
+    /// Where each surface comes among all by its coordinates.
+    places: Vec<usize>,
     shadows: Shadows,
 }
 
@@ -56,7 +60,8 @@ impl Visibility {
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
         let bodies = bodies(&obstacles);
-        Self { obstacles, boxes, tree, standing, standing_tree, bodies, shadows }
+        let places = places(&obstacles);
+        Self { obstacles, boxes, tree, standing, standing_tree, bodies, places, shadows }
     }
 
     /// Surfaces other than the two named, and not of one convex body with either, that may stand between the hulls of
@@ -75,6 +80,13 @@ impl Visibility {
         });
         found.sort_unstable();
         self.narrow(&found, a, b)
+    }
+
+    /// `surfaces` in the order of their coordinates, which is the same however the scene lists them.
+    pub fn by_place(&self, surfaces: &[usize]) -> Vec<usize> {
+        let mut sorted = surfaces.to_vec();
+        sorted.sort_by_key(|surface| self.places[*surface]);
+        sorted
     }
 
     /// Which of two surfaces may themselves hide a part of one, within the hull `a`, from a part of the other, within `b`:
@@ -310,4 +322,17 @@ fn breadth(points: &[DVec3]) -> f64 {
 
 fn segment(x: DVec3, y: DVec3) -> Ray {
     Ray { origin: x, direction: y - x, range: [END, 1.0 - END] }
+}
+
+/// Where each obstacle comes among all by the coordinates of its hull.
+fn places(obstacles: &[Obstacle]) -> Vec<usize> {
+    let coordinates = |index: usize| obstacles[index].hull.iter().flat_map(|point| point.to_array());
+    let mut sorted: Vec<usize> = (0..obstacles.len()).collect();
+    sorted.sort_by(|a, b| {
+        let mut orders = coordinates(*a).zip(coordinates(*b)).map(|(x, y)| x.total_cmp(&y));
+        orders.find(|order| order.is_ne()).unwrap_or(Ordering::Equal)
+    });
+    let mut places = vec![0; obstacles.len()];
+    sorted.into_iter().enumerate().for_each(|(place, index)| places[index] = place);
+    places
 }

@@ -24,6 +24,7 @@ use super::congruent::{Panel, Pose};
 use super::counts::PairCounts;
 use super::curved;
 use super::obstruction::{Hidden, Obstruction};
+use super::order::Rank;
 use super::planar;
 use super::planes::{self, Planes};
 use super::reach::Reach;
@@ -50,6 +51,7 @@ struct Scene<'a> {
     list: &'a [Element],
     panels: Vec<Option<Panel>>,
     reaches: Vec<Reach>,
+    ranks: Vec<Rank>,
     roughs: Vec<Rough>,
     /// Whether blocks are estimated: what is planar needs it for its shadows only.
     is_estimated: bool,
@@ -106,6 +108,7 @@ pub(super) fn assemble(
         list,
         panels: list.iter().map(Panel::of).collect(),
         reaches: list.iter().map(Reach::of).collect(),
+        ranks: list.iter().map(Rank::of).collect(),
         roughs: list.par_iter().map(Rough::of).collect(),
         is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
         parts: list.par_iter().map(sectors).collect(),
@@ -178,7 +181,7 @@ impl Scene<'_> {
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
-        let rough = if self.is_estimated { self.roughs[row].entry(&self.roughs[column]) } else { 0.0 };
+        let rough = if self.is_estimated { self.rough(row, column) } else { 0.0 };
         let task = |entries, hash, blockers| {
             let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
             Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers, own })
@@ -197,6 +200,17 @@ impl Scene<'_> {
             return task([VISIBLE_SHARE * least, most], None, blockers);
         }
         task([least, most], self.pose_of(row, column).map(|pose| pose.hash()), blockers)
+    }
+
+    /// About the first entry of the block of two elements, were nothing in between.
+    fn rough(&self, row: usize, column: usize) -> f64 {
+        let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
+        self.roughs[first].entry(&self.roughs[other])
+    }
+
+    /// Whether the first of two elements is the inner one ([`super::order`]).
+    fn comes_later(&self, first: usize, other: usize) -> bool {
+        self.ranks[first].order(&self.ranks[other]).is_gt()
     }
 
     /// Whether the plane of either element leaves nothing of the other in front of it.
@@ -309,23 +323,41 @@ impl Scene<'_> {
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
-        let pair @ [receiver, emitter] = [task.row, task.column].map(|index| &self.list[index as usize]);
+        let places @ [row, column] = [task.row, task.column].map(|index| index as usize);
+        if self.is_turned(task) {
+            let rows = self.list[column].basis.len();
+            return self.block_of([column, row], task, goal).turned(rows);
+        }
+        self.block_of(places, task, goal)
+    }
+
+    /// Whether a task is integrated from its emitter ([`super::order`]). What flat elements exchange freely is the same from
+    /// either side.
+    fn is_turned(&self, task: &Task) -> bool {
+        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let is_flat = [row, column].iter().all(|index| self.list[*index].plane.is_some());
+        let is_alike = is_flat && task.blockers.is_empty();
+        !is_alike && self.comes_later(row, column)
+    }
+
+    /// The block of a task between two elements, the outer one first.
+    fn block_of(&self, places: [usize; 2], task: &Task, goal: Goal) -> Block {
+        let pair @ [receiver, emitter] = places.map(|index| &self.list[index]);
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
             true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat)),
-            false => self.curved_block(task, blockers, goal),
+            false => self.curved_block(places, task, blockers, goal),
         };
         match goal.outlined {
             Some(limit) => block::shaded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
-            None if is_flat => self.hidden_block(task, goal).unwrap_or_else(|| block(&task.blockers)),
+            None if is_flat => self.hidden_block(places, task, goal).unwrap_or_else(|| block(&task.blockers)),
             None => block(&task.blockers),
         }
     }
 
     /// The block of two elements of which at least one is curved. Where a few rays meet nothing of what reaches between them all
     /// of that is passed over, and so are their own surfaces if these rays do not meet them.
-    fn curved_block(&self, task: &Task, blockers: &[usize], goal: Goal) -> Block {
-        let [row, column] = [task.row, task.column].map(|index| index as usize);
+    fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
         let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
@@ -359,8 +391,7 @@ impl Scene<'_> {
 
     /// The zero block of two elements between which none of a few rays passes; None where one does, or where too few are
     /// tried to tell what may pass beside them.
-    fn hidden_block(&self, task: &Task, goal: Goal) -> Option<Block> {
-        let [receiver, emitter] = [task.row, task.column].map(|index| index as usize);
+    fn hidden_block(&self, [receiver, emitter]: [usize; 2], task: &Task, goal: Goal) -> Option<Block> {
         if task.blockers.is_empty() {
             return None;
         }

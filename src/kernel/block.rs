@@ -86,6 +86,13 @@ impl Block {
         }
     }
 
+    /// The block with receiver and emitter exchanged, of `rows` functions of the receiver.
+    pub(super) fn turned(mut self, rows: usize) -> Self {
+        let columns = self.values.len() / rows;
+        self.values = (0..self.values.len()).map(|k| self.values[k % rows * columns + k / rows]).collect();
+        self
+    }
+
     /// The zero block of so many entries, of elements between which none of so many `rays` passes.
     pub(super) fn hidden(size: usize, rays: u64) -> Self {
         Self {

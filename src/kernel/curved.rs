@@ -1,5 +1,7 @@
 //! Blocks of elements of which at least one is curved.
 //!
+//! The receiver is the outer one of two elements as [`super::order`] has them.
+//!
 //! A patch is first cut until neither its lines nor its normals turn by more than a quarter circle: closed surfaces
 //! become sectors. Then, part by part, breadth first:
 //!
@@ -16,6 +18,7 @@
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
 
 mod attempt;
+mod before;
 mod budget;
 mod constant;
 mod fan;
@@ -29,16 +32,17 @@ mod size;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
-use crate::elements::patch::Patch;
 use crate::visibility::Visibility;
 
 use super::block::{Accuracy, Block, Kind};
-use super::rough::{nodes, scale};
+use super::horizon::Front;
+use super::planes::plane_of;
+use super::rough::scale;
 use super::sectors::sectors;
 use super::touch::Touch;
 use attempt::DOUBT;
 use constant::constant;
-use job::{Job, Task};
+use job::{COINCIDENT, Job, Task};
 
 /// Samples, about, of all that is left then, and points a direction of each part of it.
 const LEFT_SAMPLES: f64 = 2e5;
@@ -60,7 +64,12 @@ pub(super) fn block(
     [least, row]: [f64; 2],
 ) -> Block {
     let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
-    let (receivers, emitters) = (sectors(receiver), sectors(emitter));
+    let parts = [sectors(receiver), sectors(emitter)];
+    let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
+    let [receivers, emitters] = before::each_other(parts, planes, COINCIDENT * job.size);
+    if let [Some(first), Some(second)] = planes {
+        job.fronts = Some([Front::of(second), Front::of(first)]);
+    }
     let rough = scale(&receivers, &emitters, job.budget.unit);
     job.budget.scale = rough.max(least).max(job.smallest_scale());
     job.budget.row = row;
@@ -69,10 +78,7 @@ pub(super) fn block(
     }
     job.ball = job.ball_between(blockers);
     if blockers.is_empty() || job.ball.is_some() {
-        // The horizon of a plane depends on the other point only: it is cut out of the other patch.
-        job.swapped = emitters.iter().all(planar) && !receivers.iter().all(planar);
-        let (outer, inner) = if job.swapped { (emitters, receivers) } else { (receivers, emitters) };
-        job.tasks.extend(outer.into_iter().map(|part| Task::Fan(part, inner.clone())));
+        job.tasks.extend(receivers.into_iter().map(|part| Task::Fan(part, emitters.clone())));
     } else {
         job.sectors(&receivers, &emitters, blockers);
     }
@@ -158,9 +164,8 @@ impl Job<'_> {
                 Task::Pair(p, q, state) => left.push((p, q, state.blockers, 1.0)),
                 Task::Fan(outer, inner) => {
                     for part in inner {
-                        let (p, q) = if self.swapped { (part, outer.clone()) } else { (outer.clone(), part) };
-                        let blockers = self.between(&p, &q);
-                        left.push((p, q, blockers, 1.0));
+                        let blockers = self.between(&outer, &part);
+                        left.push((outer.clone(), part, blockers, 1.0));
                     }
                 }
             }
@@ -175,8 +180,4 @@ impl Job<'_> {
             self.moments.merge(&part, true);
         }
     }
-}
-
-fn planar(patch: &Patch) -> bool {
-    patch.is_flat() || nodes(patch, 3).windows(2).all(|w| w[0].normal.distance(w[1].normal) <= 1e-12)
 }

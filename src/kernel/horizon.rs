@@ -11,11 +11,13 @@
 //!
 //! A ball that stands between is cut away in the same manner ([`view`]).
 //!
-//! W itself loses smoothness (of second order or higher) only where a horizon starts to leave q. There the outer patch, without
-//! the parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first ([`queue`]), until their errors
-//! together are small enough.
+//! W itself loses smoothness where a horizon starts to leave q: of second order or about that, as ever more of q is seen. There
+//! the outer patch, without the parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first ([`queue`]),
+//! until their errors together are small enough. But the points of a planar q have one horizon, which leaves all of it at once:
+//! W has a kink of first order there, and the outer patch is cut along it beforehand ([`front`]).
 
 mod cell;
+mod front;
 mod line;
 mod part;
 mod queue;
@@ -24,12 +26,15 @@ mod view;
 use std::sync::Arc;
 
 use crate::elements::basis::AreaBasis;
-use crate::elements::patch::Patch;
-use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::MOST_POINTS;
 
 use super::facing::{Facing, facing};
+use super::planes::plane_of;
 use super::yardstick::Yardstick;
 use cell::{Cell, DIRECTIONS, Whole};
+pub(super) use front::Front;
+use front::Nodes;
 pub(super) use part::DEEPEST;
 use part::Part;
 use queue::Queue;
@@ -52,6 +57,10 @@ const SETTLED: f64 = 0.25;
 /// Most numbers kept of cells under way, 64 MB of them; about how many sets of moments each cell has.
 const MOST_NUMBERS: usize = 8_000_000;
 const WHOLES: usize = 4;
+
+/// What a patch may carry of which corners alone see anything, as a part of what it would if all of it saw as much.
+const CORNER: f64 = 0.05;
+const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
 
 /// Most halvings that take away what sees nothing.
 const MOST_TRIMS: usize = 16;
@@ -91,8 +100,10 @@ pub(super) fn integrate(
     budget: u64,
 ) -> Cut {
     let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, Arc::clone(points), 0));
+    let patches: Vec<Patch> = inner.iter().map(|(patch, _)| patch.clone()).collect();
     let mut job = Job {
         outer,
+        front: plane_of(&patches).map(Front::of),
         columns: basis.len(),
         inner: parts.collect(),
         yardstick,
@@ -117,6 +128,8 @@ pub(super) fn integrate(
 
 struct Job<'a> {
     outer: &'a Side<'a>,
+    /// What of the outer patch the inner ones see, if they lie in one plane.
+    front: Option<Front>,
     columns: usize,
     inner: Vec<Part<'a>>,
     yardstick: &'a Yardstick,
@@ -148,9 +161,13 @@ impl Job<'_> {
     }
 
     fn has_dark_corner(&self, patch: &Patch) -> bool {
-        let corners = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-        let view = |(s, t)| View { node: patch.node(s, t), ball: None };
-        corners.map(view).iter().any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(x)))
+        let corners = CORNERS.map(|(s, t)| patch.node(s, t));
+        // Where a plane is in the way no rule comes.
+        let mut views = corners
+            .into_iter()
+            .filter(|x| self.front.as_ref().is_none_or(|front| front.height(x) > 0.0))
+            .map(|node| View { node, ball: None });
+        views.any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(&x)))
     }
 
     /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments by the
@@ -177,20 +194,56 @@ impl Job<'_> {
         (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
         let mut queue = Queue::default();
         queue.push(cell);
-        let open = (1.0 - SETTLED) * self.tolerance;
-        while queue.error() > open && self.cut.samples <= self.budget && queue.len() < most_cells {
+        loop {
+            self.halve(&mut queue, most_cells);
+            let is_spent = self.cut.samples > self.budget || queue.len() >= most_cells;
+            if is_spent || !self.look_again(&mut queue) || self.is_enough(&queue) {
+                break;
+            }
+        }
+        queue.into_cells().for_each(|cell| self.add(cell));
+    }
+
+    /// Halves the worst cells until the errors of all are small enough, or may be taken for it.
+    fn halve(&mut self, queue: &mut Queue, most_cells: usize) {
+        while !self.is_enough(queue) && self.cut.samples <= self.budget && queue.len() < most_cells {
             let Some(cell) = queue.pop() else { break };
             let (direction, is_known) = cell.worse();
             for mut cell in if is_known { cell.cut(direction) } else { vec![cell] } {
                 self.look(&mut cell, direction);
-                if cell.error() <= SETTLED * cell.share() * self.tolerance {
+                if self.is_settled(&cell)
+                    && let Some(other) = cell.told_by_larger()
+                {
+                    self.look(&mut cell, other);
+                }
+                if self.is_settled(&cell) {
                     self.add(cell);
                 } else {
                     queue.push(cell);
                 }
             }
         }
-        queue.into_cells().for_each(|cell| self.add(cell));
+    }
+
+    /// Looks at cells in the directions of which only larger parts told; whether there are any.
+    fn look_again(&mut self, queue: &mut Queue) -> bool {
+        let mut any = false;
+        for mut cell in std::mem::take(queue).into_cells() {
+            if let Some(direction) = cell.told_by_larger() {
+                self.look(&mut cell, direction);
+                any = true;
+            }
+            queue.push(cell);
+        }
+        any
+    }
+
+    fn is_enough(&self, queue: &Queue) -> bool {
+        queue.error() <= (1.0 - SETTLED) * self.tolerance
+    }
+
+    fn is_settled(&self, cell: &Cell) -> bool {
+        cell.error() <= SETTLED * cell.share() * self.tolerance
     }
 
     fn add(&mut self, cell: Cell) {
@@ -202,32 +255,58 @@ impl Job<'_> {
     fn look(&mut self, cell: &mut Cell, direction: usize) {
         let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
         cell.look(direction, halves, self.yardstick);
+        if cell.is_dark() {
+            let missed = self.at_corners(cell.patch());
+            cell.miss(CORNER * missed);
+        }
+    }
+
+    /// What counts of a patch the most of whose points saw as much as its corners.
+    fn at_corners(&mut self, patch: &Patch) -> f64 {
+        let zeros = vec![0.0; self.outer.basis.len() * self.columns];
+        let corner = |(s, t)| {
+            let x: Node = patch.node(s, t);
+            let moments = self.moments_of([(x, x.area)]).0;
+            self.yardstick.difference(&moments, &zeros)
+        };
+        CORNERS.map(corner).into_iter().fold(0.0, f64::max)
     }
 
     fn whole(&mut self, patch: Patch, points: [usize; 2]) -> Whole {
-        let moments = self.cell(&patch, points);
-        Whole { patch, points, moments }
+        let nodes = self.nodes(&patch, points);
+        let (moments, is_dark) = self.moments_of(nodes);
+        Whole { patch, points, moments, is_dark }
     }
 
-    /// Moments of a part of the outer patch by one tensor rule.
-    fn cell(&mut self, part: &Patch, points: [usize; 2]) -> Vec<f64> {
+    /// Moments by a rule of points with their weights in area, and whether none of them sees anything.
+    fn moments_of(&mut self, nodes: impl IntoIterator<Item = (Node, f64)>) -> (Vec<f64>, bool) {
+        let mut is_dark = true;
         let (rows, columns) = (self.outer.basis.len(), self.columns);
-        let [along, across] = points.map(UnitRule::of);
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
-        for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
-            let x = part.node(s, t);
+        for (x, weight) in nodes {
             right.fill(0.0);
             let x = View { node: x, ball: self.outer.ball };
             self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
+            is_dark &= right.iter().all(|w| *w == 0.0);
             let x = x.node;
             self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
-            let weight = ws * wt * x.area;
             for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
                 row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
             }
         }
-        moments
+        (moments, is_dark)
+    }
+
+    /// Points of a part of the outer patch, with their weights in area: of a tensor rule, or of one on what is before the plane
+    /// of the inner patches.
+    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
+        let Nodes { nodes, evaluations } = match &self.front {
+            Some(front) => front.nodes(part, points),
+            None => Nodes::of(part, points),
+        };
+        self.cut.samples += evaluations;
+        nodes
     }
 }
 

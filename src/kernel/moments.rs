@@ -110,10 +110,9 @@ impl<'a> Moments<'a> {
         }
     }
 
-    /// Adds moments in the raw polynomials that took `samples` evaluations; `swapped`: emitter's index first.
-    pub(super) fn add_raw(&mut self, moments: &[f64], swapped: bool, samples: u64) {
-        let turned = if swapped { transposed(moments, self.receiver.len()) } else { moments.to_vec() };
-        self.values.iter_mut().zip(&turned).for_each(|(value, moment)| *value += moment);
+    /// Adds moments in the raw polynomials that took `samples` evaluations.
+    pub(super) fn add_raw(&mut self, moments: &[f64], samples: u64) {
+        self.values.iter_mut().zip(moments).for_each(|(value, moment)| *value += moment);
         self.samples += samples;
         self.distinct += samples;
     }

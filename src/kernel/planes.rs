@@ -3,6 +3,27 @@
 use radiosity_geom::{DVec3, touching};
 
 use crate::elements::Element;
+use crate::elements::patch::{Node, Patch};
+
+use super::rough::nodes;
+
+/// Normals that differ by less are equal.
+const PARALLEL: f64 = 1e-12;
+
+/// A point of a plane, and its unit normal.
+pub(super) type Plane = (DVec3, DVec3);
+
+/// The plane in which patches lie that all look the same way, if they do.
+pub(super) fn plane_of(patches: &[Patch]) -> Option<Plane> {
+    let places = |patch: &Patch| if patch.is_flat() { vec![patch.node(0.0, 0.0)] } else { nodes(patch, 3) };
+    let mut all = patches.iter().flat_map(places);
+    let first = all.next()?;
+    let is_level = |x: Node| {
+        let d = x.position - first.position;
+        x.normal.distance(first.normal) <= PARALLEL && d.dot(first.normal).abs() <= touching(d.length(), 0.0)
+    };
+    all.all(is_level).then_some((first.position, first.normal))
+}
 
 /// What the planes of two elements tell of them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

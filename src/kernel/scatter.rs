@@ -88,7 +88,7 @@ impl Scatter {
     pub(super) fn add_to(&self, moments: &mut Moments) {
         let sign = if self.hidden { -1.0 } else { 1.0 };
         let values: Vec<f64> = self.values.iter().map(|value| sign * value).collect();
-        moments.add_raw(&values, false, self.samples);
+        moments.add_raw(&values, self.samples);
         moments.rays += self.rays;
     }
 }

@@ -92,8 +92,9 @@ pub(super) struct Shade {
 impl Shade {
     /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, limit: Limit) -> Self {
-        let Sides { side, outer, inner } = Sides::of(pair, blockers, visibility);
-        let bodies = visibility.one_of_each_body(blockers);
+        let blockers = visibility.by_place(blockers);
+        let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility);
+        let bodies = visibility.one_of_each_body(&blockers);
         let task = Task::new(pair, side, &inner, (&bodies, visibility), limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
@@ -227,7 +228,7 @@ impl<'a> Work<'a> {
     }
 
     fn merge(&mut self, other: &Self) {
-        self.moments.add_raw(other.moments.values(), false, 0);
+        self.moments.add_raw(other.moments.values(), 0);
         self.hides |= other.hides;
         self.dark &= other.dark;
         self.error += other.error;
@@ -269,7 +270,7 @@ impl<'a> Work<'a> {
         for (part, sum) in parts.iter().zip(sums) {
             let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
-                self.moments.add_raw(&sum.values[..entries], false, 0);
+                self.moments.add_raw(&sum.values[..entries], 0);
             } else {
                 self.visit(part, &blockers, Some(sum), share, depth - 1);
             }

@@ -25,12 +25,6 @@ impl Yardstick {
         Self { factors: bases.map(factors), first }
     }
 
-    /// The same of moments whose rows and columns change places.
-    pub(super) fn turned(&self) -> Self {
-        let [rows, columns] = &self.factors;
-        Self { factors: [columns.clone(), rows.clone()], first: self.first }
-    }
-
     /// The first entry of the block for each unit of the first moment.
     pub(super) fn first(&self) -> f64 {
         self.first

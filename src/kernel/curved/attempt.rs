@@ -1,9 +1,10 @@
 //! Parts that no rule covers, tried by the rule that fits best with two numbers of points.
 
-use crate::elements::patch::Patch;
+use crate::elements::patch::{Node, Patch};
 use crate::kernel::edge::{self, Wedge};
-use crate::kernel::integrand::Sees;
-use crate::kernel::moments::Moments;
+use crate::kernel::horizon::Front;
+use crate::kernel::integrand::{Sees, visible_kernel};
+use crate::kernel::moments::{Moments, Side};
 use crate::kernel::rough::scale;
 use crate::kernel::separated::SMALLEST_RATIO;
 use crate::kernel::touch::Touch;
@@ -101,8 +102,41 @@ impl<'a> Job<'a> {
                 edge::integrate(&mut moments, p, q, [n; 3], sees);
             }
             Some(Touch::Vertex(p, q)) => vertex::integrate(&mut moments, p, q, [n; 2], sees),
-            Some(_) => moments.tensor(p, q, plain, sees),
+            Some(_) => match &self.fronts {
+                Some(fronts) if fronts[0].cuts(p) || fronts[1].cuts(q) => {
+                    before_planes(&mut moments, [p, q], fronts, n, sees);
+                }
+                _ => moments.tensor(p, q, plain, sees),
+            },
         }
         moments
+    }
+}
+
+/// Adds two planar patches by the product of n × n points on what the second sees of the first and n + 1 a direction on what
+/// the first sees of it.
+fn before_planes(
+    moments: &mut Moments,
+    [p, q]: [&Patch; 2],
+    [first, second]: &[Front; 2],
+    n: usize,
+    sees: Option<Sees>,
+) {
+    let basis = moments.bases()[1];
+    let row = |(y, weight): (Node, f64)| {
+        let mut row = vec![0.0; basis.len()];
+        basis.raw(basis.frame().coordinates(&y), &mut row);
+        row.iter_mut().for_each(|value| *value *= weight);
+        (y, row)
+    };
+    let emitters: Vec<(Node, Vec<f64>)> = second.nodes(q, [n + 1; 2]).nodes.into_iter().map(row).collect();
+    let mut column = vec![0.0; basis.len()];
+    for (x, weight) in first.nodes(p, [n; 2]).nodes {
+        column.fill(0.0);
+        for (y, row) in &emitters {
+            let value = visible_kernel(&x, y, sees, &mut moments.rays);
+            column.iter_mut().zip(row).for_each(|(sum, l)| *sum += value * l);
+        }
+        moments.outer(Side::Receiver, &x, weight, &column, emitters.len() as u64);
     }
 }

@@ -30,7 +30,7 @@ impl Job<'_> {
         };
         let ((left, m), (right, n)) = (side(p, self.elements[0]), side(q, self.elements[1]));
         let moments: Vec<f64> = left.iter().flat_map(|l| right.iter().map(move |r| value * l * r)).collect();
-        self.moments.add_raw(&moments, false, m + n);
+        self.moments.add_raw(&moments, m + n);
     }
 }
 

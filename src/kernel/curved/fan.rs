@@ -28,7 +28,7 @@ impl Job<'_> {
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
-            let (p, q) = if self.swapped { (&part, outer) } else { (outer, &part) };
+            let (p, q) = (outer, &part);
             let share = self.budget.share(p, q);
             let gap = gap(p, q);
             let tolerance = COINCIDENT * self.size;
@@ -87,9 +87,8 @@ impl Job<'_> {
 
     /// An inner part that the outer one sees wholly, by a tensor rule.
     fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
-        let (p, q) = if self.swapped { (inner, outer) } else { (outer, inner) };
-        let points = self.points(p, q).apart(p, q, gap);
-        self.moments.tensor(p, q, points, None);
+        let points = self.points(outer, inner).apart(outer, inner, gap);
+        self.moments.tensor(outer, inner, points, None);
     }
 
     /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
@@ -97,29 +96,33 @@ impl Job<'_> {
     pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
         let mut points = [1; 2];
         let mut sides = Vec::new();
-        let [first, second] = if self.swapped { [1, 0] } else { [0, 1] };
         for (part, gap) in inner {
-            let (p, q) = if self.swapped { (part, outer) } else { (outer, part) };
-            let counts = self.points(p, q).apart(p, q, *gap);
-            for (most, count) in points.iter_mut().zip(&counts[2 * first..]) {
+            let counts = self.points(outer, part).apart(outer, part, *gap);
+            for (most, count) in points.iter_mut().zip(&counts) {
                 *most = *count.max(most);
             }
-            let eps = self.budget.part_eps(p, q);
-            sides.push((part.clone(), quartered(part, self.degrees[second], *gap, eps)));
+            let eps = self.budget.part_eps(outer, part);
+            let most = &counts[2..];
+            let pieces = match &self.fronts {
+                Some([_, front]) if front.cuts(part) => front.parts(part, [most[0], most[1]], eps),
+                _ => vec![part.clone()],
+            };
+            for piece in pieces {
+                let points = quartered(&piece, self.degrees[1], *gap, eps);
+                sides.push((piece, points));
+            }
         }
         if sides.is_empty() {
             return;
         }
         let ball = self.ball.map(|(_, ball)| ball);
-        let outer = Side { patch: outer, basis: &self.elements[first].basis, points, ball };
+        let outer = Side { patch: outer, basis: &self.elements[0].basis, points, ball };
         let may_err = self.budget.may_err();
-        let turned = self.swapped.then(|| self.yardstick.turned());
-        let yardstick = turned.as_ref().unwrap_or(&self.yardstick);
         let budget = self.budget.left_for_horizons();
-        let basis = &self.elements[second].basis;
-        let cut = horizon::integrate(&outer, basis, &sides, yardstick, HORIZON_SHARE * may_err, budget);
+        let basis = &self.elements[1].basis;
+        let cut = horizon::integrate(&outer, basis, &sides, &self.yardstick, HORIZON_SHARE * may_err, budget);
         self.budget.horizons += cut.samples;
-        self.moments.add_raw(&cut.moments, self.swapped, cut.samples);
+        self.moments.add_raw(&cut.moments, cut.samples);
         self.error += cut.error;
         self.unresolved |= cut.error > may_err;
     }

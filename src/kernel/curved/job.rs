@@ -6,7 +6,7 @@ use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
 use crate::kernel::block::{Accuracy, Block, Kind};
 use crate::kernel::edge::Wedge;
-use crate::kernel::horizon::Ball;
+use crate::kernel::horizon::{Ball, Front};
 use crate::kernel::moments::Moments;
 use crate::kernel::reach::SMALLEST_ENTRY;
 use crate::kernel::rough::{largest_kernel, nodes};
@@ -54,8 +54,8 @@ pub(super) struct Job<'a> {
     pub elements: [&'a Element; 2],
     pub degrees: [usize; 2],
     pub size: f64,
-    /// Whether the outer parts of fans are the emitter's.
-    pub swapped: bool,
+    /// What the plane of either element shows of the other, of the first first, if both are planar.
+    pub fronts: Option<[Front; 2]>,
     /// What stands between in fans, with its surface.
     pub ball: Option<(usize, Ball)>,
     pub moments: Moments<'a>,
@@ -81,7 +81,7 @@ impl<'a> Job<'a> {
             elements: [receiver, emitter],
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
-            swapped: false,
+            fronts: None,
             ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
             yardstick: Yardstick::of([&receiver.basis, &emitter.basis]),

@@ -80,8 +80,7 @@ impl Job<'_> {
             if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
                 return;
             }
-            let (outer, inner) = if self.swapped { (q, p) } else { (p, q) };
-            return self.horizon(outer, &[(inner.clone(), gap)]);
+            return self.horizon(p, &[(q.clone(), gap)]);
         }
         self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
         if !self.attempt(p, q, Some(contact), state) {

@@ -4,6 +4,8 @@
 //! the whole though all are wrong. So both directions are looked at; what was seen of one is kept when the other is
 //! halved, half of it a half.
 
+use std::cmp::Ordering;
+
 use crate::elements::patch::{Direction, Patch};
 use crate::kernel::yardstick::Yardstick;
 
@@ -25,6 +27,8 @@ pub(super) struct Whole {
     pub points: [usize; 2],
     /// Moments in the raw polynomials.
     pub moments: Vec<f64>,
+    /// Whether no point of the rule sees anything.
+    pub is_dark: bool,
 }
 
 /// A part of the outer patch under way.
@@ -35,14 +39,25 @@ pub(super) struct Cell {
     halves: [Option<[Whole; 2]>; 2],
     /// By how much halves of either direction differ from the whole; if they were not looked at, as it was with a larger part.
     errors: [f64; 2],
+    /// Which of them are its own.
+    own: [bool; 2],
     /// What part of the outer patch it is, by its parameters.
     share: f64,
+    /// What its corners see that no rule does.
+    missed: f64,
 }
 
 impl Cell {
     /// One of which nothing else is known.
     pub(super) fn new(whole: Whole) -> Self {
-        Self { whole, halves: [None, None], errors: [f64::INFINITY; 2], share: 1.0 }
+        Self {
+            whole,
+            halves: [None, None],
+            errors: [f64::INFINITY; 2],
+            own: [false; 2],
+            share: 1.0,
+            missed: 0.0,
+        }
     }
 
     /// The halves of a direction, each with the points of its rule.
@@ -56,20 +71,46 @@ impl Cell {
     pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], yardstick: &Yardstick) {
         self.errors[direction] = yardstick.difference(&sum(&halves), &self.whole.moments);
         self.halves[direction] = Some(halves);
+        self.own[direction] = true;
     }
 
     /// The direction of the larger error, and whether its halves are known.
     pub(super) fn worse(&self) -> (usize, bool) {
-        let direction = usize::from(self.errors[1] > self.errors[0]);
+        let [along, across] = self.whole.patch.extents();
+        let direction = match self.errors[0].total_cmp(&self.errors[1]) {
+            Ordering::Greater => 0,
+            Ordering::Less => 1,
+            Ordering::Equal => usize::from(across > along),
+        };
         (direction, self.halves[direction].is_some())
     }
 
     /// Estimate of the error of [`Self::moments`].
     pub(super) fn error(&self) -> f64 {
         match self.better() {
-            Some(direction) => FINER * self.errors[direction] + self.errors[1 - direction],
+            Some(direction) => FINER * self.errors[direction] + self.errors[1 - direction] + self.missed,
             None => f64::INFINITY,
         }
+    }
+
+    /// A direction in which only a larger part was looked at.
+    pub(super) fn told_by_larger(&self) -> Option<usize> {
+        (0..2).find(|direction| !self.own[*direction])
+    }
+
+    /// Whether no point of any rule sees anything.
+    pub(super) fn is_dark(&self) -> bool {
+        self.whole.is_dark && self.halves.iter().flatten().flatten().all(|half| half.is_dark)
+    }
+
+    /// Its patch.
+    pub(super) fn patch(&self) -> &Patch {
+        &self.whole.patch
+    }
+
+    /// Notes what its corners see that no rule does.
+    pub(super) fn miss(&mut self, missed: f64) {
+        self.missed = missed;
     }
 
     /// What part of the outer patch it is, by its parameters.
@@ -88,7 +129,9 @@ impl Cell {
         let mut errors = [f64::INFINITY; 2];
         errors[1 - direction] = 0.5 * self.errors[1 - direction];
         let (halves, share) = (self.halves[direction].take().into_iter().flatten(), 0.5 * self.share);
-        halves.map(|whole| Self { whole, halves: [None, None], errors, share }).collect()
+        halves
+            .map(|whole| Self { whole, halves: [None, None], errors, own: [false; 2], share, missed: 0.0 })
+            .collect()
     }
 
     /// The known direction of the larger error.

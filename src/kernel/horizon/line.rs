@@ -2,13 +2,80 @@
 //!
 //! The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
 
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+
 use super::view::{HEIGHTS, Heights};
 
 /// Places by which roots are bracketed.
 const PLACES: usize = 6;
 
+/// How heights change along lines of one direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lines {
+    /// Each has one root on a line at the most.
+    Plain(Direction),
+    /// They may have any.
+    Winding(Direction),
+}
+
+/// Factors of the weight of a node in area.
+pub(super) type Factors = [f64; 5];
+
+/// Hands the nodes of a rule on what is seen of a patch to `take`, with their weights; returns the number of evaluations.
+/// The rule has so many points along and across, and runs along `lines`.
+pub(super) fn seen(
+    patch: &Patch,
+    lines: Lines,
+    points: [usize; 2],
+    heights: &impl Fn(&Node) -> Heights,
+    mut take: impl FnMut(&Node, Factors),
+) -> u64 {
+    let (Lines::Plain(direction) | Lines::Winding(direction)) = lines;
+    let node = |w: f64, z: f64| match direction {
+        Direction::Along => patch.node(w, z),
+        Direction::Across => patch.node(z, w),
+    };
+    let at = |w: f64, z: f64| heights(&node(w, z));
+    let [along, across] = points.map(UnitRule::of);
+    let (line, over) = if direction == Direction::Along { (along, across) } else { (across, along) };
+    let mut evaluations = 0;
+    let mut breaks = vec![0.0, 1.0];
+    for side in [0.0, 1.0] {
+        evaluations += roots(|z| at(side, z), &mut breaks);
+    }
+    breaks.sort_by(f64::total_cmp);
+    for (low, high) in stretches(&breaks) {
+        for (z, wz) in over.iter() {
+            let z = low + (high - low) * z;
+            let stretches = match lines {
+                Lines::Plain(_) => visible(|w| at(w, z), &mut evaluations).into_iter().collect(),
+                Lines::Winding(_) => visible_parts(|w| at(w, z), &mut evaluations),
+            };
+            for [start, end] in stretches {
+                evaluations += line.nodes.len() as u64;
+                for (w, ww) in line.iter() {
+                    let y = node(start + (end - start) * w, z);
+                    take(&y, [y.area, wz, ww, high - low, end - start]);
+                }
+            }
+        }
+    }
+    evaluations
+}
+
+/// The stretches of a line on which all heights are positive, whatever they are elsewhere.
+fn visible_parts(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Vec<[f64; 2]> {
+    let mut breaks = vec![0.0, 1.0];
+    *evaluations += roots(&f, &mut breaks);
+    breaks.sort_by(f64::total_cmp);
+    *evaluations += breaks.len() as u64 - 1;
+    let is_seen = |(low, high): &(f64, f64)| f(0.5 * (low + high)).iter().all(|h| *h > 0.0);
+    stretches(&breaks).filter(is_seen).map(|(low, high)| [low, high]).collect()
+}
+
 /// The stretch of a line on which all heights, each monotone, are positive.
-pub(super) fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]> {
+fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]> {
     let (first, last) = (f(0.0), f(1.0));
     *evaluations += 2;
     let mut stretch = [0.0f64, 1.0];
@@ -29,7 +96,7 @@ pub(super) fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Opti
 }
 
 /// Appends the roots in (0, 1) of all heights; returns the number of evaluations.
-pub(super) fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
+fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
     let place = |k: usize| k as f64 / (PLACES - 1) as f64;
     let values: [Heights; PLACES] = std::array::from_fn(|k| f(place(k)));
     let mut evaluations = PLACES as u64;
@@ -85,6 +152,6 @@ fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evalua
 }
 
 /// The stretches between sorted breaks.
-pub(super) fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
+fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
 }

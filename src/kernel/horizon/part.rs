@@ -13,11 +13,13 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::kernel::integrand::kernel;
 
-use super::line::{roots, stretches, visible};
+use super::line::{Lines, seen};
 use super::view::{HEIGHTS, Heights, View};
 
 /// Nodes a direction by which a patch and its quarters are judged.
 const GRID: usize = 6;
+/// Bends below this part of a height are none.
+const LEVEL: f64 = 1e-12;
 /// Most often that an inner patch is quartered.
 pub(in crate::kernel) const DEEPEST: usize = 5;
 
@@ -88,11 +90,18 @@ impl<'a> Part<'a> {
         if clipped.is_empty() {
             return spent + self.whole(x, out);
         }
-        let crosses = |direction| clipped.iter().all(|k| monotone(&grid, *k, direction));
-        let direction = [Direction::Along, Direction::Across].into_iter().find(|d| crosses(*d));
-        match direction {
-            Some(direction) => spent + self.cut(x, direction, out),
-            None if self.depth + 1 == self.points.len() => spent + self.cut(x, Direction::Along, out),
+        let find = |crosses: &dyn Fn(usize, Direction) -> bool| {
+            [Direction::Along, Direction::Across]
+                .into_iter()
+                .find(|d| clipped.iter().all(|k| crosses(*k, *d)))
+        };
+        // The root on a straight line is as smooth a function of the line as the heights are.
+        let plain = find(&|k, d| straight(&grid, k, d)).or_else(|| find(&|k, d| monotone(&grid, k, d)));
+        match plain {
+            Some(direction) => spent + self.cut(x, Lines::Plain(direction), out),
+            None if self.depth + 1 == self.points.len() => {
+                spent + self.cut(x, Lines::Winding(Direction::Along), out)
+            }
             None => spent + self.quartered(x, out),
         }
     }
@@ -129,37 +138,15 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The part that x sees, along lines of the given direction.
-    fn cut(&self, x: &View, direction: Direction, out: &mut [f64]) -> u64 {
-        let node = |w: f64, z: f64| match direction {
-            Direction::Along => self.patch.node(w, z),
-            Direction::Across => self.patch.node(z, w),
-        };
-        let [along, across] = self.points[self.depth].map(UnitRule::of);
-        let (line, over) = if direction == Direction::Along { (along, across) } else { (across, along) };
+    /// The part that x sees, along lines.
+    fn cut(&self, x: &View, lines: Lines, out: &mut [f64]) -> u64 {
         let mut values = vec![0.0; self.basis.len()];
-        let mut evaluations = 0;
-        let mut breaks = vec![0.0, 1.0];
-        for side in [0.0, 1.0] {
-            evaluations += roots(|z| x.heights(&node(side, z)), &mut breaks);
-        }
-        breaks.sort_by(f64::total_cmp);
-        for (low, high) in stretches(&breaks) {
-            for (z, wz) in over.iter() {
-                let z = low + (high - low) * z;
-                let Some([start, end]) = visible(|w| x.heights(&node(w, z)), &mut evaluations) else {
-                    continue;
-                };
-                evaluations += line.nodes.len() as u64;
-                for (w, ww) in line.iter() {
-                    let y = node(start + (end - start) * w, z);
-                    let value = kernel(&x.node, &y) * y.area * wz * ww * (high - low) * (end - start);
-                    self.basis.raw(self.basis.frame().coordinates(&y), &mut values);
-                    out.iter_mut().zip(&values).for_each(|(o, l)| *o += value * l);
-                }
-            }
-        }
-        evaluations
+        let points = self.points[self.depth];
+        seen(&self.patch, lines, points, &|y| x.heights(y), |y, factors| {
+            let value = factors.into_iter().fold(kernel(&x.node, y), |value, factor| value * factor);
+            self.basis.raw(self.basis.frame().coordinates(y), &mut values);
+            out.iter_mut().zip(&values).for_each(|(o, l)| *o += value * l);
+        })
     }
 }
 
@@ -193,6 +180,19 @@ fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
         steps.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)]);
     // Steps of one sign, and none so small beside the others that a turn may lie in its neighbourhood.
     (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
+}
+
+/// Whether a height is linear along all lines of a direction.
+fn straight(grid: &[Heights], which: usize, direction: Direction) -> bool {
+    let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
+    let size = grid.iter().map(|h| h[which].abs()).fold(0.0, f64::max);
+    let bends = (0..GRID).flat_map(|line| {
+        (1..GRID - 1).map(move |k| {
+            let at = |k: usize| grid[line * first + k * step][which];
+            at(k - 1) - 2.0 * at(k) + at(k + 1)
+        })
+    });
+    bends.map(f64::abs).fold(0.0, f64::max) <= LEVEL * size
 }
 
 /// The sum over both directions of the grid of the largest second difference, as `second` takes its size from three places
