@@ -35,7 +35,8 @@ impl Fault {
             }
             Fault::DuplicateName { first_line: None, .. } => "rename one of the two".to_owned(),
             Fault::Coincident { other } => format!(
-                "remove one of the two, move them apart, or cut a hole into {other:?} where this one lies; \
+                "remove one of the two, move them apart by a millionth of their size or more, or cut a hole into {other:?} where this one \
+                 lies; \
                  for both sides of one surface use two_sided = true"
             ),
             plain => plain_cure(plain).to_owned(),

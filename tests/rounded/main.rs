@@ -6,6 +6,7 @@
 
 mod builtin;
 mod gaps;
+mod kept;
 mod rooms;
 mod rounding;
 mod shared;
