@@ -62,26 +62,26 @@ pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<
 
 /// Moves flat sheets off those that they lie on; `typed` are all shapes before they were welded.
 fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lying> {
-    let shapes = drafts.iter().flat_map(|draft| draft.shapes.iter().map(move |named| (draft, named)));
-    let sheet =
-        |((draft, (name, shape)), typed): ((&SurfaceDraft, &(String, Arc<dyn Surface>)), &Arc<_>)| Sheet {
-            shape: Arc::clone(shape),
-            typed: Arc::clone(typed),
-            two_sided: draft.two_sided,
-            flip: draft.flip,
-            name: name.clone(),
-        };
-    let mut sheets: Vec<Sheet> =
-        shapes.zip(typed).map(sheet).filter(|sheet| sheet.shape.region().is_some()).collect();
-    let lying = stacked::set_apart(&mut sheets);
-    if lying.is_empty() {
-        return Vec::new();
+    let mut typed = typed.iter();
+    let mut sheets = Vec::new();
+    for draft in drafts.iter() {
+        for ((name, shape), typed) in draft.shapes.iter().zip(&mut typed) {
+            sheets.extend(shape.region().is_some().then(|| Sheet {
+                shape: Arc::clone(shape),
+                typed: Arc::clone(typed),
+                two_sided: draft.two_sided,
+                flip: draft.flip,
+                name: name.clone(),
+            }));
+        }
     }
+    let lying = stacked::set_apart(&mut sheets);
     let name = |index: usize| sheets[index].name.clone();
     let found = lying.iter().map(|lying| Lying { surface: name(lying.sheet), on: name(lying.on) }).collect();
-    let mut moved = sheets.into_iter();
-    let flat =
-        drafts.iter_mut().flat_map(|draft| &mut draft.shapes).filter(|(_, shape)| shape.region().is_some());
-    flat.zip(&mut moved).for_each(|((_, shape), sheet)| *shape = sheet.shape);
+    let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|(_, shape)| shape);
+    shapes
+        .filter(|shape| shape.region().is_some())
+        .zip(sheets)
+        .for_each(|(shape, sheet)| *shape = sheet.shape);
     found
 }

@@ -100,8 +100,8 @@ impl Places {
             (0..self.list.len()).map(|place| Aabb::around([self.list[place]]).inflate(most(place))).collect();
         let tree = Bvh::build(&boxes);
         let mut forest = Forest::new(self.list.len());
-        for own in 0..self.list.len() {
-            tree.overlapping(&boxes[own], |other| {
+        for (own, bounds) in boxes.iter().enumerate() {
+            tree.overlapping(bounds, |other| {
                 if other < own && self.are_one(own, other, sheets, apart) {
                     forest.join(own, other);
                 }
