@@ -37,3 +37,24 @@ fn before(patches: Vec<Patch>, plane: Option<Plane>, tolerance: f64) -> Vec<Patc
     };
     patches.into_iter().flat_map(seen).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use radiosity_geom::{DVec3, polygon_area};
+
+    #[test]
+    fn a_floor_ends_at_the_plane_of_what_looks_at_it() {
+        let corners = [[0., 0., 0.], [4., 0., 0.], [4., 3., 0.], [0., 3., 0.]].map(DVec3::from_array);
+        let floor = Patch::Flat { corners, normal: DVec3::Z };
+        let seen = |x: f64, normal: DVec3| -> f64 {
+            let parts = before(vec![floor.clone()], Some((DVec3::new(x, 1.0, 1.0), normal)), 1e-9);
+            parts.iter().map(|part| polygon_area(&part.polygon())).sum()
+        };
+        assert!((seen(1.0, DVec3::X) - 9.0).abs() < 1e-12);
+        // The plane rises by one over one: it meets the floor at x = 2.
+        assert!((seen(3.0, DVec3::new(-1.0, 0.0, 1.0).normalize()) - 6.0).abs() < 1e-12);
+        assert_eq!([seen(5.0, -DVec3::X), seen(5.0, DVec3::X)], [12.0, 0.0]);
+    }
+}

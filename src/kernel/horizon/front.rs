@@ -6,8 +6,8 @@
 //! W(x) ∝ max(0, h(x)) ,     h(x) = n·(x − y) ,
 //! ```
 //!
-//! and W has a kink of first order all across the outer patch, which no halving finds fast. So rules for such patches run over
-//! what is before the plane alone, where W is smooth.
+//! and W has a kink of first order all across the outer patch, where rules converge like 1/n² and two of them differ by more, or
+//! by less, than either is off. So rules for such patches run over what is before the plane alone, where W is smooth.
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
@@ -82,37 +82,30 @@ impl Front {
     /// A patch in parts, on each of which so many points give the first moments of h to a relative error of about `eps`: next to
     /// the centre of a disk lines end at the plane in ever different places.
     pub(in crate::kernel) fn parts(&self, patch: &Patch, points: [usize; 2], eps: f64) -> Vec<Patch> {
-        let sum = self.moments(patch, points);
+        let limit = self.moments(patch, points).map(|moment| eps * moment);
         let mut parts = Vec::new();
-        self.split(patch.clone(), sum, points, sum.map(|moment| eps * moment), MOST_SPLITS, &mut parts);
+        let mut open = vec![(patch.clone(), 0)];
+        while let Some((part, depth)) = open.pop() {
+            match self.uneven(&part, points, limit) {
+                Some(direction) if depth < MOST_SPLITS => {
+                    open.extend(part.halves(direction).map(|half| (half, depth + 1)));
+                }
+                _ => parts.push(part),
+            }
+        }
         parts
     }
 
-    fn split(
-        &self,
-        patch: Patch,
-        sum: [f64; 2],
-        points: [usize; 2],
-        limit: [f64; 2],
-        depth: usize,
-        out: &mut Vec<Patch>,
-    ) {
-        let differ = |direction| {
-            let halves = patch.halves(direction);
-            let sums = [&halves[0], &halves[1]].map(|half| self.moments(half, points));
-            let off = (0..2).map(|k| (sum[k] - sums[0][k] - sums[1][k]).abs() / limit[k]).fold(0.0, f64::max);
-            (off, halves, sums)
+    /// The direction whose halves have moments other than the whole by more than `limit`, the worse one of two.
+    fn uneven(&self, part: &Patch, points: [usize; 2], limit: [f64; 2]) -> Option<Direction> {
+        let whole = self.moments(part, points);
+        let off = |direction: Direction| {
+            let [first, second] = part.halves(direction).map(|half| self.moments(&half, points));
+            (0..2).map(|k| (whole[k] - first[k] - second[k]).abs() / limit[k]).fold(0.0, f64::max)
         };
-        let worse =
-            [Direction::Along, Direction::Across].map(differ).into_iter().max_by(|a, b| a.0.total_cmp(&b.0));
-        match worse {
-            Some((off, halves, sums)) if off > 1.0 && depth > 0 => {
-                for (half, sum) in halves.into_iter().zip(sums) {
-                    self.split(half, sum, points, limit, depth - 1, out);
-                }
-            }
-            _ => out.push(patch),
-        }
+        let [along, across] = [Direction::Along, Direction::Across].map(off);
+        let worse = if across > along { Direction::Across } else { Direction::Along };
+        (along.max(across) > 1.0).then_some(worse)
     }
 
     /// ∫ h dA and ∫ h² dA over what of a patch is before the plane.
@@ -130,22 +123,20 @@ impl Front {
         if grid.high() <= 0.0 {
             return;
         }
-        match grid.straightest() {
-            None if depth > 0 => {
-                for quarter in patch.halves(Direction::Along).iter().flat_map(|p| p.halves(Direction::Across))
-                {
-                    self.add(&quarter, points, Grid::of(&quarter, self), depth - 1, out);
-                }
+        let direction = grid.straightest();
+        if direction.is_none() && depth > 0 {
+            let halves = patch.halves(Direction::Along);
+            for quarter in halves.iter().flat_map(|half| half.halves(Direction::Across)) {
+                self.add(&quarter, points, Grid::of(&quarter, self), depth - 1, out);
             }
-            direction => {
-                let lines = direction.map_or(Lines::Winding(Direction::Along), Lines::Plain);
-                let heights = |x: &Node| [self.height(x), 1.0, 1.0];
-                let nodes = &mut out.nodes;
-                out.evaluations += seen(patch, lines, points, &heights, |x, factors| {
-                    nodes.push((*x, factors.iter().product()));
-                });
-            }
+            return;
         }
+        let lines = direction.map_or(Lines::Winding(Direction::Along), Lines::Plain);
+        let heights = |x: &Node| [self.height(x), 1.0, 1.0];
+        let Nodes { nodes, evaluations } = out;
+        *evaluations += seen(patch, lines, points, &heights, |x, factors| {
+            nodes.push((*x, factors.iter().product()));
+        });
     }
 }
 
@@ -206,5 +197,56 @@ impl Grid {
             .into_iter()
             .filter(|direction| self.lines(*direction).all(is_monotone))
             .min_by(|a, b| self.bend(*a).total_cmp(&self.bend(*b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::sync::Arc;
+
+    use radiosity_geom::shapes::{Disk, FULL_TURN};
+    use radiosity_geom::{DVec3, Rect, Surface};
+
+    /// A quarter of the unit disk in z = 0, from angle 0 on.
+    fn quarter() -> Patch {
+        let disk = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a disk");
+        let disk: Arc<dyn Surface> = Arc::new(disk);
+        let start = disk.invert(DVec3::X).expect("it is on the rim")[0];
+        Patch::curved(disk, &Rect { u: [start.min(0.0), start.min(0.0) + 0.5], v: [-1.0, 1.0] })
+    }
+
+    /// Of the quarter x² + y² < 1 the part with x > d has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA there is
+    /// ⅓ (1 − d²)^(3/2) − d times that.
+    #[test]
+    fn segments_of_a_disk_have_their_area_and_moment() {
+        for d in [0.5f64, 0.1, 0.01] {
+            let quarter = quarter();
+            let middle = quarter.node(0.5, 0.5).position;
+            let normal = DVec3::new(middle.x.signum(), 0.0, 0.0);
+            let front = Front::of((d * normal, normal));
+            let root = (1.0 - d * d).sqrt();
+            let area = 0.5 * (d.acos() - d * root);
+            let moment = root.powi(3) / 3.0 - d * area;
+            let parts = front.parts(&quarter, [10; 2], 1e-9);
+            let nodes: Vec<(Node, f64)> =
+                parts.iter().flat_map(|part| front.nodes(part, [10; 2]).nodes).collect();
+            let sum = |value: &dyn Fn(&Node) -> f64| nodes.iter().map(|(x, w)| w * value(x)).sum::<f64>();
+            let found = [sum(&|_| 1.0), sum(&|x| front.height(x))];
+            assert!((found[0] / area - 1.0).abs() < 1e-7, "{d}: {} for {area}", found[0]);
+            assert!((found[1] / moment - 1.0).abs() < 1e-8, "{d}: {} for {moment}", found[1]);
+        }
+    }
+
+    #[test]
+    fn what_is_before_the_plane_keeps_its_rule() {
+        let quarter = quarter();
+        let far = Front::of((-2.0 * DVec3::X, DVec3::X));
+        assert!(!far.cuts(&quarter));
+        let [cut, plain] = [far.nodes(&quarter, [3; 2]), Nodes::of(&quarter, [3; 2])].map(|rule| rule.nodes);
+        assert!(cut.iter().zip(&plain).all(|((x, v), (y, w))| x.position == y.position && v == w));
+        let behind = Front::of((2.0 * DVec3::X, DVec3::X));
+        assert!(behind.cuts(&quarter) && behind.nodes(&quarter, [3; 2]).nodes.is_empty());
     }
 }

@@ -10,20 +10,21 @@ use super::view::{HEIGHTS, Heights};
 /// Places by which roots are bracketed.
 const PLACES: usize = 6;
 
-/// How heights change along lines of one direction.
+/// Lines of one direction, by how heights change along them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lines {
-    /// Each has one root on a line at the most.
+    /// A height has one root on a line at the most.
     Plain(Direction),
-    /// They may have any.
+    /// It may have any number.
     Winding(Direction),
 }
 
-/// Factors of the weight of a node in area.
+/// Factors of the weight of a node in area: the patch's own, those of the rules over and along lines, and of their stretches.
 pub(super) type Factors = [f64; 5];
 
 /// Hands the nodes of a rule on what is seen of a patch to `take`, with their weights; returns the number of evaluations.
-/// The rule has so many points along and across, and runs along `lines`.
+/// The rule has so many points along and across and runs along `lines`, which are taken apart where a height vanishes at their
+/// ends.
 pub(super) fn seen(
     patch: &Patch,
     lines: Lines,
@@ -108,6 +109,9 @@ fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
                 brackets.push(([place(k - 1), place(k)], [low, high]));
             }
         }
+        let between =
+            |k: &usize| values[k - 1][which] * values[k + 1][which] < 0.0 && values[*k][which] == 0.0;
+        out.extend((1..PLACES - 1).filter(between).map(place));
         // Two roots between neighbours of one sign: at the vertex of the parabola through three the sign may differ.
         for k in 1..PLACES - 1 {
             let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
@@ -154,4 +158,35 @@ fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evalua
 /// The stretches between sorted breaks.
 fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use radiosity_geom::DVec3;
+
+    /// The area that a rule of four points a direction finds before h > 0 in the unit square.
+    fn area(lines: Lines, h: impl Fn(DVec3) -> f64) -> f64 {
+        let corners = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
+        let square = Patch::Flat { corners, normal: DVec3::Z };
+        let mut sum = 0.0;
+        seen(&square, lines, [4; 2], &|x| [h(x.position), 1.0, 1.0], |_, factors| {
+            sum += factors.iter().product::<f64>();
+        });
+        sum
+    }
+
+    #[test]
+    fn a_corner_is_cut_off_where_the_horizon_leaves_through_a_side() {
+        let found = area(Lines::Plain(Direction::Along), |x| x.x + x.y - 0.5);
+        assert!((found - 0.875).abs() < 1e-9, "{found}");
+    }
+
+    #[test]
+    fn lines_that_are_seen_amid_or_at_both_ends_are_seen_there() {
+        let amid = area(Lines::Winding(Direction::Along), |x| (x.x - 0.35) * (0.6 - x.x));
+        let ends = area(Lines::Winding(Direction::Along), |x| (x.x - 0.35) * (x.x - 0.6));
+        assert!((amid - 0.25).abs() < 1e-9 && (ends - 0.75).abs() < 1e-9, "{amid} {ends}");
+    }
 }
