@@ -37,7 +37,7 @@ const SETTLED: f64 = 1e-9;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checks {
     /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums,
-    /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]).
+    /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]), and if nothing lies on them.
     pub closure_max: f64,
     /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j); 0 where each pair is integrated once, that is by all rules but those
     /// of 1993.
@@ -65,7 +65,9 @@ impl Checks {
         let ones = solution.elements().constant();
         let transported = blocks.apply(&ones);
         let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
-        let complete: Vec<usize> = (0..list.len()).filter(|i| blocks.is_complete(*i)).collect();
+        // What is covered sees what covers it, exactly, or nothing.
+        let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();
+        let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
         let kept = blocks.apply_transposed(&ones);
         let lost: Vec<f64> = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();

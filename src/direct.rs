@@ -79,7 +79,7 @@ impl<'a> DirectLight<'a> {
             |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
-        let is_whole = |element: &Element| element.rect == Rect::FULL;
+        let is_whole = |element: &Element| element.rect == Rect::FULL && element.contact.is_none();
         let lamp = |Emitter { element, .. }: &Emitter| {
             let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
             Lamp::new(visibility, element.surface)

@@ -61,6 +61,9 @@ impl Squares {
         let mut sum = Self::default();
         for other in solution.elements().of_surface(fine.surface) {
             let coarse = &solution.elements().list()[other];
+            if coarse.contact != fine.contact {
+                continue;
+            }
             let degree = fine.basis.total_degree().max(coarse.basis.total_degree());
             for patch in reference.elements().patches_over(element, &coarse.rect) {
                 for_each_point(&patch, degree, |node, weight| {

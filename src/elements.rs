@@ -1,7 +1,7 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
 //! A planar element is any polygon, holes and footings left out, with polynomials of order N in affine
-//! coordinates of its plane; a curved element is a rectangle of its surface's parameters, with
+//! coordinates of its plane; what others lie on ([`crate::covers`]) are elements of their own; a curved element is a rectangle of its surface's parameters, with
 //! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
 //! an element is covered by [`patch`]es.
 
@@ -22,15 +22,16 @@ pub mod spectrum;
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, Rect, Surface};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, Rect, Surface, overhang, touching};
 use serde::{Deserialize, Serialize};
 
+use crate::covers::{self, Cover, covers};
 use crate::footings::bare_shapes;
 use crate::scene::{Scene, SceneSurface};
 use basis::HIGHEST_ORDER;
 use cells::{Layers, breaks, cells_between, interval};
-use element::element;
 pub use element::{Element, clip_to_cell};
+use element::{Part, element};
 pub use fault::ElementError;
 use patch::Patch;
 use space::Space;
@@ -77,12 +78,31 @@ pub struct Elements {
     how: Discretization,
 }
 
-/// How one surface was cut: ends of the cells along u and v, and the element of each cell.
+/// How one surface was cut: ends of the cells along u and v, the element of each cell, and those of its covered parts.
 #[derive(Debug)]
 struct Cut {
     shape: Arc<dyn Surface>,
     breaks: [Vec<f64>; 2],
     element: Vec<Option<usize>>,
+    /// The parts on which others lie.
+    covered: Vec<Covered>,
+}
+
+/// A part of a surface on which another lies, and its element.
+#[derive(Debug)]
+struct Covered {
+    pieces: Vec<Vec<DVec3>>,
+    /// Unit normal of the surface.
+    normal: DVec3,
+    /// Points nearer to it count as in it (scene length).
+    tolerance: f64,
+    element: usize,
+}
+
+impl Covered {
+    fn contains(&self, x: DVec3) -> bool {
+        self.pieces.iter().any(|piece| overhang(piece, self.normal, x) <= self.tolerance)
+    }
 }
 
 impl Elements {
@@ -91,7 +111,7 @@ impl Elements {
     /// # Errors
     /// A degree out of range, or a surface without area at the degree asked.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, bare_shapes(scene))
+        Self::of_shapes(scene, how, bare_shapes(scene), &covers(scene))
     }
 
     /// Cuts `scene` as `how` says, the surfaces whole whatever stands on them.
@@ -99,13 +119,15 @@ impl Elements {
     /// # Errors
     /// Those of [`Elements::new`].
     pub fn of_whole_surfaces(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect())
+        let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
+        Self::of_shapes(scene, how, whole, &[])
     }
 
     fn of_shapes(
         scene: &Scene,
         how: &Discretization,
         shapes: Vec<Arc<dyn Surface>>,
+        covers: &[Cover],
     ) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
@@ -119,15 +141,50 @@ impl Elements {
             }
             let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
             let breaks = parts.map(|parts| breaks(parts, how.layers));
-            let mut cut = Cut { shape, breaks, element: Vec::new() };
-            for rect in cells_between(&cut.breaks) {
-                let element = element((index, surface), &cut.shape, rect, (how.space, order))?;
-                cut.element.push(element.is_some().then_some(elements.list.len()));
-                elements.list.extend(element);
-            }
+            let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
+            let cut = elements.cut((index, surface), shape, breaks, &own, order)?;
             elements.surfaces.push(cut);
         }
         Ok(elements)
+    }
+
+    /// Cuts one surface into the cells between `breaks` and its `covers`.
+    fn cut(
+        &mut self,
+        surface: (usize, &SceneSurface),
+        shape: Arc<dyn Surface>,
+        breaks: [Vec<f64>; 2],
+        covers: &[&Cover],
+        order: usize,
+    ) -> Result<Cut, ElementError> {
+        let space = self.how.space;
+        // Where others lie on a surface, what is left of a cell may be a sliver: a constant does there.
+        let made = |part: Part| match element(surface, part, (space, order)) {
+            Err(ElementError::Thin { .. }) if !covers.is_empty() => element(surface, part, (space, 0)),
+            made => made,
+        };
+        let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, covers));
+        let mut cut = Cut { shape: Arc::clone(&shape), element: Vec::new(), covered: Vec::new(), breaks };
+        for rect in cells_between(&cut.breaks) {
+            let found = made(Part { shape: &shape, pieces: &pieces, rect, contact: None })?;
+            cut.element.push(self.push(found));
+        }
+        for Cover { pieces, contact, .. } in covers {
+            let found = made(Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) })?;
+            let tolerance = found.as_ref().map_or(0.0, |element| touching(element.extent, 0.0));
+            let normal =
+                found.as_ref().and_then(|element| element.plane).map_or(DVec3::ZERO, |plane| plane.1);
+            let covered = |element| Covered { pieces: pieces.clone(), normal, tolerance, element };
+            cut.covered.extend(self.push(found).map(covered));
+        }
+        Ok(cut)
+    }
+
+    /// Adds an element to the list. Returns its place.
+    fn push(&mut self, element: Option<Element>) -> Option<usize> {
+        let place = element.is_some().then_some(self.list.len());
+        self.list.extend(element);
+        place
     }
 
     /// How the scene was cut.
@@ -150,15 +207,22 @@ impl Elements {
     /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
     pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
         let cut = &self.surfaces[surface];
+        if let Some(covered) = cut.covered_at([u, v]) {
+            return Some(covered.element);
+        }
         let columns = cut.breaks[1].len() - 1;
         cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
     }
 
     /// The element on the other side of the seam at (u, v), a little further in direction `step`; None
-    /// at the border of the surface and inside its holes.
+    /// at the border of the surface, inside its holes and where another surface lies on it.
     pub fn across_seam(&self, surface: usize, [u, v]: [f64; 2], step: [f64; 2]) -> Option<usize> {
         let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
         let shape = self.shape(surface);
+        let cut = &self.surfaces[surface];
+        if [[u, v], beyond].iter().any(|place| cut.covered_at(*place).is_some()) {
+            return None;
+        }
         let covered = shape.region().is_none_or(|region| region.contains(shape.jet(u, v).position));
         if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
     }
@@ -196,6 +260,24 @@ impl Elements {
     }
 }
 
+impl Cut {
+    /// The covered part at (u, v).
+    fn covered_at(&self, [u, v]: [f64; 2]) -> Option<&Covered> {
+        let position = (!self.covered.is_empty()).then(|| self.shape.jet(u, v).position)?;
+        self.covered.iter().find(|covered| covered.contains(position))
+    }
+}
+
+/// Share of a surface below which what covers leave of it is rounding.
+const LEAST: f64 = 1e-6;
+
+/// Convex pieces of what `covers` leave of a flat surface.
+fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
+    let whole = region.convex_pieces().to_vec();
+    let open = covers::without(whole, covers.iter().copied(), region.normal());
+    if covers::area(&open) > LEAST * region.area() { open } else { Vec::new() }
+}
+
 fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
     let (u, v) = (common(a.u, b.u), common(a.v, b.v));
@@ -214,13 +296,15 @@ pub struct CutSize {
 /// How many elements and functions [`Elements::new`] makes of each surface at the most; makes none.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let extent = scene_extent(scene);
-    let size = |surface: &SceneSurface| {
+    let covers = covers(scene);
+    let size = |(index, surface): (usize, &SceneSurface)| {
         let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
         let [along, across] = parts.map(|parts| (parts + 2 * how.layers.count) as u64);
         let order = surface.order.unwrap_or(how.order);
-        CutSize { elements: along * across, functions: how.space.count(order) as u64 }
+        let covered = covers::of_surface(&covers, index).count() as u64;
+        CutSize { elements: along * across + covered, functions: how.space.count(order) as u64 }
     };
-    scene.surfaces.iter().map(size).collect()
+    scene.surfaces.iter().enumerate().map(size).collect()
 }
 
 fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {

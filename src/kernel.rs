@@ -16,6 +16,7 @@ mod change;
 mod chart;
 mod clip;
 mod congruent;
+mod contact;
 mod contour;
 mod counts;
 mod curved;

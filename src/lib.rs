@@ -47,6 +47,7 @@ pub mod rows;
 pub mod scene;
 pub mod visibility;
 pub mod footings;
+pub mod covers;
 pub mod inspection;
 pub mod elements;
 pub mod coating;

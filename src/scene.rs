@@ -13,7 +13,7 @@ mod draft;
 mod error;
 mod fields;
 mod fitted;
-mod gap;
+pub(crate) mod gap;
 mod file;
 mod json_text;
 mod language;

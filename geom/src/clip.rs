@@ -41,6 +41,31 @@ pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3
     if inside || coplanar { kept } else { Vec::new() }
 }
 
+/// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs counter-clockwise. Fewer than
+/// three vertices remain where they share no area.
+pub fn intersection(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVec3> {
+    sides(clip).fold(polygon.to_vec(), |rest, [from, to]| clip_polygon(&rest, from, normal.cross(to - from)))
+}
+
+/// What of a convex `polygon` lies beside another, `hole`, seen along `normal`, about which `hole` runs counter-clockwise: convex
+/// parts that do not overlap. The polygon itself where the two share no area.
+pub fn difference(polygon: &[DVec3], hole: &[DVec3], normal: DVec3) -> Vec<Vec<DVec3>> {
+    let (mut beside, mut rest) = (Vec::new(), polygon.to_vec());
+    for [from, to] in sides(hole) {
+        let inward = normal.cross(to - from);
+        beside.extend(Some(clip_polygon(&rest, from, -inward)).filter(|part| part.len() > 2));
+        rest = clip_polygon(&rest, from, inward);
+        if rest.len() < 3 {
+            return vec![polygon.to_vec()];
+        }
+    }
+    beside
+}
+
+fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + '_ {
+    polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(from, to)| [*from, *to])
+}
+
 /// Area of a planar polygon, convex or not (length²).
 pub fn polygon_area(polygon: &[DVec3]) -> f64 {
     let fan = polygon.windows(2).map(|edge| (edge[0] - polygon[0]).cross(edge[1] - polygon[0]));
@@ -72,6 +97,28 @@ mod tests {
         fn overhang_of_a_square_is_the_larger_of_two_distances(x in -2.0f64..3.0, y in -2.0f64..3.0) {
             let exact = (-x).max(x - 1.0).max(-y).max(y - 1.0);
             prop_assert!((overhang(&square(), DVec3::Z, DVec3::new(x, y, 0.0)) - exact).abs() < 1e-15);
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn what_lies_in_another_and_beside_it_adds_up(
+            x in -0.5f64..1.2, y in -0.5f64..1.2, size in 0.01f64..1.5, angle in 0.0f64..6.3,
+        ) {
+            let turned = |k: usize| {
+                let angle = angle + k as f64 * core::f64::consts::TAU / 5.0;
+                DVec3::new(x + size * angle.cos(), y + size * angle.sin(), 0.3)
+            };
+            let hole: Vec<DVec3> = (0..5).map(turned).collect();
+            let inside = intersection(&square(), &hole, DVec3::Z);
+            let beside = difference(&square(), &hole, DVec3::Z);
+            let sum = polygon_area(&inside) + beside.iter().map(|part| polygon_area(part)).sum::<f64>();
+            prop_assert!((sum - 1.0).abs() < 1e-14);
+            prop_assert!(inside.iter().all(|x| overhang(&hole, DVec3::Z, *x) < 1e-12));
+            for part in &beside {
+                let middle = part.iter().sum::<DVec3>() / part.len() as f64;
+                prop_assert!(inside.len() < 3 || overhang(&hole, DVec3::Z, middle) > -1e-12);
+            }
         }
     }
 

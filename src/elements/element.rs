@@ -35,6 +35,8 @@ pub struct Element {
     pub hull: Vec<DVec3>,
     /// Diagonal of its bounding box (scene length).
     pub extent: f64,
+    /// The contact that covers it, if one does ([`crate::covers`]).
+    pub contact: Option<usize>,
 }
 
 impl Element {
@@ -78,22 +80,34 @@ impl Element {
     }
 }
 
-/// The element of one cell of a surface, whose shape is `shape`; None where the cell lies in a hole.
+/// What an element is made of.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Part<'a> {
+    /// The shape of its surface.
+    pub shape: &'a Arc<dyn Surface>,
+    /// Convex pieces that it lies in, where the surface is flat.
+    pub pieces: &'a [Vec<DVec3>],
+    /// The parameters it covers, as far as the pieces reach.
+    pub rect: Rect,
+    /// The contact that covers it.
+    pub contact: Option<usize>,
+}
+
+/// The element of one part of a surface; None where nothing of it is left.
 pub(super) fn element(
     (index, surface): (usize, &SceneSurface),
-    shape: &Arc<dyn Surface>,
-    rect: Rect,
+    Part { shape, pieces, rect, contact }: Part,
     (space, order): (Space, usize),
 ) -> Result<Option<Element>, ElementError> {
     let thin = || ElementError::Thin { surface: surface.name.clone(), order };
     let (patches, plane) = match shape.region() {
-        Some(region) => flat_patches(shape, region.convex_pieces(), region.area(), &rect),
+        Some(region) => flat_patches(shape, pieces, region.area(), &rect),
         None => (vec![Patch::curved(Arc::clone(shape), &rect)], None),
     };
     if patches.is_empty() {
         return Ok(None);
     }
-    let frame = frame(shape.as_ref(), &patches, plane, &rect);
+    let frame = frame(shape.as_ref(), &patches, plane, (&rect, contact.is_some()));
     let measure = Measure::new(&patches, space.chart_degree(order, &patches));
     let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
     let area = measure.area();
@@ -106,7 +120,7 @@ pub(super) fn element(
         None => shape.hull(&rect),
     };
     let extent = Aabb::around(hull.iter().copied()).diagonal();
-    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent }))
+    Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent, contact }))
 }
 
 fn flat_patches(
@@ -126,10 +140,16 @@ fn flat_patches(
     (patches, Some((jet.position, jet.normal)))
 }
 
-fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, rect: &Rect) -> Frame {
+/// The frame of the patches of a cell; `is_cover` where they are no cell, but any part of a surface.
+fn frame(
+    shape: &dyn Surface,
+    patches: &[Patch],
+    plane: Option<(DVec3, DVec3)>,
+    (rect, is_cover): (&Rect, bool),
+) -> Frame {
     let [u, v] = rect.center();
     match plane {
-        Some(_) => {
+        Some((_, normal)) => {
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
             let jet = shape.jet(u, v);
             let parallel = |x: DVec3, y: DVec3| x.cross(y).length() <= 1e-9 * x.length() * y.length();
@@ -140,6 +160,7 @@ fn frame(shape: &dyn Surface, patches: &[Patch], plane: Option<(DVec3, DVec3)>, 
                     let along = |d: DVec3| own.iter().any(|side| parallel(d, *side));
                     if along(jet.du) && along(jet.dv) { [jet.du, jet.dv] } else { own }
                 }
+                _ if is_cover => return Frame::along_diameter(&corners, normal),
                 _ => [jet.du, jet.dv],
             };
             Frame::bounding(&corners, sides)

@@ -21,6 +21,7 @@ use crate::visibility::Visibility;
 use super::block::{self, Accuracy, Block};
 use super::blocks::Blocks;
 use super::congruent::{Panel, Pose};
+use super::contact;
 use super::counts::PairCounts;
 use super::curved;
 use super::obstruction::{Hidden, Obstruction};
@@ -76,6 +77,21 @@ struct Task {
     blockers: Vec<usize>,
     /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
     own: Vec<usize>,
+}
+
+impl Task {
+    /// Of two elements that cover each other: the block is known.
+    fn of_contact(row: usize, column: usize) -> Self {
+        Self {
+            row: row as u32,
+            column: column as u32,
+            entries: [1.0; 2],
+            rough: 1.0,
+            hash: None,
+            blockers: Vec::new(),
+            own: Vec::new(),
+        }
+    }
 }
 
 /// What sorting makes of a pair.
@@ -176,8 +192,14 @@ impl Scene<'_> {
         if let Some(skipped) = self.planes_exchange_nothing(row, column) {
             return skipped;
         }
+        if receiver.contact != emitter.contact {
+            return Sorted::Hidden;
+        }
         if !(self.wanted)(row, column) {
             return Sorted::Black;
+        }
+        if receiver.contact.is_some() {
+            return Sorted::Task(Task::of_contact(row, column));
         }
         let surfaces = [receiver.surface, emitter.surface];
         let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
@@ -343,6 +365,9 @@ impl Scene<'_> {
     /// The block of a task between two elements, the outer one first.
     fn block_of(&self, places: [usize; 2], task: &Task, goal: Goal) -> Block {
         let pair @ [receiver, emitter] = places.map(|index| &self.list[index]);
+        if receiver.contact.is_some() {
+            return contact::block(receiver, emitter);
+        }
         let is_flat = pair.iter().all(|element| element.plane.is_some());
         let block = |blockers: &[usize]| match is_flat {
             true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat)),

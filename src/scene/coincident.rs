@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, clip_polygon, polygon_area, touching};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, intersection, polygon_area, touching};
 
 /// Distance, relative to the smaller extent, below which points of curved surfaces are the same.
 const SAME: f64 = 1e-9;
@@ -87,13 +87,7 @@ fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
 pub(super) fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
     let (ours, theirs) = (a.convex_pieces(), b.convex_pieces());
     let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
-    pairs.map(|(our, their)| polygon_area(&clip_to(our, their, b.normal()))).sum()
-}
-
-/// The part of convex `polygon` inside convex `clip`, which runs counter-clockwise about `normal`.
-fn clip_to(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVec3> {
-    let edges = clip.iter().zip(clip.iter().cycle().skip(1));
-    edges.fold(polygon.to_vec(), |rest, (from, to)| clip_polygon(&rest, *from, normal.cross(*to - *from)))
+    pairs.map(|(our, their)| polygon_area(&intersection(our, their, b.normal()))).sum()
 }
 
 /// Whether some of `a`, more than a line of it, lies in `b`.

@@ -11,6 +11,15 @@ const OF_SMALLER: f64 = 2e-8;
 const OF_LARGER: f64 = 4e-9;
 const MOST: f64 = 1e-5;
 
+/// Gaps that carry nothing to the sides, in multiples of the least: sheets that were set apart, several on each other, too.
+const CLOSED: f64 = 4.0;
+
+/// The gap between sheets with these extents up to which one covers the other: what they see past each other is below 1e-4
+/// of what they exchange, and of sheets of like sizes below 1e-6 (scene length).
+pub(crate) fn closed(a: f64, b: f64) -> f64 {
+    CLOSED * least(a, b)
+}
+
 /// The least gap between sheets with these extents (scene length).
 pub(super) fn least(a: f64, b: f64) -> f64 {
     let (small, large) = (a.min(b), a.max(b));

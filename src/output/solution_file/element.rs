@@ -21,6 +21,9 @@ pub(super) struct SavedElement {
     surface: String,
     /// Parameter rectangle [[u0, u1], [v0, v1]].
     rectangle: [[f64; 2]; 2],
+    /// Whether it is the part of the surface on which another lies, and not of the rest.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    covered: bool,
     order: usize,
     basis: Basis,
     frame: SavedFrame,
@@ -82,6 +85,7 @@ fn saved(
     SavedElement {
         surface: scene.surfaces[element.surface].name.clone(),
         rectangle: [element.rect.u, element.rect.v],
+        covered: element.contact.is_some(),
         order: element.basis.order(),
         basis: element.basis.space().into(),
         frame: element.basis.frame().into(),
@@ -103,6 +107,7 @@ impl SavedElement {
         let fits = |holds: bool, what| if holds { Ok(()) } else { Err(Mismatch(what)) };
         fits(self.surface == surface.name, "the surface")?;
         fits(self.rectangle == [element.rect.u, element.rect.v], "the rectangle")?;
+        fits(self.covered == element.contact.is_some(), "the parts that others lie on")?;
         fits(self.order == element.basis.order(), "the order")?;
         fits(self.basis == element.basis.space().into(), "the basis")?;
         fits(same(&[self.area], &[element.area]), "the area")?;

@@ -1,0 +1,119 @@
+//! What lies on a surface, and what it covers of it, exchange light with each other alone.
+
+use proptest::prelude::*;
+use radiosity::covers::covers;
+use radiosity::elements::{Discretization, Elements};
+use radiosity::scene::{Material, Scene, SceneBuilder};
+use radiosity::solve::{Direct, Options, solve};
+use radiosity_geom::polygon_area;
+use radiosity_geom::shapes::Polygon;
+
+use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, turned};
+
+fn built(sheets: &[Sheet]) -> Scene {
+    scene(sheets).expect("a scene")
+}
+
+/// The room of these sheets, whose ceiling alone shines.
+fn lit(sheets: &[Sheet]) -> Scene {
+    let mut scene = SceneBuilder::new("lit", ["grey"]);
+    let grey = scene.material("grey", Material::new(vec![0.5], vec![0.0]).expect("a material"));
+    let lamp = scene.material("lamp", Material::new(vec![0.5], vec![1.0]).expect("a material"));
+    for sheet in sheets {
+        let material = if sheet.name == "room-top" { &lamp } else { &grey };
+        scene.surface(
+            &sheet.name,
+            Polygon::new(sheet.corners.clone(), Vec::new()).expect("a polygon"),
+            material,
+        );
+    }
+    scene.build().expect("a scene")
+}
+
+/// The mean irradiance of every surface but the floor and the bottom of the box.
+fn irradiances(sheets: &[Sheet]) -> Vec<f64> {
+    let scene = lit(sheets);
+    let options = Options {
+        order: 2,
+        subdivide: Some(1),
+        eps: 1e-6,
+        shadow_eps: 1e-5,
+        direct: Direct::Projected,
+        ..Options::default()
+    };
+    let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+    assert!(outcome.checks.row_sum_min > 0.999 && outcome.checks.row_sum_max < 1.001, "{:?}", outcome.checks);
+    let others = scene.surfaces.iter().enumerate().filter(|(_, surface)| !surface.name.ends_with("bottom"));
+    others.map(|(index, _)| outcome.solution.mean_irradiance(0, index)).collect()
+}
+
+#[test]
+fn a_box_lights_a_room_alike_with_and_without_a_bottom() {
+    let boxes = [
+        ("on the floor", [1.3, 1.0, 0.0], [2.3, 1.8, 0.6]),
+        ("at a wall", [0.0, 1.0, 0.0], [0.7, 1.8, 0.6]),
+        ("in a corner", [0.0; 3], [0.7, 0.8, 0.5]),
+    ];
+    for (place, low, high) in boxes {
+        // Sides at walls lie on them as the bottom lies on the floor; without them walls end at the box.
+        let touching: Vec<&str> = [("bottom", low[2]), ("x0", low[0]), ("y0", low[1])]
+            .iter()
+            .filter(|x| x.1 == 0.0)
+            .map(|x| x.0)
+            .collect();
+        let with = |open: &[&str]| [room(), cuboid("box", low, high, open)].concat();
+        let (closed, open) = (with(&[]), with(&touching));
+        let kept = |sheets: &[Sheet], values: Vec<f64>| -> Vec<f64> {
+            let names = sheets.iter().map(|sheet| &sheet.name).filter(|name| !name.ends_with("bottom"));
+            // Walls that are covered count as a whole in one and without what is covered in the other.
+            let plain = |name: &&String| !touching.iter().any(|face| name.ends_with(face));
+            names.zip(values).filter(|(name, _)| plain(name)).map(|(_, value)| value).collect()
+        };
+        let (a, b) = (kept(&closed, irradiances(&closed)), kept(&open, irradiances(&open)));
+        let worst = a.iter().zip(&b).map(|(x, y)| (x - y).abs() / y).fold(0.0, f64::max);
+        println!("box {place}: {worst:.1e}");
+        assert!(a.len() == b.len() && worst < 1e-5, "box {place}: {worst:e}");
+    }
+}
+
+#[test]
+fn a_bottom_sees_the_floor_and_nothing_else() {
+    let sheets =
+        [room(), turned(cuboid("box", [1.3, 1.0, 0.0], [2.3, 1.8, 0.6], &[]), [1.8, 1.4], 0.3)].concat();
+    let found = factors(&built(&sheets));
+    let place = |name: &str| found.names.iter().position(|own| own == name).expect("it is there");
+    let (floor, bottom) = (place("room-bottom"), place("box-bottom"));
+    assert!((found.factor(bottom, floor) - 1.0).abs() < 1e-12);
+    assert!((found.factor(floor, bottom) - 0.8 / 14.0).abs() < 1e-12);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    /// Plates of two sides that overlap: parts and rest make up each surface, and rows add up.
+    #[test]
+    fn parts_and_rest_make_up_every_surface(
+        places in prop::collection::vec((0.8f64..2.0, 0.8f64..1.6, 0.2f64..1.0, 0.2f64..1.0), 1..4),
+        angle in 0.0f64..0.3,
+    ) {
+        let layer = |(k, (x, y, a, b)): (usize, &(f64, f64, f64, f64))| {
+            let z = 3e-8 * (k + 1) as f64;
+            plate(&format!("plate-{k}"), &[[*x, *y, z], [x + a, *y, z], [x + a, y + b, z], [*x, y + b, z]])
+        };
+        let plates = places.iter().enumerate().map(layer).collect();
+        let sheets = [room(), turned(plates, [2.0, 1.7], angle)].concat();
+        let scene = built(&sheets);
+        let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("elements");
+        for (index, surface) in scene.surfaces.iter().enumerate() {
+            let whole = surface.shape.region().expect("flat").area();
+            let sum: f64 = elements.of_surface(index).map(|k| elements.list()[k].area).sum();
+            prop_assert!((sum / whole - 1.0).abs() < 1e-6, "{}: {sum} of {whole}", surface.name);
+        }
+        for cover in covers(&scene) {
+            let area: f64 = cover.pieces.iter().map(|piece| polygon_area(piece)).sum();
+            prop_assert!(area > 0.0);
+        }
+        let sums = factors(&scene).row_sums();
+        prop_assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 3e-3), "{sums:?}");
+    }
+}
