@@ -6,7 +6,7 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
-mod ball;
+pub(crate) mod ball;
 pub mod lambert;
 pub mod pyramid;
 pub mod exact;

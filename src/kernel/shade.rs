@@ -28,6 +28,7 @@ use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::visibility::Visibility;
+use crate::visibility::ball::Ball;
 use crate::visibility::exact::{inside_any, irradiance, irradiance_seen};
 use crate::visibility::pyramid::Corners;
 
@@ -151,6 +152,9 @@ struct Task<'a> {
     inner: &'a Element,
     /// The parts of the inner element that face the outer one.
     polygons: Vec<Vec<DVec3>>,
+    /// A ball around each of them, and one around all.
+    balls: Vec<Ball>,
+    ball: Ball,
     normal: DVec3,
     /// About the largest φ_k φ_l of the raw functions.
     unit: f64,
@@ -187,6 +191,8 @@ impl<'a> Task<'a> {
             side,
             outer,
             inner: other,
+            balls: inner.iter().map(|facet| Ball::around(&facet.corners)).collect(),
+            ball: Ball::around(&corners),
             polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
             normal,
             unit,
@@ -333,11 +339,11 @@ impl<'a> Work<'a> {
 
     /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; how much that is.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
-        let pyramids = self.task.visibility.pyramids(blockers, x.position);
+        let pyramids = self.task.visibility.pyramids(blockers, x.position, &self.task.ball);
         let (mut any, mut everything) = (false, true);
         for index in 0..self.task.polygons.len() {
             let Some(polygon) = self.seen_from(x, index) else { continue };
-            let (hidden, all) = inside_any(&polygon, &pyramids);
+            let (hidden, all) = inside_any(&polygon, &self.task.balls[index], &pyramids);
             everything &= all;
             any |= !hidden.is_empty();
             hidden.into_iter().for_each(|seen| self.gather(x, seen, out));

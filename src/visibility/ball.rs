@@ -2,23 +2,30 @@
 
 use radiosity_geom::{Aabb, DVec3};
 
+use super::rim::sides;
+
 /// Distances are taken for smaller by this part of the lengths they are computed from, against rounding.
 const ROUNDING: f64 = 1e-12;
 
 /// A ball around points, and thereby around their convex hull.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Ball {
+pub struct Ball {
     center: DVec3,
     radius: f64,
 }
 
 impl Ball {
     /// A ball around `points`, about the middle of their box.
-    pub(super) fn around(points: &[DVec3]) -> Self {
+    pub fn around(points: &[DVec3]) -> Self {
         let bounds = Aabb::around(points.iter().copied());
         let center = 0.5 * (bounds.min + bounds.max);
         let farthest = points.iter().map(|x| x.distance_squared(center)).fold(0.0, f64::max);
         Self { center, radius: farthest.sqrt() }
+    }
+
+    /// Its centre.
+    pub(super) fn center(&self) -> DVec3 {
+        self.center
     }
 
     /// Its radius.
@@ -47,6 +54,17 @@ impl Ball {
         let t = ((d.dot(a) + self.radius * radius) / length).clamp(0.0, 1.0);
         let rounding = ROUNDING * (a.length() + d.length() + self.radius);
         d.distance(t * a) > self.radius + t * radius + rounding
+    }
+
+    /// Whether a plane through `x` and a side of the convex polygon `piece` certainly has the piece on one side and all of the ball
+    /// on the other: the piece then hides nothing of it from x.
+    pub(super) fn is_beside(&self, piece: &[DVec3], x: DVec3) -> bool {
+        let (middle, center) = (piece.iter().sum::<DVec3>() / piece.len() as f64 - x, self.center - x);
+        sides(piece).any(|[a, b]| {
+            let normal = (a - x).cross(b - x);
+            let height = normal.dot(center) * -normal.dot(middle).signum();
+            height > 0.0 && height * height > self.radius * self.radius * normal.length_squared()
+        })
     }
 
     /// Of its centre from the segment from `x` to `y`, from below.

@@ -14,8 +14,9 @@
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
+use super::ball::Ball;
 use super::lambert;
-use super::pyramid::{Corners, Cover, Pyramid, cut_at_horizon};
+use super::pyramid::{Corners, Cover, Pyramid, cut_at_horizon, reach};
 
 /// Overlapping blockers up to which what they hide in common is subtracted and added.
 const FEW: usize = 4;
@@ -70,13 +71,15 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
 }
 
 /// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons seen from there that
-/// do not overlap; and whether that is all of it.
-pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
+/// do not overlap; and whether that is all of it. The polygon lies within `ball`.
+pub fn inside_any(polygon: &[DVec3], ball: &Ball, pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
     let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
     let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
-    for pyramid in pyramids {
-        match pyramid.cover_seen(&whole) {
+    // Of the whole, and so of all its parts.
+    let reach = reach(&whole);
+    for pyramid in pyramids.iter().filter(|pyramid| !pyramid.misses(ball)) {
+        match pyramid.cover_within(&whole, reach) {
             Cover::Clear => {}
             Cover::Hidden => return (vec![whole], true),
             Cover::Mixed => mixed.push(pyramid),
@@ -85,7 +88,8 @@ pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, boo
     let Some((last, others)) = mixed.split_last() else { return (Vec::new(), false) };
     let (mut hidden, mut rest) = (Vec::new(), vec![whole]);
     for pyramid in others {
-        let covers: SmallVec<[Cover; 16]> = rest.iter().map(|part| pyramid.cover_seen(part)).collect();
+        let covers: SmallVec<[Cover; 16]> =
+            rest.iter().map(|part| pyramid.cover_within(part, reach)).collect();
         if covers.iter().all(|cover| *cover == Cover::Clear) {
             continue;
         }
@@ -104,7 +108,7 @@ pub fn inside_any(polygon: &[DVec3], pyramids: &[Pyramid]) -> (Vec<Corners>, boo
     }
     let mut is_all = true;
     for part in rest {
-        let cover = last.cover_seen(&part);
+        let cover = last.cover_within(&part, reach);
         is_all &= cover == Cover::Hidden;
         match cover {
             Cover::Clear => {}

@@ -15,6 +15,8 @@ use core::iter;
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
+use super::ball::Ball;
+
 /// Points within this part of their distance from a bounding plane count as touching it.
 const TOUCHING: f64 = 1e-9;
 
@@ -70,7 +72,7 @@ pub(super) fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
 }
 
 /// Largest distance of corners from the point.
-fn reach(polygon: &[DVec3]) -> f64 {
+pub(super) fn reach(polygon: &[DVec3]) -> f64 {
     let longer =
         |longest: f64, a: &DVec3| if a.length_squared() > longest { a.length_squared() } else { longest };
     polygon.iter().fold(0.0, longer).sqrt()
@@ -176,6 +178,12 @@ impl Pyramid {
         Self { eye: x, planes }
     }
 
+    /// Whether one of its planes has all of a ball outside.
+    pub(super) fn misses(&self, ball: &Ball) -> bool {
+        let middle = ball.center() - self.eye;
+        self.planes.iter().any(|plane| plane.height(middle) <= -ball.radius())
+    }
+
     /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
     /// bounding plane lies outside it.
     pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
@@ -201,7 +209,7 @@ impl Pyramid {
             return Cover::Hidden;
         }
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
-        cover_by(open.into_iter(), &seen)
+        cover_by(open.into_iter(), &seen, reach(&seen))
     }
 
     /// Whether it hides a quadrilateral within `radius` of its middle; what merely touches a bounding plane lies outside it.
@@ -236,7 +244,12 @@ impl Pyramid {
 
     /// The same of points as seen from the eye.
     pub(super) fn cover_seen(&self, points: &[DVec3]) -> Cover {
-        cover_by(self.planes.iter(), points)
+        self.cover_within(points, reach(points))
+    }
+
+    /// The same of points no farther from the eye than `reach`.
+    pub(super) fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
+        cover_by(self.planes.iter(), points, reach)
     }
 
     /// Whether it hides the point `y`.
@@ -291,10 +304,9 @@ impl Pyramid {
     }
 }
 
-/// How the convex hull of points stands to the half-spaces of some planes together.
-fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3]) -> Cover {
-    let reach = points.iter().map(|a| a.length_squared()).fold(0.0, f64::max);
-    let tolerance = TOUCHING * reach.sqrt();
+/// How the convex hull of points no farther from the eye than `reach` stands to the half-spaces of some planes together.
+fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
+    let tolerance = TOUCHING * reach;
     let mut cover = Cover::Hidden;
     for plane in planes {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

@@ -73,10 +73,11 @@ impl Visibility {
         surfaces.iter().enumerate().filter(is_first).map(|(_, surface)| *surface).collect()
     }
 
-    /// What planar `surfaces`, one of each body, hide from `x`, bodies as a whole.
-    pub fn pyramids(&self, surfaces: &[usize], x: DVec3) -> Vec<Pyramid> {
+    /// What planar `surfaces`, one of each body, hide from `x` of things within `ball`, bodies as a whole.
+    pub fn pyramids(&self, surfaces: &[usize], x: DVec3, ball: &Ball) -> Vec<Pyramid> {
         let mut pyramids = Vec::with_capacity(surfaces.len());
-        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, |_| true, &mut pyramids));
+        let stands = |piece: &[DVec3]| !ball.is_beside(piece, x);
+        surfaces.iter().for_each(|surface| self.add_pyramids(*surface, x, stands, &mut pyramids));
         pyramids
     }
 

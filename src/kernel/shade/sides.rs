@@ -9,7 +9,7 @@ use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::kernel::clip::Facet;
 use crate::kernel::moments::Side;
-use crate::kernel::pair::polygon_distance;
+use crate::kernel::pair::{polygon_distance, segment_distance};
 use crate::kernel::sectors::sectors;
 use crate::visibility::Visibility;
 
@@ -84,7 +84,8 @@ fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Vi
     if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
 }
 
-/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane.
+/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane. What a side
+/// stands apart from has no jump along its line.
 fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
     let mut parts = vec![facet.clone()];
     for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {
@@ -92,7 +93,11 @@ fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<
         let height = |x: DVec3| (x - facet.corners[0]).dot(facet.normal).abs();
         for (a, b) in above.iter().copied().zip(above.iter().copied().cycle().skip(1)) {
             if height(a).max(height(b)) <= STANDING * a.distance(b) {
-                parts = parts.iter().flat_map(|part| halves(part, a, facet.normal.cross(b - a))).collect();
+                let across = facet.normal.cross(b - a);
+                let (beside, met): (Vec<Facet>, Vec<Facet>) = parts
+                    .into_iter()
+                    .partition(|part| segment_distance(&part.corners, [a, b]) > STANDING * a.distance(b));
+                parts = met.iter().flat_map(|part| halves(part, a, across)).chain(beside).collect();
             }
         }
     }
