@@ -29,7 +29,9 @@ fn distance(name: &str) -> f64 {
     let sum = |of: &dyn Fn(&[f64; 2], &[f64; 2]) -> f64| {
         clean.iter().zip(&found).map(|(a, b)| of(a, b)).sum::<f64>()
     };
-    (sum(&|a, b| a[1] * (a[0] - b[0]).powi(2)) / sum(&|a, _| a[1] * a[0] * a[0])).sqrt()
+    let relative = (sum(&|a, b| a[1] * (a[0] - b[0]).powi(2)) / sum(&|a, _| a[1] * a[0] * a[0])).sqrt();
+    println!("{name:18} {relative:.1e}");
+    relative
 }
 
 /// Mean radiosity in the first band and area of each surface.
@@ -55,11 +57,13 @@ fn solutions_of_rounded_scenes_are_the_same() {
 #[test]
 #[ignore = "the teapot and the temple take minutes"]
 fn solutions_of_rounded_curved_scenes_are_the_same() {
-    ["teapot", "temple"].into_iter().for_each(check);
+    // Adaptive rules decide otherwise here and there, at the accuracy of 1e-3 that is asked of blocks.
+    for name in ["teapot", "temple"] {
+        assert!(distance(name) < 3e-5, "{name}");
+    }
 }
 
 fn check(name: &str) {
     let relative = distance(name);
-    println!("{name:18} {relative:.1e}");
     assert!(relative < 1e-5, "{name}: {relative:e}");
 }
