@@ -4,9 +4,10 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, solve};
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 
 /// Blocks of the empty box, six elements: edge and face pairs, no shadows.
@@ -23,7 +24,7 @@ fn blocks_of_the_empty_box(criterion: &mut Criterion) {
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
         criterion.bench_function(&format!("blocks of the empty box, order {order}, eps {eps:e}"), |bench| {
-            bench.iter(|| Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+            bench.iter(|| transport::assemble(&elements, &visibility, accuracy, &|_, _| {}));
         });
     }
 }

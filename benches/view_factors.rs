@@ -6,8 +6,9 @@ use std::time::Instant;
 
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -107,7 +108,7 @@ fn assembled_box(_: &mut Criterion) {
         let start = Instant::now();
         let elements = Elements::new(&scene, &how).expect("a box has area");
         let cut = start.elapsed();
-        let blocks = pool.install(|| Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}));
+        let blocks = pool.install(|| transport::assemble(&elements, &visibility, accuracy, &|_, _| {}));
         println!(
             "blocks of the empty box, order 0, 16 × 16 cells per wall, {shadows:?}: elements {:.3} s, in all {:.3} s, \
              {} logarithms",

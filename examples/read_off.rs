@@ -14,14 +14,14 @@ mod words;
 use std::num::NonZeroUsize;
 use std::time::Instant;
 
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
 use serde_json::Value;
 
 use words::words;

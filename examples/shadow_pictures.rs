@@ -19,8 +19,6 @@ use std::fs::File;
 use std::io::{BufWriter, Result};
 use std::num::NonZeroUsize;
 
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
 use radiosity::output::difference::Difference;
 use radiosity::output::false_colour::false_colour;
 use radiosity::output::image::Image;
@@ -34,6 +32,8 @@ use radiosity::output::scale::Scale;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// Pixels across and down each picture, and rays along the side of a pixel.
 const SIZE: u32 = 176;

@@ -7,9 +7,10 @@
 use std::time::Instant;
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::in_threads;
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 
 fn main() {
@@ -31,7 +32,7 @@ fn measure(cuts: usize, order: usize, eps: f64) {
     let how = Discretization::uniform(order, cuts);
     let elements = Elements::new(&scene, &how).expect("a box has area");
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    let assemble = || Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let assemble = || transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
     let (blocks, seconds) = in_threads(1, || {
         let warm = assemble();
         let start = Instant::now();
@@ -66,7 +67,7 @@ quad = { vertices = [[0, 0, 1], [0, 1, 1], [1, 1, 1], [1, 0, 1]] }";
         let start = Instant::now();
         let mut samples = 0;
         for _ in 0..TIMES {
-            samples += Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {}).distinct;
+            samples += transport::assemble(&elements, &visibility, accuracy, &|_, _| {}).distinct;
         }
         (samples, start.elapsed().as_secs_f64())
     })

@@ -25,9 +25,9 @@ use serde::{Deserialize, Serialize};
 use crate::bounce::Bounce;
 use crate::coating::Coating;
 use crate::elements::Element;
-use crate::kernel::Blocks;
 use crate::solution::{Band, Place, Solution};
 use crate::system::Coefficients;
+use crate::transport::Blocks;
 
 /// Most power iterations, and the residual, relative to the eigenvalue, at which they end.
 const MOST_STEPS: usize = 40;

@@ -254,6 +254,16 @@ impl Elements {
         self.list.iter().flat_map(|element| &element.constant).copied().collect()
     }
 
+    /// Where the coefficients of each element start, and their number.
+    pub fn starts(&self) -> Vec<usize> {
+        let mut starts = vec![0];
+        starts.extend(self.list.iter().scan(0, |start, element| {
+            *start += element.basis.len();
+            Some(*start)
+        }));
+        starts
+    }
+
     /// Number of coefficients per band of all elements together.
     pub fn coefficients(&self) -> usize {
         self.list.iter().map(|element| element.basis.len()).sum()

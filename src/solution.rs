@@ -1,14 +1,14 @@
 //! The solution: polynomials of irradiance and radiosity on every element, per band.
 //!
 //! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻². Where direct light goes through shadow
-//! masks ([`crate::masked`]), E is that light plus the polynomials of the rest.
+//! masks ([`crate::zatz1993::masked_light`]), E is that light plus the polynomials of the rest.
 
 use radiosity_geom::DVec3;
 
 use crate::coating::Coating;
 use crate::elements::Elements;
-use crate::masked::MaskedLight;
 use crate::system::Coefficients;
+use crate::zatz1993::masked_light::MaskedLight;
 
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]

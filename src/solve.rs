@@ -16,12 +16,16 @@ use crate::elements::cells::Layers;
 use crate::elements::patch::Node;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
 use crate::footprint::Footprint;
-use crate::kernel::{Blocks, PairCounts, paper};
-use crate::masked::{MaskedLight, Setting};
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coefficients, System};
+use crate::transport;
+use crate::transport::Blocks;
+use crate::transport::PairCounts;
 use crate::visibility::{Shadows, Visibility};
+use crate::zatz1993::masked_light::MaskedLight;
+use crate::zatz1993::masked_light::Setting;
+use crate::zatz1993::transfers;
 
 pub use direct::Direct;
 pub use fit::Fit;
@@ -255,13 +259,14 @@ fn blocks(
 ) -> Result<Blocks, Failure> {
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let mut blocks = Blocks::assemble_senders(elements, &sends, visibility, options.accuracy(), progress);
+        let mut blocks =
+            transport::assemble_senders(elements, &sends, visibility, options.accuracy(), progress);
         if options.closure {
             blocks.close(&elements.constant());
         }
         return Ok(blocks);
     };
-    paper::assemble(elements, visibility, rules, paper::EXTRA_POINTS, progress)
+    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
 }
 

@@ -26,7 +26,7 @@ use radiosity_solvers::{Dense, Partition, SolveError};
 
 use crate::coating::Coating;
 use crate::elements::Element;
-use crate::kernel::Blocks;
+use crate::transport::Blocks;
 
 /// The system of one band.
 #[derive(Debug)]

@@ -18,9 +18,12 @@ use std::time::{Duration, Instant};
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, Elements, Subdivide};
-use crate::kernel::{Accuracy, Blocks, PairCounts};
 use crate::scene::Scene;
 use crate::solve::{Failure, in_threads};
+use crate::transport;
+use crate::transport::Accuracy;
+use crate::transport::Blocks;
+use crate::transport::PairCounts;
 use crate::visibility::{Hiding, Visibility};
 
 /// How well view factors are computed.
@@ -149,7 +152,7 @@ fn constants(
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let blocks = Blocks::assemble_pairs(&elements, &wanted, &visibility, accuracy, progress);
+    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, progress);
     Ok((elements, blocks))
 }
 

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::hint::black_box;
 use std::io::Write;
 
-use radiosity::kernel::{Accuracy, polygon_exchange};
 use radiosity::scene::Scene;
+use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::DVec3;

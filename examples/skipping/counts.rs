@@ -1,7 +1,7 @@
 //! Pairs by class, and the rays of a program that casts one per kernel sample.
 
-use radiosity::kernel::Blocks;
 use radiosity::solve::{Failure, Options, Outcome, solve};
+use radiosity::transport;
 use radiosity::visibility::{Shadows, Visibility};
 
 use crate::judged::is_taken;
@@ -32,7 +32,7 @@ fn naive_samples(subject: &Subject, pairs: usize) -> u64 {
     let wanted = |i, j| (sends(i) || sends(j)) && is_taken([i, j], elements.list().len(), every);
     let open = Visibility::new(scene, Shadows::Off);
     let accuracy = Options::default().accuracy();
-    every as u64 * Blocks::assemble_pairs(elements, &wanted, &open, accuracy, &|_, _| {}).samples
+    every as u64 * transport::assemble_pairs(elements, &wanted, &open, accuracy, &|_, _| {}).samples
 }
 
 /// A row of the table, less its name.

@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use cpu_time::ProcessTime;
-use radiosity::kernel::{Accuracy, Blocks};
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 
 use crate::naive;
@@ -120,7 +121,7 @@ impl<'a> Judged<'a> {
         let wanted =
             |i: usize, j: usize| is_taken([i, j], list.len(), self.every) && (self.all || is_apart(i, j));
         let start = ProcessTime::now();
-        let blocks = Blocks::assemble_pairs(elements, &wanted, &visibility, accuracy, &|_, _| {});
+        let blocks = transport::assemble_pairs(elements, &wanted, &visibility, accuracy, &|_, _| {});
         let seconds = start.elapsed().as_secs_f64();
         let rays = blocks.rays;
         Found {

@@ -1,9 +1,9 @@
 //! The scenes, the runs that are tried on each, and what their errors are measured against.
 
 use radiosity::elements::cells::Layers;
-use radiosity::kernel::paper::{Reading, Rules};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options};
+use radiosity::zatz1993::transfers::{Reading, Rules};
 
 /// A unit sphere under a square lamp that reflects nothing: the irradiance of the sphere is Lambert's form.
 const LIT_SPHERE: &str = "bands = [\"grey\"]

@@ -6,8 +6,6 @@ use std::io::{BufWriter, Write};
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
 use radiosity::output::difference::Difference;
 use radiosity::output::false_colour::false_colour;
 use radiosity::output::image::Image;
@@ -20,6 +18,8 @@ use radiosity::output::scale::Scale;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::Visibility;
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
 
 use crate::memory::megabytes;
 

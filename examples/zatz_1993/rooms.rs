@@ -5,12 +5,12 @@ use std::io::Write;
 use std::num::NonZeroUsize;
 
 use cpu_time::ProcessTime;
-use radiosity::kernel::paper::{Reading, Rules};
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity::visibility::Hiding;
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
+use radiosity::zatz1993::transfers::{Reading, Rules};
 use radiosity_solvers::method::Method;
 
 use crate::memory::megabytes;

@@ -3,8 +3,8 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// How masks are made.
 #[derive(Debug, Args)]

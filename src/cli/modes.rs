@@ -6,11 +6,11 @@ use clap::{
     ValueEnum,
     builder::{PossibleValuesParser, TypedValueParser},
 };
-use radiosity::kernel::paper::{Reading, Rules};
 use radiosity::output::quality::Quality;
 use radiosity::scene::MAX_ORDER;
 use radiosity::solve::Direct;
 use radiosity::visibility::Hiding;
+use radiosity::zatz1993::transfers::{Reading, Rules};
 
 /// `--order`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,10 +6,10 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity::kernel::Accuracy;
 use radiosity::output::view_factors as output;
 use radiosity::scene::Scene;
 use radiosity::solve;
+use radiosity::transport::Accuracy;
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{

@@ -109,6 +109,12 @@ impl Patch {
         }
     }
 
+    /// n × n nodes at the middles of as many cells.
+    pub fn cell_nodes(&self, n: usize) -> Vec<Node> {
+        let place = |k: usize| (k as f64 + 0.5) / n as f64;
+        (0..n * n).map(|k| self.node(place(k / n), place(k % n))).collect()
+    }
+
     /// Corners at (0,0), (1,0), (1,1), (0,1); a triangle repeats the last.
     pub fn corners(&self) -> [DVec3; 4] {
         match self {

@@ -4,10 +4,10 @@ use serde::Serialize;
 
 use crate::adaptation::{Achieved, End};
 use crate::checks::Checks;
-use crate::kernel::PairCounts;
 use crate::scene::{Fitted, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
+use crate::transport::PairCounts;
 
 /// What a run did, what it cost and how its result judges itself.
 #[derive(Clone, Debug, Serialize)]

@@ -8,10 +8,11 @@ use serde::{Deserialize, Serialize};
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
-use crate::kernel::{Accuracy, paper};
-use crate::masked::Masking;
 use crate::scene::Scene;
+use crate::transport::Accuracy;
 use crate::visibility::{Hiding, Shadows};
+use crate::zatz1993::masked_light::Masking;
+use crate::zatz1993::transfers;
 
 use super::direct::Direct;
 
@@ -29,8 +30,8 @@ pub struct Options {
     /// Accuracy of the kernel blocks.
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
-    pub kernel: Option<paper::Rules>,
-    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::kernel::Blocks::close)):
+    pub kernel: Option<transfers::Rules>,
+    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::transport::Blocks::close)):
     /// right for closed scenes without shadows only.
     pub closure: bool,
     /// Accuracy of visibility within a block.

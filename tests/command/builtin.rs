@@ -4,10 +4,11 @@ use std::f64::consts::PI;
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Fault, Scene};
 use radiosity::solution::Place;
 use radiosity::solve::{Options, solve};
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::{DVec3, Ray};
 
@@ -125,7 +126,7 @@ fn factor(name: &str, settings: &[(&str, f64)]) -> f64 {
     let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("squares have area");
     let visibility = Visibility::new(&scene, Shadows::Off);
     let accuracy = Accuracy { eps: 1e-3, shadow_eps: 1e-3 };
-    let blocks = Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});
+    let blocks = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
     blocks.iter().find(|(row, column, _)| row != column).map_or(0.0, |(_, _, values)| values[0])
 }
 

@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Hiding, Visibility};
 
 /// Row sum Σ_j F_ij of the surface `name`, which is one element, at the default accuracies.
@@ -15,7 +16,7 @@ fn row_sum(text: &str, name: &str, order: usize) -> f64 {
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("all have area");
     let row = elements.of_surface(scene.surface_named(name).expect("it is there")).start;
     let wanted = |i: usize, j: usize| i == row || j == row;
-    let blocks = Blocks::assemble_pairs(&elements, &wanted, &visibility, accuracy, &|_, _| {});
+    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, &|_, _| {});
     let transported = blocks.apply(&elements.constant());
     let element = &elements.list()[row];
     let own = &transported[blocks.starts()[row]..];

@@ -4,13 +4,13 @@ use std::num::NonZeroUsize;
 use std::process::Command;
 
 use radiosity::direct::DirectLight;
-use radiosity::mask::Nodes;
-use radiosity::masked::{Average, Masking};
 use radiosity::output::grid::{Cell, Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::visibility::{Hiding, Visibility};
+use radiosity::zatz1993::mask::Nodes;
+use radiosity::zatz1993::masked_light::{Average, Masking};
 
 fn cells(count: usize) -> NonZeroUsize {
     NonZeroUsize::new(count).expect("more than none")

@@ -5,8 +5,9 @@ use std::collections::HashMap;
 
 use proptest::prelude::*;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 use radiosity_geom::DVec3;
@@ -274,7 +275,7 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     let elements = Elements::new(scene, &how).expect("all have area");
     let blocks = |accuracy: Accuracy| {
         let visibility = Visibility::new(scene, Shadows::Outlines(accuracy.shadow_eps));
-        Blocks::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &|_, _| {})
+        transport::assemble_pairs(&elements, &|_, _| true, &visibility, accuracy, &|_, _| {})
     };
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
     let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });

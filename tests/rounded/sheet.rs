@@ -1,7 +1,7 @@
 //! Flat sheets, the rooms and bodies that they make, and their view factors.
 
-use radiosity::kernel::Accuracy;
 use radiosity::scene::{Material, Scene, SceneBuilder, SceneError};
+use radiosity::transport::Accuracy;
 use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::DVec3;

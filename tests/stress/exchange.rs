@@ -13,8 +13,9 @@
 //! many digits where X or W are small or large, so that f64 would not do.
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks, polygon_exchange};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, polygon_exchange};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -101,7 +102,7 @@ fn transfer([p, q]: &[[DVec3; 4]; 2], order: usize, eps: f64) -> f64 {
     let scene = Scene::from_toml(&text, "pair").expect("rectangles are valid");
     let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("rectangles have area");
     let visibility = Visibility::new(&scene, Shadows::Off);
-    let blocks = Blocks::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
+    let blocks = transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
     let block = blocks.iter().find(|(i, j, _)| (*i, *j) == (0, 1)).expect("they face each other");
     block.2[0] * (elements.list()[0].area * elements.list()[1].area).sqrt()
 }

@@ -1,8 +1,9 @@
 //! Orders to 20 and thin rooms: the constant must be kept, c = G c, whatever the order.
 
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 
 use crate::random::Random;
@@ -19,7 +20,7 @@ fn room(sides: [f64; 3]) -> Scene {
 fn opening(scene: &Scene, order: usize, eps: f64) -> f64 {
     let elements = Elements::new(scene, &Discretization::uniform(order, 1)).expect("walls have area");
     let visibility = Visibility::new(scene, Shadows::Off);
-    let blocks = Blocks::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
+    let blocks = transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: eps }, &|_, _| {});
     let (ones, list) = (elements.constant(), elements.list());
     let mapped = blocks.apply(&ones);
     let row = |i: usize| {

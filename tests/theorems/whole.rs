@@ -6,13 +6,14 @@ use radiosity::direct::DirectLight;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::system::System;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
@@ -48,7 +49,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
     let how =
         Discretization { order, space: Space::Total, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
     let accuracy = Accuracy { eps, shadow_eps: 3e-3 };
-    let assemble = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let assemble = |elements: &Elements| transport::assemble(elements, &visibility, accuracy, &|_, _| {});
     let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));
     let solve_with = |method: &'static Method| {
         let elements = Elements::new(&scene, &how).expect("a cube has area");
@@ -222,7 +223,7 @@ fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
         let how = Discretization { order, space, subdivide: Subdivide::Uniform(1), layers: Layers::NONE };
         Elements::new(&scene, &how).expect("a cube has area")
     };
-    let blocks = |elements: &Elements| Blocks::assemble(elements, &visibility, accuracy, &|_, _| {});
+    let blocks = |elements: &Elements| transport::assemble(elements, &visibility, accuracy, &|_, _| {});
     let (tensor, total) = (cut(3, Space::Tensor), cut(6, Space::Total));
     let (small, large) = (blocks(&tensor), blocks(&total));
     let places: Vec<usize> = tensor.list()[0]
@@ -257,7 +258,7 @@ fn closed_blocks_transport_the_constant_to_itself() {
         let transported = blocks.apply(&ones);
         ones.iter().zip(&transported).map(|(c, gc)| (c - gc).abs()).fold(0.0, f64::max)
     };
-    let mut blocks = Blocks::assemble(&elements, &visibility, accuracy(0.3), &|_, _| {});
+    let mut blocks = transport::assemble(&elements, &visibility, accuracy(0.3), &|_, _| {});
     let before = defect(&blocks);
     blocks.close(&ones);
     assert!(before > 1e-6 && defect(&blocks) < 1e-14, "{before:e} {:e}", defect(&blocks));

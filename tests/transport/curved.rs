@@ -8,9 +8,10 @@ use radiosity::coating::Coating;
 use radiosity::elements::patch::{Direction, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::system::System;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::exact::irradiance;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
@@ -45,7 +46,8 @@ impl Transport {
         let visibility = Visibility::new(&scene, shadows);
         let how = Discretization::uniform(order, cells);
         let elements = Elements::new(&scene, &how).expect("all have area");
-        let blocks = Blocks::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {});
+        let blocks =
+            transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {});
         Self { elements, blocks }
     }
 
@@ -299,7 +301,7 @@ fn a_ball_under_a_wide_lamp_is_lit_to_the_accuracy_asked() {
         let visibility = Visibility::new(&scene, Shadows::Off);
         for eps in [1e-3, 1e-5] {
             let accuracy = Accuracy { eps, shadow_eps: 1e-3 };
-            let blocks = Blocks::assemble(&elements, &visibility, accuracy, &|_, _| {});
+            let blocks = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
             let found = blocks.iter().filter(|(i, j, _)| *i < 4 && *j == receivers.len());
             for (i, _, values) in found {
                 let exact = exact[i].iter().map(|moment| moment / lamp.area.sqrt());

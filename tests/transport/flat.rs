@@ -3,8 +3,9 @@
 use std::fmt::Write;
 
 use radiosity::elements::{Discretization, ElementError, Elements};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::{Scene, SceneError};
+use radiosity::transport;
+use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::DVec3;
 
@@ -119,7 +120,7 @@ pub(crate) fn elements(scene: &Scene, order: usize) -> Result<Elements, ElementE
 /// Blocks without shadows.
 pub(crate) fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
     let visibility = Visibility::new(scene, Shadows::Off);
-    Blocks::assemble(elements, &visibility, Accuracy { eps, shadow_eps: 3e-3 }, &|_, _| {})
+    transport::assemble(elements, &visibility, Accuracy { eps, shadow_eps: 3e-3 }, &|_, _| {})
 }
 
 /// G from element `row` to element `column`, row-major; None where it is left out as zero.

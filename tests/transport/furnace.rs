@@ -1,8 +1,8 @@
 //! The white furnace: where everything emits 1 and reflects half, radiosity is 2.
 
 use radiosity::elements::Elements;
-use radiosity::kernel::Blocks;
 use radiosity::scene::Scene;
+use radiosity::transport::Blocks;
 
 use crate::flat::{blocks, elements};
 use crate::room;

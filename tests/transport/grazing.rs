@@ -5,8 +5,9 @@ use radiosity::elements::basis::AreaBasis;
 use radiosity::elements::patch::{Direction, Node, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
-use radiosity::kernel::{Accuracy, Blocks, kernel};
 use radiosity::scene::Scene;
+use radiosity::transport;
+use radiosity::transport::{Accuracy, kernel};
 use radiosity::visibility::exact::irradiance;
 use radiosity::visibility::{Shadows, Visibility};
 
@@ -199,7 +200,8 @@ impl Case {
     fn worst(&self, eps: f64) -> f64 {
         let elements = Elements::new(&self.scene, &Discretization::uniform(0, 1)).expect("all have area");
         let visibility = Visibility::new(&self.scene, Shadows::Off);
-        let blocks = Blocks::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {});
+        let blocks =
+            transport::assemble(&elements, &visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {});
         let error = |([i, j], exact, row): &([usize; 2], Vec<f64>, f64)| {
             let found = blocks.iter().find(|(row, column, _)| [row, column] == [i, j]);
             let nothing = vec![0.0; exact.len()];

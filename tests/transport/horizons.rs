@@ -6,8 +6,8 @@ use std::sync::Arc;
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed, TestRunner};
-use radiosity::kernel::Accuracy;
 use radiosity::scene::{Material, SceneBuilder};
+use radiosity::transport::Accuracy;
 use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::Hiding;
 use radiosity_geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};

@@ -11,11 +11,12 @@ use std::sync::Arc;
 
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::kernel::paper::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
-use radiosity::kernel::{Accuracy, Blocks};
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, solve};
+use radiosity::transport;
+use radiosity::transport::{Accuracy, Blocks};
 use radiosity::visibility::{Shadows, Visibility};
+use radiosity::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, assemble, transfer};
 use radiosity_core::basis::total;
 use radiosity_core::{gauss, legendre};
 use radiosity_geom::shapes::{Cylinder, Parallelogram, Sphere};
@@ -204,7 +205,7 @@ fn two(first: [[f64; 3]; 4], second: [[f64; 3]; 4], order: usize) -> (Elements, 
 }
 
 fn ours(elements: &Elements, visibility: &Visibility, eps: f64) -> Blocks {
-    Blocks::assemble(elements, visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {})
+    transport::assemble(elements, visibility, Accuracy { eps, shadow_eps: 1e-3 }, &|_, _| {})
 }
 
 fn as_1993(elements: &Elements, visibility: &Visibility, rules: Rules, extra: usize) -> Blocks {

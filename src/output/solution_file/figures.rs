@@ -6,10 +6,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::adaptation::Achieved;
 use crate::checks::Checks;
-use crate::kernel::PairCounts;
 use crate::solution::Solution;
 use crate::solve::{Outcome, Stages};
 use crate::solved::Solved;
+use crate::transport::PairCounts;
 
 /// The figures of an [`Outcome`].
 #[derive(Debug, Serialize, Deserialize)]

@@ -20,7 +20,7 @@ use radiosity_geom::DVec3;
 
 use super::{Pass, Walk};
 use crate::elements::patch::Node;
-use crate::kernel::kernel;
+use crate::transport::kernel;
 use crate::view::cell::{Cell, POINTS};
 use crate::view::shadows::Before;
 use crate::view::strips::Strips;

@@ -1,0 +1,28 @@
+//! The geometry of transport: blocks G between elements, each unordered pair once.
+//!
+//! ```text
+//! G_ij^kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y ,     G_ji = G_ijᵀ .
+//! ```
+//!
+//! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
+//! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
+//!
+//! The rooms, each standing on those before it: sums over points ([`moments`]); how two patches lie to each other ([`contact`]); the
+//! blocks as a matrix ([`blocks`](mod@blocks)); sizes known beforehand ([`estimates`]); quadrature for each case of contact ([`rules`]);
+//! what is hidden ([`occlusion`]); one pair of elements ([`pair`]); and all pairs ([`schedule`]).
+
+pub(crate) mod moments;
+pub(crate) mod contact;
+pub(crate) mod blocks;
+pub(in crate::transport) mod estimates;
+pub(in crate::transport) mod rules;
+pub(in crate::transport) mod occlusion;
+pub(in crate::transport) mod pair;
+mod schedule;
+
+pub use blocks::Blocks;
+pub use blocks::block::{Accuracy, Kind};
+pub use blocks::pair_counts::PairCounts;
+pub use moments::integrand::kernel;
+pub use rules::contour::polygon_exchange;
+pub use schedule::{assemble, assemble_pairs, assemble_senders};

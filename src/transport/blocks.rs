@@ -1,0 +1,193 @@
+//! All blocks of G, one triangle where G is symmetric, zero blocks left out.
+
+pub(crate) mod block;
+pub(crate) mod pair_counts;
+
+use std::collections::HashMap;
+
+use crate::transport::blocks::pair_counts::PairCounts;
+use crate::transport::estimates::entry_bounds::ROW_SHARE;
+use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
+
+/// All blocks of G, one triangle where G is symmetric, zero blocks left out.
+#[derive(Debug)]
+pub struct Blocks {
+    starts: Vec<usize>,
+    stored: Vec<Stored>,
+    symmetric: bool,
+    /// The values of all blocks, one after the other.
+    values: Vec<f64>,
+    /// Whether all blocks of an element's row were computed.
+    complete: Vec<bool>,
+    /// How many pairs went which way.
+    pub pairs: PairCounts,
+    /// Terms of the rules, logarithms where contours were integrated; those of pairs that are copies of others included.
+    pub samples: u64,
+    /// Kernel evaluations, less than the terms where the kernel is known to repeat, and logarithms.
+    pub distinct: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Estimate of the largest error that parts left unresolved make in a block, relative to the larger of the
+    /// block's largest entry and a hundredth of its row's, or to 1e-8 where both are smaller; zero where every part was resolved.
+    pub accuracy_reached: f64,
+}
+
+/// The block of receiver `row` and emitter `column`, `row ≤ column` where G is symmetric, row-major from `start` on.
+#[derive(Debug)]
+struct Stored {
+    row: u32,
+    column: u32,
+    start: usize,
+}
+
+impl Blocks {
+    /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end. If G is to be
+    /// `symmetric`, each block will stand for its transpose as well.
+    pub(crate) fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
+        Self {
+            complete: vec![true; starts.len() - 1],
+            starts,
+            stored: Vec::new(),
+            symmetric,
+            values: Vec::new(),
+            pairs: PairCounts::default(),
+            samples: 0,
+            distinct: 0,
+            rays: 0,
+            accuracy_reached: 0.0,
+        }
+    }
+
+    /// Stores a block behind those stored before, unless it is zero.
+    pub(crate) fn push(&mut self, row: usize, column: usize, values: &[f64]) {
+        if values.iter().any(|value| *value != 0.0) {
+            let start = self.values.len();
+            self.stored.push(Stored { row: row as u32, column: column as u32, start });
+            self.values.extend_from_slice(values);
+        }
+    }
+
+    /// Notes that not all blocks of an element's row were computed.
+    pub(crate) fn leave_open(&mut self, element: usize) {
+        self.complete[element] = false;
+    }
+
+    /// Whether all blocks of an element's row were computed.
+    pub fn is_complete(&self, element: usize) -> bool {
+        self.complete[element]
+    }
+
+    /// Whether G is symmetric: it is unless it was assembled by the rules of 1993 ([`paper`](crate::zatz1993::transfers)).
+    pub fn symmetric(&self) -> bool {
+        self.symmetric
+    }
+
+    /// Corrects G so that the constant 1, with coefficients `ones`, is transported to itself exactly, as it must be in a
+    /// closed scene with nothing in it: with r = c − G c, r_i^k / c_i^0 is added to the entries (k, 0) and (0, k) of
+    /// element i's own block, (0, 0) once. G stays symmetric; loose quadrature gains digits, an open scene would be wrong.
+    pub fn close(&mut self, ones: &[f64]) {
+        let transported = self.apply(ones);
+        for element in 0..self.starts.len() - 1 {
+            let range = self.range(element);
+            let count = range.len();
+            let start = self.own_block(element, count);
+            for (k, (c, gc)) in ones[range.clone()].iter().zip(&transported[range.clone()]).enumerate() {
+                let correction = (c - gc) / ones[range.start];
+                self.values[start + k * count] += correction;
+                if k > 0 {
+                    self.values[start + k] += correction;
+                }
+            }
+        }
+    }
+
+    /// Where the block of an element with itself starts; stored as zeros if there is none yet.
+    fn own_block(&mut self, element: usize, count: usize) -> usize {
+        let own = |stored: &&Stored| stored.row as usize == element && stored.column as usize == element;
+        if let Some(stored) = self.stored.iter().find(own) {
+            return stored.start;
+        }
+        let start = self.values.len();
+        self.values.resize(start + count * count, 0.0);
+        self.stored.push(Stored { row: element as u32, column: element as u32, start });
+        start
+    }
+
+    /// The largest of (row, column, absolute error) relative to the scale of its block.
+    pub(crate) fn largest_error(&self, errors: &[(usize, usize, f64)]) -> f64 {
+        if errors.is_empty() {
+            return 0.0;
+        }
+        let mut rows = vec![0.0f64; self.starts.len() - 1];
+        let mut largest = HashMap::new();
+        for (row, column, values) in self.iter() {
+            let most = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
+            rows[row] = rows[row].max(most);
+            rows[column] = rows[column].max(most);
+            largest.insert((row, column), most);
+        }
+        let relative = |(row, column, error): &(usize, usize, f64)| {
+            let block = largest.get(&(*row, *column)).copied().unwrap_or(0.0);
+            let scale = block.max(ROW_SHARE * rows[*row].min(rows[*column]));
+            error / scale.max(SMALLEST_ENTRY)
+        };
+        errors.iter().map(relative).fold(0.0, f64::max)
+    }
+
+    /// Number of coefficients.
+    pub fn dim(&self) -> usize {
+        self.starts[self.starts.len() - 1]
+    }
+
+    /// Where the coefficients of each element start; one more entry, the dimension, at the end.
+    pub fn starts(&self) -> &[usize] {
+        &self.starts
+    }
+
+    /// y = G x.
+    pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        let mut y = vec![0.0; self.dim()];
+        for (row, column, values) in self.iter() {
+            let (rows, columns) = (self.range(row), self.range(column));
+            for (k, line) in values.chunks_exact(columns.len()).enumerate() {
+                y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+            }
+            if self.symmetric && row != column {
+                self.scatter(row, column, values, x, &mut y);
+            }
+        }
+        y
+    }
+
+    /// y = Gᵀ x.
+    pub fn apply_transposed(&self, x: &[f64]) -> Vec<f64> {
+        if self.symmetric {
+            return self.apply(x);
+        }
+        let mut y = vec![0.0; self.dim()];
+        self.iter().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
+        y
+    }
+
+    /// Adds G_ijᵀ x_i to y_j.
+    fn scatter(&self, row: usize, column: usize, values: &[f64], x: &[f64], y: &mut [f64]) {
+        let columns = self.range(column);
+        for (emitted, line) in x[self.range(row)].iter().zip(values.chunks_exact(columns.len())) {
+            y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
+        }
+    }
+
+    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and the
+    /// transpose of each stands for the opposite direction.
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
+        self.stored.iter().map(|stored| {
+            let (row, column) = (stored.row as usize, stored.column as usize);
+            let length = self.range(row).len() * self.range(column).len();
+            (row, column, &self.values[stored.start..stored.start + length])
+        })
+    }
+
+    fn range(&self, element: usize) -> std::ops::Range<usize> {
+        self.starts[element]..self.starts[element + 1]
+    }
+}

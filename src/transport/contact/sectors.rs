@@ -1,0 +1,48 @@
+//! The patches of an element, cut until neither their lines nor their normals turn far: closed surfaces become sectors.
+
+use std::collections::VecDeque;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Node, Patch};
+
+/// Most that lines and normals of a part may turn, radians.
+const LARGEST_TURN: f64 = 1.6;
+/// Most sectors: a crease turns by as much however short the line across it.
+const MOST_SECTORS: usize = 256;
+
+/// The patches of an element, each cut until it turns by a quarter circle at the most.
+pub(in crate::transport) fn sectors(element: &Element) -> Vec<Patch> {
+    let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
+    let mut done = Vec::new();
+    while let Some(patch) = open.pop_front() {
+        let turns = if patch.is_flat() { [0.0; 2] } else { turns(&patch) };
+        if turns[0].max(turns[1]) <= LARGEST_TURN || open.len() + done.len() >= MOST_SECTORS {
+            done.push(patch);
+        } else {
+            let direction = if turns[0] >= turns[1] { Direction::Along } else { Direction::Across };
+            open.extend(patch.halves(direction));
+        }
+    }
+    done
+}
+
+/// Largest angles by which lines and normals turn along s and along t.
+fn turns(patch: &Patch) -> [f64; 2] {
+    const STEPS: usize = 8;
+    let place = |k: usize| k as f64 / STEPS as f64;
+    let turn = |node: &dyn Fn(f64) -> Node| {
+        let line: Vec<Node> = (0..=STEPS).map(|k| node(place(k))).collect();
+        let normals = line.windows(2).map(|w| w[0].normal.angle_between(w[1].normal)).sum::<f64>();
+        let steps: Vec<DVec3> = line.windows(2).map(|w| w[1].position - w[0].position).collect();
+        let total: f64 = steps.iter().map(|d| d.length()).sum();
+        if total <= 1e-9 * patch.hull()[0].distance(patch.node(0.5, 0.5).position) {
+            return 0.0;
+        }
+        let bends = steps.windows(2).map(|w| w[0].angle_between(w[1])).sum::<f64>();
+        normals.max(bends * STEPS as f64 / (STEPS - 1) as f64)
+    };
+    let most = |turn: &dyn Fn(f64) -> f64| [0.0, 0.5, 1.0].map(turn).into_iter().fold(0.0, f64::max);
+    [most(&|t| turn(&|s| patch.node(s, t))), most(&|s| turn(&|t| patch.node(s, t)))]
+}

@@ -1,0 +1,125 @@
+//! How large the entries of a block can be, and must be, without integrating it.
+//!
+//! With balls of radii R around two elements whose centres lie d apart, the kernel is bounded on both sides by its
+//! values at the ends of what the distance and the two cosines can be. With h_i the height of j's centre over the plane of i,
+//!
+//! ```text
+//! |G_kl| ≤ sup κ √(A_i A_j) ,   sup κ ≤ (h_i + R_j)(h_j + R_i) / π(d − R_i − R_j)⁴ ,
+//!  G_00  ≥ inf κ √(A_i A_j) ,   inf κ ≥ (h_i − R_j)(h_j − R_i) / π(d + R_i + R_j)⁴ ,
+//! ```
+//!
+//! because ∫|φ_k| dA ≤ √A. So it is known beforehand which blocks are small beside the largest of their row, and may be
+//! integrated with less accuracy relative to themselves.
+
+use core::f64::consts::FRAC_1_PI;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::Element;
+
+/// A block may be wrong by ε times this part of the largest entry of its row.
+pub(in crate::transport) const ROW_SHARE: f64 = 1e-2;
+/// No block with a curved element is taken for smaller than this part of the largest there can be.
+pub(in crate::transport) const SMALLEST_ENTRY: f64 = 1e-8;
+/// Largest relative error a block is ever allowed.
+const LOOSEST: f64 = 0.5;
+
+/// The ball around an element, and its plane where it has one.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::transport) struct Reach {
+    center: DVec3,
+    radius: f64,
+    area: f64,
+    /// A point of its plane and the normal.
+    plane: Option<(DVec3, DVec3)>,
+}
+
+impl Reach {
+    /// Of one element.
+    pub(in crate::transport) fn of(element: &Element) -> Self {
+        let bounds = element.bounds();
+        let center = 0.5 * (bounds.min + bounds.max);
+        let radius = element.hull.iter().map(|point| point.distance(center)).fold(0.0, f64::max);
+        Self { center, radius, area: element.area, plane: element.plane }
+    }
+
+    /// Whether the balls are nearer than half the radius of the larger: the kernel may vary too much to be told by a few
+    /// points.
+    pub(in crate::transport) fn is_near(&self, other: &Self) -> bool {
+        let gap = self.center.distance(other.center) - self.radius - other.radius;
+        gap < 0.5 * self.radius.max(other.radius)
+    }
+
+    /// Lower bound of the largest entry and upper bound of all entries of the block of two elements.
+    pub(in crate::transport) fn entries(&self, other: &Self) -> [f64; 2] {
+        let d = other.center - self.center;
+        let (distance, sum) = (d.length(), self.radius + other.radius);
+        if distance <= 1.01 * sum {
+            return [0.0, f64::INFINITY];
+        }
+        // Of a ball over a plane; a curved element may turn any way.
+        let heights = |reach: &Self, ball: &Self| {
+            reach.plane.map_or([0.0, distance + sum], |(point, normal)| {
+                let height = normal.dot(ball.center - point);
+                [height - ball.radius, height + ball.radius]
+            })
+        };
+        let (ours, theirs) = (heights(self, other), heights(other, self));
+        let bound = |side: usize, distance: f64| {
+            let cosines = ours[side].max(0.0) * theirs[side].max(0.0);
+            (self.area * other.area).sqrt() * FRAC_1_PI * cosines / distance.powi(4)
+        };
+        [bound(0, distance + sum), bound(1, distance - sum)]
+    }
+}
+
+/// The accuracy a block needs relative to its own largest entry, in steps of powers of two.
+///
+/// `least` is the part of the largest entry of both rows of the block, from below, that its error is measured against;
+/// `entry` an upper bound of its own.
+pub(in crate::transport) fn relaxed(eps: f64, least: f64, entry: f64) -> f64 {
+    let factor = least / entry;
+    if factor >= 2.0 { (eps * factor.log2().floor().min(60.0).exp2()).min(LOOSEST).max(eps) } else { eps }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(z: f64, up: f64) -> Reach {
+        let center = DVec3::Z * z;
+        Reach { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
+    }
+
+    /// Parallel unit squares three apart: F = 0.0316 by the closed form.
+    #[test]
+    fn bounds_hold_the_factor_of_parallel_squares() {
+        let z = 3.0f64;
+        let (x, root) = (1.0 / z, (1.0 + 1.0 / (z * z)).sqrt());
+        let exact = 2.0 / (std::f64::consts::PI * x * x)
+            * (((1.0 + x * x).powi(2) / (1.0 + 2.0 * x * x)).sqrt().ln()
+                + 2.0 * x * root * (x / root).atan()
+                - 2.0 * x * x.atan());
+        let [low, high] = square(0.0, 1.0).entries(&square(z, -1.0));
+        assert!(0.0 < low && low < exact && exact < high, "{low} {exact} {high}");
+        assert_eq!(square(0.0, 1.0).entries(&square(1.0, -1.0)), [0.0, f64::INFINITY]);
+    }
+
+    /// The centre of a ball need not lie in the plane.
+    #[test]
+    fn heights_are_measured_from_the_plane() {
+        let mut raised = square(0.0, 1.0);
+        raised.center.z = 0.5;
+        let [low, high] = raised.entries(&square(5.0, -1.0));
+        let [least, most] = square(0.0, 1.0).entries(&square(5.0, -1.0));
+        assert!(low > least && high > most, "the same heights, a shorter distance");
+    }
+
+    #[test]
+    fn only_small_blocks_are_relaxed() {
+        assert_eq!(relaxed(1e-4, 2e-3, 0.1), 1e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, f64::INFINITY), 1e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, 2e-4), 8e-4);
+        assert_eq!(relaxed(1e-4, 2e-3, 0.0), LOOSEST);
+    }
+}

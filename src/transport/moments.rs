@@ -1,0 +1,228 @@
+//! Moments of the kernel between two elements, in their raw polynomials:
+//!
+//! ```text
+//! M_kl += Σ_ab  w_a A_a w_b A_b κ(x_a, y_b) V(x_a, y_b) L_k(x_a) L_l(y_b) ,      G = T_i M T_jᵀ .
+//! ```
+//!
+//! Each pair of patches is summed in products along its charts ([`crate::transport::moments::chart`]), which lets the sums factorise, and
+//! brought to the elements' functions once.
+
+pub(in crate::transport) mod kronecker;
+pub(in crate::transport) mod integrand;
+pub(in crate::transport) mod legendre_values;
+pub(in crate::transport) mod change;
+pub(in crate::transport) mod chart;
+pub(in crate::transport) mod tensor;
+
+use std::borrow::Cow;
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::UnitRule;
+
+use crate::transport::moments::change::Change;
+use crate::transport::moments::chart::Chart;
+use crate::transport::moments::integrand::Sees;
+use crate::transport::moments::integrand::visible_kernel;
+use crate::transport::moments::tensor::Grid;
+use crate::transport::moments::tensor::Line;
+
+/// One of the two elements of a pair.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::transport) enum Side {
+    /// The first.
+    Receiver,
+    /// The second.
+    Emitter,
+}
+
+/// Moments of one pair of elements under way.
+#[derive(Debug)]
+pub(in crate::transport) struct Moments<'a> {
+    receiver: &'a AreaBasis,
+    emitter: &'a AreaBasis,
+    /// M, row-major, receiver functions by emitter functions.
+    values: Vec<f64>,
+    /// Terms of the rules so far.
+    pub samples: u64,
+    /// Kernel evaluations so far: less than the terms where the kernel is known to repeat.
+    pub distinct: u64,
+    /// Segments tested for visibility so far.
+    pub rays: u64,
+}
+
+/// Moments of one pair of patches under way, in the products of their charts.
+#[derive(Debug)]
+pub(in crate::transport) struct PatchMoments<'p> {
+    /// Receiver and emitter.
+    pub patches: [&'p Patch; 2],
+    /// Their products.
+    pub charts: [Chart; 2],
+    /// Row-major, receiver's products by emitter's.
+    pub values: Vec<f64>,
+    /// Kernel evaluations.
+    pub samples: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+}
+
+impl PatchMoments<'_> {
+    /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
+    /// emitter, all in [0, 1].
+    pub(in crate::transport) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
+        let receiver = Grid::new(self.patches[0], &self.charts[0], s, t);
+        let emitter = Grid::new(self.patches[1], &self.charts[1], u, v);
+        tensor::add(&mut self.values, weight, [&receiver, &emitter], sees, &mut self.rays);
+        self.samples += (receiver.len() * emitter.len()) as u64;
+    }
+}
+
+impl<'a> Moments<'a> {
+    /// No moments yet.
+    pub(in crate::transport) fn new(receiver: &'a AreaBasis, emitter: &'a AreaBasis) -> Self {
+        let (rows, columns) = (receiver.len(), emitter.len());
+        Self { receiver, emitter, values: vec![0.0; rows * columns], samples: 0, distinct: 0, rays: 0 }
+    }
+
+    /// No moments yet of two patches of the elements.
+    pub(in crate::transport) fn patches<'p>(&self, p: &'p Patch, q: &'p Patch) -> PatchMoments<'p> {
+        let charts = [Chart::of(p, self.receiver), Chart::of(q, self.emitter)];
+        let values = vec![0.0; charts[0].len() * charts[1].len()];
+        PatchMoments { patches: [p, q], charts, values, samples: 0, rays: 0 }
+    }
+
+    /// Adds the moments of two patches.
+    pub(in crate::transport) fn add(&mut self, pair: PatchMoments) {
+        self.samples += pair.samples;
+        self.distinct += pair.samples;
+        self.rays += pair.rays;
+        let [receiver, emitter] = pair.charts.map(|chart| chart.change);
+        self.changed(&pair.values, receiver.as_ref(), emitter.as_ref());
+    }
+
+    /// Adds the tensor Gauss rule with `points` = [along, across] of the receiver, then the emitter.
+    pub(in crate::transport) fn tensor(
+        &mut self,
+        p: &Patch,
+        q: &Patch,
+        points: [usize; 4],
+        sees: Option<Sees>,
+    ) {
+        let mut pair = self.patches(p, q);
+        pair.product(points.map(|n| UnitRule::of(n).line()), 1.0, sees);
+        self.add(pair);
+    }
+
+    /// Adds one pair of points with a weight for the two charts.
+    pub(in crate::transport) fn scattered(&mut self, x: &Node, y: &Node, weight: f64, sees: Option<Sees>) {
+        self.samples += 1;
+        self.distinct += 1;
+        let value = visible_kernel(x, y, sees, &mut self.rays) * weight * x.area * y.area;
+        if value != 0.0 {
+            let mut column = vec![0.0; self.emitter.len()];
+            self.emitter.raw(self.emitter.frame().coordinates(y), &mut column);
+            self.outer(Side::Receiver, x, value, &column, 0);
+        }
+    }
+
+    /// Adds moments in the raw polynomials that took `samples` evaluations.
+    pub(in crate::transport) fn add_raw(&mut self, moments: &[f64], samples: u64) {
+        self.values.iter_mut().zip(moments).for_each(|(value, moment)| *value += moment);
+        self.samples += samples;
+        self.distinct += samples;
+    }
+
+    /// The moments so far, in the raw polynomials.
+    pub(in crate::transport) fn values(&self) -> &[f64] {
+        &self.values
+    }
+
+    /// Adds another sum of the same elements, if `kept`; its cost in any case.
+    pub(in crate::transport) fn merge(&mut self, other: &Self, kept: bool) {
+        if kept {
+            self.values.iter_mut().zip(&other.values).for_each(|(value, moment)| *value += moment);
+        }
+        self.samples += other.samples;
+        self.distinct += other.distinct;
+        self.rays += other.rays;
+    }
+
+    /// Multiplies what was added.
+    pub(in crate::transport) fn scale(&mut self, factor: f64) {
+        self.values.iter_mut().for_each(|value| *value *= factor);
+    }
+
+    /// Bases of receiver and emitter.
+    pub(in crate::transport) fn bases(&self) -> [&'a AreaBasis; 2] {
+        [self.receiver, self.emitter]
+    }
+
+    /// Adds one point x of the element `side`, given `inner` = ∫ κ(x, y) L(y) dA_y over the other element's part, which
+    /// took so many `samples`.
+    pub(in crate::transport) fn outer(
+        &mut self,
+        side: Side,
+        x: &Node,
+        weight: f64,
+        inner: &[f64],
+        samples: u64,
+    ) {
+        self.samples += samples;
+        self.distinct += samples;
+        let basis = self.bases()[side as usize];
+        let mut own = vec![0.0; basis.len()];
+        basis.raw(basis.frame().coordinates(x), &mut own);
+        let (left, right) = match side {
+            Side::Receiver => (&own[..], inner),
+            Side::Emitter => (inner, &own[..]),
+        };
+        for (row, l) in self.values.chunks_exact_mut(right.len()).zip(left) {
+            row.iter_mut().zip(right).for_each(|(value, r)| *value += weight * l * r);
+        }
+    }
+
+    /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.
+    pub(in crate::transport) fn own(&mut self, p: &Patch, q: &Patch, own: &[f64]) {
+        self.changed(own, Some(&Change::new(p, self.receiver)), Some(&Change::new(q, self.emitter)));
+    }
+
+    /// Adds C_i X C_jᵀ; no change counts as the unit matrix.
+    fn changed(&mut self, values: &[f64], receiver: Option<&Change>, emitter: Option<&Change>) {
+        let (rows, columns) = (self.receiver.len(), self.emitter.len());
+        let inner = values.len() / receiver.map_or(rows, Change::own);
+        let mut half = Cow::Borrowed(values);
+        if let Some(change) = receiver {
+            half = Cow::Owned(change.rows(&half, inner));
+        }
+        if let Some(change) = emitter {
+            half = Cow::Owned(transposed(&change.rows(&transposed(&half, inner), rows), rows));
+        }
+        debug_assert_eq!(half.len(), rows * columns);
+        self.values.iter_mut().zip(half.iter()).for_each(|(value, own)| *value += own);
+    }
+
+    /// G = T_i M T_jᵀ, row-major.
+    pub(in crate::transport) fn into_block(self) -> Vec<f64> {
+        let (rows, columns) = (self.receiver.len(), self.emitter.len());
+        let mut half = vec![0.0; rows * columns];
+        for (k, out) in half.chunks_exact_mut(columns).enumerate() {
+            let transform = &self.receiver.transform()[k * rows..=k * rows + k];
+            for (t, moments) in transform.iter().zip(self.values.chunks_exact(columns)) {
+                out.iter_mut().zip(moments).for_each(|(g, m)| *g += t * m);
+            }
+        }
+        let mut block = vec![0.0; rows * columns];
+        for (out, row) in block.chunks_exact_mut(columns).zip(half.chunks_exact(columns)) {
+            for (l, g) in out.iter_mut().enumerate() {
+                let transform = &self.emitter.transform()[l * columns..=l * columns + l];
+                *g = transform.iter().zip(row).map(|(t, m)| t * m).sum();
+            }
+        }
+        block
+    }
+}
+
+/// A row-major matrix of `columns` columns, turned over.
+fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
+    (0..columns).flat_map(|l| matrix.iter().skip(l).step_by(columns).copied()).collect()
+}

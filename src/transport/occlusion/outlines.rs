@@ -1,0 +1,469 @@
+//! What planar blockers take from the transfer between two elements of which at least one is flat.
+//!
+//! ```text
+//! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
+//! ```
+//!
+//! with G⁰ the block were nothing in between, and H(x) the part of one element that is hidden from the point x of the other:
+//! polygons, by clipping ([`crate::visibility::exact`]). What is hidden lies apart from x, behind a blocker, so that the
+//! inner integral is smooth where that over all y is singular. Constants are summed by Lambert's form, higher functions by
+//! Gauss rules over the polygons, halved while they are near ([`crate::transport::rules::far`]).
+//!
+//! The outer integral is taken over the element that is farther from the blockers, measured by its size: the shadows on
+//! the other one then move smoothly with x. Where blockers stand on it the outer element is cut along their sides, where the
+//! inner integral jumps. Elsewhere that has kinks, where an edge of one blocker passes a corner of another or of the element:
+//! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies
+//! before their tangent planes.
+
+mod edges;
+mod sides;
+
+use core::f64::consts::FRAC_1_PI;
+use std::borrow::Cow;
+
+use radiosity_geom::{DVec2, DVec3, clip_polygon};
+use rayon::prelude::*;
+
+use crate::elements::Element;
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+use crate::visibility::Visibility;
+use crate::visibility::ball::Ball;
+use crate::visibility::exact::{inside_any, irradiance, irradiance_seen};
+use crate::visibility::pyramid::Corners;
+
+use crate::transport::blocks::block::Block;
+use crate::transport::contact::clip::Facet;
+use crate::transport::contact::flat::point_to_polygon;
+use crate::transport::moments::Moments;
+use crate::transport::moments::Side;
+use crate::transport::rules::far;
+use crate::transport::rules::far::SMALLEST_RATIO;
+use edges::Edges;
+use sides::Sides;
+
+/// Sides of a cell of which one is longer by this are halved alone.
+const SLENDER: f64 = 1.5;
+/// Most halvings of a cell, and of a piece of the inner element.
+const DEPTH: usize = 14;
+const INNER_DEPTH: usize = 40;
+/// Loosest relative accuracy of the rules, whatever little a block weighs beside its row.
+const LOOSEST: f64 = 0.05;
+/// Cells that one patch of the outer element is cut into at the most: what is left then is the error of the block. The worst
+/// patches of the built-in scenes take a tenth of it, and the rooms of `stress` with their slits.
+const MOST_CELLS: u64 = 1 << 16;
+
+/// Patches of the outer element from which on they are summed side by side.
+const MANY: usize = 8;
+
+/// Differences of cells below this part of the entry are rounding.
+const ROUNDING: f64 = 1e-15;
+
+/// By how much two levels may differ, in multiples of what the finer one may be wrong by.
+const AGREED: f64 = 2.5;
+
+/// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
+const SURE: usize = 2;
+
+/// Multiple of the most that a cell may add to an entry within which shadows count that its rule may pass over: what corners and
+/// middle see is not quite the most.
+const CARRIED: f64 = 1.2;
+
+/// What is asked of a block.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::transport) struct Limit {
+    /// Largest error of an entry.
+    pub error: f64,
+    /// About the largest entry were nothing in between.
+    pub entry: f64,
+}
+
+/// What blockers take from a block.
+#[derive(Debug)]
+pub(in crate::transport) struct Shade {
+    /// S_kl, row-major, receiver functions by emitter functions.
+    pub values: Vec<f64>,
+    /// Whether anything is hidden.
+    pub hides: bool,
+    /// Whether all is hidden, as far as was looked.
+    pub dark: bool,
+    /// Estimate of the largest error that cells left at the smallest size make.
+    pub error: f64,
+    /// Terms of the rules.
+    pub samples: u64,
+}
+
+impl Shade {
+    /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
+    pub(in crate::transport) fn of(
+        pair: [&Element; 2],
+        blockers: &[usize],
+        visibility: &Visibility,
+        limit: Limit,
+    ) -> Self {
+        let blockers = visibility.by_place(blockers);
+        let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility);
+        let bodies = visibility.one_of_each_body(&blockers);
+        let task = Task::new(pair, side, &inner, (&bodies, visibility), limit);
+        let area = |patch: &Patch| patch.node(0.5, 0.5).area;
+        let whole: f64 = outer.iter().map(area).sum();
+        let add = |work: &mut Work, patch: &Patch| {
+            work.left = MOST_CELLS;
+            work.visit(patch, &bodies, None, limit.error * (area(patch) / whole).sqrt(), DEPTH);
+        };
+        let mut work = Work::new(&task);
+        if outer.len() < MANY {
+            outer.iter().for_each(|patch| add(&mut work, patch));
+            return work.finish();
+        }
+        // Sums of parts, in the order of the patches: the same on any number of threads.
+        let sum_of = |patch: &Patch| {
+            let mut part = Work::new(&task);
+            add(&mut part, patch);
+            part
+        };
+        let parts: Vec<Work> = outer.par_iter().map(sum_of).collect();
+        parts.iter().for_each(|part| work.merge(part));
+        work.finish()
+    }
+}
+
+/// The block between two elements with planar `blockers`, whose shade is found to `limit`; `unshaded` makes the block were
+/// nothing in between.
+pub(in crate::transport) fn shaded_block(
+    pair: [&Element; 2],
+    blockers: &[usize],
+    visibility: &Visibility,
+    limit: Limit,
+    unshaded: impl FnOnce() -> Block,
+) -> Block {
+    let shade = Shade::of(pair, blockers, visibility, limit);
+    if shade.dark {
+        return Block { samples: shade.samples, ..Block::hidden(shade.values.len(), 0) };
+    }
+    let mut block = unshaded();
+    block.values.iter_mut().zip(&shade.values).for_each(|(value, hidden)| *value -= hidden);
+    if let [factor] = &mut block.values[..] {
+        *factor = factor.max(0.0);
+    }
+    block.partly_hidden = shade.hides;
+    block.error += shade.error;
+    block.samples += shade.samples;
+    block.distinct += shade.samples;
+    block
+}
+
+/// What is hidden from a cell of the outer element.
+struct Sum {
+    /// Moments.
+    values: Vec<f64>,
+    /// What all its points have in common.
+    shadow: Shadow,
+}
+
+/// How much is hidden.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Shadow {
+    Nothing,
+    Part,
+    Everything,
+}
+
+impl Shadow {
+    fn and(self, other: Self) -> Self {
+        if self == other { self } else { Self::Part }
+    }
+}
+
+/// The pair whose shade is wanted.
+struct Task<'a> {
+    pair: [&'a Element; 2],
+    visibility: &'a Visibility,
+    edges: Edges,
+    side: Side,
+    outer: &'a Element,
+    inner: &'a Element,
+    /// The parts of the inner element that face the outer one.
+    polygons: Vec<Vec<DVec3>>,
+    /// A ball around each of them, and one around all.
+    balls: Vec<Ball>,
+    ball: Ball,
+    normal: DVec3,
+    /// About the largest φ_k φ_l of the raw functions.
+    unit: f64,
+    /// The constant raw function of the inner element; and what an entry is of constants on both.
+    constant: f64,
+    constants: f64,
+    points: usize,
+    /// Relative accuracy of the inner integrals.
+    accuracy: f64,
+    /// What is asked of the whole block.
+    limit: Limit,
+}
+
+impl<'a> Task<'a> {
+    fn new(
+        pair: [&'a Element; 2],
+        side: Side,
+        inner: &[Facet],
+        (blockers, visibility): (&[usize], &'a Visibility),
+        limit: Limit,
+    ) -> Self {
+        let [outer, other] = match side {
+            Side::Receiver => pair,
+            Side::Emitter => [pair[1], pair[0]],
+        };
+        let corners: Vec<DVec3> = inner.iter().flat_map(|facet| facet.corners.iter().copied()).collect();
+        let normal = other.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
+        let unit = pair.iter().map(|element| element.basis.transform()[0]).product();
+        let accuracy = (0.3 * limit.error / limit.entry).clamp(1e-14, LOOSEST);
+        Self {
+            pair,
+            visibility,
+            edges: Edges::new(blockers, visibility, &corners, normal),
+            side,
+            outer,
+            inner: other,
+            balls: inner.iter().map(|facet| Ball::around(&facet.corners)).collect(),
+            ball: Ball::around(&corners),
+            polygons: inner.iter().map(|facet| facet.corners.clone()).collect(),
+            normal,
+            unit,
+            constant: other.basis.constant(),
+            constants: unit * outer.basis.constant() * other.basis.constant(),
+            points: points(outer.basis.total_degree(), accuracy),
+            accuracy,
+            limit,
+        }
+    }
+}
+
+/// The shade of one pair under way.
+struct Work<'a> {
+    task: &'a Task<'a>,
+    moments: Moments<'a>,
+    /// Raw functions of the inner element at a point.
+    row: Vec<f64>,
+    hides: bool,
+    dark: bool,
+    error: f64,
+    samples: u64,
+    /// Cells that may still be halved.
+    left: u64,
+}
+
+impl<'a> Work<'a> {
+    fn new(task: &'a Task<'a>) -> Self {
+        Self {
+            task,
+            moments: Moments::new(&task.pair[0].basis, &task.pair[1].basis),
+            row: vec![0.0; task.inner.basis.len()],
+            hides: false,
+            dark: true,
+            error: 0.0,
+            samples: 0,
+            left: 0,
+        }
+    }
+
+    fn merge(&mut self, other: &Self) {
+        self.moments.add_raw(other.moments.values(), 0);
+        self.hides |= other.hides;
+        self.dark &= other.dark;
+        self.error += other.error;
+        self.samples += other.samples;
+    }
+
+    fn finish(self) -> Shade {
+        let Self { hides, dark, error, samples, moments, .. } = self;
+        Shade { values: moments.into_block(), hides, dark: dark && hides, error, samples }
+    }
+
+    /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
+    fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
+        let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
+        if blockers.is_empty() {
+            self.dark = false;
+            return;
+        }
+        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers));
+        let parts = parts(cell);
+        let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
+        let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
+        let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
+        let difference = differences.fold(0.0, f64::max) * self.task.unit;
+        // The first two levels, of few points, may agree by chance.
+        let agreed = if depth == DEPTH { limit } else { AGREED * limit };
+        let agreed = agreed.max(ROUNDING * self.task.limit.entry);
+        let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
+        let is_sure = shadow == Shadow::Part || depth + SURE <= DEPTH;
+        let is_told = difference <= agreed && is_sure;
+        self.left = self.left.saturating_sub(parts.len() as u64);
+        let is_last = depth == 0 || self.left == 0;
+        if is_last && difference > agreed {
+            self.error += difference;
+        }
+        let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
+        let entries = self.task.outer.basis.len() * self.task.inner.basis.len();
+        let share = limit / (parts.len() as f64).sqrt();
+        for (part, sum) in parts.iter().zip(sums) {
+            let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
+            if is_done {
+                self.moments.add_raw(&sum.values[..entries], 0);
+            } else {
+                self.visit(part, &blockers, Some(sum), share, depth - 1);
+            }
+        }
+    }
+
+    /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
+    fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
+        CARRIED * self.most(cell) > self.task.limit.error
+            && self.task.edges.may_be_passed_over(
+                cell,
+                blockers,
+                [self.task.points as f64, self.task.accuracy],
+            )
+    }
+
+    /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.
+    fn most(&self, cell: &Patch) -> f64 {
+        let nodes =
+            [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
+        let seen = |x: &Node| -> f64 {
+            self.task.polygons.iter().map(|polygon| irradiance(x.position, x.normal, polygon)).sum()
+        };
+        nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.task.constants
+    }
+
+    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. Behind them, where the outer functions are
+    /// constant, those with its two coordinates: one number may be the same on two levels by chance, three hardly are.
+    fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Sum {
+        let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
+        let witnesses = if own == 1 { 2 * other } else { 0 };
+        let (mut sum, mut shadow) = (vec![0.0; own * other + witnesses], None);
+        let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
+        let rule = UnitRule::of(self.task.points);
+        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            let x = cell.node(s, t);
+            right.fill(0.0);
+            let found = self.hidden(&x, blockers, &mut right);
+            shadow = Some(shadow.map_or(found, |other| found.and(other)));
+            if found == Shadow::Nothing {
+                continue;
+            }
+            let coordinates = self.task.outer.basis.frame().coordinates(&x);
+            self.task.outer.basis.raw(coordinates, &mut left);
+            let weight = ws * wt * x.area;
+            let (rows, columns) = match self.task.side {
+                Side::Receiver => (&left, &right),
+                Side::Emitter => (&right, &left),
+            };
+            let (moments, witnesses) = sum.split_at_mut(own * other);
+            for (row, l) in moments.chunks_exact_mut(columns.len()).zip(rows) {
+                row.iter_mut().zip(columns).for_each(|(value, r)| *value += weight * l * r);
+            }
+            for (row, place) in witnesses.chunks_exact_mut(other).zip(coordinates) {
+                row.iter_mut().zip(&right).for_each(|(value, r)| *value += weight * left[0] * place * r);
+            }
+        }
+        Sum { values: sum, shadow: shadow.unwrap_or(Shadow::Nothing) }
+    }
+
+    /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; how much that is.
+    fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
+        let pyramids = self.task.visibility.pyramids(blockers, x.position, &self.task.ball);
+        let (mut any, mut everything) = (false, true);
+        for index in 0..self.task.polygons.len() {
+            let Some(polygon) = self.seen_from(x, index) else { continue };
+            let (hidden, all) = inside_any(&polygon, &self.task.balls[index], &pyramids);
+            everything &= all;
+            any |= !hidden.is_empty();
+            hidden.into_iter().for_each(|seen| self.gather(x, seen, out));
+        }
+        self.dark &= everything;
+        self.hides |= any;
+        match (any, everything) {
+            (false, _) => Shadow::Nothing,
+            (true, true) => Shadow::Everything,
+            (true, false) => Shadow::Part,
+        }
+    }
+
+    /// The part of a polygon of the inner element that a point would see with nothing in between.
+    fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
+        let polygon = &self.task.polygons[index];
+        if self.task.outer.plane.is_some() {
+            return Some(Cow::Borrowed(polygon));
+        }
+        let is_before = (x.position - polygon[0]).dot(self.task.normal) > 0.0;
+        let above = clip_polygon(polygon, x.position, x.normal);
+        (is_before && above.len() > 2).then_some(Cow::Owned(above))
+    }
+
+    /// Adds what comes from a polygon as seen from x.
+    fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
+        if out.len() == 1 {
+            self.samples += seen.len() as u64;
+            out[0] += self.task.constant * irradiance_seen(x.normal, seen);
+            return;
+        }
+        let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
+        for patch in Patch::of_polygon(&polygon, self.task.normal) {
+            self.gauss(x, &patch, out, INNER_DEPTH);
+        }
+    }
+
+    fn gauss(&mut self, x: &Node, patch: &Patch, out: &mut [f64], depth: usize) {
+        let [along, across] = patch.extents();
+        let [a, b, c, d] = patch.corners();
+        let gap = point_to_polygon(x.position, &[a, b, c, d][..if patch.is_triangle() { 3 } else { 4 }]);
+        if gap < SMALLEST_RATIO * along.max(across) && depth > 0 {
+            let direction = if along >= across { Direction::Along } else { Direction::Across };
+            return patch.halves(direction).iter().for_each(|half| self.gauss(x, half, out, depth - 1));
+        }
+        let basis = &self.task.inner.basis;
+        let degree = basis.total_degree() + usize::from(!patch.is_parallelogram());
+        let rule = |extent: f64| {
+            let ratio = (gap / extent).max(SMALLEST_RATIO);
+            let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
+            UnitRule::of(far::points(degree, self.task.accuracy, rho))
+        };
+        let (first, second) = (rule(along), rule(across));
+        let area = [(b - a).cross(d - a), (b - a).cross(c - b), (c - d).cross(d - a)].map(|n| n.length());
+        let height = (x.position - a).dot(self.task.normal) * FRAC_1_PI;
+        for (s, ws) in first.iter() {
+            let (start, across) = (a + (b - a) * s, (d - a) * (1.0 - s) + (c - b) * s);
+            for (t, wt) in second.iter() {
+                let y = start + across * t;
+                let offset = y - x.position;
+                let square = offset.length_squared();
+                // The area element is linear in s and t.
+                let stretch = area[0] + (area[1] - area[0]) * s + (area[2] - area[0]) * t;
+                let weight = ws * wt * stretch * height * offset.dot(x.normal) / (square * square);
+                basis.raw(basis.frame().locate(y, DVec2::ZERO), &mut self.row);
+                out.iter_mut().zip(&self.row).for_each(|(sum, value)| *sum += weight * value);
+            }
+        }
+        self.samples += (first.nodes.len() * second.nodes.len()) as u64;
+    }
+}
+
+/// Points a direction of the outer rule: for functions of that degree times what is hidden, which is smooth but for its
+/// kinks.
+fn points(degree: usize, accuracy: f64) -> usize {
+    (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
+}
+
+/// The quarters of a cell, or the halves of a slender one.
+fn parts(cell: &Patch) -> Vec<Patch> {
+    let [along, across] = cell.extents();
+    let halves = |direction| cell.halves(direction).to_vec();
+    if along > SLENDER * across {
+        halves(Direction::Along)
+    } else if across > SLENDER * along {
+        halves(Direction::Across)
+    } else {
+        halves(Direction::Along).iter().flat_map(|half| half.halves(Direction::Across)).collect()
+    }
+}

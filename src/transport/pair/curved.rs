@@ -1,0 +1,185 @@
+//! Blocks of elements of which at least one is curved.
+//!
+//! The receiver is the outer one of two elements as [`crate::transport::schedule::order`] has them.
+//!
+//! A patch is first cut until neither its lines nor its normals turn by more than a quarter circle: closed surfaces
+//! become sectors. Then, part by part, breadth first:
+//!
+//! * parts that face away from each other are dropped ([`crate::transport::contact::orientation`]);
+//! * a part with itself: convex → nothing, concave → [`crate::transport::rules::identical`], else halves with themselves and each other;
+//! * where the kernel is constant (two parts of the inside of one sphere) a plain product rule is right at once;
+//! * apart: a tensor rule, or [`crate::transport::rules::horizon`] where a horizon may run through;
+//! * touching: brought to a rule by cuts and halves ([`crate::transport::contact::curved`]), then [`crate::transport::rules::common_edge`], [`crate::transport::rules::common_edge::unequal_speed`] or
+//!   [`crate::transport::rules::common_vertex`];
+//! * what blockers may cut is sampled: parts apart that carry much at scattered points, as of planar pairs ([`shaded`]), others
+//!   by the rules of their contacts, after a few halvings.
+//!
+//! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
+//! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
+
+mod attempt;
+mod before;
+mod budget;
+mod constant;
+mod fan;
+mod job;
+mod own;
+mod pair;
+mod points;
+mod shaded;
+mod size;
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use crate::elements::Element;
+use crate::visibility::Visibility;
+
+use crate::transport::blocks::block::Accuracy;
+use crate::transport::blocks::block::Block;
+use crate::transport::blocks::block::Kind;
+use crate::transport::contact::curved::Touch;
+use crate::transport::contact::planes::plane_of;
+use crate::transport::contact::sectors::sectors;
+use crate::transport::estimates::coarse::scale;
+use crate::transport::rules::horizon::Front;
+use attempt::DOUBT;
+use constant::constant;
+use job::{COINCIDENT, Job, Task};
+
+/// Samples, about, of all that is left then, and points a direction of each part of it.
+const LEFT_SAMPLES: f64 = 2e5;
+const FEWEST_LEFT: usize = 1;
+const MOST_LEFT: usize = 4;
+/// What of the sum so far counts as a lower bound of the block's first entry.
+const FOUND_SHARE: f64 = 0.5;
+
+/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. Sampled
+/// shadows may make `shadow_error` in an entry, a standard deviation; the error of all else is measured against the block's
+/// first entry or `least`, whichever is larger; contacts and horizons are refined the less the smaller it is beside the largest
+/// entry of its `row`.
+pub(in crate::transport) fn block(
+    receiver: &Element,
+    emitter: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    (accuracy, shadow_error): (Accuracy, f64),
+    [least, row]: [f64; 2],
+) -> Block {
+    let mut job = Job::new(receiver, emitter, visibility, (accuracy, shadow_error));
+    let parts = [sectors(receiver), sectors(emitter)];
+    let planes = [plane_of(&parts[0]), plane_of(&parts[1])];
+    let [receivers, emitters] = before::each_other(parts, planes, COINCIDENT * job.size);
+    if let [Some(first), Some(second)] = planes {
+        job.fronts = Some([Front::of(second), Front::of(first)]);
+    }
+    let rough = scale(&receivers, &emitters, job.budget.unit);
+    job.budget.scale = rough.max(least).max(job.smallest_scale());
+    job.budget.row = row;
+    if job.carries_nothing(rough, [&receivers, &emitters]) {
+        return job.finish();
+    }
+    job.ball = job.ball_between(blockers);
+    if blockers.is_empty() || job.ball.is_some() {
+        job.tasks.extend(receivers.into_iter().map(|part| Task::Fan(part, emitters.clone())));
+    } else {
+        job.sectors(&receivers, &emitters, blockers);
+    }
+    job.run();
+    job.finish()
+}
+
+/// The block of a curved element with itself; `blockers` are the surfaces that may stand within its hull, `least`
+/// and `row` as for [`block`].
+pub(in crate::transport) fn self_block(
+    element: &Element,
+    blockers: &[usize],
+    visibility: &Visibility,
+    (accuracy, shadow_error): (Accuracy, f64),
+    [least, row]: [f64; 2],
+) -> Block {
+    let mut job = Job::new(element, element, visibility, (accuracy, shadow_error));
+    let parts = sectors(element);
+    let rough = scale(&parts, &parts, job.budget.unit);
+    job.budget.scale = rough.max(least).max(job.smallest_scale());
+    job.budget.row = row;
+    job.kind = Kind::Same;
+    if job.carries_nothing(rough, [&parts; 2]) {
+        return job.finish();
+    }
+    job.ball = job.ball_between(blockers).filter(|_| parts.iter().all(|p| constant(&parts[0], p).is_some()));
+    if job.ball.is_some() {
+        job.tasks.extend(parts.iter().map(|part| Task::Fan(part.clone(), parts.clone())));
+        job.run();
+        // The fans hold both orders of each pair.
+        let mut block = job.finish();
+        add_transpose(&mut block.values, element.basis.len());
+        block.values.iter_mut().for_each(|value| *value *= 0.5);
+        return block;
+    }
+    // Half of all pairs are summed, and their sums on the diagonal taken twice.
+    job.budget.shadow_error *= FRAC_1_SQRT_2;
+    for (index, part) in parts.iter().enumerate() {
+        job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));
+        job.sectors(std::slice::from_ref(part), &parts[index + 1..], blockers);
+    }
+    job.run();
+    let mut block = job.finish();
+    add_transpose(&mut block.values, element.basis.len());
+    // Both halves of the sum carry the error.
+    block.error *= 2.0;
+    block
+}
+
+/// H + Hᵀ of a square matrix.
+fn add_transpose(values: &mut [f64], count: usize) {
+    for k in 0..count {
+        for l in 0..=k {
+            let sum = values[k * count + l] + values[l * count + k];
+            (values[k * count + l], values[l * count + k]) = (sum, sum);
+        }
+    }
+}
+
+impl Job<'_> {
+    fn run(&mut self) {
+        while let Some(task) = self.tasks.pop_front() {
+            if self.budget.overdrawn(&self.moments) {
+                self.tasks.push_front(task);
+                return self.leave();
+            }
+            match task {
+                Task::Same(patch, state) => self.same(&patch, state),
+                Task::Pair(p, q, state) => self.pair(&p, &q, state),
+                Task::Fan(outer, inner) => self.fan(&outer, inner),
+            }
+            // As κ ≥ 0, what was found so far bounds the first entry from below, but for its own error.
+            self.budget.scale = self.budget.scale.max(FOUND_SHARE * self.first_entry(&self.moments));
+        }
+    }
+
+    /// Sums all that is left by as few points as keep the whole affordable.
+    fn leave(&mut self) {
+        let mut left = Vec::new();
+        for task in std::mem::take(&mut self.tasks) {
+            match task {
+                Task::Same(patch, state) => left.push((patch.clone(), patch, state.blockers, 0.5)),
+                Task::Pair(p, q, state) => left.push((p, q, state.blockers, 1.0)),
+                Task::Fan(outer, inner) => {
+                    for part in inner {
+                        let blockers = self.between(&outer, &part);
+                        left.push((outer.clone(), part, blockers, 1.0));
+                    }
+                }
+            }
+        }
+        self.unresolved |= !left.is_empty();
+        let each = LEFT_SAMPLES / left.len().max(1) as f64;
+        let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
+        for (p, q, blockers, factor) in left {
+            let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
+            part.scale(factor);
+            self.error += DOUBT * self.first_entry(&part);
+            self.moments.merge(&part, true);
+        }
+    }
+}

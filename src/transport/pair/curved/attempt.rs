@@ -1,0 +1,147 @@
+//! Parts that no rule covers, tried by the rule that fits best with two numbers of points.
+
+use crate::elements::patch::{Node, Patch};
+use crate::transport::contact::curved::Touch;
+use crate::transport::estimates::coarse::scale;
+use crate::transport::moments::Moments;
+use crate::transport::moments::Side;
+use crate::transport::moments::integrand::Sees;
+use crate::transport::moments::integrand::visible_kernel;
+use crate::transport::rules::common_edge;
+use crate::transport::rules::common_edge::Wedge;
+use crate::transport::rules::common_vertex;
+use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::horizon::Front;
+
+use crate::transport::pair::curved::job::Job;
+use crate::transport::pair::curved::job::ROUGHNESS;
+use crate::transport::pair::curved::job::State;
+use crate::transport::pair::curved::size::longest;
+
+/// Points a direction of attempts on parts that no rule covers, for degree 0.
+const FEWEST_POINTS: usize = 4;
+/// The same where shadows are sampled once the samples are spent.
+const POINTS_WHEN_SPENT: usize = 3;
+/// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
+const LARGEST_ATTEMPT: f64 = 0.25;
+/// Cosine of the angle at a common edge below which two patches go on smoothly: the kernel is bounded there, and plain rules
+/// cost a small part of those that know the edge.
+const SMOOTH: f64 = -0.99;
+/// Part of the block's error that one attempt may make, and the power of the digits by which it falls beyond four of them: ever
+/// more parts are attempted.
+const ATTEMPT_SHARE: f64 = 0.03;
+const MORE_ATTEMPTS: i32 = 6;
+/// By how much less two rules may differ than they err on near parts, where both miss the kernel's peak: measured on a ball
+/// that lies on a floor.
+const PEAKED: f64 = 2.0;
+/// Least error of an attempt that was not good enough, as a part of what it carries.
+pub(super) const DOUBT: f64 = 0.1;
+
+impl<'a> Job<'a> {
+    /// Tries a part that no rule covers to the accuracy asked, for a horizon through a contact or a contact of another
+    /// kind, by the rule that fits best with two numbers of points; their difference is the error. `contact` is None
+    /// for a patch with itself. Whether it was good enough, or has to be since the samples are spent.
+    pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
+        let share = self.budget.share(p, q);
+        if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
+            return false;
+        }
+        let coarsest = self.spent() && !state.blockers.is_empty();
+        let n = self.bends(share) + if coarsest { POINTS_WHEN_SPENT } else { FEWEST_POINTS };
+        let [coarse, fine] = [n, n + 2].map(|n| self.tentative(p, q, contact, n, &state.blockers));
+        let error = self.yardstick.difference(fine.values(), coarse.values());
+        let may_err = ATTEMPT_SHARE / self.budget.beyond().powi(MORE_ATTEMPTS) * self.budget.may_err();
+        let enough = error <= may_err;
+        let kept = enough || self.spent();
+        self.moments.merge(&coarse, false);
+        self.moments.merge(&fine, kept);
+        if kept {
+            // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
+            let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
+            let reach = SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
+            self.error += doubt.max(if is_near { PEAKED * error } else { error });
+            self.unresolved |= !enough;
+        }
+        kept
+    }
+
+    /// What a part of so large a `share` carries at the most.
+    fn carried(&self, p: &Patch, q: &Patch, share: f64) -> f64 {
+        let rough = scale(std::slice::from_ref(p), std::slice::from_ref(q), self.budget.unit);
+        share.min(ROUGHNESS * rough)
+    }
+
+    /// A part whose shadows are sampled although the rays are spent.
+    pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) {
+        let n = POINTS_WHEN_SPENT + self.bends(self.budget.share(p, q));
+        let part = self.tentative(p, q, contact, n, &state.blockers);
+        self.moments.merge(&part, true);
+    }
+
+    /// Points that the polynomials take: on a small part they are nearly those of a lower degree.
+    fn bends(&self, share: f64) -> usize {
+        (0.5 * self.degrees[0].max(self.degrees[1]) as f64 * share.sqrt().min(1.0)).ceil() as usize
+    }
+
+    pub(super) fn tentative(
+        &self,
+        p: &Patch,
+        q: &Patch,
+        contact: Option<&Touch>,
+        n: usize,
+        blockers: &[usize],
+    ) -> Moments<'a> {
+        let mut moments = Moments::new(&self.elements[0].basis, &self.elements[1].basis);
+        let own = self.surfaces();
+        let free = |x, y| self.visibility.free_between(own, blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        let plain = [n, n, n + 1, n + 1];
+        match contact {
+            None => {
+                // Half of a patch with itself.
+                moments.tensor(p, p, plain, sees);
+                moments.scale(0.5);
+            }
+            Some(Touch::Edge { p, q, matched: true }) if Wedge::of(p, q).cosine > SMOOTH => {
+                common_edge::integrate(&mut moments, p, q, [n; 3], sees);
+            }
+            Some(Touch::Vertex(p, q)) => common_vertex::integrate(&mut moments, p, q, [n; 2], sees),
+            Some(_) => match &self.fronts {
+                Some(fronts) if fronts[0].cuts(p) || fronts[1].cuts(q) => {
+                    before_planes(&mut moments, [p, q], fronts, n, sees);
+                }
+                _ => moments.tensor(p, q, plain, sees),
+            },
+        }
+        moments
+    }
+}
+
+/// Adds two planar patches by the product of n × n points on what the second sees of the first and n + 1 a direction on what
+/// the first sees of it.
+fn before_planes(
+    moments: &mut Moments,
+    [p, q]: [&Patch; 2],
+    [first, second]: &[Front; 2],
+    n: usize,
+    sees: Option<Sees>,
+) {
+    let basis = moments.bases()[1];
+    let row = |(y, weight): (Node, f64)| {
+        let mut row = vec![0.0; basis.len()];
+        basis.raw(basis.frame().coordinates(&y), &mut row);
+        row.iter_mut().for_each(|value| *value *= weight);
+        (y, row)
+    };
+    let emitters: Vec<(Node, Vec<f64>)> = second.nodes(q, [n + 1; 2]).nodes.into_iter().map(row).collect();
+    let mut column = vec![0.0; basis.len()];
+    for (x, weight) in first.nodes(p, [n; 2]).nodes {
+        column.fill(0.0);
+        for (y, row) in &emitters {
+            let value = visible_kernel(&x, y, sees, &mut moments.rays);
+            column.iter_mut().zip(row).for_each(|(sum, l)| *sum += value * l);
+        }
+        moments.outer(Side::Receiver, &x, weight, &column, emitters.len() as u64);
+    }
+}

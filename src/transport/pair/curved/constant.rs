@@ -1,0 +1,45 @@
+//! Pairs on which the kernel has one value: parts of the inside of one sphere.
+//!
+//! ```text
+//! ∫∫ κ φ_k φ_l = κ ∫ φ_k dA ∫ φ_l dA
+//! ```
+
+use crate::elements::Element;
+use crate::elements::patch::Patch;
+use crate::elements::rule::UnitRule;
+use crate::transport::moments::integrand::kernel;
+use crate::transport::rules::orders::chart_orders;
+
+use crate::transport::pair::curved::job::Job;
+
+impl Job<'_> {
+    /// A pair of patches on which the kernel has one value: the product of their own moments.
+    pub(super) fn constant(&mut self, p: &Patch, q: &Patch, value: f64) {
+        let side = |patch: &Patch, element: &Element| {
+            let basis = &element.basis;
+            let (mut sums, mut row) = (vec![0.0; basis.len()], vec![0.0; basis.len()]);
+            let [along, across] = chart_orders::points(patch, self.budget.accuracy.eps)
+                .map(|n| UnitRule::of(basis.order() / 2 + n + 2));
+            for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+                let node = patch.node(s, t);
+                basis.raw(basis.frame().coordinates(&node), &mut row);
+                sums.iter_mut().zip(&row).for_each(|(sum, l)| *sum += ws * wt * node.area * l);
+            }
+            (sums, (along.nodes.len() * across.nodes.len()) as u64)
+        };
+        let ((left, m), (right, n)) = (side(p, self.elements[0]), side(q, self.elements[1]));
+        let moments: Vec<f64> = left.iter().flat_map(|l| right.iter().map(move |r| value * l * r)).collect();
+        self.moments.add_raw(&moments, m + n);
+    }
+}
+
+/// The kernel's value if it is the same for all pairs of points: both on the inside of one sphere.
+pub(super) fn constant(p: &Patch, q: &Patch) -> Option<f64> {
+    if p.is_flat() || q.is_flat() {
+        return None;
+    }
+    let (a, b) = (p.cell_nodes(3), q.cell_nodes(4));
+    let values = a.iter().flat_map(|x| b.iter().map(move |y| kernel(x, y)));
+    let [low, high] = values.fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], k| [low.min(k), high.max(k)]);
+    (low > 0.0 && high - low <= 1e-10 * high).then_some(0.5 * (low + high))
+}

@@ -1,0 +1,136 @@
+//! Parts of one element as seen from one part of the other, with nothing or one ball in between.
+//!
+//! Together, because their sum is smooth where a horizon passes from one into the next.
+
+use std::collections::VecDeque;
+
+use crate::elements::patch::Patch;
+use crate::transport::blocks::block::Kind;
+use crate::transport::contact::curved::Touch;
+use crate::transport::contact::curved::touch;
+use crate::transport::contact::flat::gap;
+use crate::transport::contact::orientation::Facing;
+use crate::transport::contact::orientation::facing;
+use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::horizon;
+use crate::transport::rules::horizon::Side;
+
+use crate::transport::pair::curved::constant::constant;
+use crate::transport::pair::curved::job::COINCIDENT;
+use crate::transport::pair::curved::job::Job;
+use crate::transport::pair::curved::job::SMALL_PART;
+use crate::transport::pair::curved::job::State;
+use crate::transport::pair::curved::job::Task;
+use crate::transport::pair::curved::points::quartered;
+use crate::transport::pair::curved::size::longest;
+
+/// Part of the block's error that the horizons of one outer part may make.
+const HORIZON_SHARE: f64 = 0.3;
+
+impl Job<'_> {
+    /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
+    /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
+    pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
+        let reach = longest(outer).1;
+        let mut open: VecDeque<Patch> = inner.into();
+        let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
+        while let Some(part) = open.pop_front() {
+            let (p, q) = (outer, &part);
+            let share = self.budget.share(p, q);
+            let gap = gap(p, q);
+            let tolerance = COINCIDENT * self.size;
+            let touching = gap <= tolerance && !matches!(touch(p, q, tolerance), Touch::Apart(_));
+            let facing = facing(p, q, touching, self.budget.slight(share));
+            if facing == Facing::Away {
+                continue;
+            }
+            let blockers = self.between(p, q);
+            self.partly_hidden |= !blockers.is_empty();
+            if !blockers.is_empty() && constant(p, q).is_some() {
+                // Nothing becomes singular, whether they touch or not.
+                clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
+                continue;
+            }
+            if touching || self.budget.neglects(share) {
+                let state = State { touching: true, levels: self.budget.accuracy.shadow_levels(), blockers };
+                self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
+                continue;
+            }
+            let close = gap < SMALLEST_RATIO * reach.max(longest(&part).1);
+            if close || facing != Facing::Wholly {
+                let state = State { touching: false, levels: 0, blockers: blockers.clone() };
+                let spent = if close { self.spent() } else { self.budget.horizons_spent() };
+                if (spent || share <= SMALL_PART * self.budget.scale)
+                    && self.attempt(p, q, Some(&Touch::Apart(gap)), &state)
+                {
+                    continue;
+                }
+            }
+            if close {
+                self.kind = self.kind.max(Kind::Split);
+                if reach > longest(&part).1 {
+                    near.push(part);
+                } else {
+                    open.extend(part.halves(longest(&part).0));
+                }
+            } else if facing == Facing::Wholly && blockers.is_empty() {
+                whole.push((part, gap));
+            } else {
+                clipped.push((part, gap));
+            }
+        }
+        if near.is_empty() && clipped.is_empty() {
+            return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
+        }
+        // Beside horizons those seen wholly go the same way: the sum of all is smoother than any of them.
+        clipped.extend(whole);
+        if near.is_empty() {
+            return self.horizon(outer, &clipped);
+        }
+        near.extend(clipped.into_iter().map(|(part, _)| part));
+        let halves = outer.halves(longest(outer).0);
+        self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
+    }
+
+    /// An inner part that the outer one sees wholly, by a tensor rule.
+    fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
+        let points = self.points(outer, inner).apart(outer, inner, gap);
+        self.moments.tensor(outer, inner, points, None);
+    }
+
+    /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
+    /// next, their sum stays smooth.
+    pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
+        let mut points = [1; 2];
+        let mut sides = Vec::new();
+        for (part, gap) in inner {
+            let counts = self.points(outer, part).apart(outer, part, *gap);
+            for (most, count) in points.iter_mut().zip(&counts) {
+                *most = *count.max(most);
+            }
+            let eps = self.budget.part_eps(outer, part);
+            let most = &counts[2..];
+            let pieces = match &self.fronts {
+                Some([_, front]) if front.cuts(part) => front.parts(part, [most[0], most[1]], eps),
+                _ => vec![part.clone()],
+            };
+            for piece in pieces {
+                let points = quartered(&piece, self.degrees[1], *gap, eps);
+                sides.push((piece, points));
+            }
+        }
+        if sides.is_empty() {
+            return;
+        }
+        let ball = self.ball.map(|(_, ball)| ball);
+        let outer = Side { patch: outer, basis: &self.elements[0].basis, points, ball };
+        let may_err = self.budget.may_err();
+        let budget = self.budget.left_for_horizons();
+        let basis = &self.elements[1].basis;
+        let cut = horizon::integrate(&outer, basis, &sides, &self.yardstick, HORIZON_SHARE * may_err, budget);
+        self.budget.horizons += cut.samples;
+        self.moments.add_raw(&cut.moments, cut.samples);
+        self.error += cut.error;
+        self.unresolved |= cut.error > may_err;
+    }
+}

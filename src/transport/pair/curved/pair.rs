@@ -1,0 +1,144 @@
+//! Two parts of curved elements, wherever they lie.
+
+use crate::elements::patch::Patch;
+use crate::elements::rule::MOST_POINTS;
+use crate::transport::blocks::block::Kind;
+use crate::transport::contact::curved::Touch;
+use crate::transport::contact::curved::touch;
+use crate::transport::contact::flat::gap;
+use crate::transport::contact::orientation::Facing;
+use crate::transport::contact::orientation::facing;
+use crate::transport::moments::integrand::Sees;
+use crate::transport::rules::common_edge;
+use crate::transport::rules::common_edge::LARGEST_ASPECT;
+use crate::transport::rules::common_edge::Wedge;
+use crate::transport::rules::common_edge::unequal_speed;
+use crate::transport::rules::common_vertex;
+use crate::transport::rules::far::SMALLEST_RATIO;
+
+use crate::transport::pair::curved::constant::constant;
+use crate::transport::pair::curved::job::COINCIDENT;
+use crate::transport::pair::curved::job::Job;
+use crate::transport::pair::curved::job::SMALL_PART;
+use crate::transport::pair::curved::job::State;
+use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
+use crate::transport::pair::curved::size::longest;
+
+impl Job<'_> {
+    pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        let share = self.budget.share(p, q);
+        if self.budget.neglects(share) {
+            self.error += share;
+            return;
+        }
+        if !state.blockers.is_empty() {
+            let (hull_p, hull_q) = (p.hull(), q.hull());
+            state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);
+            if self.visibility.hidden(&state.blockers, &hull_p, &hull_q) {
+                return;
+            }
+        }
+        let tolerance = COINCIDENT * self.size;
+        let contact = if state.touching { touch(p, q, tolerance) } else { Touch::Apart(gap(p, q)) };
+        let gap = if let Touch::Apart(gap) = contact { gap } else { 0.0 };
+        state.touching = gap <= 0.0;
+        let facing = facing(p, q, !matches!(contact, Touch::Apart(_)), self.budget.slight(share));
+        if facing == Facing::Away {
+            return;
+        }
+        let is_small = share <= SMALL_PART * self.budget.scale;
+        let is_near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+        if !state.blockers.is_empty() {
+            let spent = self.budget.shadows_spent(&self.moments);
+            // Rules of horizons leave out what a ball hides: its shadow must not be taken off beside them.
+            let is_scattered = !is_small && !is_near && self.ball.is_none();
+            if state.levels > 0 && !spent && !is_scattered {
+                state.levels -= 1;
+                return self.halve(p, q, &contact, &state);
+            }
+            self.partly_hidden = true;
+            if is_scattered {
+                if !self.scatter(p, q, facing, &state.blockers) {
+                    return;
+                }
+                state.blockers.clear();
+            } else if spent && (is_small || !is_near) {
+                return self.roughly(p, q, Some(&contact), &state);
+            }
+        }
+        if state.blockers.is_empty()
+            && let Some(value) = constant(p, q)
+        {
+            return self.constant(p, q, value);
+        }
+        let is_doubtful = is_near || facing == Facing::Partly;
+        if gap > 0.0 && is_small && is_doubtful && self.attempt(p, q, Some(&contact), &state) {
+            return;
+        }
+        match facing {
+            Facing::Partly if state.blockers.is_empty() => self.clipped(p, q, &contact, gap, &state),
+            _ => self.smooth(p, q, &contact, gap, &state),
+        }
+    }
+
+    /// A pair through which a horizon may run.
+    fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let longest = longest(p).1.max(longest(q).1);
+        if gap >= SMALLEST_RATIO * longest {
+            if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
+                return;
+            }
+            return self.horizon(p, &[(q.clone(), gap)]);
+        }
+        self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+        if !self.attempt(p, q, Some(contact), state) {
+            self.halve(p, q, contact, state);
+        }
+    }
+
+    /// A pair that sees each other wholly, or whose horizons are left to rays.
+    fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
+        let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
+        let free = |x, y| visibility.free_between(own, &blockers, x, y);
+        let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
+        match contact {
+            Touch::Edge { p: a, q: b, matched } => {
+                self.kind = self.kind.max(Kind::Edge);
+                let wedge = Wedge::of(a, b);
+                if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = self.points(a, b).edge(a, b, *matched, &wedge);
+                self.unresolved |= points[2] > MOST_POINTS;
+                let rule = if *matched { common_edge::integrate } else { unequal_speed::integrate };
+                rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
+            }
+            Touch::Vertex(a, b) => {
+                self.kind = self.kind.max(Kind::Vertex);
+                if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
+                    return self.halve(p, q, contact, state);
+                }
+                let points = self.points(a, b).corner(a, b);
+                self.unresolved |= points[1] > MOST_CORNER_POINTS;
+                common_vertex::integrate(
+                    &mut self.moments,
+                    a,
+                    b,
+                    points.map(|n| n.min(MOST_CORNER_POINTS)),
+                    sees,
+                );
+            }
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) => {
+                let points = self.points(p, q).apart(p, q, gap);
+                self.moments.tensor(p, q, points, sees);
+            }
+            _ => {
+                self.kind = self.kind.max(if gap > 0.0 { Kind::Split } else { Kind::Contact });
+                let by_halving = gap > 0.0 || matches!(contact, Touch::Cut(_) | Touch::Tip(_));
+                if by_halving && !self.spent() || !self.attempt(p, q, Some(contact), state) {
+                    self.halve(p, q, contact, state);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,117 @@
+//! How many points the rules of parts of curved elements take.
+
+use std::sync::Arc;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::patch::Patch;
+use crate::elements::rule::MOST_POINTS;
+use crate::transport::rules::common_edge;
+use crate::transport::rules::common_edge::Wedge;
+use crate::transport::rules::common_edge::unequal_speed;
+use crate::transport::rules::common_vertex;
+use crate::transport::rules::far;
+use crate::transport::rules::horizon;
+use crate::transport::rules::orders::by_trial;
+use crate::transport::rules::orders::chart_orders;
+
+/// Most points a direction of the corner rule, which takes their fourth power.
+pub(super) const MOST_CORNER_POINTS: usize = 20;
+/// What the numbers of points of a pair of parts depend on beside their shapes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Points {
+    /// Degrees of receiver and emitter.
+    pub degrees: [usize; 2],
+    /// Accuracy asked of the part.
+    pub eps: f64,
+}
+
+impl Points {
+    /// Points of the tensor rule of a pair apart.
+    pub(super) fn apart(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
+        let counts = far::counts(p, q, self.degrees, gap, self.eps);
+        let charts = [chart_orders::points(p, self.eps), chart_orders::points(q, self.eps)].concat();
+        [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
+    }
+
+    /// Points [x, y, angular] of the rule of a common edge.
+    pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> [usize; 3] {
+        let (eps, exact) = (self.eps, self.exact_degree());
+        if eps > by_trial::COARSEST {
+            let [_, _, angular] = common_edge::counts(p, q, wedge, self.degrees, eps);
+            let radial = exact + contact_chart(p, q, eps);
+            return [radial, radial, angular + 1];
+        }
+        let [radial, along, angular] = if matched {
+            by_trial::edge(p, &|u, v| q.node(u, v), eps)
+        } else {
+            let seam = unequal_speed::Seam::new(p, q);
+            by_trial::edge(p, &|u, v| seam.node(u, v), eps)
+        };
+        [exact + radial - 1, exact + along - 1, angular + self.largest_degree().div_ceil(2)]
+    }
+
+    /// Points [x, angular] of the rule of a common corner.
+    pub(super) fn corner(&self, p: &Patch, q: &Patch) -> [usize; 2] {
+        let (eps, exact, degree) = (self.eps, self.exact_degree(), self.largest_degree());
+        if eps > by_trial::COARSEST {
+            let [_, angular] = common_vertex::counts(p, q, self.degrees, eps);
+            let angular = angular.max(far::points(degree, eps, corner_rate(p, q))) + 1;
+            return [exact + contact_chart(p, q, eps), angular];
+        }
+        let [radial, angular] = by_trial::vertex(p, q, MOST_CORNER_POINTS, eps);
+        [exact + radial - 1, angular + degree.div_ceil(2)]
+    }
+
+    pub(super) fn largest_degree(&self) -> usize {
+        self.degrees[0].max(self.degrees[1])
+    }
+
+    /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
+    fn exact_degree(&self) -> usize {
+        far::exact(self.degrees)
+    }
+}
+
+/// Points that the charts of two touching patches take: half as many again as of patches apart, since the kernel
+/// between them varies with the charts alone.
+pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
+    let most =
+        [chart_orders::points(p, eps), chart_orders::points(q, eps)].concat().into_iter().max().unwrap_or(0);
+    most + most.div_ceil(2)
+}
+
+/// Points of the tensor rule on an inner patch and on its quarters, by how often it is quartered: their extents halve,
+/// and their charts take about a quarter less points each time.
+pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
+    let charts = chart_orders::points(patch, eps);
+    let extents = patch.extents();
+    let count = |axis: usize, depth: usize| {
+        let ratio = gap / extents[axis] * f64::from(1 << depth);
+        let rho = 2.0 * ratio + (4.0 * ratio * ratio + 1.0).sqrt();
+        let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
+        (far::points(degree, eps, rho) + chart).min(MOST_POINTS)
+    };
+    // A horizon that grazes a quarter's lines clips ever less of ever smaller quarters.
+    let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
+    (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
+}
+
+/// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of
+/// the least angle φ between them, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ).
+fn corner_rate(p: &Patch, q: &Patch) -> f64 {
+    const STEPS: usize = 8;
+    let directions = |patch: &Patch| -> Vec<DVec3> {
+        let corner = patch.node(0.0, 0.0).position;
+        let [along, across] = [(1e-3, 0.0), (0.0, 1e-3)].map(|(s, t)| patch.node(s, t).position - corner);
+        let at = |k: usize| {
+            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * k as f64 / STEPS as f64).sin_cos();
+            cos * along + sin * across
+        };
+        (0..=STEPS).map(at).collect()
+    };
+    let (a, b) = (directions(p), directions(q));
+    let angles = a.iter().flat_map(|d| b.iter().map(move |e| d.angle_between(*e)));
+    let sigma = 1.0 + 2.0 * (0.5 * angles.fold(std::f64::consts::PI, f64::min)).sin().max(0.01);
+    sigma + (sigma * sigma - 1.0).sqrt()
+}

@@ -1,0 +1,163 @@
+//! The kernel between two parallelograms with a common edge, as moments over the angular variables.
+//!
+//! In the coordinates of [`crate::transport::rules::common_edge`] the two stand at t p and v q from the edge e, and κ is homogeneous of degree −2:
+//! with (t, v, z) = x (τ, ν, ζ)
+//!
+//! ```text
+//! x² κ = (n_p·q)(n_q·p) τ ν / π|ν q − τ p ± ζ e|⁴ ,    (τ, ν, ζ) = (1, a, b), (a, 1, b), (a, b, 1)
+//! κ_rc = ∫₀¹∫₀¹ x²κ p_r(2a − 1) p_c(2b − 1) da db
+//! ```
+//!
+//! Where one side is much deeper, the edge short or the angle small, the kernel peaks in one place of the square (a, b).
+//! The square is halved towards it as long as that takes fewer points; each part has its own number of points along a and b
+//! ([`crate::transport::rules::orders::subdivided_cube`]).
+
+use core::f64::consts::FRAC_1_PI;
+
+use radiosity_geom::DVec3;
+
+use crate::elements::columns::add_scaled;
+use crate::elements::patch::Patch;
+use crate::elements::rule::UnitRule;
+
+use crate::transport::moments::legendre_values::polynomials;
+use crate::transport::rules::common_edge::triangles::DEEPEST;
+use crate::transport::rules::orders::subdivided_cube::Multilinear;
+use crate::transport::rules::orders::subdivided_cube::Part;
+
+/// Two parallelograms with a common edge.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::transport) struct Hinge {
+    edge: DVec3,
+    depths: [DVec3; 2],
+    /// (n_p·q)(n_q·p)/π times both area elements.
+    strength: f64,
+    /// Whether both depths stand upright on the edge, so that both signs of ζ give the same.
+    upright: bool,
+}
+
+/// κ_rc of one region, r-major, combined over the two signs of ζ.
+#[derive(Clone, Debug)]
+pub(in crate::transport) struct Angular {
+    /// κ⁺ + κ⁻.
+    pub even: Vec<f64>,
+    /// κ⁺ − κ⁻.
+    pub odd: Vec<f64>,
+    /// Number of c.
+    pub width: usize,
+}
+
+/// One of the three regions: r = fixed + a · along[0] + b · along[1], for the two signs of ζ.
+struct Region {
+    fixed: [DVec3; 2],
+    along: [[DVec3; 2]; 2],
+    /// Highest r and c.
+    degrees: [usize; 2],
+    /// The degree of the integrand's polynomials that counts for the number of points.
+    degree: usize,
+    eps: f64,
+    /// Which, from 0.
+    which: usize,
+    /// How many of the two signs differ.
+    signs: usize,
+}
+
+impl Hinge {
+    /// Of two parallelograms oriented with the common edge at t = 0, each in front of the other.
+    pub(in crate::transport) fn new(p: &Patch, q: &Patch) -> Self {
+        let (origin, far) = (p.node(0.0, 0.0), q.node(0.0, 1.0));
+        let edge = p.node(1.0, 0.0).position - origin.position;
+        let depths = [p.node(0.0, 1.0).position - origin.position, far.position - q.node(0.0, 0.0).position];
+        let strength = origin.normal.dot(depths[1]) * far.normal.dot(depths[0]);
+        let upright = depths.iter().all(|d| edge.dot(*d).abs() <= 1e-15 * edge.length() * d.length());
+        Self { edge, depths, strength: FRAC_1_PI * strength * origin.area * far.area, upright }
+    }
+
+    /// κ_rc of the three regions for polynomials of the given degrees [receiver, emitter], and the number of kernel
+    /// values; None where the kernel is too nearly singular.
+    pub(in crate::transport) fn moments(&self, degrees: [usize; 2], eps: f64) -> Option<([Angular; 3], u64)> {
+        let mut samples = 0;
+        let along_edge = degrees[0] + degrees[1] + 1;
+        let regions = [[degrees[1], along_edge], [degrees[0], along_edge], degrees];
+        let mut all = regions.map(Angular::new);
+        for (which, angular) in all.iter_mut().enumerate() {
+            let region = self.region(which, regions[which], degrees[0].max(degrees[1]), eps);
+            for sign in 0..region.signs {
+                samples += region.add(sign, self.strength, angular)?;
+            }
+        }
+        Some((all, samples))
+    }
+
+    fn region(&self, which: usize, degrees: [usize; 2], degree: usize, eps: f64) -> Region {
+        let [p, q] = [-self.depths[0], self.depths[1]];
+        let signs = [self.edge, -self.edge];
+        let (fixed, along) = match which {
+            0 => ([p; 2], signs.map(|e| [q, e])),
+            1 => ([q; 2], signs.map(|e| [p, e])),
+            _ => (signs, [[p, q]; 2]),
+        };
+        Region { fixed, along, degrees, degree, eps, which, signs: if self.upright { 1 } else { 2 } }
+    }
+}
+
+impl Angular {
+    fn new(degrees: [usize; 2]) -> Self {
+        let width = degrees[1] + 1;
+        let zeros = vec![0.0; (degrees[0] + 1) * width];
+        Self { even: zeros.clone(), odd: zeros, width }
+    }
+}
+
+impl Region {
+    /// Adds the moments of one sign of ζ; returns the number of kernel values.
+    fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
+        let difference = |[a, b]: [f64; 2]| self.difference(sign, a, b);
+        let (degree, eps) = (self.degree, self.eps);
+        let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
+        let mut samples = 0;
+        for (part, points) in square.parts()? {
+            self.integrate(sign, strength, &part, points, out);
+            samples += (points[0] * points[1]) as u64;
+        }
+        Some(samples)
+    }
+
+    /// y − x at x = 1.
+    fn difference(&self, sign: usize, a: f64, b: f64) -> DVec3 {
+        self.fixed[sign] + self.along[sign][0] * a + self.along[sign][1] * b
+    }
+
+    fn integrate(&self, sign: usize, strength: f64, part: &Part<2>, points: [usize; 2], out: &mut Angular) {
+        let rules = points.map(UnitRule::of);
+        let (mut row_a, mut row_b) = (vec![0.0; self.degrees[0] + 1], vec![0.0; out.width]);
+        let mut tables = Vec::with_capacity(points[1] * out.width);
+        for b in &rules[1].nodes {
+            polynomials(2.0 * part.at(1, *b) - 1.0, &mut row_b);
+            tables.extend_from_slice(&row_b);
+        }
+        for (a, wa) in rules[0].iter() {
+            let a = part.at(0, a);
+            row_b.fill(0.0);
+            for ((b, wb), table) in rules[1].iter().zip(tables.chunks_exact(out.width)) {
+                add_scaled(&mut row_b, wb * self.value(sign, a, part.at(1, b)), table);
+            }
+            polynomials(2.0 * a - 1.0, &mut row_a);
+            let weight = strength * wa * part.size[0] * part.size[1];
+            // One sign stands for both: twice in the sum, nothing in the difference.
+            let (even, odd) = if self.signs == 1 { (2.0, 0.0) } else { (1.0, [1.0, -1.0][sign]) };
+            for (r, value) in row_a.iter().enumerate() {
+                let place = r * out.width..(r + 1) * out.width;
+                add_scaled(&mut out.even[place.clone()], even * weight * value, &row_b);
+                add_scaled(&mut out.odd[place], odd * weight * value, &row_b);
+            }
+        }
+    }
+
+    /// τν/r⁴.
+    fn value(&self, sign: usize, a: f64, b: f64) -> f64 {
+        let heights = [a, a, a * b][self.which];
+        let r2 = self.difference(sign, a, b).length_squared();
+        heights / (r2 * r2)
+    }
+}

@@ -1,0 +1,86 @@
+//! A small polygon near a large one.
+//!
+//! The contour integral of ln r over edges of the length L loses the digits of L/l beside an area l². But the small
+//! contour is closed, so that any function of the point y of the large one may be subtracted from ln r, another one
+//! on every stretch of it. With the small polygon in a ball of radius ϱ about the origin,
+//!
+//! ```text
+//! ln r − ln|y| = ½ ln(1 + z) ,     z = (x² − 2x·y) / y² ,
+//! ```
+//!
+//! is of the size l/|y|, and a product of Gauss rules on stretches no longer than their distance sums it. Stretches
+//! at the ball are cut down to its size and go edge by edge.
+
+use radiosity_geom::DVec3;
+
+use crate::elements::rule::UnitRule;
+
+use crate::transport::rules::contour::pair;
+use crate::transport::rules::contour::segment::Segment;
+
+/// Distance of the stretches that go by Gauss, in units of ϱ.
+const CLEAR: f64 = 3.0;
+/// Length of the stretches that go edge by edge, in units of ϱ.
+const SHORT: f64 = 4.0;
+/// ln(1/ε) of the rules.
+const DIGITS: f64 = 35.0;
+/// Most points per stretch.
+const MOST: usize = 16;
+/// Smallest σ that [`MOST`] points suffice for.
+const SMALLEST_SIGMA: f64 = 1.66;
+
+/// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another, and the
+/// number of logarithms it took.
+pub(super) fn integral(small: &[Segment], radius: f64, edge: &Segment) -> (f64, u64) {
+    let (mut sum, mut terms) = (0.0, 0);
+    let mut stretches = vec![*edge];
+    while let Some(stretch) = stretches.pop() {
+        let foot = (-stretch.start.dot(stretch.direction)).clamp(0.0, stretch.length);
+        let distance = (stretch.start + stretch.direction * foot).length();
+        let sigma = (stretch.start.length() + stretch.end.length() - 2.0 * radius) / stretch.length;
+        let (value, count) = if distance >= CLEAR * radius && sigma >= SMALLEST_SIGMA {
+            let cone = ((distance - radius) * (distance + radius)).sqrt() / radius;
+            product(small, &stretch, [cone, sigma])
+        } else if stretch.length <= SHORT * radius {
+            pair::integrals(small, &stretch)
+        } else {
+            stretches.extend(halves(&stretch));
+            continue;
+        };
+        (sum, terms) = (sum + value, terms + count);
+    }
+    (sum, terms)
+}
+
+fn halves(stretch: &Segment) -> [Segment; 2] {
+    let (middle, length) = (stretch.start.midpoint(stretch.end), 0.5 * stretch.length);
+    [Segment { end: middle, length, ..*stretch }, Segment { start: middle, length, ..*stretch }]
+}
+
+/// The product rule; `sigmas` are σ on the edges of the small polygon, at least, and on the stretch.
+fn product(small: &[Segment], stretch: &Segment, sigmas: [f64; 2]) -> (f64, u64) {
+    let [rule_a, rule_b] = sigmas.map(|sigma| UnitRule::of(points(sigma)));
+    let mut sum = 0.0;
+    for a in small {
+        let cosine = a.direction.dot(stretch.direction);
+        for (s, w) in rule_a.iter() {
+            let x = a.start + a.direction * (s * a.length);
+            let along = rule_b.iter().map(|(t, v)| {
+                let y = stretch.start + stretch.direction * (t * stretch.length);
+                v * half_log(x, y)
+            });
+            sum += cosine * a.length * w * along.sum::<f64>();
+        }
+    }
+    (stretch.length * sum, (small.len() * rule_a.nodes.len() * rule_b.nodes.len()) as u64)
+}
+
+/// ½ ln(1 + z).
+fn half_log(x: DVec3, y: DVec3) -> f64 {
+    0.5 * (x.dot(x - 2.0 * y) / y.length_squared()).ln_1p()
+}
+
+fn points(sigma: f64) -> usize {
+    let rate = 2.0 * (sigma + (sigma * sigma - 1.0).sqrt()).ln();
+    ((DIGITS / rate).ceil().max(1.0) as usize).min(MOST)
+}

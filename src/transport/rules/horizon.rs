@@ -1,0 +1,334 @@
+//! Patches apart of which some points do not see each other for their own horizons.
+//!
+//! The kernel is clipped where either of n_x·(y − x), n_y·(x − y) changes sign, and a tensor rule converges only like
+//! 1/n² or so. Instead the integral is iterated: for every outer point x,
+//!
+//! ```text
+//! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
+//! ```
+//!
+//! is computed on exactly the part of q that x sees ([`part`]).
+//!
+//! A ball that stands between is cut away in the same manner ([`view`]).
+//!
+//! W itself loses smoothness where a horizon starts to leave q: of second order or about that, as ever more of q is seen. There
+//! the outer patch, without the parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first ([`queue`]),
+//! until their errors together are small enough. But the points of a planar q have one horizon, which leaves all of it at once:
+//! W has a kink of first order there, and the outer patch is cut along it beforehand ([`front`]).
+
+mod cell;
+mod front;
+mod line;
+mod part;
+mod queue;
+mod view;
+
+use std::sync::Arc;
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::MOST_POINTS;
+
+use crate::transport::contact::orientation::Facing;
+use crate::transport::contact::orientation::facing;
+use crate::transport::contact::planes::plane_of;
+use crate::transport::estimates::entry_norm::Yardstick;
+use cell::{Cell, DIRECTIONS, Whole};
+pub(in crate::transport) use front::Front;
+use front::Nodes;
+pub(in crate::transport) use part::DEEPEST;
+use part::Part;
+use queue::Queue;
+pub(in crate::transport) use view::Ball;
+use view::View;
+
+/// Points of the rules that are tried on an outer patch, as parts of those that the kernel would take.
+const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
+/// Fewest points of these rules, and by how many each has more than the one before: the kernel may take few where W, clipped,
+/// takes many, and a rule tells nothing beside itself.
+const FEWEST: usize = 3;
+const STEP: usize = 2;
+/// Part of the tolerance within which two of them have to agree.
+const CLIMB_SHARE: f64 = 0.5;
+/// The error of the finer of two rules, as a part of their difference: r/(1 − r) with r = (3/5)³ at a kink of second order.
+const FINER_RULE: f64 = 0.3;
+
+/// Part of the tolerance that cells that are done with may miss together, each by its share of the patch.
+const SETTLED: f64 = 0.25;
+/// Most numbers kept of cells under way, 64 MB of them; about how many sets of moments each cell has.
+const MOST_NUMBERS: usize = 8_000_000;
+const WHOLES: usize = 4;
+
+/// What a patch may carry of which corners alone see anything, as a part of what it would if all of it saw as much.
+const CORNER: f64 = 0.05;
+const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
+
+/// Most halvings that take away what sees nothing.
+const MOST_TRIMS: usize = 16;
+
+/// What a pair of patches gave.
+#[derive(Debug)]
+pub(in crate::transport) struct Cut {
+    /// Moments in the raw polynomials, row-major, outer functions by inner functions.
+    pub moments: Vec<f64>,
+    /// Estimate of the largest error of the block's entries.
+    pub error: f64,
+    /// Kernel and horizon evaluations.
+    pub samples: u64,
+}
+
+/// An outer patch.
+pub(in crate::transport) struct Side<'a> {
+    /// The patch.
+    pub patch: &'a Patch,
+    /// Its element's polynomials.
+    pub basis: &'a AreaBasis,
+    /// Points along and across.
+    pub points: [usize; 2],
+    /// What may stand between it and the inner patches; both lie outside it.
+    pub ball: Option<Ball>,
+}
+
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about `budget`
+/// evaluations. Inner patches come with their points along and across, and those of their parts by how often these
+/// are quartered, which is done as often as points are given.
+pub(in crate::transport) fn integrate(
+    outer: &Side,
+    basis: &AreaBasis,
+    inner: &[(Patch, Arc<[[usize; 2]]>)],
+    yardstick: &Yardstick,
+    tolerance: f64,
+    budget: u64,
+) -> Cut {
+    let parts = inner.iter().map(|(patch, points)| Part::new(patch.clone(), basis, Arc::clone(points), 0));
+    let patches: Vec<Patch> = inner.iter().map(|(patch, _)| patch.clone()).collect();
+    let mut job = Job {
+        outer,
+        front: plane_of(&patches).map(Front::of),
+        columns: basis.len(),
+        inner: parts.collect(),
+        yardstick,
+        tolerance,
+        budget,
+        cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
+    };
+    if let Some(patch) = job.seeing() {
+        // Where a corner sees nothing W ends within the patch, and two rules may well agree on what both miss.
+        let (whole, agrees) = match job.has_dark_corner(&patch) {
+            true => (job.whole(patch, rungs(outer.points)[1]), false),
+            false => job.climb(patch),
+        };
+        if agrees {
+            job.cut.moments = whole.moments;
+        } else {
+            job.refine(whole);
+        }
+    }
+    job.cut
+}
+
+struct Job<'a> {
+    outer: &'a Side<'a>,
+    /// What of the outer patch the inner ones see, if they lie in one plane.
+    front: Option<Front>,
+    columns: usize,
+    inner: Vec<Part<'a>>,
+    yardstick: &'a Yardstick,
+    tolerance: f64,
+    budget: u64,
+    cut: Cut,
+}
+
+impl Job<'_> {
+    /// The outer patch without halves that see nothing: where only a corner sees, few points would pass it by. None if all is
+    /// dark.
+    fn seeing(&self) -> Option<Patch> {
+        let mut patch = self.outer.patch.clone();
+        let inner = |half: &Patch| {
+            let faces = |part: &Part| facing(half, part.patch(), false, 0.0) != Facing::Away;
+            self.inner.iter().any(faces)
+        };
+        let (mut kept, mut trims) = (0, 0);
+        while kept < DIRECTIONS.len() && trims < MOST_TRIMS && self.has_dark_corner(&patch) {
+            let [first, second] = patch.halves(DIRECTIONS[trims % DIRECTIONS.len()]);
+            trims += 1;
+            match [inner(&first), inner(&second)] {
+                [true, true] => kept += 1,
+                [false, false] => return None,
+                [sees, _] => (patch, kept) = (if sees { first } else { second }, 0),
+            }
+        }
+        Some(patch)
+    }
+
+    fn has_dark_corner(&self, patch: &Patch) -> bool {
+        let corners = CORNERS.map(|(s, t)| patch.node(s, t));
+        // Where a plane is in the way no rule comes.
+        let mut views = corners
+            .into_iter()
+            .filter(|x| self.front.as_ref().is_none_or(|front| front.height(x) > 0.0))
+            .map(|node| View { node, ball: None });
+        views.any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(&x)))
+    }
+
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments by the
+    /// first that agrees with the one before and true, or else by the last, which has all points at least.
+    fn climb(&mut self, patch: Patch) -> (Whole, bool) {
+        let [first, others @ ..] = rungs(self.outer.points);
+        let mut whole = self.whole(patch, first);
+        for points in others {
+            let finer = self.whole(whole.patch.clone(), points);
+            let difference = self.yardstick.difference(&whole.moments, &finer.moments);
+            whole = finer;
+            if difference <= CLIMB_SHARE * self.tolerance {
+                self.cut.error += FINER_RULE * difference;
+                return (whole, true);
+            }
+        }
+        (whole, false)
+    }
+
+    /// Adds a part of the outer patch that one rule is not enough for.
+    fn refine(&mut self, whole: Whole) {
+        let most_cells = MOST_NUMBERS / (WHOLES * whole.moments.len());
+        let mut cell = Cell::new(whole);
+        (0..DIRECTIONS.len()).for_each(|direction| self.look(&mut cell, direction));
+        let mut queue = Queue::default();
+        queue.push(cell);
+        loop {
+            self.halve(&mut queue, most_cells);
+            let is_spent = self.cut.samples > self.budget || queue.len() >= most_cells;
+            if is_spent || !self.look_again(&mut queue) || self.is_enough(&queue) {
+                break;
+            }
+        }
+        queue.into_cells().for_each(|cell| self.add(cell));
+    }
+
+    /// Halves the worst cells until the errors of all are small enough, or may be taken for it.
+    fn halve(&mut self, queue: &mut Queue, most_cells: usize) {
+        while !self.is_enough(queue) && self.cut.samples <= self.budget && queue.len() < most_cells {
+            let Some(cell) = queue.pop() else { break };
+            let (direction, is_known) = cell.worse();
+            for mut cell in if is_known { cell.cut(direction) } else { vec![cell] } {
+                self.look(&mut cell, direction);
+                if self.is_settled(&cell)
+                    && let Some(other) = cell.told_by_larger()
+                {
+                    self.look(&mut cell, other);
+                }
+                if self.is_settled(&cell) {
+                    self.add(cell);
+                } else {
+                    queue.push(cell);
+                }
+            }
+        }
+    }
+
+    /// Looks at cells in the directions of which only larger parts told; whether there are any.
+    fn look_again(&mut self, queue: &mut Queue) -> bool {
+        let mut any = false;
+        for mut cell in std::mem::take(queue).into_cells() {
+            if let Some(direction) = cell.told_by_larger() {
+                self.look(&mut cell, direction);
+                any = true;
+            }
+            queue.push(cell);
+        }
+        any
+    }
+
+    fn is_enough(&self, queue: &Queue) -> bool {
+        queue.error() <= (1.0 - SETTLED) * self.tolerance
+    }
+
+    fn is_settled(&self, cell: &Cell) -> bool {
+        cell.error() <= SETTLED * cell.share() * self.tolerance
+    }
+
+    fn add(&mut self, cell: Cell) {
+        self.cut.error += cell.error();
+        self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
+    }
+
+    /// Looks at the halves of a cell.
+    fn look(&mut self, cell: &mut Cell, direction: usize) {
+        let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
+        cell.look(direction, halves, self.yardstick);
+        if cell.is_dark() {
+            let missed = self.at_corners(cell.patch());
+            cell.miss(CORNER * missed);
+        }
+    }
+
+    /// What counts of a patch the most of whose points saw as much as its corners.
+    fn at_corners(&mut self, patch: &Patch) -> f64 {
+        let zeros = vec![0.0; self.outer.basis.len() * self.columns];
+        let corner = |(s, t)| {
+            let x: Node = patch.node(s, t);
+            let moments = self.moments_of([(x, x.area)]).0;
+            self.yardstick.difference(&moments, &zeros)
+        };
+        CORNERS.map(corner).into_iter().fold(0.0, f64::max)
+    }
+
+    fn whole(&mut self, patch: Patch, points: [usize; 2]) -> Whole {
+        let nodes = self.nodes(&patch, points);
+        let (moments, is_dark) = self.moments_of(nodes);
+        Whole { patch, points, moments, is_dark }
+    }
+
+    /// Moments by a rule of points with their weights in area, and whether none of them sees anything.
+    fn moments_of(&mut self, nodes: impl IntoIterator<Item = (Node, f64)>) -> (Vec<f64>, bool) {
+        let mut is_dark = true;
+        let (rows, columns) = (self.outer.basis.len(), self.columns);
+        let mut moments = vec![0.0; rows * columns];
+        let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
+        for (x, weight) in nodes {
+            right.fill(0.0);
+            let x = View { node: x, ball: self.outer.ball };
+            self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();
+            is_dark &= right.iter().all(|w| *w == 0.0);
+            let x = x.node;
+            self.outer.basis.raw(self.outer.basis.frame().coordinates(&x), &mut left);
+            for (row, l) in moments.chunks_exact_mut(columns).zip(&left) {
+                row.iter_mut().zip(&right).for_each(|(m, r)| *m += weight * l * r);
+            }
+        }
+        (moments, is_dark)
+    }
+
+    /// Points of a part of the outer patch, with their weights in area: of a tensor rule, or of one on what is before the plane
+    /// of the inner patches.
+    fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
+        let Nodes { nodes, evaluations } = match &self.front {
+            Some(front) => front.nodes(part, points),
+            None => Nodes::of(part, points),
+        };
+        self.cut.samples += evaluations;
+        nodes
+    }
+}
+
+/// Points along and across of the rules that are tried, each with more than the one before.
+fn rungs(most: [usize; 2]) -> [[usize; 2]; RUNGS.len()] {
+    std::array::from_fn(|k| {
+        let points = |n: usize| ((RUNGS[k] * n as f64).ceil() as usize).max(FEWEST + STEP * k);
+        most.map(|n| points(n).min(MOST_POINTS))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_rule_is_compared_with_itself() {
+        for n in 1..=MOST_POINTS {
+            let [first, second, last] = rungs([n, 1]);
+            assert!((0..2).all(|k| first[k] < second[k] && second[k] < last[k]), "{n} points");
+            assert!(last[0] >= n);
+        }
+    }
+}

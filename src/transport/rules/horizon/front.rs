@@ -1,0 +1,253 @@
+//! What of an outer patch lies before the plane of inner ones.
+//!
+//! All points of a plane have one horizon. Where x comes through it, all of a planar inner patch comes into sight at once,
+//!
+//! ```text
+//! W(x) ∝ max(0, h(x)) ,     h(x) = n·(x − y) ,
+//! ```
+//!
+//! and W has a kink of first order all across the outer patch, where rules converge like 1/n² and two of them differ by more, or
+//! by less, than either is off. So rules for such patches run over what is before the plane alone, where W is smooth.
+
+use crate::elements::patch::{Direction, Node, Patch};
+use crate::elements::rule::UnitRule;
+use crate::transport::contact::planes::Plane;
+
+use crate::transport::rules::horizon::line::Lines;
+use crate::transport::rules::horizon::line::seen;
+
+/// Places a direction at which heights over the plane are looked at.
+const GRID: usize = 6;
+/// Most often that a patch is quartered until its lines cross the plane at most once.
+const DEEPEST: usize = 5;
+/// Most often that a patch is halved until a rule gives the moments of its heights.
+const MOST_SPLITS: usize = 8;
+/// Steps of a height below this part of all heights are none.
+const LEVEL: f64 = 1e-13;
+
+/// The side of the plane from which inner patches are seen.
+#[derive(Debug)]
+pub(in crate::transport) struct Front {
+    plane: Plane,
+}
+
+/// Points with their weights in area, and what was evaluated to find them.
+#[derive(Debug, Default)]
+pub(in crate::transport) struct Nodes {
+    /// Points and weights.
+    pub nodes: Vec<(Node, f64)>,
+    /// Heights and points beyond these.
+    pub evaluations: u64,
+}
+
+impl Nodes {
+    /// A tensor rule of so many points along and across.
+    pub(super) fn of(patch: &Patch, points: [usize; 2]) -> Self {
+        let [along, across] = points.map(UnitRule::of);
+        let places = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
+        let node = |((s, ws), (t, wt))| {
+            let x: Node = patch.node(s, t);
+            (x, ws * wt * x.area)
+        };
+        Self { nodes: places.map(node).collect(), evaluations: 0 }
+    }
+}
+
+impl Front {
+    /// That of a plane.
+    pub(in crate::transport) fn of(plane: Plane) -> Self {
+        Self { plane }
+    }
+
+    /// Height of a point over the plane.
+    pub(super) fn height(&self, x: &Node) -> f64 {
+        (x.position - self.plane.0).dot(self.plane.1)
+    }
+
+    /// Whether a part of a patch lies behind the plane.
+    pub(in crate::transport) fn cuts(&self, patch: &Patch) -> bool {
+        Grid::of(patch, self).low() < 0.0
+    }
+
+    /// The rule of so many points along and across on what of a patch is before the plane.
+    pub(in crate::transport) fn nodes(&self, patch: &Patch, points: [usize; 2]) -> Nodes {
+        let grid = Grid::of(patch, self);
+        if grid.low() >= 0.0 {
+            return Nodes::of(patch, points);
+        }
+        let mut nodes = Nodes::default();
+        self.add(patch, points, grid, DEEPEST, &mut nodes);
+        nodes
+    }
+
+    /// A patch in parts, on each of which so many points give the first moments of h to a relative error of about `eps`: next to
+    /// the centre of a disk lines end at the plane in ever different places.
+    pub(in crate::transport) fn parts(&self, patch: &Patch, points: [usize; 2], eps: f64) -> Vec<Patch> {
+        let limit = self.moments(patch, points).map(|moment| eps * moment);
+        let mut parts = Vec::new();
+        let mut open = vec![(patch.clone(), 0)];
+        while let Some((part, depth)) = open.pop() {
+            match self.uneven(&part, points, limit) {
+                Some(direction) if depth < MOST_SPLITS => {
+                    open.extend(part.halves(direction).map(|half| (half, depth + 1)));
+                }
+                _ => parts.push(part),
+            }
+        }
+        parts
+    }
+
+    /// The direction whose halves have moments other than the whole by more than `limit`, the worse one of two.
+    fn uneven(&self, part: &Patch, points: [usize; 2], limit: [f64; 2]) -> Option<Direction> {
+        let whole = self.moments(part, points);
+        let off = |direction: Direction| {
+            let [first, second] = part.halves(direction).map(|half| self.moments(&half, points));
+            (0..2).map(|k| (whole[k] - first[k] - second[k]).abs() / limit[k]).fold(0.0, f64::max)
+        };
+        let [along, across] = [Direction::Along, Direction::Across].map(off);
+        let worse = if across > along { Direction::Across } else { Direction::Along };
+        (along.max(across) > 1.0).then_some(worse)
+    }
+
+    /// ∫ h dA and ∫ h² dA over what of a patch is before the plane.
+    fn moments(&self, patch: &Patch, points: [usize; 2]) -> [f64; 2] {
+        let nodes = self.nodes(patch, points).nodes;
+        nodes.iter().fold([0.0; 2], |[first, second], (x, weight)| {
+            let h = self.height(x);
+            [first + weight * h, second + weight * h * h]
+        })
+    }
+
+    /// Adds the rule on what of a patch with these heights is before the plane.
+    fn add(&self, patch: &Patch, points: [usize; 2], grid: Grid, depth: usize, out: &mut Nodes) {
+        out.evaluations += (GRID * GRID) as u64;
+        if grid.high() <= 0.0 {
+            return;
+        }
+        let direction = grid.straightest();
+        if direction.is_none() && depth > 0 {
+            let halves = patch.halves(Direction::Along);
+            for quarter in halves.iter().flat_map(|half| half.halves(Direction::Across)) {
+                self.add(&quarter, points, Grid::of(&quarter, self), depth - 1, out);
+            }
+            return;
+        }
+        let lines = direction.map_or(Lines::Winding(Direction::Along), Lines::Plain);
+        let heights = |x: &Node| [self.height(x), 1.0, 1.0];
+        let Nodes { nodes, evaluations } = out;
+        *evaluations += seen(patch, lines, points, &heights, |x, factors| {
+            nodes.push((*x, factors.iter().product()));
+        });
+    }
+}
+
+/// Heights of a patch over the plane, at the crossings of lines along and across.
+struct Grid {
+    heights: [[f64; GRID]; GRID],
+}
+
+impl Grid {
+    fn of(patch: &Patch, front: &Front) -> Self {
+        let place = |k: usize| k as f64 / (GRID - 1) as f64;
+        let height = |i: usize, j: usize| front.height(&patch.node(place(i), place(j)));
+        Self { heights: std::array::from_fn(|i| std::array::from_fn(|j| height(i, j))) }
+    }
+
+    fn all(&self) -> impl Iterator<Item = f64> {
+        self.heights.iter().flatten().copied()
+    }
+
+    /// The least height of the patch, about, from below.
+    fn low(&self) -> f64 {
+        self.all().fold(f64::INFINITY, f64::min) - self.margin()
+    }
+
+    /// The largest, from above.
+    fn high(&self) -> f64 {
+        self.all().fold(f64::NEG_INFINITY, f64::max) + self.margin()
+    }
+
+    /// By how much heights may leave the range of those on the grid.
+    fn margin(&self) -> f64 {
+        0.25 * (self.bend(Direction::Along) + self.bend(Direction::Across))
+    }
+
+    fn lines(&self, direction: Direction) -> impl Iterator<Item = [f64; GRID]> {
+        let line = move |k: usize| match direction {
+            Direction::Along => std::array::from_fn(|i| self.heights[i][k]),
+            Direction::Across => self.heights[k],
+        };
+        (0..GRID).map(line)
+    }
+
+    /// The largest second difference along lines of a direction.
+    fn bend(&self, direction: Direction) -> f64 {
+        let second = |w: &[f64]| (w[0] - 2.0 * w[1] + w[2]).abs();
+        let bend = |line: [f64; GRID]| line.windows(3).map(second).fold(0.0, f64::max);
+        self.lines(direction).map(bend).fold(0.0, f64::max)
+    }
+
+    /// The direction whose lines are bent least, among those each of whose lines crosses the plane at most once.
+    fn straightest(&self) -> Option<Direction> {
+        let level = LEVEL * self.all().map(f64::abs).fold(0.0, f64::max);
+        let is_monotone = |line: [f64; GRID]| {
+            let steps = || line.windows(2).map(|w| w[1] - w[0]);
+            steps().all(|step| step >= -level) || steps().all(|step| step <= level)
+        };
+        [Direction::Along, Direction::Across]
+            .into_iter()
+            .filter(|direction| self.lines(*direction).all(is_monotone))
+            .min_by(|a, b| self.bend(*a).total_cmp(&self.bend(*b)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    use std::sync::Arc;
+
+    use radiosity_geom::shapes::{Disk, FULL_TURN};
+    use radiosity_geom::{DVec3, Rect, Surface};
+
+    /// A quarter of the unit disk in z = 0, from angle 0 on.
+    fn quarter() -> Patch {
+        let disk = Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a disk");
+        let disk: Arc<dyn Surface> = Arc::new(disk);
+        let start = disk.invert(DVec3::X).expect("it is on the rim")[0];
+        Patch::curved(disk, &Rect { u: [start.min(0.0), start.min(0.0) + 0.5], v: [-1.0, 1.0] })
+    }
+
+    /// Of the quarter x² + y² < 1 the part with x > d has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA there is
+    /// ⅓ (1 − d²)^(3/2) − d times that.
+    #[test]
+    fn segments_of_a_disk_have_their_area_and_moment() {
+        for d in [0.5f64, 0.1, 0.01] {
+            let quarter = quarter();
+            let middle = quarter.node(0.5, 0.5).position;
+            let normal = DVec3::new(middle.x.signum(), 0.0, 0.0);
+            let front = Front::of((d * normal, normal));
+            let root = (1.0 - d * d).sqrt();
+            let area = 0.5 * (d.acos() - d * root);
+            let moment = root.powi(3) / 3.0 - d * area;
+            let parts = front.parts(&quarter, [10; 2], 1e-9);
+            let nodes: Vec<(Node, f64)> =
+                parts.iter().flat_map(|part| front.nodes(part, [10; 2]).nodes).collect();
+            let sum = |value: &dyn Fn(&Node) -> f64| nodes.iter().map(|(x, w)| w * value(x)).sum::<f64>();
+            let found = [sum(&|_| 1.0), sum(&|x| front.height(x))];
+            assert!((found[0] / area - 1.0).abs() < 1e-7, "{d}: {} for {area}", found[0]);
+            assert!((found[1] / moment - 1.0).abs() < 1e-8, "{d}: {} for {moment}", found[1]);
+        }
+    }
+
+    #[test]
+    fn what_is_before_the_plane_keeps_its_rule() {
+        let quarter = quarter();
+        let far = Front::of((-2.0 * DVec3::X, DVec3::X));
+        assert!(!far.cuts(&quarter));
+        let [cut, plain] = [far.nodes(&quarter, [3; 2]), Nodes::of(&quarter, [3; 2])].map(|rule| rule.nodes);
+        assert!(cut.iter().zip(&plain).all(|((x, v), (y, w))| x.position == y.position && v == w));
+        let behind = Front::of((2.0 * DVec3::X, DVec3::X));
+        assert!(behind.cuts(&quarter) && behind.nodes(&quarter, [3; 2]).nodes.is_empty());
+    }
+}

@@ -1,0 +1,58 @@
+//! A concave patch with itself.
+//!
+//! The kernel of a smooth surface is bounded where the two points meet, but its value there depends on the direction
+//! from which they do, and at the very point it is 0/0. In the relative coordinates z = |u − s|, w = |v − t|, in
+//! polar form on the two triangles
+//!
+//! ```text
+//! (z, w) = (x, xa)   and   (xa, x) ,     dz dw = x dx da
+//! (s, u) = (1 − z) y + (0, z) ,   (t, v) = (1 − w) y' + (0, w) or (w, 0) ,     dV = x (1 − z)(1 − w) dx da dy dy'
+//! ```
+//!
+//! it is analytic in x, a, y, y' ∈ [0, 1]. The other two of the four signs of (u − s, v − t) follow by exchanging the
+//! two points: the block is H + Hᵀ, where H is what this rule sums. In a the nearest singularity is where both
+//! points meet along a complex direction, a = ±iq with q the smaller over the larger extent, so that
+//!
+//! ```text
+//! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ ,  ϱ = σ + √(σ² − 1) ,  σ = q + √(1 + q²) .
+//! ```
+//!
+//! Reference: notes of the identical-panel rule in boundary element methods (Sauter and Schwab, *Boundary Element
+//! Methods*, 5.2.1).
+
+use crate::elements::patch::Patch;
+use crate::elements::rule::UnitRule;
+
+use crate::transport::moments::Moments;
+use crate::transport::moments::integrand::Sees;
+use crate::transport::rules::far;
+
+/// Numbers of points [x, a, y] for degree `degree` on either side and a chart that takes `chart` points.
+pub(in crate::transport) fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [usize; 3] {
+    let [along, across] = patch.extents();
+    let q = along.min(across) / along.max(across);
+    let sigma = q + (1.0 + q * q).sqrt();
+    let rho = sigma + (sigma * sigma - 1.0).sqrt();
+    [degree + 1 + chart, far::points(degree, eps, rho) + 1, degree + 1 + chart]
+}
+
+/// Adds half of a patch with itself: the other half is the transpose.
+pub(in crate::transport) fn integrate(
+    moments: &mut Moments,
+    patch: &Patch,
+    points: [usize; 3],
+    sees: Option<Sees>,
+) {
+    let [radial, angular, base] = points.map(UnitRule::of);
+    for ((x, wx), (a, wa)) in radial.iter().flat_map(|x| angular.iter().map(move |a| (x, a))) {
+        for (z, w) in [(x, x * a), (x * a, x)] {
+            let weight = wx * wa * x * (1.0 - z) * (1.0 - w);
+            for ((y, wy), (y2, wy2)) in base.iter().flat_map(|y| base.iter().map(move |y2| (y, y2))) {
+                let (s, t) = ((1.0 - z) * y, (1.0 - w) * y2);
+                for (low, high) in [(t, t + w), (t + w, t)] {
+                    moments.scattered(&patch.node(s, low), &patch.node(s + z, high), weight * wy * wy2, sees);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! Flat patches that are near but do not touch: an iterated rule whose cost grows like a power of ln(1/gap).
+//!
+//! ```text
+//! M_kl = ∫_P L_k(x) I_l(x) dA_x ,      I_l(x) = ∫_Q κ(x, y) L_l(y) dA_y .
+//! ```
+//!
+//! The inner integral is taken in polar coordinates about the foot of x ([`polar`]): its rays are exact, so it
+//! does not feel how near x is, and one edge costs as much more as x comes nearer to that edge. The outer
+//! integral runs over cells of P that follow the edges of Q ([`plan`]). Both rules are known before a single kernel value is.
+
+mod complex;
+mod emitter;
+mod line;
+mod plan;
+mod polar;
+mod radial;
+mod samples;
+mod stretch;
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::Patch;
+use crate::elements::space::Space;
+
+use crate::transport::moments::Moments;
+use crate::transport::moments::Side;
+use plan::{Leaf, Planner, Rule, split_cost};
+use polar::Polar;
+
+/// By how much more is asked of the estimates than of the block.
+const SAFETY: f64 = 0.2;
+
+/// Samples of a split up to which a plan is not worth its own time.
+const CHEAP_SPLIT: f64 = 3e4;
+/// Samples of a split up to which they are counted exactly.
+const MOST_COUNTED: f64 = 1e6;
+
+/// The rule of one pair.
+pub(in crate::transport) struct Plan {
+    outer: Side,
+    leaves: Vec<Leaf>,
+    /// In samples of a tensor rule.
+    pub cost: f64,
+    eps: f64,
+}
+
+impl Plan {
+    /// As [`Plan::new`], or None where halving both patches until they are apart takes less.
+    pub(in crate::transport) fn cheaper_than_split(
+        moments: &Moments,
+        p: &Patch,
+        q: &Patch,
+        eps: f64,
+    ) -> Option<Self> {
+        let degrees = moments.bases().map(|basis| basis.total_degree());
+        if split_cost(p, q, degrees, eps, CHEAP_SPLIT).is_finite() {
+            return None;
+        }
+        let plan = Self::new(moments, p, q, eps)?;
+        let split = split_cost(p, q, degrees, eps, plan.cost.min(MOST_COUNTED));
+        (plan.cost < split).then_some(plan)
+    }
+
+    /// For two flat convex patches in front of each other that see each other freely. They may touch: distances are
+    /// floored.
+    ///
+    /// None where it would take too many cells, and for bases whose raw functions are not the products of total degree
+    /// that the rays know.
+    pub(in crate::transport) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
+        let known = |basis: &AreaBasis| basis.is_product() && basis.space() == Space::Total;
+        if !moments.bases().into_iter().all(known) {
+            return None;
+        }
+        // The smaller patch is usually the better one outside.
+        let size = |patch: &Patch| patch.extents().iter().sum::<f64>();
+        let [first, other] = if size(p) <= size(q) {
+            [Side::Receiver, Side::Emitter]
+        } else {
+            [Side::Emitter, Side::Receiver]
+        };
+        let first = Self::outside(first, moments, p, q, eps, f64::INFINITY);
+        let other = Self::outside(other, moments, p, q, eps, first.cost);
+        let plan = if other.cost < first.cost { other } else { first };
+        plan.cost.is_finite().then_some(plan)
+    }
+
+    /// With the outer integral over one given side; its cost is infinite if it passes `limit`.
+    fn outside(outer: Side, moments: &Moments, p: &Patch, q: &Patch, eps: f64, limit: f64) -> Self {
+        let [receiver, emitter] = moments.bases();
+        let eps = SAFETY * eps;
+        let (mut planner, a, b) = match outer {
+            Side::Receiver => (Planner::new(receiver, emitter, eps, limit), p, q),
+            Side::Emitter => (Planner::new(emitter, receiver, eps, limit), q, p),
+        };
+        planner.pair(a, b);
+        Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
+    }
+
+    /// Adds the pair.
+    pub(in crate::transport) fn integrate(&self, moments: &mut Moments) {
+        let [receiver, emitter] = moments.bases();
+        let inner = match self.outer {
+            Side::Receiver => emitter,
+            Side::Emitter => receiver,
+        };
+        for leaf in &self.leaves {
+            match leaf.rule {
+                Rule::Polar(points) => {
+                    let mut polar = Polar::new(&leaf.emitter, inner, self.eps);
+                    for (s, ws) in points[0].0.nodes(points[0].1) {
+                        for (t, wt) in points[1].0.nodes(points[1].1) {
+                            let x = leaf.cell.node(s, t);
+                            let (column, samples) = polar.column(&x, self.eps);
+                            moments.outer(self.outer, &x, ws * wt * x.area, column, samples);
+                        }
+                    }
+                }
+                Rule::Tensor(points) => match self.outer {
+                    Side::Receiver => moments.tensor(&leaf.cell, &leaf.emitter, points, None),
+                    Side::Emitter => {
+                        let [a, b, c, d] = points;
+                        moments.tensor(&leaf.emitter, &leaf.cell, [c, d, a, b], None);
+                    }
+                },
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,130 @@
+//! The inner patch of a near pair, and where its inner integral is singular.
+//!
+//! I_l(x) is analytic on the receiver's plane, over the emitter as well however near, except at the complex points at
+//! distance zero from an edge of the emitter (where the foot lies on it) or from a corner. On a straight line
+//! x(s) = x₀ + s X of a cell's chart these are the roots of two quadratics,
+//!
+//! ```text
+//! |x(s) − v|² = 0 :          s = ( −X·w ± 𝚒 |X × w| ) / |X|² ,   w = x₀ − v ,
+//! distance(x(s), edge) = 0 : the same with the parts of X and w across the edge.
+//! ```
+//!
+//! On a receiver that leans on the emitter's plane, polynomials of the emitter add h² ln h where the line meets that plane
+//! inside the emitter.
+
+use radiosity_geom::{DVec2, DVec3};
+
+use crate::elements::basis::AreaBasis;
+use crate::elements::patch::{Direction, Patch};
+use crate::transport::rules::near::complex::Complex;
+use crate::transport::rules::near::polar::Edge;
+use crate::transport::rules::near::polar::Polar;
+use crate::transport::rules::near::polar::edges;
+
+/// Singular places farther than this many lengths of the cell do not count; strong maps bring far ones near.
+const FAR: f64 = 1e3;
+/// Imaginary part below which a singular place gets a line of the other direction.
+const CLOSE: f64 = 0.25;
+/// Most such lines.
+const MOST_CLOSE: usize = 4;
+/// Singular places closer than this part of their distance from the cell count once.
+const ALIKE: f64 = 0.02;
+/// Where along the other direction the lines of a chart are examined.
+const LINES: [f64; 7] = [0.0, 0.02, 0.25, 0.5, 0.75, 0.98, 1.0];
+
+/// The inner patch.
+pub(super) struct Emitter<'a> {
+    pub patch: Patch,
+    edges: Vec<Edge>,
+    pub polar: Polar<'a>,
+}
+
+impl<'a> Emitter<'a> {
+    pub(super) fn new(patch: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
+        Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis, eps) }
+    }
+
+    /// Whether the emitter's polynomials stay tame at the feet of a cell's points.
+    pub(super) fn reached(&self, cell: &Patch, basis: &AreaBasis, eps: f64) -> bool {
+        let normal = self.patch.node(0.5, 0.5).normal;
+        let growth = |x: &DVec3| {
+            let foot = *x - normal * (*x - self.edges[0].start).dot(normal);
+            let place = basis.frame().locate(foot, DVec2::ZERO);
+            let a = place[0].abs().max(place[1].abs()).max(1.0);
+            (a + (a * a - 1.0).sqrt()).powi(basis.order() as i32)
+        };
+        cell.polygon().iter().map(growth).fold(0.0, f64::max) * 1e-15 < eps.max(1e-12)
+    }
+
+    /// Where the inner integral is singular on lines along and lines across a cell's chart.
+    ///
+    /// A place close to the cell that one direction shows may lie between the lines of the other: those get a line there.
+    pub(super) fn places(&self, cell: &Patch, floor: f64, eps: f64) -> [Vec<Complex>; 2] {
+        let directions = [Direction::Along, Direction::Across];
+        let mut found = directions.map(|direction| self.roots(cell, direction, &LINES, floor, eps));
+        let lines = [&found[1], &found[0]].map(|others| {
+            let mut close: Vec<Complex> = others
+                .iter()
+                .copied()
+                .filter(|root| root.im < CLOSE && (0.0..=1.0).contains(&root.re))
+                .collect();
+            close.sort_by(|a, b| a.im.total_cmp(&b.im));
+            close.iter().take(MOST_CLOSE).map(|root| root.re).collect::<Vec<f64>>()
+        });
+        for ((roots_found, direction), lines) in found.iter_mut().zip(directions).zip(&lines) {
+            roots_found.extend(self.roots(cell, direction, lines, floor, eps));
+        }
+        found.map(distinct)
+    }
+
+    /// Where it is singular on given lines of one direction.
+    fn roots(&self, cell: &Patch, direction: Direction, lines: &[f64], floor: f64, eps: f64) -> Vec<Complex> {
+        let mut found = Vec::new();
+        for line in lines {
+            let ends = match direction {
+                Direction::Along => [cell.node(0.0, *line), cell.node(1.0, *line)],
+                Direction::Across => [cell.node(*line, 0.0), cell.node(*line, 1.0)],
+            };
+            let (start, step) = (ends[0].position, ends[1].position - ends[0].position);
+            if step != DVec3::ZERO {
+                let first = found.len();
+                self.edges.iter().for_each(|edge| singularities(start, step, edge, &mut found));
+                found.extend(self.polar.crossing(start, step, eps));
+                let least = floor / step.length();
+                found[first..].iter_mut().for_each(|root| root.im = root.im.max(least));
+            }
+        }
+        found
+    }
+}
+
+/// Those near the cell, alike ones once.
+fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
+    let mut kept: Vec<Complex> = Vec::new();
+    for root in roots {
+        let distance = (root - Complex::new(root.re.clamp(0.0, 1.0), 0.0)).abs();
+        if distance < FAR && !kept.iter().any(|other| (*other - root).abs() <= ALIKE * distance) {
+            kept.push(root);
+        }
+    }
+    kept
+}
+
+/// Adds the singular places of the inner integral on the line `start` + s `step` that belong to `edge`.
+fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex>) {
+    let from = start - edge.start;
+    roots.push(root(from, step));
+    let across = |v: DVec3| v - edge.along * v.dot(edge.along);
+    let (w, x) = (across(from), across(step));
+    if x.length_squared() > 1e-24 * step.length_squared() {
+        let place = root(w, x);
+        let foot = from.dot(edge.along) + place.re * step.dot(edge.along);
+        if (0.0..=edge.length).contains(&foot) {
+            roots.push(place);
+        }
+    }
+}
+
+fn root(w: DVec3, x: DVec3) -> Complex {
+    Complex::new(-x.dot(w), x.cross(w).length()).scale(1.0 / x.length_squared())
+}

@@ -1,0 +1,6 @@
+//! How many points a rule needs for an accuracy: by analyticity, by charts, by trial, and by cutting the cube of integration.
+
+pub(in crate::transport) mod analyticity;
+pub(in crate::transport) mod subdivided_cube;
+pub(in crate::transport) mod chart_orders;
+pub(in crate::transport) mod by_trial;

@@ -1,0 +1,99 @@
+//! How many points the rules of curved contacts take, by trial.
+//!
+//! The formulas of [`crate::transport::rules::common_edge`] and [`crate::transport::rules::common_vertex`] know the singularities of parallelograms. Between curved patches
+//! others come nearer: sides that run together, lines that bend across a narrow gap. So, where many digits are asked, the
+//! rules themselves are tried on a section of their domain: sums over one set of variables with the others held at a few
+//! places. The least n is taken of which
+//!
+//! ```text
+//! Σ_r |S_r(n) − S_r(n + 2)| ≤ ε/2 Σ_r |S_r(n + 2)|
+//! ```
+//!
+//! over the subdomains r.
+
+use crate::elements::patch::{Node, Patch};
+use crate::elements::rule::{MOST_POINTS, UnitRule};
+
+use crate::transport::moments::integrand::kernel;
+
+/// Accuracy from which on trials are worth their cost.
+pub(in crate::transport) const COARSEST: f64 = 3e-4;
+/// Share of ε that a trial asks for.
+const SHARE: f64 = 0.5;
+/// No accuracy beyond rounding is asked for.
+const ROUNDING: f64 = 1e-14;
+/// Places of the variables that are held, away from collapsed sides.
+const HELD: [f64; 2] = [0.3, 0.85];
+/// Points of the angular variables while others are tried.
+const FEW: usize = 4;
+/// Subdomains of an edge, and of a corner.
+const EDGE_PARTS: usize = 6;
+const CORNER_PARTS: usize = 4;
+
+/// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0; `node` charts the
+/// emitter at equal speed along it.
+pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> [usize; 3] {
+    let value = |part: usize, [x, y, a, b]: [f64; 4]| {
+        let [t, v, z] = [[1.0, a, b], [a, 1.0, b], [a, b, 1.0]][part % 3].map(|place| x * place);
+        let base = (1.0 - z) * y;
+        let (s, u) = if part < 3 { (base, base + z) } else { (base + z, base) };
+        let (x_node, y_node) = (p.node(s, t), node(u, v));
+        kernel(&x_node, &y_node) * x_node.area * y_node.area * x * x * (1.0 - z)
+    };
+    let angles = UnitRule::of(FEW);
+    let over_angles = |rule: &UnitRule, f: &dyn Fn(f64, f64) -> f64| -> f64 {
+        rule.iter().map(|(a, wa)| rule.iter().map(|(b, wb)| wa * wb * f(a, b)).sum::<f64>()).sum()
+    };
+    let line = |place: &dyn Fn(f64, f64, f64) -> [f64; 4]| {
+        least(2, MOST_POINTS, eps, EDGE_PARTS, |part, n| {
+            let rule = UnitRule::of(n);
+            rule.iter().map(|(w, ww)| ww * over_angles(angles, &|a, b| value(part, place(w, a, b)))).sum()
+        })
+    };
+    let radial = line(&|x, a, b| [x, 0.5, a, b]);
+    let along = line(&|y, a, b| [0.5, y, a, b]);
+    let angular = least(3, MOST_POINTS, eps, EDGE_PARTS, |part, n| {
+        HELD.iter().map(|x| over_angles(UnitRule::of(n), &|a, b| value(part, [*x, 0.5, a, b]))).sum()
+    });
+    [radial, along, angular]
+}
+
+/// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0), at most `most` of
+/// the latter.
+pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> [usize; 2] {
+    let value = |part: usize, x: f64, [a, b, c]: [f64; 3]| {
+        let places = [[1.0, a, b, c], [a, 1.0, b, c], [a, b, 1.0, c], [a, b, c, 1.0]];
+        let [s, t, u, v] = places[part].map(|place| x * place);
+        let (x_node, y_node) = (p.node(s, t), q.node(u, v));
+        kernel(&x_node, &y_node) * x_node.area * y_node.area * x.powi(3)
+    };
+    let cube = |n: usize, f: &dyn Fn([f64; 3]) -> f64| -> f64 {
+        let rule = UnitRule::of(n);
+        let line = |a: f64, b: f64| rule.iter().map(|(c, wc)| wc * f([a, b, c])).sum::<f64>();
+        let square = |a: f64| rule.iter().map(|(b, wb)| wb * line(a, b)).sum::<f64>();
+        rule.iter().map(|(a, wa)| wa * square(a)).sum()
+    };
+    let radial = least(2, MOST_POINTS, eps, CORNER_PARTS, |part, n| {
+        let rule = UnitRule::of(n);
+        rule.iter().map(|(x, wx)| wx * cube(FEW - 1, &|angles| value(part, x, angles))).sum()
+    });
+    let angular =
+        least(3, most, eps, CORNER_PARTS, |part, n| cube(n, &|angles| value(part, HELD[1], angles)));
+    [radial, angular]
+}
+
+/// The least n from `first` on whose sums S_r(n) agree with those of two points more; `most` if none is.
+fn least(first: usize, most: usize, eps: f64, parts: usize, sum: impl Fn(usize, usize) -> f64) -> usize {
+    let sums = |n: usize| (0..parts).map(|part| sum(part, n)).collect::<Vec<f64>>();
+    let mut coarse = sums(first);
+    let mut n = first;
+    while n < most {
+        let fine = sums(n + 2);
+        let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
+        if difference <= (SHARE * eps).max(ROUNDING) * fine.iter().map(|x| x.abs()).sum::<f64>() {
+            return n;
+        }
+        (n, coarse) = (n + 2, fine);
+    }
+    most
+}

@@ -1,0 +1,457 @@
+//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each different one is integrated
+//! once.
+//!
+//! Sorting is cheap and tells most pairs apart: those behind each other, in one plane, hidden, or without a sender are dropped.
+//! Pairs that are equal up to similarity ([`crate::transport::schedule::congruent`]) share the block of the first of them, so the result does not
+//! depend on the order of the work. A block that is small beside the largest of its row is integrated with less accuracy
+//! ([`crate::transport::estimates::entry_bounds`]).
+
+mod order;
+mod congruent;
+mod goal;
+
+use std::borrow::Cow;
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use rayon::prelude::*;
+
+use crate::elements::patch::Patch;
+use crate::elements::{Element, Elements};
+use crate::visibility::Visibility;
+
+use crate::transport::blocks::Blocks;
+use crate::transport::blocks::block::Accuracy;
+use crate::transport::blocks::block::Block;
+use crate::transport::blocks::pair_counts::PairCounts;
+use crate::transport::contact::planes;
+use crate::transport::contact::planes::Planes;
+use crate::transport::contact::sectors::sectors;
+use crate::transport::estimates::coarse::Rough;
+use crate::transport::estimates::entry_bounds::Reach;
+use crate::transport::estimates::probing_rays::Hidden;
+use crate::transport::estimates::probing_rays::Obstruction;
+use crate::transport::occlusion::outlines::shaded_block;
+use crate::transport::pair::curved;
+use crate::transport::pair::planar;
+use crate::transport::rules::covering;
+use crate::transport::schedule::congruent::Panel;
+use crate::transport::schedule::congruent::Pose;
+use crate::transport::schedule::order::Rank;
+use goal::Goal;
+
+/// What of a rough estimate of a curved pair counts as a lower bound.
+const ESTIMATE_SHARE: f64 = 0.5;
+
+/// What part of a pair is taken to be visible where blockers may stand in between.
+const VISIBLE_SHARE: f64 = 0.1;
+
+/// Where none of n rays passes, less than this over n of what is between two elements is visible, at 95 %.
+const UNSEEN: f64 = 3.0;
+/// Fewer rays tell nothing.
+const FEWEST_RAYS: u64 = 16;
+/// More rays than this are left to the block itself; so many then tell whether surfaces hide themselves.
+const MOST_RAYS: f64 = 2e4;
+const MOST_OWN_RAYS: f64 = 4e3;
+
+/// Elements with what sorting needs of them.
+struct Scene<'a> {
+    list: &'a [Element],
+    panels: Vec<Option<Panel>>,
+    reaches: Vec<Reach>,
+    ranks: Vec<Rank>,
+    roughs: Vec<Rough>,
+    /// Whether blocks are estimated: what is planar needs it for its shadows only.
+    is_estimated: bool,
+    /// The sectors of each.
+    parts: Vec<Vec<Patch>>,
+    visibility: &'a Visibility,
+    accuracy: Accuracy,
+    wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+}
+
+/// A pair to integrate.
+struct Task {
+    row: u32,
+    column: u32,
+    /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
+    entries: [f64; 2],
+    /// About its first entry, were nothing in between; 0 where nothing is estimated.
+    rough: f64,
+    /// Hash of its pose where it may be equal to others.
+    hash: Option<u64>,
+    /// Surfaces that may stand between.
+    blockers: Vec<usize>,
+    /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
+    own: Vec<usize>,
+}
+
+impl Task {
+    /// Of two elements that cover each other: the block is known.
+    fn of_contact(row: usize, column: usize) -> Self {
+        Self {
+            row: row as u32,
+            column: column as u32,
+            entries: [1.0; 2],
+            rough: 1.0,
+            hash: None,
+            blockers: Vec::new(),
+            own: Vec::new(),
+        }
+    }
+}
+
+/// What sorting makes of a pair.
+enum Sorted {
+    Facing,
+    Coplanar,
+    Hidden,
+    Black,
+    Task(Task),
+}
+
+/// Where the block of a task comes from.
+enum Source {
+    /// Integrated for it, the n-th of all.
+    Own(usize),
+    /// Equal to that of an earlier task, the n-th integrated.
+    Copy(usize, usize),
+}
+
+/// The blocks of all pairs. `progress` hears (pairs done, pairs to do), from any thread.
+pub fn assemble(
+    elements: &Elements,
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
+}
+
+/// The blocks of the pairs of which at least one element `sends` light; those between two others are left out.
+pub fn assemble_senders(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
+}
+
+/// The blocks of the pairs that are `wanted`; those of others are left out.
+pub fn assemble_pairs(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let list = elements.list();
+    let scene = Scene {
+        list,
+        panels: list.iter().map(Panel::of).collect(),
+        reaches: list.iter().map(Reach::of).collect(),
+        ranks: list.iter().map(Rank::of).collect(),
+        roughs: list.par_iter().map(Rough::of).collect(),
+        is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
+        parts: list.par_iter().map(sectors).collect(),
+        visibility,
+        accuracy,
+        wanted,
+    };
+    let mut blocks = Blocks::empty(elements.starts(), true);
+    let tasks = sort(&scene, &mut blocks);
+    let goals = scene.goals(&tasks);
+    let sources = scene.share(&tasks, &goals);
+    let integrated = scene.integrate(&tasks, &goals, &sources, progress);
+    let mut errors = Vec::new();
+    for (task, source) in tasks.iter().zip(&sources) {
+        let block = scene.store(&mut blocks, task, source, &tasks, &integrated);
+        if block.error > 0.0 {
+            errors.push((task.row as usize, task.column as usize, block.error));
+        }
+    }
+    blocks.accuracy_reached = blocks.largest_error(&errors);
+    blocks
+}
+
+/// Sorts all pairs; counts those that need no block.
+fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
+    let rows: Vec<(Vec<Task>, PairCounts)> =
+        (0..scene.list.len()).into_par_iter().map(|i| scene.sort_row(i)).collect();
+    let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
+    for (row, counts) in rows {
+        tasks.extend(row);
+        let pairs = &mut blocks.pairs;
+        pairs.total += counts.total;
+        pairs.skipped_facing += counts.skipped_facing;
+        pairs.skipped_coplanar += counts.skipped_coplanar;
+        pairs.skipped_hidden += counts.skipped_hidden;
+        pairs.skipped_black += counts.skipped_black;
+    }
+    if blocks.pairs.skipped_black > 0 {
+        let all = 0..scene.list.len();
+        let is_open = |i: &usize| all.clone().any(|j| !(scene.wanted)(*i.min(&j), *i.max(&j)));
+        all.clone().filter(is_open).for_each(|i| blocks.leave_open(i));
+    }
+    tasks
+}
+
+impl Scene<'_> {
+    fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
+        let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
+        for column in row..self.list.len() {
+            let sorted = self.sorted(row, column);
+            counts.total += usize::from(row != column || matches!(sorted, Sorted::Task(_) | Sorted::Black));
+            match sorted {
+                Sorted::Coplanar => counts.skipped_coplanar += usize::from(row != column),
+                Sorted::Facing => counts.skipped_facing += 1,
+                Sorted::Hidden => counts.skipped_hidden += 1,
+                Sorted::Black => counts.skipped_black += 1,
+                Sorted::Task(task) => tasks.push(task),
+            }
+        }
+        (tasks, counts)
+    }
+
+    fn sorted(&self, row: usize, column: usize) -> Sorted {
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        if let Some(skipped) = self.planes_exchange_nothing(row, column) {
+            return skipped;
+        }
+        if receiver.contact != emitter.contact {
+            return Sorted::Hidden;
+        }
+        if !(self.wanted)(row, column) {
+            return Sorted::Black;
+        }
+        if receiver.contact.is_some() {
+            return Sorted::Task(Task::of_contact(row, column));
+        }
+        let surfaces = [receiver.surface, emitter.surface];
+        let blockers = self.visibility.candidates(&receiver.hull, &emitter.hull, surfaces);
+        let rough = if self.is_estimated { self.rough(row, column) } else { 0.0 };
+        let task = |entries, hash, blockers| {
+            let own = self.visibility.hiding_themselves(surfaces, [&receiver.hull, &emitter.hull]);
+            Sorted::Task(Task { row: row as u32, column: column as u32, entries, rough, hash, blockers, own })
+        };
+        if row == column {
+            return task([0.0, f64::INFINITY], None, blockers);
+        }
+        if self.visibility.hidden(&blockers, &receiver.hull, &emitter.hull) {
+            return Sorted::Hidden;
+        }
+        let [mut least, most] = self.reaches[row].entries(&self.reaches[column]);
+        if receiver.plane.is_none() || emitter.plane.is_none() {
+            least = ESTIMATE_SHARE * rough;
+        }
+        if !blockers.is_empty() {
+            return task([VISIBLE_SHARE * least, most], None, blockers);
+        }
+        task([least, most], self.pose_of(row, column).map(|pose| pose.hash()), blockers)
+    }
+
+    /// About the first entry of the block of two elements, were nothing in between.
+    fn rough(&self, row: usize, column: usize) -> f64 {
+        let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
+        self.roughs[first].entry(&self.roughs[other])
+    }
+
+    /// Whether the first of two elements is the inner one ([`crate::transport::schedule::order`]).
+    fn comes_later(&self, first: usize, other: usize) -> bool {
+        self.ranks[first].order(&self.ranks[other]).is_gt()
+    }
+
+    /// Whether the plane of either element leaves nothing of the other in front of it.
+    fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
+        match planes::of(&self.list[row], &self.list[column]) {
+            Planes::Exchanging => None,
+            Planes::Facing => Some(Sorted::Facing),
+            Planes::Coplanar => Some(Sorted::Coplanar),
+        }
+    }
+
+    fn pose_of(&self, row: usize, column: usize) -> Option<Pose> {
+        Pose::of(self.panels[row].as_ref()?, self.panels[column].as_ref()?)
+    }
+
+    fn pose(&self, task: &Task) -> Option<Pose> {
+        self.pose_of(task.row as usize, task.column as usize)
+    }
+
+    /// Stores the block of `task` and counts what it cost.
+    fn store<'b>(
+        &self,
+        blocks: &mut Blocks,
+        task: &Task,
+        source: &Source,
+        tasks: &[Task],
+        integrated: &'b [Block],
+    ) -> &'b Block {
+        let (Source::Own(place) | Source::Copy(_, place)) = source;
+        let block = &integrated[*place];
+        blocks.pairs.take(block);
+        blocks.samples += block.samples;
+        let (row, column) = (task.row as usize, task.column as usize);
+        match source {
+            Source::Own(_) => {
+                blocks.distinct += block.distinct;
+                blocks.rays += block.rays;
+                blocks.push(row, column, &block.values);
+            }
+            Source::Copy(first, _) => {
+                blocks.pairs.repeated += 1;
+                blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
+            }
+        }
+        block
+    }
+
+    /// The block of `task` from the `values` of the equal task `first`.
+    fn copied<'b>(&self, task: &Task, first: &Task, values: &'b [f64]) -> Cow<'b, [f64]> {
+        // A single constant has neither sign nor order.
+        if values.len() == 1 {
+            return Cow::Borrowed(values);
+        }
+        let [pose, other] = [task, first].map(|task| self.pose(task).expect("it was hashed"));
+        Cow::Owned(pose.block_from(&other, values))
+    }
+
+    /// Finds the tasks that are equal to an earlier one and need the same accuracy.
+    fn share(&self, tasks: &[Task], goals: &[Goal]) -> Vec<Source> {
+        let mut first: HashMap<(u64, u64), usize> = HashMap::new();
+        let candidates: Vec<Option<usize>> = tasks
+            .iter()
+            .zip(goals)
+            .enumerate()
+            .map(|(index, (task, goal))| {
+                let found = *first.entry((task.hash?, goal.accuracy.eps.to_bits())).or_insert(index);
+                (found != index).then_some(found)
+            })
+            .collect();
+        let confirmed: Vec<Option<usize>> = (0..tasks.len())
+            .into_par_iter()
+            .map(|index| {
+                let first = candidates[index]?;
+                self.pose(&tasks[index])?.equals(&self.pose(&tasks[first])?).then_some(first)
+            })
+            .collect();
+        let mut places = vec![0; tasks.len()];
+        let mut own = 0;
+        let mut source = |(index, copied): (usize, Option<usize>)| {
+            if let Some(first) = copied {
+                return Source::Copy(first, places[first]);
+            }
+            places[index] = own;
+            own += 1;
+            Source::Own(places[index])
+        };
+        confirmed.into_iter().enumerate().map(&mut source).collect()
+    }
+
+    /// Integrates the tasks that are no copies, in their order.
+    fn integrate(
+        &self,
+        tasks: &[Task],
+        goals: &[Goal],
+        sources: &[Source],
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) -> Vec<Block> {
+        let own: Vec<usize> =
+            (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
+        let (done, total) = (AtomicUsize::new(0), own.len());
+        // A few pairs cost as much as all others: none is to wait behind another of them.
+        own.par_iter()
+            .with_max_len(1)
+            .map(|index| {
+                let block = self.block(&tasks[*index], goals[*index]);
+                progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+                block
+            })
+            .collect()
+    }
+
+    fn block(&self, task: &Task, goal: Goal) -> Block {
+        let places @ [row, column] = [task.row, task.column].map(|index| index as usize);
+        if self.is_turned(task) {
+            let rows = self.list[column].basis.len();
+            return self.block_of([column, row], task, goal).turned(rows);
+        }
+        self.block_of(places, task, goal)
+    }
+
+    /// Whether a task is integrated from its emitter ([`crate::transport::schedule::order`]). What flat elements exchange freely is the same from
+    /// either side.
+    fn is_turned(&self, task: &Task) -> bool {
+        let [row, column] = [task.row, task.column].map(|index| index as usize);
+        let is_flat = [row, column].iter().all(|index| self.list[*index].plane.is_some());
+        let is_alike = is_flat && task.blockers.is_empty();
+        !is_alike && self.comes_later(row, column)
+    }
+
+    /// The block of a task between two elements, the outer one first.
+    fn block_of(&self, places: [usize; 2], task: &Task, goal: Goal) -> Block {
+        let pair @ [receiver, emitter] = places.map(|index| &self.list[index]);
+        if receiver.contact.is_some() {
+            return covering::block(receiver, emitter);
+        }
+        let is_flat = pair.iter().all(|element| element.plane.is_some());
+        let block = |blockers: &[usize]| match is_flat {
+            true => planar::block(receiver, emitter, blockers, self.visibility, (goal.accuracy, goal.flat)),
+            false => self.curved_block(places, task, blockers, goal),
+        };
+        match goal.outlined {
+            Some(limit) => shaded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
+            None if is_flat => self.hidden_block(places, task, goal).unwrap_or_else(|| block(&task.blockers)),
+            None => block(&task.blockers),
+        }
+    }
+
+    /// The block of two elements of which at least one is curved. Where a few rays meet nothing of what reaches between them all
+    /// of that is passed over, and so are their own surfaces if these rays do not meet them.
+    fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
+        let (receiver, emitter) = (&self.list[row], &self.list[column]);
+        let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
+        let enough = (UNSEEN * task.rough / unseen).max(FEWEST_RAYS as f64);
+        let is_told = enough <= MOST_RAYS;
+        let asked = if is_told { blockers } else { &[] };
+        let (mut blockers, mut rays) = (Cow::Borrowed(blockers), 0);
+        if !asked.is_empty() || !task.own.is_empty() {
+            let parts = [&self.parts[row][..], &self.parts[column][..]];
+            let surfaces = [receiver.surface, emitter.surface];
+            let most = if is_told { enough } else { MOST_OWN_RAYS };
+            let met = Obstruction::between(parts, surfaces, [asked, &task.own], self.visibility, most);
+            rays = met.rays;
+            match (is_told && rays as f64 >= enough, met.hidden) {
+                (true, Hidden::All) => {
+                    return Block::hidden(receiver.basis.len() * emitter.basis.len(), rays);
+                }
+                (true, Hidden::None) => blockers = Cow::Borrowed(&[]),
+                _ => blockers.to_mut().extend(met.own),
+            }
+        }
+        let accuracy = if blockers.is_empty() { accuracy } else { bent };
+        let how = (accuracy, sampled);
+        let mut block = if row == column {
+            curved::self_block(receiver, &blockers, self.visibility, how, [least, largest])
+        } else {
+            curved::block(receiver, emitter, &blockers, self.visibility, how, [least, largest])
+        };
+        block.rays += rays;
+        block
+    }
+
+    /// The zero block of two elements between which none of a few rays passes; None where one does, or where too few are
+    /// tried to tell what may pass beside them.
+    fn hidden_block(&self, [receiver, emitter]: [usize; 2], task: &Task, goal: Goal) -> Option<Block> {
+        if task.blockers.is_empty() {
+            return None;
+        }
+        let sees = |x, y| self.visibility.free(&task.blockers, x, y);
+        let rays = self.roughs[receiver].hidden_rays(&self.roughs[emitter], &sees)?;
+        let size = self.list[receiver].basis.len() * self.list[emitter].basis.len();
+        let is_told = rays >= FEWEST_RAYS && UNSEEN * task.rough <= goal.unseen * rays as f64;
+        is_told.then(|| Block::hidden(size, rays))
+    }
+}

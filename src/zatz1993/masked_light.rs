@@ -1,0 +1,302 @@
+//! Direct light as the paper keeps it: polynomials without shadows times shadow masks.
+//!
+//! For a receiver i and the emitters h,
+//!
+//! ```text
+//! D_i(x) = Σ_{h masked for i} M_{i←h}(x) Σ_k (G°_ih e_h)_k φ_k(x) + Σ_{h not masked} Σ_k (G_ih e_h)_k φ_k(x)
+//! ```
+//!
+//! with G° without visibility and G with it (Zatz 1993, eq. 29). D is sent on through its masks: it stands where the exact direct
+//! light stands in `bounce`. What an emitter reflects is no part of it and is shadowed within its blocks.
+//!
+//! Masks are placed where they matter: between elements between which something stands, and of whose unshadowed light more is
+//! hidden somewhere than the accuracy of shadows times all that arrives.
+
+use std::cell::RefCell;
+use std::collections::BTreeMap;
+
+use radiosity_geom::{DVec2, DVec3, Surface, overhang};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::coating::Coating;
+use crate::direct::DirectLight;
+use crate::elements::frame::{Frame, duals};
+use crate::elements::patch::Patch;
+use crate::elements::{Element, Elements};
+use crate::transport;
+use crate::transport::Accuracy;
+use crate::transport::Blocks;
+use crate::visibility::Visibility;
+use crate::zatz1993::mask::Mask;
+use crate::zatz1993::mask::Nodes;
+
+/// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
+const RAYS: usize = 16;
+
+/// Distance from a patch within which a node of a mask counts as on it, in multiples of the element's extent.
+const RIM: f64 = 1e-9;
+
+/// How masks are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Masking {
+    /// Where they are sampled.
+    pub nodes: Nodes,
+    /// What is sampled.
+    pub average: Average,
+}
+
+/// What a mask is at its nodes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Average {
+    /// The part of the emitter's area that is seen, by rays: the paper's.
+    Plain,
+    /// The part of the emitter's light that arrives: exact for what is flat.
+    Weighted,
+}
+
+/// Direct light with masks.
+#[derive(Debug)]
+pub struct MaskedLight {
+    /// The masked emitters of each receiver.
+    masked: Vec<Vec<MaskedEmitter>>,
+    /// Light of the others in the raw polynomials of each receiver, per band.
+    plain: Vec<Vec<Vec<f64>>>,
+}
+
+/// An emitter as a receiver sees it.
+#[derive(Debug)]
+struct MaskedEmitter {
+    element: usize,
+    /// Exitance per band (W m⁻²).
+    exitance: Vec<f64>,
+    mask: Mask,
+    /// Its irradiance without shadows, per unit of exitance, in the receiver's raw polynomials.
+    unshadowed: Vec<f64>,
+}
+
+/// What the scene is to masks.
+#[derive(Clone, Copy)]
+pub struct Setting<'a> {
+    /// The elements.
+    pub elements: &'a Elements,
+    /// Their coatings, one a band.
+    pub coatings: &'a [&'a Coating],
+    /// With all obstacles.
+    pub visibility: &'a Visibility,
+    /// With none.
+    pub open: &'a Visibility,
+    /// Of the blocks.
+    pub accuracy: Accuracy,
+}
+
+impl MaskedLight {
+    /// That of a scene.
+    pub fn new(setting: &Setting, how: Masking) -> Self {
+        let Setting { elements, coatings, visibility, open, accuracy } = *setting;
+        let list = elements.list();
+        let eps = accuracy.shadow_eps;
+        let lights = [visibility, open].map(|v| DirectLight::within(list, coatings, v, eps));
+        let masks: Vec<Vec<(usize, Mask)>> =
+            (0..list.len()).into_par_iter().map(|i| Receiver::new(setting, &lights, i).masks(how)).collect();
+        let is_masked = |i: usize, h: usize| masks[i].iter().any(|(other, _)| *other == h);
+        let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
+        let emits = |i: usize| coatings.iter().any(|coating| coating.exitance[i] > 0.0);
+        let free = transport::assemble_pairs(elements, &either, open, accuracy, &|_, _| {});
+        let sends = |i: usize, h: usize| emits(i) && !is_masked(h, i) || emits(h) && !is_masked(i, h);
+        let rest = transport::assemble_pairs(elements, &sends, visibility, accuracy, &|_, _| {});
+        let mut light = Self::dark(list, coatings.len());
+        for emitter in (0..list.len()).filter(|i| emits(*i)) {
+            let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[emitter]).collect();
+            let [unshadowed, shadowed] = [&free, &rest].map(|blocks| arriving(list, emitter, blocks));
+            for (receiver, masks) in masks.iter().enumerate() {
+                match masks.iter().find(|(other, _)| *other == emitter) {
+                    Some((_, mask)) => light.masked[receiver].push(MaskedEmitter {
+                        element: emitter,
+                        exitance: exitance.clone(),
+                        mask: mask.clone(),
+                        unshadowed: unshadowed[receiver].clone(),
+                    }),
+                    None => light.add_plain(receiver, &exitance, &shadowed[receiver]),
+                }
+            }
+        }
+        light
+    }
+
+    fn dark(list: &[Element], bands: usize) -> Self {
+        let dark: Vec<Vec<f64>> = list.iter().map(|element| vec![0.0; element.basis.len()]).collect();
+        Self { masked: list.iter().map(|_| Vec::new()).collect(), plain: vec![dark; bands] }
+    }
+
+    /// Adds light that needs no mask, given in raw polynomials per unit of exitance.
+    fn add_plain(&mut self, receiver: usize, exitance: &[f64], raw: &[f64]) {
+        for (plain, exitance) in self.plain.iter_mut().zip(exitance) {
+            plain[receiver].iter_mut().zip(raw).for_each(|(sum, part)| *sum += exitance * part);
+        }
+    }
+
+    /// Irradiance (W m⁻²) of a band at a point of element `receiver`; `position` matters on flat elements, `parameters` on
+    /// curved ones.
+    pub fn at(
+        &self,
+        band: usize,
+        elements: &[Element],
+        receiver: usize,
+        position: DVec3,
+        parameters: [f64; 2],
+    ) -> f64 {
+        let element = &elements[receiver];
+        let value = |raw: &[f64]| element.evaluate(raw, position, parameters);
+        let coordinates = element.basis.frame().locate(position, DVec2::from_array(parameters));
+        let masked = self.masked[receiver].iter();
+        let lit = masked.map(|emitter| {
+            emitter.exitance[band] * emitter.mask.at(coordinates) * value(&emitter.unshadowed)
+        });
+        value(&self.plain[band][receiver]) + lit.sum::<f64>()
+    }
+
+    /// The masked pairs: receiver, emitter, and the nodes of their mask.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
+        let of = |(receiver, emitters): (usize, &'_ Vec<MaskedEmitter>)| {
+            let pair = move |emitter: &MaskedEmitter| (receiver, emitter.element, emitter.mask.samples());
+            emitters.iter().map(pair).collect::<Vec<_>>()
+        };
+        self.masked.iter().enumerate().flat_map(of)
+    }
+}
+
+/// Irradiance from one emitter of exitance 1, in the raw polynomials of each element.
+fn arriving(list: &[Element], emitter: usize, blocks: &Blocks) -> Vec<Vec<f64>> {
+    let starts = blocks.starts();
+    let mut sent = vec![0.0; blocks.dim()];
+    sent[starts[emitter]..starts[emitter + 1]].copy_from_slice(&list[emitter].constant);
+    let arriving = blocks.apply(&sent);
+    let own = |(i, element): (usize, &Element)| element.basis.to_raw(&arriving[starts[i]..starts[i + 1]]);
+    list.iter().enumerate().map(own).collect()
+}
+
+/// An element whose masks are being made.
+struct Receiver<'a> {
+    setting: &'a Setting<'a>,
+    /// With all obstacles, and with none.
+    lights: &'a [DirectLight<'a>; 2],
+    index: usize,
+    /// Irradiance from each emitter, seen and unshadowed, at the nodes visited so far.
+    known: RefCell<BTreeMap<[u64; 2], Option<Vec<Arriving>>>>,
+}
+
+/// What arrives from an emitter of exitance 1.
+#[derive(Clone, Copy, Debug)]
+struct Arriving {
+    emitter: usize,
+    seen: f64,
+    unshadowed: f64,
+}
+
+impl<'a> Receiver<'a> {
+    fn new(setting: &'a Setting<'a>, lights: &'a [DirectLight<'a>; 2], index: usize) -> Self {
+        Self { setting, lights, index, known: RefCell::new(BTreeMap::new()) }
+    }
+
+    fn element(&self) -> &'a Element {
+        &self.setting.elements.list()[self.index]
+    }
+
+    /// The masks that it needs, by emitter.
+    fn masks(&self, how: Masking) -> Vec<(usize, Mask)> {
+        let masks = self.lights[0].emitters().filter_map(|emitter| {
+            let blockers = self.blockers(emitter);
+            if blockers.is_empty() {
+                return None;
+            }
+            let weighted = Mask::new(how.nodes, &|place| self.weighted(emitter, place))?;
+            if !self.is_needed(emitter) {
+                return None;
+            }
+            Some((
+                emitter,
+                match how.average {
+                    Average::Weighted => weighted,
+                    Average::Plain => Mask::new(how.nodes, &|place| self.plain(emitter, &blockers, place))?,
+                },
+            ))
+        });
+        masks.collect()
+    }
+
+    fn blockers(&self, emitter: usize) -> Vec<usize> {
+        let other = &self.setting.elements.list()[emitter];
+        let surfaces = [self.element().surface, other.surface];
+        self.setting.visibility.candidates(&self.element().hull, &other.hull, surfaces)
+    }
+
+    /// Whether more is hidden of an emitter's light at some node visited than the accuracy of shadows times what arrives
+    /// without shadows, and not all of it at all nodes.
+    fn is_needed(&self, emitter: usize) -> bool {
+        let known = self.known.borrow();
+        let power = |other: usize| self.setting.coatings.iter().map(|c| c.exitance[other]).sum::<f64>();
+        let (mut hidden, mut seen, mut all, mut nodes) = (0.0f64, 0.0f64, 0.0, 0.0);
+        for arriving in known.values().flatten() {
+            nodes += 1.0;
+            all += arriving.iter().map(|one| power(one.emitter) * one.unshadowed).sum::<f64>();
+            for one in arriving.iter().filter(|one| one.emitter == emitter) {
+                hidden = hidden.max(power(emitter) * (one.unshadowed - one.seen));
+                seen = seen.max(one.seen);
+            }
+        }
+        seen > 0.0 && hidden * nodes > self.setting.accuracy.shadow_eps * all
+    }
+
+    fn weighted(&self, emitter: usize, place: [f64; 2]) -> Option<f64> {
+        let mut known = self.known.borrow_mut();
+        let at = || self.point(place).map(|(position, normal)| self.arriving(position, normal));
+        let arriving = known.entry(place.map(f64::to_bits)).or_insert_with(at).as_ref()?;
+        let one = arriving.iter().find(|one| one.emitter == emitter)?;
+        Some(if one.unshadowed > 0.0 { (one.seen / one.unshadowed).clamp(0.0, 1.0) } else { 1.0 })
+    }
+
+    fn arriving(&self, position: DVec3, normal: DVec3) -> Vec<Arriving> {
+        let [seen, unshadowed] =
+            self.lights.each_ref().map(|light| light.factors(self.index, position, normal));
+        let both = seen.into_iter().zip(unshadowed);
+        both.map(|((emitter, seen), (_, unshadowed))| Arriving { emitter, seen, unshadowed }).collect()
+    }
+
+    fn plain(&self, emitter: usize, blockers: &[usize], place: [f64; 2]) -> Option<f64> {
+        let (x, _) = self.point(place)?;
+        let place = |k: usize| (k as f64 + 0.5) / RAYS as f64;
+        let (mut seen, mut all) = (0.0, 0.0);
+        for patch in &self.setting.elements.list()[emitter].patches {
+            for k in 0..RAYS * RAYS {
+                let node = patch.node(place(k / RAYS), place(k % RAYS));
+                all += node.area;
+                seen +=
+                    if self.setting.visibility.free(blockers, x, node.position) { node.area } else { 0.0 };
+            }
+        }
+        Some(seen / all)
+    }
+
+    /// The point at coordinates in [−1, 1]², with its normal; None where the element does not reach.
+    fn point(&self, [a, b]: [f64; 2]) -> Option<(DVec3, DVec3)> {
+        let element = self.element();
+        match (element.basis.frame(), element.plane) {
+            (Frame::Plane { origin, first, second }, Some((_, normal))) => {
+                let [along, across] = duals([*first, *second]);
+                let position = origin + a * along + b * across;
+                let extent = along.length().max(across.length());
+                let covers = |patch: &Patch| overhang(&patch.polygon(), normal, position) <= RIM * extent;
+                element.patches.iter().any(covers).then_some((position, normal))
+            }
+            (Frame::Parameters { center, half }, _) => {
+                let parameters = *center + *half * DVec2::new(a, b);
+                let shape: &dyn Surface = self.setting.elements.shape(element.surface);
+                let jet = shape.jet(parameters.x, parameters.y);
+                Some((jet.position, jet.normal))
+            }
+            (Frame::Plane { .. }, None) => None,
+        }
+    }
+}
