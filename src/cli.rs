@@ -1,32 +1,32 @@
 //! Command line: the verbs, and what each does with the library.
 
-mod check;
-mod completions;
-mod convergence;
-mod data;
 mod decimals;
-mod destination;
-mod error;
-mod format;
-mod grid;
 mod interrupt;
 mod masks;
 mod memory;
 mod modes;
 mod numbers;
-mod options;
-mod output_file;
 mod points;
-mod probe;
+mod error;
+mod completions;
+mod format;
+mod output_file;
+mod options;
+mod destination;
 mod progress;
 mod read;
 mod reference;
-mod render;
 mod run;
-mod scenes;
+mod data;
+mod grid;
+mod probe;
 mod solve;
 mod style;
+mod render;
 mod table;
+mod convergence;
+mod check;
+mod scenes;
 mod view_factors;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};

@@ -3,8 +3,8 @@
 //! What stands on a floor with a face of its own, hangs on a wall or lies on a table leaves no gap that light passes. In that limit
 //! the part of the floor under it and the part of the face over it exchange light with each other alone, and κ dA becomes the
 //! identity: a point sees the point that it touches. No polynomial follows the edge of that darkness, and rules of a gap of 1e-8
-//! are slow. So both parts become elements of their own. Sheets count as closed up to four
-//! times the gap that a sheet is moved off another (`scene::gap`).
+//! are slow. So both parts become elements of their own. Sheets count as closed up to a
+//! few times the least gap that the rules tell from none (`scene::gap`).
 //!
 //! Of several sheets over a place the nearest covers it. A sheet whose back lies on another covers it without seeing it.
 

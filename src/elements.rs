@@ -5,19 +5,19 @@
 //! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
 //! an element is covered by [`patch`]es.
 
-pub mod basis;
 pub mod cells;
 pub mod columns;
-mod element;
-mod fault;
-pub mod frame;
-pub mod measure;
 pub mod patch;
-pub mod products;
+pub mod frame;
 pub mod recurrence;
 pub mod rule;
 pub mod space;
+pub mod products;
 pub mod spectrum;
+pub mod measure;
+pub mod basis;
+mod fault;
+mod element;
 
 use std::ops::Range;
 use std::sync::Arc;

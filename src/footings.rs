@@ -6,6 +6,7 @@
 //! seen, or the footings of others (`seal`). It is cut out of what receives and sends light; as a blocker the surface
 //! stays whole.
 
+mod footing;
 mod faces;
 mod lines;
 mod seal;
@@ -17,21 +18,11 @@ use rayon::prelude::*;
 
 use crate::scene::Scene;
 use crate::visibility::{Shadows, Visibility};
+pub use footing::Footing;
 use seal::Suspect;
 
 /// What has to be left of a surface beside a footing, relative to it.
 const LEAST: f64 = 1e-6;
-
-/// A part of a planar surface that others cover.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Footing {
-    /// Index of the surface.
-    pub surface: usize,
-    /// The part of it, a polygon.
-    pub region: PlanarRegion,
-    /// Indices of the surfaces that stand around it, ascending.
-    pub standing: Vec<usize>,
-}
 
 /// All footings of a scene, by their surfaces.
 pub fn footings(scene: &Scene) -> Vec<Footing> {

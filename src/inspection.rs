@@ -3,13 +3,13 @@
 //! The geometry is looked at in sampled places, so that hundreds of surfaces take little time; a scene without light or
 //! materials can be inspected too.
 
+mod sheet;
+mod rim;
+pub mod shell;
+pub mod warning;
 pub mod contact;
 mod front;
 mod gap;
-mod rim;
-mod sheet;
-pub mod shell;
-pub mod warning;
 
 pub use contact::{Contact, Touch};
 pub use shell::{Fronts, Shell};

@@ -4,33 +4,34 @@
 //! every number finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another,
 //! every name given once. What is wrong is a [`SceneError`] with name and cure, and in a file with line and column.
 
-mod builder;
-mod builtin;
-mod camera;
 mod coincident;
-mod cure;
-mod draft;
-mod error;
-mod fields;
-mod fitted;
 pub(crate) mod gap;
-mod file;
-mod json_text;
-mod language;
-mod material;
 mod middle;
-mod names;
 mod nearest;
-mod polygon_list;
-mod ranges;
-mod shape;
 mod source;
+mod error;
+mod builtin;
+mod cure;
+mod material;
+mod names;
+mod ranges;
+mod camera;
 mod stacked;
 mod surface;
-mod toml_text;
+mod draft;
 mod tree;
-mod validation;
+mod fields;
+mod json_text;
+mod polygon_list;
+mod language;
+mod shape;
+mod file;
+mod toml_text;
 mod weld;
+mod fitted;
+mod surfaces;
+mod validation;
+mod builder;
 
 use std::{io, path::Path};
 
@@ -48,10 +49,10 @@ pub use source::{Place, Source};
 pub use surface::SceneSurface;
 pub use weld::Welded;
 
-use draft::Surfaces;
 use error::{Located, surface_title};
 use file::SceneFile;
 use language::Language;
+use surfaces::Surfaces;
 use tree::{Node, Value};
 
 /// A valid scene.

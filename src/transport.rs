@@ -13,8 +13,8 @@
 
 pub(crate) mod moments;
 pub(crate) mod contact;
-pub(crate) mod blocks;
 pub(in crate::transport) mod estimates;
+pub(crate) mod blocks;
 pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;

@@ -6,11 +6,11 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
-pub(crate) mod ball;
 pub mod lambert;
+pub mod rim;
+pub(crate) mod ball;
 pub mod pyramid;
 pub mod exact;
-pub mod rim;
 mod bodies;
 pub mod net;
 mod hiding;
@@ -26,10 +26,9 @@ use ball::Ball;
 use bodies::{Bodies, Face};
 pub use hiding::{Hiding, Shadows};
 use net::Net;
-use obstacle::{Bend, Obstacle};
+use obstacle::{Bend, END, Obstacle};
 
-/// A segment may touch surfaces within this part of its length at both ends; and those that the ends lie on.
-const END: f64 = 1e-9;
+/// A segment may touch the surfaces that its ends lie on within this part of its length.
 const OWN_END: f64 = 1e-6;
 
 /// The surfaces of a scene as obstacles.

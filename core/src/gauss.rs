@@ -8,16 +8,16 @@
 //! | [`jacobi`](jacobi()) | (1 − x)^α (1 + x)^β | O(n²) | correctly rounded | `const fn` |
 //! | [`golub_welsch`] | (1 − x)^α (1 + x)^β | O(n²) | 10⁻¹⁵, 2 to 4 digits lost | the classical route |
 
-mod asymptotic;
 mod error;
+mod asymptotic;
 mod golub_welsch;
-mod jacobi;
-mod laguerre;
-mod legendre;
 mod polish;
-mod rule;
 mod symmetric;
+mod legendre;
 mod trail;
+mod laguerre;
+mod jacobi;
+mod rule;
 
 pub use self::asymptotic::legendre_asymptotic;
 pub use self::error::RuleError;

@@ -1,7 +1,7 @@
 //! Jacobi polynomials: orthogonal on [−1, 1] for the weight (1 − x)^α (1 + x)^β, α, β > −1.
 
-mod anchored;
 mod integral;
+mod anchored;
 pub(crate) mod monic;
 mod polynomials;
 mod weight;

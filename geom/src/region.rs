@@ -4,8 +4,8 @@
 //! unit vector, so that the outline runs counter-clockwise about it. Holes are stored clockwise: the region
 //! lies to the left of every edge.
 
-mod pieces;
 mod rings;
+mod pieces;
 
 use crate::{Motion, ShapeError, coordinate_rounding};
 use glam::{DVec2, DVec3};

@@ -2,26 +2,26 @@
 //! and its range.
 
 mod affine;
-mod bezier;
 mod bilinear;
-mod cone;
-mod cylinder;
-mod disk;
-mod extrusion;
 mod fold;
+mod extrusion;
 mod net;
 mod parallelogram;
 mod polygon;
-mod rational;
-mod revolution;
 mod sheared;
-mod sphere;
-mod sphere_patch;
 mod tiles;
-mod torus;
+mod bezier;
+mod rational;
 mod triangle;
 mod trimmed;
 mod turn;
+mod cone;
+mod cylinder;
+mod disk;
+mod revolution;
+mod sphere;
+mod sphere_patch;
+mod torus;
 
 pub use bezier::Bezier;
 pub use bilinear::Bilinear;

@@ -76,7 +76,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     }
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
-    let output = OutputFile::reserve(&path)?.apart_from_scene(&args.scene)?;
+    let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;
     let reference = args.reference.as_deref().map(|path| same_scene(path, scene)).transpose()?;
     let progress = Progress::new(args.quiet);
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);

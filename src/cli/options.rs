@@ -56,6 +56,17 @@ impl SceneArg {
         (self.scene != "-" && !builtin).then(|| Path::new(&self.scene))
     }
 
+    /// An output, which must not take the place of the scene.
+    ///
+    /// # Errors
+    /// [`CliError::Refused`] if it would.
+    pub(crate) fn kept_apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
+        match self.path() {
+            Some(path) => output.apart_from(path, "the scene"),
+            None => Ok(output),
+        }
+    }
+
     /// The text of the scene, or of a solution.
     pub(crate) fn text(&self) -> Result<Source, SceneError> {
         let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();

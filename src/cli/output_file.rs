@@ -10,7 +10,6 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::cli::error::CliError;
 use crate::cli::interrupt::temporary_files;
-use crate::cli::options::SceneArg;
 
 /// A file that will be written. It comes into being only when all of it is there: the text goes to a temporary file in the
 /// same folder, which then takes the name.
@@ -58,17 +57,6 @@ impl OutputFile {
             });
         }
         Ok(self)
-    }
-
-    /// This output, which must not take the place of the scene.
-    ///
-    /// # Errors
-    /// [`CliError::Refused`] if it would.
-    pub(crate) fn apart_from_scene(self, scene: &SceneArg) -> Result<Self, CliError> {
-        match scene.path() {
-            Some(path) => self.apart_from(path, "the scene"),
-            None => Ok(self),
-        }
     }
 
     /// Has `write` write the whole output, and then puts it in place.

@@ -103,7 +103,7 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let scene = args.scene.load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
-    let reserve = |path| OutputFile::reserve(path)?.apart_from_scene(&args.scene);
+    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let progress = Progress::new(args.quiet);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();

@@ -8,7 +8,7 @@
 use radiosity_geom::{DVec3, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
-use super::Footing;
+use super::footing::Footing;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 

@@ -4,12 +4,14 @@
 //! irradiance twice: in Legendre products, which anyone can evaluate, and in the orthonormal basis of the element, from which
 //! [`read`] makes the same solution bit by bit. Numbers have as many digits as tell them from their neighbours.
 
-mod element;
-mod error;
 mod figures;
-mod reading;
+mod version;
+mod error;
+mod element;
 mod tree;
+mod reading;
 
 pub use error::{Mismatch, SolutionError, SolutionFault};
 pub use reading::{is_solution, read};
-pub use tree::{SolutionFile, VERSION};
+pub use tree::SolutionFile;
+pub use version::VERSION;

@@ -7,10 +7,11 @@ use radiosity_geom::Surface;
 use crate::scene::{
     Scene,
     camera::Camera,
-    draft::{self, SurfaceDraft, Surfaces},
+    draft::SurfaceDraft,
     error::{Located, SceneError, material_title},
     material::Material,
     names::UniqueNames,
+    surfaces::{Surfaces, fitted_surfaces},
     validation::check_bands,
 };
 
@@ -122,7 +123,7 @@ impl SceneBuilder {
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
         let drafts = self.surfaces.into_iter().map(SurfaceDraft::checked);
-        let Surfaces { list, middle, fitted } = draft::surfaces(drafts, self.tolerance)?;
+        let Surfaces { list, middle, fitted } = fitted_surfaces(drafts, self.tolerance)?;
         Ok(Scene {
             middle,
             fitted,

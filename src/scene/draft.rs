@@ -5,15 +5,11 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Flipped, Rect, Surface};
+use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::scene::{
-    coincident::Occupied,
     error::{Fault, Located, surface_title},
-    fitted::{self, Fitted},
     material::Material,
-    middle,
-    names::UniqueNames,
     ranges::{check_order, check_parts},
     source::{Place, Span},
     surface::SceneSurface,
@@ -82,7 +78,7 @@ impl SurfaceDraft {
     }
 
     /// A fault of what stands at `span` if the draft comes from a file, else one of the surface.
-    fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
+    pub(super) fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
         match span {
             Some(span) => Located::at(span, fault),
             None => Located::nowhere(fault).within(|| surface_title(&self.name)),
@@ -90,7 +86,7 @@ impl SurfaceDraft {
     }
 
     /// Refuses sizes whose powers leave the range of numbers.
-    fn check_extents(&self) -> Result<(), Located> {
+    pub(super) fn check_extents(&self) -> Result<(), Located> {
         let span = self.typed.as_ref().map(|typed| &typed.shape);
         self.shapes.iter().try_for_each(|(_, shape)| {
             check_extent(shape)
@@ -99,7 +95,7 @@ impl SurfaceDraft {
     }
 
     /// The surface of one of its shapes, and its back if it is two-sided.
-    fn sides(&self, (name, shape): &NamedShape) -> Vec<SceneSurface> {
+    pub(super) fn sides(&self, (name, shape): &NamedShape) -> Vec<SceneSurface> {
         let side = |name: String, flip: bool| SceneSurface {
             name,
             kind: self.kind,
@@ -115,69 +111,6 @@ impl SurfaceDraft {
     }
 }
 
-/// The surfaces of a scene with what was done to their shapes.
-pub(super) struct Surfaces {
-    pub(super) list: Vec<SceneSurface>,
-    /// What was taken off all coordinates.
-    pub(super) middle: DVec3,
-    pub(super) fitted: Fitted,
-}
-
-/// The surfaces of all drafts, in their order, each with a name of its own and none in another. Their shapes are fitted together
-/// within `tolerance` (scene length), or within that of the input.
-pub(super) fn surfaces(
-    drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
-    tolerance: Option<f64>,
-) -> Result<Surfaces, Located> {
-    let mut drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
-    drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
-    tolerance.map_or(Ok(()), check_tolerance)?;
-    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
-    let fitted = fitted::fit(&mut drafts, middle, tolerance);
-    let list = named(&drafts)?;
-    if list.is_empty() {
-        Err(Located::nowhere(Fault::EmptyScene))
-    } else {
-        Ok(Surfaces { list, middle, fitted })
-    }
-}
-
-/// The surfaces of all drafts, each with a name of its own and none in another.
-fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
-    let mut names = UniqueNames::default();
-    let mut claims = Vec::new();
-    let mut surfaces = Vec::new();
-    for draft in drafts {
-        let typed = draft.typed.as_ref();
-        let shapes: Vec<Vec<SceneSurface>> = draft.shapes.iter().map(|shape| draft.sides(shape)).collect();
-        for side in shapes.iter().flatten() {
-            let name = names.add(&side.name, typed.map(|typed| typed.name_line));
-            name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
-        }
-        for sides in shapes {
-            claims.push(Claim {
-                name: sides[0].name.clone(),
-                occupied: Occupied::new(&sides[0].shape),
-                span: typed.map(|typed| typed.shape.clone()),
-            });
-            surfaces.extend(sides);
-        }
-    }
-    check_apart(&claims)?;
-    Ok(surfaces)
-}
-
-/// Refuses lengths that are none.
-fn check_tolerance(value: f64) -> Result<(), Located> {
-    match value.is_finite() && value >= 0.0 {
-        true => Ok(()),
-        false => {
-            let fault = Fault::OutOfRange { what: "the tolerance length", value, range: "0 ≤ length" };
-            Err(Located::nowhere(fault))
-        }
-    }
-}
-
 /// Refuses sizes whose powers leave the range of numbers.
 fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
     let value = shape.bounds(&Rect::FULL).diagonal();
@@ -185,43 +118,4 @@ fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
         return Ok(());
     }
     Err(Fault::OutOfRange { what: "the extent of the surface", value, range: "1e-30 ≤ extent ≤ 1e30" })
-}
-
-/// What a surface occupies, with its name and where its shape stands in a file.
-struct Claim {
-    name: String,
-    occupied: Occupied,
-    span: Option<Span>,
-}
-
-impl Claim {
-    /// Whether one is the other side of the other: named as backs are, and turned away.
-    fn is_back_of(&self, front: &Claim) -> bool {
-        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
-    }
-}
-
-/// Refuses the first surface that lies in one before it, backs excepted.
-fn check_apart(claims: &[Claim]) -> Result<(), Located> {
-    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
-    let tree = Bvh::build(&boxes);
-    let mut near = Vec::new();
-    for (index, own) in claims.iter().enumerate() {
-        near.clear();
-        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
-        near.retain(|other| *other < index);
-        near.sort_unstable();
-        let clashes = |other: &&Claim| {
-            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
-        };
-        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
-            let fault = Fault::Coincident { other: other.name.clone() };
-            let located = match &own.span {
-                Some(span) => Located::at(span, fault),
-                None => Located::nowhere(fault),
-            };
-            return Err(located.within(|| surface_title(&own.name)));
-        }
-    }
-    Ok(())
 }

@@ -1,7 +1,7 @@
 //! The shapes a scene file can name: their fields as typed, and the surfaces they make.
 
-mod flat;
 mod form;
+mod flat;
 mod spline;
 mod turned;
 

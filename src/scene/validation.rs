@@ -6,12 +6,13 @@ use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
-    draft::{self, NamedShape, SurfaceDraft, Surfaces, Typed},
+    draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, surface_title},
     file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
     names::UniqueNames,
     source::{At, Source},
+    surfaces::{Surfaces, fitted_surfaces},
 };
 
 /// Materials by name.
@@ -114,7 +115,7 @@ pub(super) fn surfaces(
         let title = surface_title(&name);
         draft(file, name, materials, bands, source).map_err(|error| error.within(|| title))
     });
-    draft::surfaces(drafts, source.tolerance)
+    fitted_surfaces(drafts, source.tolerance)
 }
 
 /// One entry, with its material and shapes.

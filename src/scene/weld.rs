@@ -13,13 +13,13 @@
 //!
 //! The tolerance is that of the two sheets in question ([`tolerance`]), or the length that was asked for.
 
+mod forest;
+mod tolerance;
+mod sheet;
 mod apart;
 mod corners;
-mod flatten;
-mod forest;
 mod planes;
-mod sheet;
-mod tolerance;
+mod flatten;
 
 use std::{collections::HashSet, fmt, sync::Arc};
 

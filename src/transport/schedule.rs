@@ -8,6 +8,7 @@
 
 mod order;
 mod congruent;
+mod task;
 mod goal;
 
 use std::borrow::Cow;
@@ -16,8 +17,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::elements::patch::Patch;
-use crate::elements::{Element, Elements};
+use crate::elements::Elements;
 use crate::visibility::Visibility;
 
 use crate::transport::blocks::Blocks;
@@ -39,6 +39,7 @@ use crate::transport::schedule::congruent::Panel;
 use crate::transport::schedule::congruent::Pose;
 use crate::transport::schedule::order::Rank;
 use goal::Goal;
+use task::{Scene, Task};
 
 /// What of a rough estimate of a curved pair counts as a lower bound.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -53,53 +54,6 @@ const FEWEST_RAYS: u64 = 16;
 /// More rays than this are left to the block itself; so many then tell whether surfaces hide themselves.
 const MOST_RAYS: f64 = 2e4;
 const MOST_OWN_RAYS: f64 = 4e3;
-
-/// Elements with what sorting needs of them.
-struct Scene<'a> {
-    list: &'a [Element],
-    panels: Vec<Option<Panel>>,
-    reaches: Vec<Reach>,
-    ranks: Vec<Rank>,
-    roughs: Vec<Rough>,
-    /// Whether blocks are estimated: what is planar needs it for its shadows only.
-    is_estimated: bool,
-    /// The sectors of each.
-    parts: Vec<Vec<Patch>>,
-    visibility: &'a Visibility,
-    accuracy: Accuracy,
-    wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
-}
-
-/// A pair to integrate.
-struct Task {
-    row: u32,
-    column: u32,
-    /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
-    entries: [f64; 2],
-    /// About its first entry, were nothing in between; 0 where nothing is estimated.
-    rough: f64,
-    /// Hash of its pose where it may be equal to others.
-    hash: Option<u64>,
-    /// Surfaces that may stand between.
-    blockers: Vec<usize>,
-    /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
-    own: Vec<usize>,
-}
-
-impl Task {
-    /// Of two elements that cover each other: the block is known.
-    fn of_contact(row: usize, column: usize) -> Self {
-        Self {
-            row: row as u32,
-            column: column as u32,
-            entries: [1.0; 2],
-            rough: 1.0,
-            hash: None,
-            blockers: Vec::new(),
-            own: Vec::new(),
-        }
-    }
-}
 
 /// What sorting makes of a pair.
 enum Sorted {

@@ -4,9 +4,11 @@ use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::{DVec3, Jet, Rect, Surface};
 
-use super::END;
 use super::ball::Ball;
 use super::net::Net;
+
+/// A segment may touch surfaces within this part of its length at both ends.
+pub(super) const END: f64 = 1e-9;
 
 /// Points in each parameter at which a curved surface is looked at.
 const LOOKS: usize = 5;

@@ -16,6 +16,7 @@
 //! at shadow edges alone ([`Quadtree`]). Where something stands on the element there is nothing to see: such nodes take the value
 //! of the nearest one that is free, or else the interpolation would darken the rim around it.
 
+mod interpolation;
 mod grid;
 mod quadtree;
 
@@ -74,24 +75,6 @@ impl Mask {
             Self::Adaptive(tree) => tree.samples(),
         }
     }
-}
-
-/// The bilinear interpolant of the corners (0, 0), (0, 1), (1, 0), (1, 1).
-fn bilinear([c00, c01, c10, c11]: [f64; 4], [a, b]: [f64; 2]) -> f64 {
-    (1.0 - a) * ((1.0 - b) * c00 + b * c01) + a * ((1.0 - b) * c10 + b * c11)
-}
-
-/// The known value nearest to a place, of places and values; the earliest of equally near ones.
-fn nearest<'a>(place: [f64; 2], known: impl Iterator<Item = ([f64; 2], &'a Option<f64>)>) -> Option<f64> {
-    let mut best: Option<(f64, f64)> = None;
-    for (other, value) in known {
-        let Some(value) = *value else { continue };
-        let distance = (place[0] - other[0]).powi(2) + (place[1] - other[1]).powi(2);
-        if best.is_none_or(|(least, _)| distance < least) {
-            best = Some((distance, value));
-        }
-    }
-    best.map(|(_, value)| value)
 }
 
 #[cfg(test)]

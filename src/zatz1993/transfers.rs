@@ -35,13 +35,13 @@
 //! treated differently, so that each ordered pair is integrated by itself. Blocks G, with respect to area, follow by the
 //! bases' triangular transforms ([`Chart`]); between parallelograms G = √(A_i/A_j) K.
 
-mod assembly;
 mod axis;
 mod border;
-mod chart;
 mod party;
+mod chart;
 mod sum;
 mod transfer;
+mod assembly;
 
 pub use assembly::assemble;
 pub use chart::{Chart, NoChart};

@@ -5,7 +5,7 @@ use thiserror::Error;
 use crate::elements::ElementError;
 use crate::scene::SceneError;
 
-use super::tree::VERSION;
+use super::version::VERSION;
 
 /// A solution file that cannot be used. Displays as `file: message`; the cure is apart, see [`SolutionError::cure`].
 #[derive(Debug, Error)]

@@ -7,7 +7,8 @@ use serde::Deserialize;
 
 use super::element::SavedElement;
 use super::error::{Mismatch, SolutionError, SolutionFault};
-use super::tree::{FORMAT, SavedScene, SolutionFile, VERSION};
+use super::tree::{SavedScene, SolutionFile};
+use super::version::{FORMAT, VERSION};
 use crate::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};

@@ -4,15 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::element::{self, SavedElement};
 use super::figures::Figures;
+use super::version::{FORMAT, VERSION};
 use crate::elements::Discretization;
 use crate::solve::Options;
 use crate::solved::Solved;
-
-/// What the key `format` says.
-pub(super) const FORMAT: &str = "radiosity-solution";
-
-/// What the key `format_version` says: the one version that is written and read.
-pub const VERSION: u32 = 3;
 
 /// How to read the numbers, for whoever opens the file.
 const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1, 1]^2, irradiance = sum over k of \
@@ -20,6 +15,7 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      d = 0..N ascending, within d over j = 0..d with i = d - j (basis total-degree-legendre), or k = i (N + 1) + j with \
      i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
      b = (x - origin).second for a point x, less scene.middle where that is given; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
+     An element that is covered is the part of its surface on which another lies; others end there. \
      radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back.";

@@ -17,17 +17,17 @@
 //! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
 //! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
 
-mod attempt;
 mod before;
+mod points;
+mod size;
 mod budget;
+mod job;
+mod attempt;
 mod constant;
 mod fan;
-mod job;
 mod own;
 mod pair;
-mod points;
 mod shaded;
-mod size;
 
 use std::f64::consts::FRAC_1_SQRT_2;
 

@@ -19,12 +19,12 @@
 //! Their rounding errors are some 1e-16 of the square of the polygons' extent. Of polygons as wide as they are long
 //! that is some 1e-16 of their area; slender ones lose the digits of their aspect ratio.
 
+mod segment;
 mod crossing;
 mod distant;
-mod pair;
 mod parallel;
-mod segment;
 mod skew;
+mod pair;
 mod unequal;
 
 use core::f64::consts::FRAC_1_PI;

@@ -17,11 +17,11 @@
 //! W has a kink of first order there, and the outer patch is cut along it beforehand ([`front`]).
 
 mod cell;
-mod front;
-mod line;
-mod part;
 mod queue;
 mod view;
+mod line;
+mod front;
+mod part;
 
 use std::sync::Arc;
 

@@ -9,13 +9,13 @@
 //! integral runs over cells of P that follow the edges of Q ([`plan`]). Both rules are known before a single kernel value is.
 
 mod complex;
-mod emitter;
-mod line;
-mod plan;
-mod polar;
 mod radial;
 mod samples;
 mod stretch;
+mod line;
+mod polar;
+mod emitter;
+mod plan;
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;

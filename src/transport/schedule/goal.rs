@@ -8,8 +8,7 @@ use crate::transport::blocks::block::Accuracy;
 use crate::transport::estimates::entry_bounds::ROW_SHARE;
 use crate::transport::estimates::entry_bounds::relaxed;
 use crate::transport::occlusion::outlines::Limit;
-use crate::transport::schedule::Scene;
-use crate::transport::schedule::Task;
+use crate::transport::schedule::task::{Scene, Task};
 
 /// A block that something may stand in may be wrong by the accuracy of shadows times this part of the largest entry of
 /// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.

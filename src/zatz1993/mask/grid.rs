@@ -2,8 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use crate::zatz1993::mask::bilinear;
-use crate::zatz1993::mask::nearest;
+use crate::zatz1993::mask::interpolation::{bilinear, nearest};
 
 /// Values at (cells + 1)² nodes, b running fastest.
 #[derive(Clone, Debug, PartialEq)]

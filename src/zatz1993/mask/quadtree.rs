@@ -6,8 +6,7 @@
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
-use crate::zatz1993::mask::bilinear;
-use crate::zatz1993::mask::nearest;
+use crate::zatz1993::mask::interpolation::{bilinear, nearest};
 
 /// Cells along a side that are looked at in any case.
 const LEAST_CELLS: usize = 8;

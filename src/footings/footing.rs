@@ -1,0 +1,14 @@
+//! A part of a planar surface on which others stand.
+
+use radiosity_geom::PlanarRegion;
+
+/// A part of a planar surface that others cover.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Footing {
+    /// Index of the surface.
+    pub surface: usize,
+    /// The part of it, a polygon.
+    pub region: PlanarRegion,
+    /// Indices of the surfaces that stand around it, ascending.
+    pub standing: Vec<usize>,
+}

@@ -1,0 +1,116 @@
+//! Drafts → the surfaces of one scene: their shapes fitted together, each with a name of its own, none lying in another.
+
+use radiosity_geom::{Aabb, Bvh, DVec3};
+
+use crate::scene::{
+    coincident::Occupied,
+    draft::SurfaceDraft,
+    error::{Fault, Located, surface_title},
+    fitted::{self, Fitted},
+    middle,
+    names::UniqueNames,
+    source::Span,
+    surface::SceneSurface,
+};
+
+/// The surfaces of a scene with what was done to their shapes.
+pub(super) struct Surfaces {
+    pub(super) list: Vec<SceneSurface>,
+    /// What was taken off all coordinates.
+    pub(super) middle: DVec3,
+    pub(super) fitted: Fitted,
+}
+
+/// The surfaces of all drafts, in their order, each with a name of its own and none in another. Their shapes are fitted together
+/// within `tolerance` (scene length), or within that of the input.
+pub(super) fn fitted_surfaces(
+    drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
+    tolerance: Option<f64>,
+) -> Result<Surfaces, Located> {
+    let mut drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
+    drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
+    tolerance.map_or(Ok(()), check_tolerance)?;
+    let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
+    let fitted = fitted::fit(&mut drafts, middle, tolerance);
+    let list = named(&drafts)?;
+    if list.is_empty() {
+        Err(Located::nowhere(Fault::EmptyScene))
+    } else {
+        Ok(Surfaces { list, middle, fitted })
+    }
+}
+
+/// The surfaces of all drafts, each with a name of its own and none in another.
+fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
+    let mut names = UniqueNames::default();
+    let mut claims = Vec::new();
+    let mut surfaces = Vec::new();
+    for draft in drafts {
+        let typed = draft.typed.as_ref();
+        let shapes: Vec<Vec<SceneSurface>> = draft.shapes.iter().map(|shape| draft.sides(shape)).collect();
+        for side in shapes.iter().flatten() {
+            let name = names.add(&side.name, typed.map(|typed| typed.name_line));
+            name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
+        }
+        for sides in shapes {
+            claims.push(Claim {
+                name: sides[0].name.clone(),
+                occupied: Occupied::new(&sides[0].shape),
+                span: typed.map(|typed| typed.shape.clone()),
+            });
+            surfaces.extend(sides);
+        }
+    }
+    check_apart(&claims)?;
+    Ok(surfaces)
+}
+
+/// Refuses lengths that are none.
+fn check_tolerance(value: f64) -> Result<(), Located> {
+    match value.is_finite() && value >= 0.0 {
+        true => Ok(()),
+        false => {
+            let fault = Fault::OutOfRange { what: "the tolerance length", value, range: "0 ≤ length" };
+            Err(Located::nowhere(fault))
+        }
+    }
+}
+
+/// What a surface occupies, with its name and where its shape stands in a file.
+struct Claim {
+    name: String,
+    occupied: Occupied,
+    span: Option<Span>,
+}
+
+impl Claim {
+    /// Whether one is the other side of the other: named as backs are, and turned away.
+    fn is_back_of(&self, front: &Claim) -> bool {
+        self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
+    }
+}
+
+/// Refuses the first surface that lies in one before it, backs excepted.
+fn check_apart(claims: &[Claim]) -> Result<(), Located> {
+    let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
+    let tree = Bvh::build(&boxes);
+    let mut near = Vec::new();
+    for (index, own) in claims.iter().enumerate() {
+        near.clear();
+        tree.overlapping(own.occupied.bounds(), |other| near.push(other));
+        near.retain(|other| *other < index);
+        near.sort_unstable();
+        let clashes = |other: &&Claim| {
+            other.occupied.coincides(&own.occupied) && !own.is_back_of(other) && !other.is_back_of(own)
+        };
+        if let Some(other) = near.iter().map(|other| &claims[*other]).find(clashes) {
+            let fault = Fault::Coincident { other: other.name.clone() };
+            let located = match &own.span {
+                Some(span) => Located::at(span, fault),
+                None => Located::nowhere(fault),
+            };
+            return Err(located.within(|| surface_title(&own.name)));
+        }
+    }
+    Ok(())
+}
