@@ -1,4 +1,4 @@
-//! What the documents name is there: examples, tests and benches that commands run, pictures, marks in pairs; and the
+//! What the documents name is there: examples, tests and benches that commands run, pictures and links, marks in pairs; and the
 //! packages' examples are those of their documentation, where they are run.
 
 use std::fs;
@@ -70,16 +70,16 @@ fn commands_run_what_exists() {
 }
 
 #[test]
-fn pictures_are_there() {
-    let mut found = 0;
-    let is_picture = |link: &&str| link.ends_with(".png") || link.ends_with(".svg");
+fn links_lead_somewhere() {
+    let mut pictures = 0;
     for (document, text) in texts() {
-        for picture in links(&text).filter(is_picture) {
-            found += 1;
-            assert!(beside(document, picture).exists(), "{document}: {picture} is missing");
+        for link in links(&text).filter(|link| !link.starts_with("https://") && !link.starts_with('#')) {
+            let file = link.split('#').next().unwrap_or(link);
+            pictures += usize::from(file.ends_with(".png") || file.ends_with(".svg"));
+            assert!(beside(document, file).exists(), "{document}: {link} is missing");
         }
     }
-    assert!(found > 5, "the pictures were found");
+    assert!(pictures > 5, "the pictures were found");
 }
 
 #[test]
