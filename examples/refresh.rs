@@ -1,7 +1,7 @@
 //! Makes the figures, tables and outputs of the documents anew, each by the command that the text names.
 //!
-//! `cargo run --release --example refresh -- [PART OF A COMMAND]` goes through README.md and benches/README.md, about an hour
-//! for all commands. What is made anew stands between two marks, and is what the nearest command above it prints on its
+//! `cargo run --release --example refresh -- [PART OF A COMMAND]` goes through README.md, docs/measured.md and
+//! benches/README.md, about an hour for all commands. What is made anew stands between two marks, and is what the nearest command above it prints on its
 //! standard output:
 //!
 //! ```text
@@ -24,7 +24,7 @@ use std::time::Instant;
 use std::{env, fs};
 
 /// Those that commands write to.
-const DOCUMENTS: [&str; 2] = ["README.md", "benches/README.md"];
+const DOCUMENTS: [&str; 3] = ["README.md", "docs/measured.md", "benches/README.md"];
 
 const RUN: &str = "<!-- run -->";
 const OUTPUT: &str = "<!-- output -->";

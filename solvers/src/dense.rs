@@ -21,6 +21,18 @@ const ROWS: usize = 1024;
 const ASYMMETRY: f64 = 1e-12;
 
 /// A real square matrix held entry by entry, finite, cut into blocks.
+///
+/// ```
+/// use radiosity_solvers::{Dense, Partition, Settings, method::Method};
+///
+/// // Two blocks of one unknown each: 4x + y = 1, x + 3y = 2.
+/// let a = Dense::new(Partition::points(2), vec![4.0, 1.0, 1.0, 3.0], true)?;
+/// let mut x = [0.0; 2];
+/// let report = Method::named("cg")?.solver.solve(&a, &[1.0, 2.0], &mut x, &Settings::default(), &mut |_| ())?;
+/// assert!(report.residual <= 1e-8);
+/// assert!((x[0] - 1.0 / 11.0).abs() < 1e-7 && (x[1] - 7.0 / 11.0).abs() < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Clone, Debug)]
 pub struct Dense {
     partition: Partition,

@@ -1,14 +1,21 @@
-//! What the documents name is there: examples, tests and benches that commands run, pictures, marks in pairs.
+//! What the documents name is there: examples, tests and benches that commands run, pictures and links, marks in pairs; and the
+//! packages' examples are those of their documentation, where they are run.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents of all packages.
-const DOCUMENTS: [&str; 5] = [
+const DOCUMENTS: [&str; 11] = [
     "README.md",
+    "CHANGELOG.md",
+    "CONTRIBUTING.md",
+    "docs/measured.md",
     "benches/README.md",
+    "core/README.md",
     "core/benches/README.md",
+    "geom/README.md",
     "geom/benches/README.md",
+    "solvers/README.md",
     "solvers/benches/README.md",
 ];
 const PACKAGES: [&str; 4] = [".", "core", "geom", "solvers"];
@@ -27,6 +34,16 @@ fn texts() -> impl Iterator<Item = (&'static str, String)> {
 fn named<'a>(text: &'a str, flag: &'a str) -> impl Iterator<Item = &'a str> {
     let words = text.split(|c: char| c.is_whitespace() || "`,;)".contains(c)).filter(|word| !word.is_empty());
     words.clone().zip(words.skip(1)).filter(move |(word, _)| *word == flag).map(|(_, name)| name)
+}
+
+/// Where the links of a text lead.
+fn links(text: &str) -> impl Iterator<Item = &str> {
+    text.split("](").skip(1).filter_map(|rest| rest.split(')').next())
+}
+
+/// Where a link of a document leads, which is relative to the document's own folder.
+fn beside(document: &str, link: &str) -> PathBuf {
+    root().join(document).with_file_name(link)
 }
 
 /// Whether a target is a file, or a folder with its own `main.rs`, in one of the packages.
@@ -53,16 +70,16 @@ fn commands_run_what_exists() {
 }
 
 #[test]
-fn pictures_are_there() {
-    let text = fs::read_to_string(root().join("README.md")).expect("the document is there");
-    let pictures: Vec<&str> = text
-        .split("](")
-        .skip(1)
-        .filter_map(|rest| rest.split(')').next())
-        .filter(|link| link.contains("docs/"))
-        .collect();
-    assert!(pictures.len() > 2, "the pictures were found");
-    pictures.iter().for_each(|picture| assert!(root().join(picture).exists(), "{picture} is missing"));
+fn links_lead_somewhere() {
+    let mut pictures = 0;
+    for (document, text) in texts() {
+        for link in links(&text).filter(|link| !link.starts_with("https://") && !link.starts_with('#')) {
+            let file = link.split('#').next().unwrap_or(link);
+            pictures += usize::from(file.ends_with(".png") || file.ends_with(".svg"));
+            assert!(beside(document, file).exists(), "{document}: {link} is missing");
+        }
+    }
+    assert!(pictures > 5, "the pictures were found");
 }
 
 #[test]
@@ -90,4 +107,23 @@ fn outputs_are_filled_in() {
         }
     }
     assert!(found > 5, "the outputs were found");
+}
+
+#[test]
+fn examples_of_packages_are_doc_tests() {
+    for (package, source) in [("core", "lib.rs"), ("geom", "lib.rs"), ("solvers", "dense.rs")] {
+        let folder = root().join(package);
+        let readme = fs::read_to_string(folder.join("README.md")).expect("the document is there");
+        let (_, example) = readme.split_once("```rust\n").expect("there is an example");
+        let (example, _) = example.split_once("```").expect("the example is closed");
+        let documented = documentation(&folder.join("src").join(source));
+        assert!(documented.contains(example), "{package}: {source} does not run the README's example");
+    }
+}
+
+/// The documentation in a source file, without its marks.
+fn documentation(source: &Path) -> String {
+    let text = fs::read_to_string(source).expect("the source is there");
+    let lines = text.lines().filter_map(|line| line.strip_prefix("//!").or(line.strip_prefix("///")));
+    lines.map(|line| line.strip_prefix(' ').unwrap_or(line).to_owned() + "\n").collect()
 }
