@@ -5,5 +5,6 @@ mod convergence;
 mod documents;
 mod fuzz;
 mod layering;
+mod scene_format;
 mod shapes;
 mod whole;

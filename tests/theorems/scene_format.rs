@@ -1,0 +1,115 @@
+//! What the document of the scene format says is so: its scenes are read, every key of the language stands in its table, every
+//! shape is shown.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::Path;
+
+use radiosity::scene::{Fault, Scene, SceneError};
+
+/// Reads a text that messages call by a name.
+type Reader = fn(&str, &str) -> Result<Scene, SceneError>;
+
+/// The languages that scenes are written in.
+const LANGUAGES: [(&str, Reader); 3] =
+    [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
+
+/// Tables of keys, each under a heading, and a text with the key `none` in such a table.
+const TABLES: [(&str, &str); 5] = [
+    ("## The file", "none = 1"),
+    ("## Materials", "[materials.wall]\nnone = 1"),
+    ("## Camera", "[camera]\nnone = 1"),
+    ("## Surfaces", "[[surfaces]]\nnone = 1"),
+    (
+        "## Placement",
+        "[[surfaces]]\ntriangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }\ntransform = { none = 1 }",
+    ),
+];
+
+fn document() -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/scene.md");
+    fs::read_to_string(path).expect("the document is there")
+}
+
+/// The fenced blocks of a language.
+fn blocks<'a>(text: &'a str, language: &'a str) -> impl Iterator<Item = &'a str> {
+    let fenced = text.split("```").skip(1).step_by(2);
+    fenced.filter_map(move |block| block.strip_prefix(language)?.strip_prefix('\n'))
+}
+
+/// The scenes that the document shows in a language.
+fn scenes(text: &str, language: &str, read: Reader) -> Vec<Scene> {
+    let scene = |block: &str| read(block, language).unwrap_or_else(|error| panic!("{error}\n{block}"));
+    blocks(text, language).map(scene).collect()
+}
+
+/// The part of the document from a heading to the next one.
+fn section<'a>(text: &'a str, heading: &str) -> &'a str {
+    let (_, rest) =
+        text.split_once(&format!("\n{heading}\n")).unwrap_or_else(|| panic!("there is no '{heading}'"));
+    rest.split("\n##").next().unwrap_or_default()
+}
+
+/// The keys that may stand in place of `none`; nothing where the text is refused for another reason.
+fn known(text: &str) -> Option<Vec<&'static str>> {
+    match Scene::from_toml(text, "none").expect_err("no key is called none").fault {
+        Fault::UnknownKey { key, known } if key == "none" => Some(known),
+        _ => None,
+    }
+}
+
+/// The shape keys of the language, each with its fields.
+fn shapes() -> Vec<(&'static str, Vec<&'static str>)> {
+    let keys = known("[[surfaces]]\nnone = 1").expect("surfaces have keys");
+    let fields = |key: &'static str| Some((key, known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
+    keys.into_iter().filter_map(fields).collect()
+}
+
+#[test]
+fn scenes_of_the_document_are_read() {
+    let text = document();
+    assert_eq!(text.split("```").count() % 2, 1, "a block is not closed");
+    let mut count = 0;
+    let mut shown = BTreeSet::new();
+    for (language, read) in LANGUAGES {
+        let scenes = scenes(&text, language, read);
+        assert!(!scenes.is_empty(), "there is no example in {language}");
+        count += scenes.len();
+        shown.extend(scenes.iter().flat_map(|scene| scene.surfaces.iter().map(|surface| surface.kind)));
+    }
+    let shapes = shapes();
+    assert!(shapes.len() > 10, "the shapes were found: {shapes:?}");
+    assert!(count >= shapes.len(), "{count} examples of {} shapes", shapes.len());
+    let missing: Vec<&str> = shapes.iter().map(|(key, _)| *key).filter(|key| !shown.contains(key)).collect();
+    assert!(missing.is_empty(), "no example of {missing:?}");
+}
+
+#[test]
+fn scenes_in_toml_have_light() {
+    let text = document();
+    for (block, scene) in blocks(&text, "toml").zip(scenes(&text, "toml", Scene::from_toml)) {
+        scene.require_light().unwrap_or_else(|error| panic!("{error}\n{block}"));
+        assert!(scene.camera.is_some(), "no camera in\n{block}");
+    }
+}
+
+#[test]
+fn every_key_stands_in_its_table() {
+    let text = document();
+    let has = |heading: &str, keys: &[&str]| {
+        let section = section(&text, heading);
+        let missing: Vec<&&str> = keys.iter().filter(|key| !section.contains(&format!("`{key}`"))).collect();
+        assert!(missing.is_empty(), "'{heading}' does not tell of {missing:?}");
+    };
+    let shapes = shapes();
+    let is_shape = |key: &str| shapes.iter().any(|(shape, _)| *shape == key);
+    for (heading, example) in TABLES {
+        let mut keys = known(example).unwrap_or_else(|| panic!("'{example}' is refused for something else"));
+        keys.retain(|key| !is_shape(key));
+        assert!(keys.len() > 1, "{heading}: {keys:?}");
+        has(heading, &keys);
+    }
+    for (key, fields) in &shapes {
+        has(&format!("### `{key}`"), fields);
+    }
+}
