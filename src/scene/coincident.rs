@@ -16,8 +16,10 @@ const SAME: f64 = 1e-9;
 /// Sine of the angle between planes that are the same.
 const PARALLEL: f64 = 1e-6;
 
-/// Share of the smaller area two regions must have in common; touching edges have none but rounding.
-const SHARED: f64 = 1e-9;
+/// Width of what two regions must have in common, as a part of the smaller extent, and of the breadth of the narrower: edges that
+/// touch overlap by rounding, to single precision in many models.
+const WIDTH: f64 = 1e-6;
+const OF_BREADTH: f64 = 1e-3;
 
 /// Where along each parameter a surface is tried, no two symmetric and none where shapes like to touch.
 const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0.864];
@@ -69,7 +71,7 @@ impl Occupied {
     pub(super) fn coincides(&self, other: &Occupied) -> bool {
         self.bounds.overlaps(&other.bounds)
             && match (self.shape.region(), other.shape.region()) {
-                (Some(a), Some(b)) => same_plane(a, b) && common_area(a, b) > SHARED * a.area().min(b.area()),
+                (Some(a), Some(b)) => same_plane(a, b) && overlap(a, b),
                 _ => lies_in(self, other) || lies_in(other, self),
             }
     }
@@ -83,11 +85,24 @@ fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
         && large.normal().cross(small.normal()).length() <= PARALLEL
 }
 
+/// Whether two regions in one plane have more in common than edges that touch.
+fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> bool {
+    let breadth = |region: &PlanarRegion| region.area() / region.extent();
+    let least = (WIDTH * a.extent().min(b.extent())).min(OF_BREADTH * breadth(a).min(breadth(b)));
+    let width = |part: Vec<DVec3>| polygon_area(&part) / Aabb::around(part).diagonal();
+    common_parts(a, b).any(|part| part.len() > 2 && width(part) > least)
+}
+
 /// The area that two regions have in common, seen along the normal of the second.
 pub(super) fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
+    common_parts(a, b).map(|part| polygon_area(&part)).sum()
+}
+
+/// What the convex pieces of two regions have in common, seen along the normal of the second.
+fn common_parts(a: &PlanarRegion, b: &PlanarRegion) -> impl Iterator<Item = Vec<DVec3>> {
     let (ours, theirs) = (a.convex_pieces(), b.convex_pieces());
     let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
-    pairs.map(|(our, their)| polygon_area(&intersection(our, their, b.normal()))).sum()
+    pairs.map(|(our, their)| intersection(our, their, b.normal()))
 }
 
 /// Whether some of `a`, more than a line of it, lies in `b`.

@@ -151,3 +151,17 @@ fn a_plate_casts_its_shadow_however_far_the_sun_is() {
         assert!(at(0.0) < 0.1 * open, "at {distance:e}: {} of {open}", at(0.0));
     }
 }
+
+/// Tiles of a terrace beside a kerb, in single precision as modellers leave them: the edges overlap by 3e-8 along no common corner.
+#[test]
+fn tiles_whose_edges_overlap_by_rounding_touch() {
+    let tile = |name: &str, x: [f32; 2], y: [f32; 2]| {
+        let [[x0, x1], [y0, y1]] = [x, y].map(|pair| pair.map(f64::from));
+        sheet(name, &[[x0, y0, 0.0], [x1, y0, 0.0], [x1, y1, 0.0], [x0, y1, 0.0]])
+    };
+    let (end, start) = (2.58_f32, f32::from_bits(2.58_f32.to_bits() - 1));
+    let kerb = tile("kerb", [2.3, end], [0.0, 19.8]);
+    let tiles = [tile("first", [start, 3.42], [9.22, 10.58]), tile("second", [start, 3.42], [10.58, 12.0])];
+    let scene = scene(&[vec![kerb], tiles.to_vec()].concat()).expect("edges that touch do not coincide");
+    assert_eq!(scene.surfaces.len(), 3);
+}
