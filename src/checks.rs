@@ -39,7 +39,7 @@ pub struct Checks {
     /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums,
     /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]), and if nothing lies on them.
     pub closure_max: f64,
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j); 0 where each pair is integrated once, that is by all rules but those
+    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j): of a sample of pairs that were integrated both ways, and of all by the rules
     /// of 1993.
     pub reciprocity_max: f64,
     /// Smallest row sum Σ_j F_ij; 0 if no element counts.
@@ -101,7 +101,7 @@ fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64
 /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j; the other φ_k have no mean.
 fn reciprocity(list: &[Element], blocks: &Blocks) -> f64 {
     if blocks.symmetric() {
-        return 0.0;
+        return blocks.reciprocity.largest;
     }
     let exchanged = |(i, j, block): (usize, usize, &[f64])| {
         ((i, j), list[i].constant[0] * block[0] * list[j].constant[0])
@@ -229,4 +229,81 @@ fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> 
         let (u, v) = (rect.u[0] + x * (rect.u[1] - rect.u[0]), rect.v[0] + x * (rect.v[1] - rect.v[0]));
         [(rect.u[1], v, 1.0, 0.0), (u, rect.v[1], 0.0, 1.0)]
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use radiosity_geom::shapes::Parallelogram;
+    use radiosity_geom::{DVec3, Flipped};
+
+    use super::*;
+    use crate::scene::{Material, SceneBuilder};
+    use crate::solve::{Options, solve};
+    use crate::transport;
+    use crate::visibility::{Shadows, Visibility};
+
+    /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without some of them, with one of them turned over; and
+    /// with each block multiplied by what `factor` says of its row and column.
+    fn checks(missing: &[&str], turned: &str, factor: impl Fn(usize, usize) -> f64) -> Checks {
+        let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
+        let walls = [
+            ("floor", DVec3::ZERO, x, y),
+            ("ceiling", z, y, x),
+            ("west", DVec3::ZERO, y, z),
+            ("east", x, z, y),
+            ("south", DVec3::ZERO, z, x),
+            ("north", y, x, z),
+        ];
+        let mut cube = SceneBuilder::new("cube", ["grey"]);
+        let grey = cube.material("grey", Material::new(vec![0.5], vec![1.0]).expect("a material"));
+        for (name, origin, a, b) in walls.into_iter().filter(|wall| !missing.contains(&wall.0)) {
+            let wall = Parallelogram::new(origin, a, b).expect("a wall");
+            if name == turned {
+                cube.surface(name, Flipped::new(Box::new(wall)), &grey);
+            } else {
+                cube.surface(name, wall, &grey);
+            }
+        }
+        let scene = cube.build().expect("a scene");
+        let options = Options { order: 1, eps: 1e-6, ..Options::default() };
+        let outcome = solve(&scene, &options, &|_| {}).expect("a solution");
+        let elements = outcome.solution.elements();
+        let visibility = Visibility::new(&scene, Shadows::Off);
+        let whole = transport::assemble(elements, &visibility, options.accuracy(), &|_, _| {});
+        let mut blocks = Blocks::empty(elements.starts(), true);
+        for (row, column, values) in whole.iter() {
+            let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
+            blocks.push(row, column, &scaled);
+        }
+        Checks::of(&outcome.solution, &blocks, None)
+    }
+
+    #[test]
+    fn a_closed_cube_passes() {
+        let found = checks(&[], "", |_, _| 1.0);
+        assert!(found.closure_max < 1e-5 && (found.row_sum_min - 1.0).abs() < 1e-5, "{found:?}");
+        assert!(found.row_sum_max < 1.0 + 1e-5 && found.energy_lost.abs() < 1e-4, "{found:?}");
+        assert!((found.spectral_bound - 0.5).abs() < 1e-4, "{found:?}");
+    }
+
+    #[test]
+    fn a_missing_wall_shows() {
+        let found = checks(&["north"], "", |_, _| 1.0);
+        assert!(found.closure_max > 0.1 && found.row_sum_min < 0.85, "{found:?}");
+        assert!(found.energy_lost > 0.1 * found.energy_in, "{found:?}");
+    }
+
+    #[test]
+    fn a_wall_that_looks_away_shows() {
+        let found = checks(&[], "east", |_, _| 1.0);
+        assert!(found.closure_max > 0.1 && found.row_sum_min < 0.85, "{found:?}");
+        assert!(found.energy_lost > 0.1 * found.energy_in, "{found:?}");
+    }
+
+    #[test]
+    fn a_block_that_is_too_large_shows() {
+        let found = checks(&[], "", |row, column| if (row, column) == (0, 1) { 2.0 } else { 1.0 });
+        assert!(found.row_sum_max > 1.15 && found.closure_max > 0.15, "{found:?}");
+        assert!(found.spectral_bound > 0.51, "{found:?}");
+    }
 }

@@ -20,11 +20,9 @@ use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 use crate::system::{Coefficients, System};
 use crate::transport;
-use crate::transport::Blocks;
-use crate::transport::PairCounts;
+use crate::transport::{Blocks, PairCounts};
 use crate::visibility::{Shadows, Visibility};
-use crate::zatz1993::masked_light::MaskedLight;
-use crate::zatz1993::masked_light::Setting;
+use crate::zatz1993::masked_light::{MaskedLight, Setting};
 use crate::zatz1993::transfers;
 
 pub use direct::Direct;
@@ -259,12 +257,7 @@ fn blocks(
 ) -> Result<Blocks, Failure> {
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        let mut blocks =
-            transport::assemble_senders(elements, &sends, visibility, options.accuracy(), progress);
-        if options.closure {
-            blocks.close(&elements.constant());
-        }
-        return Ok(blocks);
+        return Ok(transport::assemble_senders(elements, &sends, visibility, options.accuracy(), progress));
     };
     transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
@@ -301,8 +294,7 @@ fn bounce(
         };
         return Some(Bounce::of(list, coatings, visibility, &lit, options.shadow_eps));
     }
-    let plain = options.kernel.is_none() && !options.closure;
-    let splits = options.direct.splits(list, coatings, visibility, plain);
+    let splits = options.direct.splits(list, coatings, visibility, options.kernel.is_none());
     splits.then(|| Bounce::new(list, coatings, visibility, AT_A_POINT * options.shadow_eps))
 }
 

@@ -23,6 +23,7 @@ mod schedule;
 pub use blocks::Blocks;
 pub use blocks::block::{Accuracy, Kind};
 pub use blocks::pair_counts::PairCounts;
+pub use blocks::reciprocity::Reciprocity;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use schedule::{assemble, assemble_pairs, assemble_senders};

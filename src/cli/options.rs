@@ -122,10 +122,6 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "default")]
     pub(crate) kernel: Kernel,
 
-    /// Corrects the transfers so that they add up to 1: for closed scenes without shadows, at a loose --eps
-    #[arg(long)]
-    pub(crate) closure_correction: bool,
-
     /// Solver of the linear system
     #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]
     pub(crate) solver: &'static Method,

@@ -258,7 +258,6 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps.unwrap_or(defaults.eps),
         kernel: method.kernel.rules(),
-        closure: method.closure_correction,
         shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
         shadows: method.shadows.hiding(),
         masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),

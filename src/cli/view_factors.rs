@@ -212,7 +212,10 @@ impl ViewFactorsArgs {
                 decimals(sums[most], 9),
                 factors.names[most]
             ),
-            format!("reciprocity: A_i F_ij and A_j F_ji differ by {:.1e} at the most", factors.reciprocity()),
+            format!(
+                "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
+                factors.reciprocity.pairs, factors.reciprocity.largest
+            ),
             match losing {
                 0 => "the scene is closed: all that leaves a surface reaches another".to_owned(),
                 count => {

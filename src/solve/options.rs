@@ -31,18 +31,13 @@ pub struct Options {
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<transfers::Rules>,
-    /// Whether G is corrected so that it transports the constant 1 to itself ([`Blocks::close`](crate::transport::Blocks::close)):
-    /// right for closed scenes without shadows only.
-    pub closure: bool,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// How surfaces hide each other.
     pub shadows: Hiding,
     /// Direct light as polynomials times shadow masks, made so; None takes it as `direct` tells.
-    #[serde(default)]
     pub masks: Option<Masking>,
-    /// How direct light enters. Solutions written before there was a choice have it projected.
-    #[serde(default = "projected")]
+    /// How direct light enters.
     pub direct: Direct,
     /// The solver.
     #[serde(with = "method_name")]
@@ -71,7 +66,6 @@ impl Default for Options {
             layers: Layers::NONE,
             eps: 1e-3,
             kernel: None,
-            closure: false,
             shadow_eps: 3e-3,
             shadows: Hiding::Auto,
             masks: None,
@@ -110,10 +104,6 @@ impl From<&Options> for Shadows {
     fn from(options: &Options) -> Self {
         options.shadows.shadows(options.accuracy().shadow_eps)
     }
-}
-
-fn projected() -> Direct {
-    Direct::Projected
 }
 
 fn all_threads() -> usize {

@@ -2,12 +2,13 @@
 
 pub(crate) mod block;
 pub(crate) mod pair_counts;
+pub(crate) mod reciprocity;
 
 use std::collections::HashMap;
 
 use crate::transport::blocks::pair_counts::PairCounts;
-use crate::transport::estimates::entry_bounds::ROW_SHARE;
-use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
+use crate::transport::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
+use reciprocity::Reciprocity;
 
 /// All blocks of G, one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
@@ -27,6 +28,8 @@ pub struct Blocks {
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
+    /// What a sample of pairs that were integrated both ways tells.
+    pub reciprocity: Reciprocity,
     /// Estimate of the largest error that parts left unresolved make in a block, relative to the larger of the
     /// block's largest entry and a hundredth of its row's, or to 1e-8 where both are smaller; zero where every part was resolved.
     pub accuracy_reached: f64,
@@ -54,6 +57,7 @@ impl Blocks {
             samples: 0,
             distinct: 0,
             rays: 0,
+            reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
         }
     }
@@ -80,37 +84,6 @@ impl Blocks {
     /// Whether G is symmetric: it is unless it was assembled by the rules of 1993 ([`paper`](crate::zatz1993::transfers)).
     pub fn symmetric(&self) -> bool {
         self.symmetric
-    }
-
-    /// Corrects G so that the constant 1, with coefficients `ones`, is transported to itself exactly, as it must be in a
-    /// closed scene with nothing in it: with r = c − G c, r_i^k / c_i^0 is added to the entries (k, 0) and (0, k) of
-    /// element i's own block, (0, 0) once. G stays symmetric; loose quadrature gains digits, an open scene would be wrong.
-    pub fn close(&mut self, ones: &[f64]) {
-        let transported = self.apply(ones);
-        for element in 0..self.starts.len() - 1 {
-            let range = self.range(element);
-            let count = range.len();
-            let start = self.own_block(element, count);
-            for (k, (c, gc)) in ones[range.clone()].iter().zip(&transported[range.clone()]).enumerate() {
-                let correction = (c - gc) / ones[range.start];
-                self.values[start + k * count] += correction;
-                if k > 0 {
-                    self.values[start + k] += correction;
-                }
-            }
-        }
-    }
-
-    /// Where the block of an element with itself starts; stored as zeros if there is none yet.
-    fn own_block(&mut self, element: usize, count: usize) -> usize {
-        let own = |stored: &&Stored| stored.row as usize == element && stored.column as usize == element;
-        if let Some(stored) = self.stored.iter().find(own) {
-            return stored.start;
-        }
-        let start = self.values.len();
-        self.values.resize(start + count * count, 0.0);
-        self.stored.push(Stored { row: element as u32, column: element as u32, start });
-        start
     }
 
     /// The largest of (row, column, absolute error) relative to the scale of its block.

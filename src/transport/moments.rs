@@ -22,10 +22,8 @@ use crate::elements::rule::UnitRule;
 
 use crate::transport::moments::change::Change;
 use crate::transport::moments::chart::Chart;
-use crate::transport::moments::integrand::Sees;
-use crate::transport::moments::integrand::visible_kernel;
-use crate::transport::moments::tensor::Grid;
-use crate::transport::moments::tensor::Line;
+use crate::transport::moments::integrand::{Sees, visible_kernel};
+use crate::transport::moments::tensor::{Grid, Line};
 
 /// One of the two elements of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

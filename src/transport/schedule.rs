@@ -21,22 +21,19 @@ use crate::elements::Elements;
 use crate::visibility::Visibility;
 
 use crate::transport::blocks::Blocks;
-use crate::transport::blocks::block::Accuracy;
-use crate::transport::blocks::block::Block;
+use crate::transport::blocks::block::{Accuracy, Block};
 use crate::transport::blocks::pair_counts::PairCounts;
+use crate::transport::blocks::reciprocity::Reciprocity;
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::Rough;
 use crate::transport::estimates::entry_bounds::Reach;
-use crate::transport::estimates::probing_rays::Hidden;
-use crate::transport::estimates::probing_rays::Obstruction;
+use crate::transport::estimates::probing_rays::{Hidden, Obstruction};
 use crate::transport::occlusion::outlines::shaded_block;
-use crate::transport::pair::curved;
-use crate::transport::pair::planar;
+use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
-use crate::transport::schedule::congruent::Panel;
-use crate::transport::schedule::congruent::Pose;
+use crate::transport::schedule::congruent::{Panel, Pose};
 use crate::transport::schedule::order::Rank;
 use goal::Goal;
 use task::{Scene, Task};
@@ -54,6 +51,10 @@ const FEWEST_RAYS: u64 = 16;
 /// More rays than this are left to the block itself; so many then tell whether surfaces hide themselves.
 const MOST_RAYS: f64 = 2e4;
 const MOST_OWN_RAYS: f64 = 4e3;
+
+/// One of so many pairs is integrated both ways, and no fewer than so many.
+const SAMPLED_SHARE: usize = 100;
+const FEWEST_SAMPLED: usize = 4;
 
 /// What sorting makes of a pair.
 enum Sorted {
@@ -127,6 +128,7 @@ pub fn assemble_pairs(
         }
     }
     blocks.accuracy_reached = blocks.largest_error(&errors);
+    blocks.reciprocity = scene.reciprocity(&tasks, &goals, &sources, &integrated);
     blocks
 }
 
@@ -327,12 +329,49 @@ impl Scene<'_> {
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
+        self.block_from(self.is_turned(task), task, goal)
+    }
+
+    /// The block of a task, the emitter's integral the outer one where it is `turned`.
+    fn block_from(&self, turned: bool, task: &Task, goal: Goal) -> Block {
         let places @ [row, column] = [task.row, task.column].map(|index| index as usize);
-        if self.is_turned(task) {
+        if turned {
             let rows = self.list[column].basis.len();
             return self.block_of([column, row], task, goal).turned(rows);
         }
         self.block_of(places, task, goal)
+    }
+
+    /// Integrates a sample of the pairs again with the roles of their elements exchanged: a hundredth of them, and no dear ones.
+    fn reciprocity(
+        &self,
+        tasks: &[Task],
+        goals: &[Goal],
+        sources: &[Source],
+        integrated: &[Block],
+    ) -> Reciprocity {
+        let own = |(index, source): (usize, &Source)| match source {
+            Source::Own(place) if tasks[index].row != tasks[index].column => Some((index, *place)),
+            _ => None,
+        };
+        let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
+        let cost = |place: usize| integrated[place].samples + integrated[place].rays;
+        let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
+        let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
+        let sample: Vec<(usize, usize)> =
+            pairs.into_iter().filter(|(_, place)| cost(*place) <= mean).step_by(step).collect();
+        let differences: Vec<f64> = sample
+            .par_iter()
+            .map(|(index, place)| {
+                let task = &tasks[*index];
+                let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
+                let again = self.block_from(!self.is_turned(task), task, goals[*index]);
+                (again.values[0] - integrated[*place].values[0]).abs() * (a * b).sqrt() / a.min(b)
+            })
+            .collect();
+        let mut told = Reciprocity::default();
+        differences.into_iter().for_each(|difference| told.take(difference));
+        told
     }
 
     /// Whether a task is integrated from its emitter ([`crate::transport::schedule::order`]). What flat elements exchange freely is the same from

@@ -25,11 +25,9 @@ use crate::elements::frame::{Frame, duals};
 use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::transport;
-use crate::transport::Accuracy;
-use crate::transport::Blocks;
+use crate::transport::{Accuracy, Blocks};
 use crate::visibility::Visibility;
-use crate::zatz1993::mask::Mask;
-use crate::zatz1993::mask::Nodes;
+use crate::zatz1993::mask::{Mask, Nodes};
 
 /// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
 const RAYS: usize = 16;

@@ -1,13 +1,10 @@
 //! Direct light split off the polynomials: power, limits that both forms share, and where they are chosen.
 
 use radiosity::gather::Gather;
-use radiosity::output::solution_file::{SolutionFile, read};
-use radiosity::scene::{Scene, Source};
+use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, solve};
-use radiosity::solved::Solved;
 use radiosity::view::vantage::Vantage;
 use radiosity::visibility::Visibility;
-use serde_json::Value;
 
 fn options(order: usize, direct: Direct) -> Options {
     Options { order, direct, threads: 2, ..Options::default() }
@@ -97,19 +94,4 @@ fn split_and_projected_light_agree() {
         let [a, b] = [&split, &projected].map(|outcome| outcome.solution.mean_irradiance(0, surface));
         assert!((a - b).abs() < 5e-3 * b, "surface {surface}: {a} {b}");
     }
-}
-
-#[test]
-fn files_from_before_the_choice_are_read_as_projected() {
-    let scene = Scene::from_toml(BLACK, "black.toml").expect("the scene is valid");
-    let solved = Solved::new(scene, options(1, Direct::Projected), &|_| {}).expect("the scene can be solved");
-    let mut file = serde_json::to_value(SolutionFile::new(&solved)).expect("the file is JSON");
-    let remove = |place: &mut Value, key: &str| {
-        place.as_object_mut().expect("an object").remove(key).expect("the key is there")
-    };
-    assert_eq!(remove(&mut file["options"], "direct"), "projected");
-    assert_eq!(remove(&mut file["figures"], "split"), false);
-    let again = read(&Source::new("old.json", &file.to_string())).expect("it is read");
-    assert_eq!(again.options.direct, Direct::Projected);
-    assert!(!again.outcome.split);
 }

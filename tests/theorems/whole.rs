@@ -13,7 +13,7 @@ use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::system::System;
 use radiosity::transport;
-use radiosity::transport::{Accuracy, Blocks};
+use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
@@ -244,27 +244,4 @@ fn tensor_blocks_are_parts_of_the_blocks_of_total_degree() {
             }
         }
     }
-}
-
-/// The correction makes the constant exact whatever the quadrature, and keeps the rest as good as it was.
-#[test]
-fn closed_blocks_transport_the_constant_to_itself() {
-    let scene = Scene::builtin("empty-box").expect("the scene is built in");
-    let visibility = Visibility::new(&scene, Shadows::Off);
-    let elements = Elements::new(&scene, &Discretization::uniform(3, 2)).expect("a box has area");
-    let accuracy = |eps| Accuracy { eps, shadow_eps: 3e-3 };
-    let ones: Vec<f64> = elements.list().iter().flat_map(|element| element.constant.clone()).collect();
-    let defect = |blocks: &Blocks| {
-        let transported = blocks.apply(&ones);
-        ones.iter().zip(&transported).map(|(c, gc)| (c - gc).abs()).fold(0.0, f64::max)
-    };
-    let mut blocks = transport::assemble(&elements, &visibility, accuracy(0.3), &|_, _| {});
-    let before = defect(&blocks);
-    blocks.close(&ones);
-    assert!(before > 1e-6 && defect(&blocks) < 1e-14, "{before:e} {:e}", defect(&blocks));
-    let x: Vec<f64> = (0..blocks.dim()).map(|k| (k as f64 * 0.7).sin()).collect();
-    let y: Vec<f64> = (0..blocks.dim()).map(|k| (k as f64 * 1.3).cos()).collect();
-    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
-    let (left, right) = (product(&y, &blocks.apply(&x)), product(&x, &blocks.apply(&y)));
-    assert!((left - right).abs() < 1e-12, "G stays symmetric: {left} {right}");
 }

@@ -2,8 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
+use crate::transport::blocks::block::{Block, Kind};
 
 /// How many pairs of elements went which way.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -11,8 +11,7 @@ use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
 
 use crate::transport::contact::sectors::sectors;
-use crate::transport::moments::integrand::Sees;
-use crate::transport::moments::integrand::kernel;
+use crate::transport::moments::integrand::{Sees, kernel};
 
 /// Points a direction on either side.
 const POINTS: [usize; 2] = [4, 5];

@@ -17,8 +17,7 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 
 use crate::transport::moments::Moments;
-use crate::transport::moments::integrand::Sees;
-use crate::transport::moments::integrand::kernel;
+use crate::transport::moments::integrand::{Sees, kernel};
 use crate::transport::moments::kronecker::node_pair;
 
 /// Stretches of the sequence, an even number.

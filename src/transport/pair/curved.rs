@@ -34,9 +34,7 @@ use std::f64::consts::FRAC_1_SQRT_2;
 use crate::elements::Element;
 use crate::visibility::Visibility;
 
-use crate::transport::blocks::block::Accuracy;
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
+use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::curved::Touch;
 use crate::transport::contact::planes::plane_of;
 use crate::transport::contact::sectors::sectors;

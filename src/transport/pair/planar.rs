@@ -26,26 +26,16 @@ use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
 use crate::visibility::Visibility;
 
-use crate::transport::blocks::block::Accuracy;
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
-use crate::transport::contact::clip::Facet;
-use crate::transport::contact::clip::match_contact;
-use crate::transport::contact::flat::Contact;
-use crate::transport::contact::flat::classify;
-use crate::transport::contact::flat::gap;
+use crate::transport::blocks::block::{Accuracy, Block, Kind};
+use crate::transport::contact::clip::{Facet, match_contact};
+use crate::transport::contact::flat::{Contact, classify, gap};
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
-use crate::transport::occlusion::sampled::Choice;
-use crate::transport::occlusion::sampled::Scatter;
-use crate::transport::rules::common_edge;
-use crate::transport::rules::common_edge::LARGEST_ASPECT;
-use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::common_vertex;
-use crate::transport::rules::contour;
-use crate::transport::rules::far;
+use crate::transport::occlusion::sampled::{Choice, Scatter};
+use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge};
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::near::Plan;
+use crate::transport::rules::{common_edge, common_vertex, contour, far};
 
 /// Pairs are not halved below this part of their size.
 const SMALLEST_PART: f64 = 1.0 / 64.0;

@@ -34,8 +34,7 @@ use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
 use crate::transport::moments::Moments;
-use crate::transport::moments::integrand::Sees;
-use crate::transport::moments::integrand::visible_kernel;
+use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::rules::common_edge::parallelograms::Hinge;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::common_edge::table::EdgeTable;

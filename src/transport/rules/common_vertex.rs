@@ -15,14 +15,11 @@
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 
-use crate::transport::moments::Moments;
-use crate::transport::moments::PatchMoments;
 use crate::transport::moments::integrand::Sees;
 use crate::transport::moments::tensor::Line;
+use crate::transport::moments::{Moments, PatchMoments};
 use crate::transport::rules::far;
-use crate::transport::rules::orders::subdivided_cube::Multilinear;
-use crate::transport::rules::orders::subdivided_cube::Part;
-use crate::transport::rules::orders::subdivided_cube::Parts;
+use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part, Parts};
 
 /// Most halvings of the cube, one inside the other.
 const DEEPEST: u32 = 60;

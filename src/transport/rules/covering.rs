@@ -9,8 +9,7 @@
 use crate::elements::Element;
 use crate::elements::rule::UnitRule;
 
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
+use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::moments::Moments;
 
 /// The block of two elements that cover each other.

@@ -29,8 +29,7 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::MOST_POINTS;
 
-use crate::transport::contact::orientation::Facing;
-use crate::transport::contact::orientation::facing;
+use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::contact::planes::plane_of;
 use crate::transport::estimates::entry_norm::Yardstick;
 use cell::{Cell, DIRECTIONS, Whole};

@@ -5,8 +5,7 @@
 //! a small error of a block is a large one of the view factors from a small element to a large one.
 
 use crate::transport::blocks::block::Accuracy;
-use crate::transport::estimates::entry_bounds::ROW_SHARE;
-use crate::transport::estimates::entry_bounds::relaxed;
+use crate::transport::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use crate::transport::occlusion::outlines::Limit;
 use crate::transport::schedule::task::{Scene, Task};
 

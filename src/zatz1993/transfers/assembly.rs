@@ -6,16 +6,13 @@ use rayon::prelude::*;
 
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
+use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
 use crate::visibility::Visibility;
-use crate::zatz1993::transfers::chart::Chart;
-use crate::zatz1993::transfers::chart::NoChart;
+use crate::zatz1993::transfers::chart::{Chart, NoChart};
 use crate::zatz1993::transfers::sum::Sees;
-use crate::zatz1993::transfers::transfer::Rules;
-use crate::zatz1993::transfers::transfer::transfer;
+use crate::zatz1993::transfers::transfer::{Rules, transfer};
 
 /// What became of an ordered pair.
 enum Outcome {

@@ -7,8 +7,7 @@ use crate::zatz1993::transfers::axis::Axis;
 use crate::zatz1993::transfers::border;
 use crate::zatz1993::transfers::border::Border;
 use crate::zatz1993::transfers::party::Party;
-use crate::zatz1993::transfers::sum::Sees;
-use crate::zatz1993::transfers::sum::Sum;
+use crate::zatz1993::transfers::sum::{Sees, Sum};
 
 /// Which of the paper's rules.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

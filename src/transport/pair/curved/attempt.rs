@@ -3,19 +3,14 @@
 use crate::elements::patch::{Node, Patch};
 use crate::transport::contact::curved::Touch;
 use crate::transport::estimates::coarse::scale;
-use crate::transport::moments::Moments;
-use crate::transport::moments::Side;
-use crate::transport::moments::integrand::Sees;
-use crate::transport::moments::integrand::visible_kernel;
-use crate::transport::rules::common_edge;
+use crate::transport::moments::integrand::{Sees, visible_kernel};
+use crate::transport::moments::{Moments, Side};
 use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::common_vertex;
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::horizon::Front;
+use crate::transport::rules::{common_edge, common_vertex};
 
-use crate::transport::pair::curved::job::Job;
-use crate::transport::pair::curved::job::ROUGHNESS;
-use crate::transport::pair::curved::job::State;
+use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
 use crate::transport::pair::curved::size::longest;
 
 /// Points a direction of attempts on parts that no rule covers, for degree 0.

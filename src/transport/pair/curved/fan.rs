@@ -6,21 +6,15 @@ use std::collections::VecDeque;
 
 use crate::elements::patch::Patch;
 use crate::transport::blocks::block::Kind;
-use crate::transport::contact::curved::Touch;
-use crate::transport::contact::curved::touch;
+use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
-use crate::transport::contact::orientation::Facing;
-use crate::transport::contact::orientation::facing;
+use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::horizon;
 use crate::transport::rules::horizon::Side;
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::COINCIDENT;
-use crate::transport::pair::curved::job::Job;
-use crate::transport::pair::curved::job::SMALL_PART;
-use crate::transport::pair::curved::job::State;
-use crate::transport::pair::curved::job::Task;
+use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State, Task};
 use crate::transport::pair::curved::points::quartered;
 use crate::transport::pair::curved::size::longest;
 

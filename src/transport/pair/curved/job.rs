@@ -4,25 +4,20 @@ use std::collections::VecDeque;
 
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
-use crate::transport::blocks::block::Accuracy;
-use crate::transport::blocks::block::Block;
-use crate::transport::blocks::block::Kind;
-use crate::transport::contact::curved::Touch;
-use crate::transport::contact::curved::cut;
+use crate::transport::blocks::block::{Accuracy, Block, Kind};
+use crate::transport::contact::curved::{Touch, cut};
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::largest_kernel;
 use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
 use crate::transport::estimates::entry_norm::Yardstick;
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::horizon::Ball;
-use crate::transport::rules::horizon::Front;
+use crate::transport::rules::horizon::{Ball, Front};
 use crate::visibility::Visibility;
 
 use crate::transport::pair::curved::budget::Budget;
 use crate::transport::pair::curved::points::Points;
-use crate::transport::pair::curved::size::area;
-use crate::transport::pair::curved::size::longest;
+use crate::transport::pair::curved::size::{area, longest};
 
 /// Points closer than this part of the pair's size coincide.
 pub(super) const COINCIDENT: f64 = 1e-9;

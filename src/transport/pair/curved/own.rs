@@ -9,12 +9,9 @@ use crate::transport::rules::common_edge::LARGEST_ASPECT;
 use crate::transport::rules::identical;
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::Job;
-use crate::transport::pair::curved::job::State;
-use crate::transport::pair::curved::job::Task;
+use crate::transport::pair::curved::job::{Job, State, Task};
 use crate::transport::pair::curved::points::contact_chart;
-use crate::transport::pair::curved::size::area;
-use crate::transport::pair::curved::size::longest;
+use crate::transport::pair::curved::size::{area, longest};
 
 impl Job<'_> {
     pub(super) fn same(&mut self, patch: &Patch, mut state: State) {

@@ -3,24 +3,16 @@
 use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
 use crate::transport::blocks::block::Kind;
-use crate::transport::contact::curved::Touch;
-use crate::transport::contact::curved::touch;
+use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
-use crate::transport::contact::orientation::Facing;
-use crate::transport::contact::orientation::facing;
+use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::moments::integrand::Sees;
-use crate::transport::rules::common_edge;
-use crate::transport::rules::common_edge::LARGEST_ASPECT;
-use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::common_edge::unequal_speed;
-use crate::transport::rules::common_vertex;
+use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
 use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::{common_edge, common_vertex};
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::COINCIDENT;
-use crate::transport::pair::curved::job::Job;
-use crate::transport::pair::curved::job::SMALL_PART;
-use crate::transport::pair::curved::job::State;
+use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State};
 use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
 use crate::transport::pair::curved::size::longest;
 

@@ -6,14 +6,9 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
-use crate::transport::rules::common_edge;
-use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::common_edge::unequal_speed;
-use crate::transport::rules::common_vertex;
-use crate::transport::rules::far;
-use crate::transport::rules::horizon;
-use crate::transport::rules::orders::by_trial;
-use crate::transport::rules::orders::chart_orders;
+use crate::transport::rules::common_edge::{Wedge, unequal_speed};
+use crate::transport::rules::orders::{by_trial, chart_orders};
+use crate::transport::rules::{common_edge, common_vertex, far, horizon};
 
 /// Most points a direction of the corner rule, which takes their fourth power.
 pub(super) const MOST_CORNER_POINTS: usize = 20;

@@ -2,8 +2,7 @@
 
 use crate::elements::patch::Patch;
 use crate::transport::contact::orientation::Facing;
-use crate::transport::occlusion::sampled::Choice;
-use crate::transport::occlusion::sampled::Scatter;
+use crate::transport::occlusion::sampled::{Choice, Scatter};
 
 use crate::transport::pair::curved::job::Job;
 use crate::transport::pair::curved::size::area;

@@ -22,8 +22,7 @@ use crate::elements::rule::UnitRule;
 
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::triangles::DEEPEST;
-use crate::transport::rules::orders::subdivided_cube::Multilinear;
-use crate::transport::rules::orders::subdivided_cube::Part;
+use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
 /// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]

@@ -28,8 +28,7 @@ use crate::elements::rule::UnitRule;
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::far;
-use crate::transport::rules::orders::subdivided_cube::Multilinear;
-use crate::transport::rules::orders::subdivided_cube::Part;
+use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
 /// Two triangles, oriented with the common edge at t = 0 of the parallelograms they are halves of.
 struct Wedge {

@@ -1,9 +1,7 @@
 //! The term of two edges in the double contour integral, by whichever form suits their place.
 
-use crate::transport::rules::contour::crossing;
-use crate::transport::rules::contour::parallel;
 use crate::transport::rules::contour::segment::Segment;
-use crate::transport::rules::contour::skew;
+use crate::transport::rules::contour::{crossing, parallel, skew};
 
 /// Cosines, and sines, below this are rounding errors.
 const ROUNDING: f64 = 1e-15;

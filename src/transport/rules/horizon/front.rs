@@ -13,8 +13,7 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::contact::planes::Plane;
 
-use crate::transport::rules::horizon::line::Lines;
-use crate::transport::rules::horizon::line::seen;
+use crate::transport::rules::horizon::line::{Lines, seen};
 
 /// Places a direction at which heights over the plane are looked at.
 const GRID: usize = 6;

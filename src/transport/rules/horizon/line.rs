@@ -5,8 +5,7 @@
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 
-use crate::transport::rules::horizon::view::HEIGHTS;
-use crate::transport::rules::horizon::view::Heights;
+use crate::transport::rules::horizon::view::{HEIGHTS, Heights};
 
 /// Places by which roots are bracketed.
 const PLACES: usize = 6;

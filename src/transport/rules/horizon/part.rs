@@ -13,11 +13,8 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::integrand::kernel;
 
-use crate::transport::rules::horizon::line::Lines;
-use crate::transport::rules::horizon::line::seen;
-use crate::transport::rules::horizon::view::HEIGHTS;
-use crate::transport::rules::horizon::view::Heights;
-use crate::transport::rules::horizon::view::View;
+use crate::transport::rules::horizon::line::{Lines, seen};
+use crate::transport::rules::horizon::view::{HEIGHTS, Heights, View};
 
 /// Nodes a direction by which a patch and its quarters are judged.
 const GRID: usize = 6;

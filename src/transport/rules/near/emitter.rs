@@ -17,9 +17,7 @@ use radiosity_geom::{DVec2, DVec3};
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Patch};
 use crate::transport::rules::near::complex::Complex;
-use crate::transport::rules::near::polar::Edge;
-use crate::transport::rules::near::polar::Polar;
-use crate::transport::rules::near::polar::edges;
+use crate::transport::rules::near::polar::{Edge, Polar, edges};
 
 /// Singular places farther than this many lengths of the cell do not count; strong maps bring far ones near.
 const FAR: f64 = 1e3;

@@ -13,12 +13,8 @@ use crate::transport::contact::flat::gap;
 use crate::transport::rules::far;
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::near::emitter::Emitter;
-use crate::transport::rules::near::line::LineRule;
-use crate::transport::rules::near::line::Request;
-use crate::transport::rules::near::polar::Edge;
-use crate::transport::rules::near::polar::Polar;
-use crate::transport::rules::near::polar::edges;
-use crate::transport::rules::near::polar::fraction;
+use crate::transport::rules::near::line::{LineRule, Request};
+use crate::transport::rules::near::polar::{Edge, Polar, edges, fraction};
 use crate::transport::rules::near::stretch::Stretch;
 
 /// Distance, in parts of the pair's size, below which nothing is resolved; patches that touch then differ from
