@@ -20,7 +20,6 @@ use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, in_threads, solve};
 use radiosity::visibility::Visibility;
-use radiosity::zatz1993::mask::Nodes;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 use serde_json::Value;
 
@@ -68,10 +67,7 @@ fn ways() -> Vec<Way> {
         Way { name, options: quality.options(), readings: [vec![quality.reading()], more].concat() }
     };
     let cells = NonZeroUsize::new(40).expect("40 is not zero");
-    let masked = |average| Options {
-        masks: Some(Masking { nodes: Nodes::Even(cells), average }),
-        ..Options::default()
-    };
+    let masked = |average| Options { masks: Some(Masking { cells, average }), ..Options::default() };
     vec![
         preset("quick", Quality::Quick),
         preset("default", Quality::Default),

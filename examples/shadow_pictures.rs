@@ -32,7 +32,6 @@ use radiosity::output::scale::Scale;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
-use radiosity::zatz1993::mask::Nodes;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// Pixels across and down each picture, and rays along the side of a pixel.
@@ -96,7 +95,7 @@ fn ways() -> [Way; 5] {
     let paper = Options { order: 4, subdivide: Some(1), ..Options::default() };
     let ringing = Options { shadows: Hiding::Rays, direct: Direct::Projected, ..paper };
     let cells = NonZeroUsize::new(40).expect("40 is not zero");
-    let masked = |average| Options { masks: Some(Masking { nodes: Nodes::Even(cells), average }), ..paper };
+    let masked = |average| Options { masks: Some(Masking { cells, average }), ..paper };
     let split = Options { direct: Direct::Split, ..paper };
     [
         Way { name: "polynomials", orders, options: ringing, read: Read::Basis },

@@ -18,7 +18,6 @@ use radiosity::output::scale::Scale;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::Visibility;
-use radiosity::zatz1993::mask::Nodes;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 
 use crate::memory::megabytes;
@@ -37,7 +36,7 @@ pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
     let scene = Scene::builtin("two-boxes")?;
     let exact = picture(&scene, &Quality::Fine.options(), Read::Gather)?;
     let cells = NonZeroUsize::new(20).ok_or("no cells")?;
-    let masks = Some(Masking { nodes: Nodes::Even(cells), average: Average::Plain });
+    let masks = Some(Masking { cells, average: Average::Plain });
     let (mut above, mut below) = (Vec::new(), Vec::new());
     let exposure = Image::new(&exact.raster, [1.0; 3]).automatic_exposure();
     writeln!(

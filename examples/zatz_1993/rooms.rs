@@ -8,7 +8,6 @@ use cpu_time::ProcessTime;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity::visibility::Hiding;
-use radiosity::zatz1993::mask::Nodes;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 use radiosity::zatz1993::transfers::{Reading, Rules};
 use radiosity_solvers::method::Method;
@@ -77,7 +76,7 @@ fn rooms() -> Result<Vec<Room>, Box<dyn Error>> {
     let mut empty = Scene::builtin("occluder-box")?;
     empty.surfaces.retain(|surface| !surface.name.starts_with("panel"));
     let cells = NonZeroUsize::new(40).ok_or("no cells")?;
-    let masks = Some(Masking { nodes: Nodes::Even(cells), average: Average::Plain });
+    let masks = Some(Masking { cells, average: Average::Plain });
     let room = |figure, name, paper, scene, options| Room { figure, name, paper, scene, options };
     Ok(vec![
         room(

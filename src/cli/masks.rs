@@ -3,7 +3,6 @@
 use std::num::NonZeroUsize;
 
 use clap::{Args, ValueEnum};
-use radiosity::zatz1993::mask::Nodes;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// How masks are made.
@@ -13,22 +12,9 @@ pub(crate) struct MaskArgs {
     #[arg(long, value_name = "M", default_value = "40", value_parser = cells)]
     pub(crate) mask_cells: NonZeroUsize,
 
-    /// Whether a mask is as fine everywhere
-    #[arg(long, value_name = "MODE", default_value = "even")]
-    pub(crate) mask_grid: MaskGrid,
-
     /// What a mask tells
     #[arg(long, value_name = "MODE", default_value = "weighted")]
     pub(crate) mask_average: MaskAverage,
-}
-
-/// `--mask-grid`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum MaskGrid {
-    /// M × M equal cells
-    Even,
-    /// Cells that are that small at shadow edges alone
-    Adaptive,
 }
 
 /// `--mask-average`.
@@ -44,10 +30,7 @@ impl MaskArgs {
     /// As the library has it.
     pub(crate) fn masking(&self) -> Masking {
         Masking {
-            nodes: match self.mask_grid {
-                MaskGrid::Even => Nodes::Even(self.mask_cells),
-                MaskGrid::Adaptive => Nodes::Adaptive(self.mask_cells),
-            },
+            cells: self.mask_cells,
             average: match self.mask_average {
                 MaskAverage::Weighted => Average::Weighted,
                 MaskAverage::Plain => Average::Plain,

@@ -14,6 +14,7 @@
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::num::NonZeroUsize;
 
 use radiosity_geom::{DVec2, DVec3, Surface, overhang};
 use rayon::prelude::*;
@@ -27,7 +28,7 @@ use crate::elements::{Element, Elements};
 use crate::transport;
 use crate::transport::{Accuracy, Blocks};
 use crate::visibility::Visibility;
-use crate::zatz1993::mask::{Mask, Nodes};
+use crate::zatz1993::mask::Mask;
 
 /// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
 const RAYS: usize = 16;
@@ -38,8 +39,8 @@ const RIM: f64 = 1e-9;
 /// How masks are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Masking {
-    /// Where they are sampled.
-    pub nodes: Nodes,
+    /// Cells along each side of an element, at the corners of which they are sampled.
+    pub cells: NonZeroUsize,
     /// What is sampled.
     pub average: Average,
 }
@@ -209,7 +210,7 @@ impl<'a> Receiver<'a> {
             if blockers.is_empty() {
                 return None;
             }
-            let weighted = Mask::new(how.nodes, &|place| self.weighted(emitter, place))?;
+            let weighted = Mask::new(how.cells, &|place| self.weighted(emitter, place))?;
             if !self.is_needed(emitter) {
                 return None;
             }
@@ -217,7 +218,7 @@ impl<'a> Receiver<'a> {
                 emitter,
                 match how.average {
                     Average::Weighted => weighted,
-                    Average::Plain => Mask::new(how.nodes, &|place| self.plain(emitter, &blockers, place))?,
+                    Average::Plain => Mask::new(how.cells, &|place| self.plain(emitter, &blockers, place))?,
                 },
             ))
         });
