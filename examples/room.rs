@@ -10,13 +10,9 @@
 
 use std::error::Error;
 
-use radiosity::gather::Gather;
-use radiosity::scene::{Material, SceneBuilder};
-use radiosity::solve::Options;
-use radiosity::solved::Solved;
-use radiosity::view::vantage::Vantage;
-use radiosity_geom::DVec3;
-use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
+use radiosity::geom::DVec3;
+use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
+use radiosity::{Material, Options, SceneBuilder, Solved};
 
 fn main() -> Result<(), Box<dyn Error>> {
     // Metres; fronts face inwards: a front is on the side that edge1 × edge2 points to.
@@ -36,8 +32,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let solved = Solved::new(room.build()?, Options::default(), &|_| {})?;
     let (floor, solution) = (solved.scene.surface_named("floor")?, &solved.outcome.solution);
     println!("floor: {:.1} W/m² on average", solution.mean_irradiance(0, floor));
-    let visibility = solved.visibility();
-    let desk = Vantage::free(DVec3::new(3.0, 1.5, 0.75), DVec3::Z);
-    println!("desk: {:.1} W/m²", Gather::new(solution, &visibility, 1e-3).at(&desk)[0]);
+    let desk = solved.irradiance_at(DVec3::new(3.0, 1.5, 0.75), DVec3::Z);
+    println!("desk: {:.1} W/m²", desk[0]);
     Ok(())
 }

@@ -8,25 +8,28 @@
 //! scene → (visibility) → elements → blocks → direct light → system → solution → output. A module imports only modules
 //! listed above it.
 //!
-//! ```
-//! use radiosity::scene::Scene;
-//! use radiosity::solve::{Options, solve};
+//! Lux at a point of a room, in ten lines:
 //!
+//! ```
+//! use radiosity::geom::DVec3;
+//! use radiosity::{Options, Scene, Solved};
+//!
+//! // A built-in scene; your own by `Scene::load("office.toml")?`.
 //! let scene = Scene::builtin("furnace-cube")?;
-//! let outcome = solve(&scene, &Options::default(), &|_progress| {})?;
-//! // In a closed room of reflectance ½ that emits 1 everywhere, every face absorbs what it emits.
-//! assert!((outcome.checks.energy_in - 6.0).abs() < 1e-12);
-//! assert!((outcome.checks.energy_absorbed - 6.0).abs() < 6e-3);
+//! let solved = Solved::new(scene, Options::default(), &|_progress| {})?;
+//! let lux = solved.irradiance_at(DVec3::new(0.5, 0.5, 0.5), DVec3::Z)[0];
+//! println!("{lux:.3} lx");
+//! // In a closed room of reflectance ½ that emits 1 everywhere, 2 arrives at every point.
+//! assert!((lux - 2.0).abs() < 1e-2);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
 //! Scenes are built in, read from files ([`scene::Scene::load`]), or made in code:
 //!
 //! ```
-//! use radiosity::scene::{Material, SceneBuilder};
-//! use radiosity::solve::{Options, solve};
-//! use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
-//! use radiosity_geom::DVec3;
+//! use radiosity::geom::DVec3;
+//! use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
+//! use radiosity::{Material, Options, SceneBuilder, solve};
 //!
 //! let mut desk = SceneBuilder::new("desk", ["grey"]);
 //! let wood = desk.material("wood", Material::new(vec![0.4], vec![0.0])?);
@@ -69,3 +72,12 @@ pub mod convergence;
 pub mod solved;
 pub mod view_factors;
 pub mod output;
+
+pub use radiosity_geom as geom;
+pub use radiosity_solvers as solvers;
+
+pub use crate::scene::{Material, Scene, SceneBuilder, SceneError};
+pub use crate::solution::Solution;
+pub use crate::solve::{Failure, Options, Outcome, solve};
+pub use crate::solved::Solved;
+pub use crate::view_factors::ViewFactors;

@@ -1,12 +1,23 @@
 //! A scene with its solution: what pictures, probes and grids are read from.
 
+use std::sync::OnceLock;
+
+use radiosity_geom::DVec3;
+
 use crate::adaptation::{Achieved, Adapted, Goal, adapt};
+use crate::gather::Gather;
 use crate::scene::Scene;
+use crate::solution::Place;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
+use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
+
+/// Relative accuracy of the light gathered at a point: a tenth of what the default transfers are good to as a whole.
+const AT_A_POINT: f64 = 1e-3;
 
 /// A solved scene; just solved, or read back from a file.
 #[derive(Debug)]
+#[non_exhaustive]
 pub struct Solved {
     /// The scene.
     pub scene: Scene,
@@ -16,9 +27,16 @@ pub struct Solved {
     pub outcome: Outcome,
     /// How far it came, where an accuracy was wanted.
     pub achieved: Option<Achieved>,
+    /// Made when it is first asked for.
+    visibility: OnceLock<Visibility>,
 }
 
 impl Solved {
+    /// A scene with a solution that was computed, or read, before.
+    pub fn of(scene: Scene, options: Options, outcome: Outcome, achieved: Option<Achieved>) -> Self {
+        Self { scene, options, outcome, achieved, visibility: OnceLock::new() }
+    }
+
     /// Solves `scene`; see [`solve`].
     ///
     /// # Errors
@@ -29,7 +47,7 @@ impl Solved {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let outcome = solve(&scene, &options, progress)?;
-        Ok(Self { scene, options, outcome, achieved: None })
+        Ok(Self::of(scene, options, outcome, None))
     }
 
     /// Solves `scene` to a wanted accuracy; see [`adapt`].
@@ -43,11 +61,28 @@ impl Solved {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;
-        Ok(Self { scene, options, outcome, achieved: Some(achieved) })
+        Ok(Self::of(scene, options, outcome, Some(achieved)))
     }
 
     /// The scene as obstacles, with the shadows it was solved with.
-    pub fn visibility(&self) -> Visibility {
-        Visibility::new(&self.scene, (&self.options).into())
+    pub fn visibility(&self) -> &Visibility {
+        self.visibility.get_or_init(|| Visibility::new(&self.scene, (&self.options).into()))
+    }
+
+    /// Irradiance per band at a point in the open of a plane with this unit normal: W m⁻² where exitance is in W m⁻², lux where it
+    /// is in lm m⁻². Direct light and its shadows are exact, the rest is gathered from all surfaces. For many points make one
+    /// [`Gather`].
+    pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
+        let gather = Gather::new(&self.outcome.solution, self.visibility(), AT_A_POINT);
+        gather.at(&Vantage::free(position, normal))
+    }
+
+    /// Radiosity per band (the unit of exitance) of the polynomials at the parameters (u, v) of a surface; None inside its holes.
+    pub fn radiosity_at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<Vec<f64>> {
+        let solution = &self.outcome.solution;
+        let element = solution.elements().at(surface, [u, v])?;
+        let position = solution.elements().shape(surface).jet(u, v).position;
+        let place = Place { surface, parameters: [u, v], position };
+        Some((0..solution.bands().len()).map(|band| solution.radiosity(band, element, &place)).collect())
     }
 }

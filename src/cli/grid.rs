@@ -62,7 +62,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let reading = args.read.reading(args.method.quality);
     let rates = args.read_samples.map_or(reading.rates, |samples| samples.0);
     let cells = run.in_threads(|| {
-        let reader = Reader::new(&outcome.solution, &visibility, reading.read, reading.eps);
+        let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);
         grid(&reader, sides, rates, &observe)
     })?;
     data.write(|| csv(scene, &cells), || json(scene, &cells))?;

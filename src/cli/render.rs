@@ -70,9 +70,9 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
         render(&solved.outcome.solution, visibility, &camera, args.samples, args.read.into(), &rows)
     };
     let (raster, borders) = run.in_threads(|| {
-        style.take_other(|other| take(other, &other.visibility()));
-        let borders = || wireframe(solution.elements(), &visibility, &camera, args.samples);
-        (take(&run.solved, &visibility), args.style.wireframe.then(borders))
+        style.take_other(|other| take(other, other.visibility()));
+        let borders = || wireframe(solution.elements(), visibility, &camera, args.samples);
+        (take(&run.solved, visibility), args.style.wireframe.then(borders))
     })?;
     let mut written = path.display().to_string();
     match kind {

@@ -66,7 +66,7 @@ impl Loaded {
         if let Some(option) = fixed.first().or(tolerance.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        let Solved { scene, options, outcome, achieved } = read(&text)?;
+        let Solved { scene, options, outcome, achieved, .. } = read(&text)?;
         Self::new(source, scene, Some(Saved { options, outcome, achieved }), started)
     }
 
@@ -149,7 +149,7 @@ impl Run {
         let saved = loaded.saved.is_some();
         let scene = loaded.scene;
         let solved = match (loaded.saved, method.wanted_accuracy()) {
-            (Some(Saved { options, outcome, achieved }), _) => Solved { scene, options, outcome, achieved },
+            (Some(Saved { options, outcome, achieved }), _) => Solved::of(scene, options, outcome, achieved),
             (None, Some(accuracy)) => Solved::to_accuracy(scene, &asked, Goal::new(accuracy), &observe)?,
             (None, None) => Solved::new(scene, asked, &observe)?,
         };

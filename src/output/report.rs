@@ -100,7 +100,7 @@ pub struct Warning {
 impl Report {
     /// The report of a solved scene; times of loading and output, and the total, are the caller's.
     pub fn new(solved: &Solved) -> Self {
-        let Solved { scene, options, outcome, achieved } = solved;
+        let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
         Self {
             scene: scene.name.clone(),
@@ -145,7 +145,7 @@ fn seconds(outcome: &Outcome) -> Seconds {
 }
 
 fn warnings(solved: &Solved) -> Vec<Warning> {
-    let Solved { scene, options, outcome, achieved } = solved;
+    let Solved { scene, options, outcome, achieved, .. } = solved;
     let unconverged = (!outcome.converged).then(|| unconverged(outcome));
     let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
     unconverged.into_iter().chain(adapted).chain(discretization(options, outcome)).collect()

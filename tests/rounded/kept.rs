@@ -141,7 +141,7 @@ fn a_plate_casts_its_shadow_however_far_the_sun_is() {
         let solved = radiosity::solved::Solved::new(scene, radiosity::solve::Options::default(), &|_| {});
         let solved = solved.expect("a solution");
         let visibility = solved.visibility();
-        let gather = radiosity::gather::Gather::new(&solved.outcome.solution, &visibility, 1e-3);
+        let gather = radiosity::gather::Gather::new(&solved.outcome.solution, visibility, 1e-3);
         let at = |x: f64| {
             gather.at(&radiosity::view::vantage::Vantage::on(0, DVec3::new(x, 0.0, 0.0), DVec3::Z))[0]
         };

@@ -76,7 +76,7 @@ impl SolutionFile {
         let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);
         let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
-        Ok(Solved { scene, options: self.options, outcome, achieved })
+        Ok(Solved::of(scene, self.options, outcome, achieved))
     }
 }
 
