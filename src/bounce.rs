@@ -32,7 +32,7 @@ const REFLECTED_HALVINGS: usize = 1;
 const SMALL: f64 = 0.25;
 
 /// Relative accuracy of g at a point where none finer is asked for: what it feeds are means over many points.
-pub const LOOSEST: f64 = 2e-2;
+pub(crate) const LOOSEST: f64 = 2e-2;
 
 /// Coefficients in the orthonormal bases, element by element, per band.
 #[derive(Debug)]

@@ -6,7 +6,7 @@
 //!
 //! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::visibility::exact`]) for planar emitters
 //! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good
-//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole ([`crate::view::lamp`]).
+//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole (`lamp`).
 
 use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;

@@ -6,15 +6,15 @@
 //! an element is covered by [`patch`]es.
 
 pub mod cells;
-pub mod columns;
+pub(crate) mod columns;
 pub mod patch;
-pub mod frame;
-pub mod recurrence;
+pub(crate) mod frame;
+pub(crate) mod recurrence;
 pub mod rule;
 pub mod space;
-pub mod products;
-pub mod spectrum;
-pub mod measure;
+pub(crate) mod products;
+pub(crate) mod spectrum;
+pub(crate) mod measure;
 pub mod basis;
 mod fault;
 mod element;

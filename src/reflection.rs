@@ -22,11 +22,11 @@ use crate::visibility::Visibility;
 const PER_CELL: f64 = 1.0;
 
 /// What arrives: the irradiance (W m⁻²) per band at a node of an element.
-pub type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
+pub(crate) type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
 /// Mean over the scene of a radiosity (W m⁻²) by its coefficients in the orthonormal bases, element by element: the scale by
 /// which errors are judged. 1 where nothing shines.
-pub fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) -> f64 {
+pub(crate) fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) -> f64 {
     let area: f64 = elements.iter().map(|element| element.area).sum();
     let constants = elements.iter().flat_map(|element| &element.constant);
     let power: f64 = constants.zip(radiosity).map(|(c, b)| c * b).sum();

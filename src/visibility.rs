@@ -6,13 +6,13 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
-pub mod lambert;
-pub mod rim;
+pub(crate) mod lambert;
+pub(crate) mod rim;
 pub(crate) mod ball;
-pub mod pyramid;
+pub(crate) mod pyramid;
 pub mod exact;
 mod bodies;
-pub mod net;
+pub(crate) mod net;
 mod hiding;
 mod obstacle;
 mod whole;

@@ -7,7 +7,7 @@
 //!
 //! The raw functions R that are evaluated at points are
 //!
-//! * products of Legendre polynomials ([`products`]), T triangular, where that keeps all digits: on
+//! * products of Legendre polynomials (`products`), T triangular, where that keeps all digits: on
 //!   parallelograms and most curved elements. Rules may be factorised then;
 //! * else the φ themselves by their `recurrence`, T = 1. For total degree planar elements are turned along their diameter for it.
 //!

@@ -1,7 +1,7 @@
 //! Inner products of columns of a table.
 
 /// Σ x y, in eight sums side by side: shorter chains of rounding, and they vectorise.
-pub fn dot(a: &[f64], b: &[f64]) -> f64 {
+pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let (left, right) = (a.chunks_exact(8), b.chunks_exact(8));
     let rest: f64 = left.remainder().iter().zip(right.remainder()).map(|(x, y)| x * y).sum();
@@ -14,12 +14,12 @@ pub fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// Adds `factor` times `column` to `out`.
-pub fn add_scaled(out: &mut [f64], factor: f64, column: &[f64]) {
+pub(crate) fn add_scaled(out: &mut [f64], factor: f64, column: &[f64]) {
     out.iter_mut().zip(column).for_each(|(o, x)| *o += factor * x);
 }
 
 /// Takes the projection on the unit column `unit` out of `column`; returns the overlap.
-pub fn take_out(column: &mut [f64], unit: &[f64]) -> f64 {
+pub(crate) fn take_out(column: &mut [f64], unit: &[f64]) -> f64 {
     let overlap = dot(column, unit);
     add_scaled(column, -overlap, unit);
     overlap

@@ -81,7 +81,7 @@ impl Frame {
 
 /// Gradients of the coordinates along two directions of a plane; of two gradients, the directions along which their
 /// coordinates grow by 1.
-pub fn duals([a, b]: [DVec3; 2]) -> [DVec3; 2] {
+pub(crate) fn duals([a, b]: [DVec3; 2]) -> [DVec3; 2] {
     let normal = a.cross(b);
     [b.cross(normal), normal.cross(a)].map(|dual| dual / normal.length_squared())
 }

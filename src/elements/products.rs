@@ -16,7 +16,7 @@ use super::columns::{add_scaled, dot, take_out};
 use super::space::Space;
 
 /// L_k(a, b) into `out`, in the order of `space`.
-pub fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {
+pub(crate) fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {
     // Where the order is written out all loops are unrolled.
     match order {
         0..=1 => products::<3>(space, order, coordinates, out),
@@ -56,7 +56,7 @@ fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &
 
 /// T, row-major, by Gram–Schmidt, two passes per column of a table with a row √w L per point. None where a column
 /// depends on those before it.
-pub fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
+pub(crate) fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
     let mut columns: Vec<Vec<f64>> = (0..count).map(|k| rows.iter().map(|row| row[k]).collect()).collect();
     let mut transform = vec![0.0; count * count];
     for k in 0..count {
@@ -84,7 +84,7 @@ pub fn orthonormalise(rows: &[Vec<f64>], count: usize) -> Option<Vec<f64>> {
 }
 
 /// max |∫ φ_k φ_l dA − δ_kl| of φ = T L, with L from the table and T as rounded.
-pub fn defect(rows: &[Vec<f64>], transform: &[f64]) -> f64 {
+pub(crate) fn defect(rows: &[Vec<f64>], transform: &[f64]) -> f64 {
     let count = transform.len().isqrt();
     let mut gram = vec![0.0; transform.len()];
     let mut values = vec![0.0; count];

@@ -59,7 +59,7 @@ struct Step {
 
 /// Orthonormal polynomials φ_0, φ_1, … ; φ_0 is constant.
 #[derive(Clone, Debug)]
-pub struct Recurrence {
+pub(crate) struct Recurrence {
     constant: f64,
     steps: Vec<Step>,
 }
@@ -67,7 +67,7 @@ pub struct Recurrence {
 impl Recurrence {
     /// Orthonormal on the measure of `points`, pairs of coordinates (a, b) and weights > 0, with products of levels m
     /// and d − m for 1 ≤ m ≤ `depth`. None where the points do not tell the polynomials apart.
-    pub fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
+    pub(crate) fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
         let roots: Vec<f64> = points.iter().map(|(_, weight)| weight.sqrt()).collect();
         let constant = 1.0 / dot(&roots, &roots).sqrt();
         let first = roots.iter().map(|root| root * constant).collect();
@@ -78,7 +78,7 @@ impl Recurrence {
     }
 
     /// φ_k(a, b) into `out`, as many as there are functions.
-    pub fn values(&self, coordinates: [f64; 2], out: &mut [f64]) {
+    pub(crate) fn values(&self, coordinates: [f64; 2], out: &mut [f64]) {
         out[0] = self.constant;
         for step in &self.steps {
             let (before, rest) = out.split_at_mut(step.functions.start);

@@ -19,7 +19,7 @@ use super::rule::{MOST_POINTS, UnitRule};
 
 /// What samples of the area element tell.
 #[derive(Clone, Copy, Debug)]
-pub struct Spectrum {
+pub(crate) struct Spectrum {
     /// Degrees of the area element along s and t, as far as they were resolved.
     pub degrees: [usize; 2],
     /// Largest coefficients in the last quarter of the degrees sampled along s and t; zero where resolved.
@@ -28,7 +28,7 @@ pub struct Spectrum {
 
 impl Spectrum {
     /// Of the area element of `patch`; coefficients up to `tolerance` (scene length²) are rounding.
-    pub fn of(patch: &Patch, tolerance: f64) -> Self {
+    pub(crate) fn of(patch: &Patch, tolerance: f64) -> Self {
         let mut samples = 16;
         loop {
             let largest = largest_coefficients(patch, samples);
@@ -44,17 +44,17 @@ impl Spectrum {
     }
 
     /// Whether the coefficients fall off in both directions.
-    pub fn is_resolved(&self) -> bool {
+    pub(crate) fn is_resolved(&self) -> bool {
         self.tails == [0.0; 2]
     }
 
     /// The larger of the tails.
-    pub fn tail(&self) -> f64 {
+    pub(crate) fn tail(&self) -> f64 {
         self.tails[0].max(self.tails[1])
     }
 
     /// The direction that is resolved worse.
-    pub fn worse(&self) -> Direction {
+    pub(crate) fn worse(&self) -> Direction {
         if self.tails[0] >= self.tails[1] { Direction::Along } else { Direction::Across }
     }
 }

@@ -13,13 +13,13 @@ use super::picture::Picture;
 
 /// A picture to draw charts on.
 #[derive(Debug)]
-pub struct Canvas<'a> {
+pub(crate) struct Canvas<'a> {
     picture: &'a mut Picture,
 }
 
 impl<'a> Canvas<'a> {
     /// Draws on `picture`.
-    pub fn new(picture: &'a mut Picture) -> Self {
+    pub(crate) fn new(picture: &'a mut Picture) -> Self {
         Self { picture }
     }
 }

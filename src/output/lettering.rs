@@ -6,7 +6,7 @@ use super::picture::{Colour, Picture};
 
 /// A line of text.
 #[derive(Clone, Copy, Debug)]
-pub struct Lettering<'a> {
+pub(crate) struct Lettering<'a> {
     /// The text. ASCII, Latin-1, and superscript digits and minus; what the font has not shows as a question mark.
     pub text: &'a str,
     /// Wanted height of a line in pixels; the font has 16, 20, 24 and 32, the next lower is taken.
@@ -19,13 +19,13 @@ pub struct Lettering<'a> {
 
 impl Lettering<'_> {
     /// Width and height of the line before it is turned (pixels).
-    pub fn extent(&self) -> [i32; 2] {
+    pub(crate) fn extent(&self) -> [i32; 2] {
         let width: usize = self.text.chars().map(|c| advance(c, raster(self.size))).sum();
         [width as i32, raster(self.size).val() as i32]
     }
 
     /// Draws the line with its left upper corner, or the left lower one of an upright line, at (x, y).
-    pub fn draw(&self, picture: &mut Picture, [x, y]: [i32; 2]) {
+    pub(crate) fn draw(&self, picture: &mut Picture, [x, y]: [i32; 2]) {
         let size = raster(self.size);
         let mut right = 0;
         for letter in self.text.chars() {

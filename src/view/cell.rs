@@ -19,7 +19,7 @@ use crate::visibility::pyramid::Quad;
 const LONG: f64 = 2.0;
 
 /// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
-pub const POINTS: usize = 4;
+pub(crate) const POINTS: usize = 4;
 
 /// Levels below the root down to which quarters are kept.
 const KEPT: u8 = 5;

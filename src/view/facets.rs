@@ -36,7 +36,7 @@ const CRACK: f64 = 0.25;
 
 /// Blockers before a screen.
 #[derive(Debug)]
-pub struct Facets<'a> {
+pub(crate) struct Facets<'a> {
     screen: Screen,
     quads: Vec<Facet<'a>>,
     /// Lowest and highest t at which each quad is seen.
@@ -100,23 +100,23 @@ impl Region for Ahead<'_> {
 
 impl<'a> Facets<'a> {
     /// Before `screen`, nothing yet.
-    pub fn new(screen: Screen) -> Self {
+    pub(crate) fn new(screen: Screen) -> Self {
         Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
     }
 
     /// Before a screen of which only what lies within an outline shines, given by its sides in (s, t); nothing yet.
-    pub fn before_lamp(screen: Screen, sides: Vec<[[f64; 2]; 2]>) -> Self {
+    pub(crate) fn before_lamp(screen: Screen, sides: Vec<[[f64; 2]; 2]>) -> Self {
         Self { lit: Some(sides), ..Self::new(screen) }
     }
 
     /// Adds a planar blocker.
-    pub fn add_flat(&mut self, pyramid: &'a Pyramid) {
+    pub(crate) fn add_flat(&mut self, pyramid: &'a Pyramid) {
         self.pyramids.push(pyramid);
     }
 
     /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it. If the screen stands for a
     /// piece of the blocker itself, only what lies well before it counts.
-    pub fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
+    pub(crate) fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
         let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
         let ahead = Ahead { screen: &self.screen, ground };
@@ -131,12 +131,12 @@ impl<'a> Facets<'a> {
     }
 
     /// Whether nothing stands before the screen.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.quads.is_empty() && self.pyramids.is_empty()
     }
 
     /// The same with s and t exchanged: lines run the other way.
-    pub fn transposed(&self) -> Self {
+    pub(crate) fn transposed(&self) -> Self {
         let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
         let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
         let turned =
@@ -146,12 +146,12 @@ impl<'a> Facets<'a> {
     }
 
     /// The screen.
-    pub fn screen(&self) -> &Screen {
+    pub(crate) fn screen(&self) -> &Screen {
         &self.screen
     }
 
     /// The parts of line `t` between `low` and `high` that shine, ascending.
-    pub fn lit(&self, t: f64, [low, high]: [f64; 2]) -> SmallVec<[[f64; 2]; 2]> {
+    pub(crate) fn lit(&self, t: f64, [low, high]: [f64; 2]) -> SmallVec<[[f64; 2]; 2]> {
         let Some(sides) = &self.lit else { return smallvec![[low, high]] };
         let crossed = sides.iter().filter(|[a, b]| (a[1] > t) != (b[1] > t));
         let mut places: SmallVec<[f64; 4]> =
@@ -162,7 +162,7 @@ impl<'a> Facets<'a> {
     }
 
     /// The visible parts of line `t` between `low` and `high`, ascending, into `out`.
-    pub fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
+    pub(crate) fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
         out.clear();
         let outside = OUTSIDE * (high - low);
         let mut last = Place { s: low, within: None };

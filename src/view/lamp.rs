@@ -42,11 +42,11 @@ const ROOM: f64 = 0.42;
 const STEEPEST: f64 = 0.2;
 
 /// A side of an outline, from one point to the next.
-pub type Side = [DVec3; 2];
+pub(crate) type Side = [DVec3; 2];
 
 /// A luminous surface.
 #[derive(Debug)]
-pub struct Lamp<'a> {
+pub(crate) struct Lamp<'a> {
     net: &'a Net,
     /// Corners of the quads of its net.
     quads: Vec<[Knot; 4]>,
@@ -60,7 +60,7 @@ pub struct Lamp<'a> {
 
 impl<'a> Lamp<'a> {
     /// A surface; None where it is a polygon, may hide itself, or has other things than lids around.
-    pub fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
+    pub(crate) fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
         if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
             return None;
         }
@@ -85,18 +85,18 @@ impl<'a> Lamp<'a> {
     }
 
     /// The most irradiance that can arrive at a point outside its ball.
-    pub fn most_from(&self, eye: DVec3) -> f64 {
+    pub(crate) fn most_from(&self, eye: DVec3) -> f64 {
         self.radius * self.radius / self.center.distance_squared(eye)
     }
 
     /// Whether none of some surfaces hides anything of it from anywhere.
-    pub fn is_closed_by(&self, surfaces: &[usize]) -> bool {
+    pub(crate) fn is_closed_by(&self, surfaces: &[usize]) -> bool {
         surfaces.iter().all(|surface| self.lids.binary_search(surface).is_ok())
     }
 
     /// The sides of its outline from `eye`, in no order, each with what faces the eye to the same hand. Empty where none of it
     /// faces the eye.
-    pub fn outline(&self, eye: DVec3) -> Vec<Side> {
+    pub(crate) fn outline(&self, eye: DVec3) -> Vec<Side> {
         let mut sides = Vec::new();
         for quad in &self.quads {
             let heights = quad.map(|knot| knot.normal.dot(knot.position - eye));
@@ -166,7 +166,7 @@ impl<'a> Lamp<'a> {
 
     /// A rectangle that it touches from behind, square to what faces `eye` or else to the view, whose lines run along it, with
     /// its outline `sides` there. None where the eye is too near.
-    pub fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(Screen, Vec<[[f64; 2]; 2]>)> {
+    pub(crate) fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(Screen, Vec<[[f64; 2]; 2]>)> {
         let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
         let towards = (self.center - eye).normalize_or_zero();
@@ -205,7 +205,7 @@ impl<'a> Lamp<'a> {
 }
 
 /// Irradiance at `eye` with unit normal `normal` from within an outline of exitance 1 that lies above the horizon.
-pub fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
+pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     let seen = |side: &Side| {
         let [u, v] = side.map(|y| (y - eye).normalize_or_zero());
         lambert::side(normal, u, v)

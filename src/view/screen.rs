@@ -12,11 +12,11 @@
 use radiosity_geom::{Aabb, DVec3};
 
 /// What comes nearer to the screen than this part of the distance to it is taken to touch it.
-pub const TOUCHING: f64 = 1e-9;
+pub(crate) const TOUCHING: f64 = 1e-9;
 
 /// The plane of a convex polygon with at least three corners, seen from a point.
 #[derive(Clone, Debug)]
-pub struct Screen {
+pub(crate) struct Screen {
     /// The point.
     pub eye: DVec3,
     /// First corner of the polygon.
@@ -36,7 +36,7 @@ pub struct Screen {
 
 impl Screen {
     /// Of a polygon that stands for a piece of surface within a hull; None where the eye lies in the polygon's plane.
-    pub fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
+    pub(crate) fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =
             (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
         let towards = origin - eye;
@@ -59,7 +59,7 @@ impl Screen {
     }
 
     /// The same with s and t exchanged.
-    pub fn transposed(&self) -> Self {
+    pub(crate) fn transposed(&self) -> Self {
         let [s, t, depth] = self.dual;
         Self {
             along: self.across,
@@ -71,27 +71,27 @@ impl Screen {
     }
 
     /// The point of the screen at (s, t).
-    pub fn at(&self, s: f64, t: f64) -> DVec3 {
+    pub(crate) fn at(&self, s: f64, t: f64) -> DVec3 {
         self.origin + s * self.along + t * self.across
     }
 
     /// (S, T, λ) of a point.
-    pub fn see(&self, point: DVec3) -> DVec3 {
+    pub(crate) fn see(&self, point: DVec3) -> DVec3 {
         self.see_direction(point - self.eye)
     }
 
     /// (S, T, λ) of a direction from the eye.
-    pub fn see_direction(&self, direction: DVec3) -> DVec3 {
+    pub(crate) fn see_direction(&self, direction: DVec3) -> DVec3 {
         DVec3::from_array(self.dual.map(|dual| dual.dot(direction)))
     }
 
     /// Normal of the plane through the eye and the line t.
-    pub fn slice(&self, t: f64) -> DVec3 {
+    pub(crate) fn slice(&self, t: f64) -> DVec3 {
         self.dual[1] - t * self.dual[2]
     }
 
     /// Whether a box may reach into the pyramid between the eye and the polygon.
-    pub fn reaches(&self, bounds: &Aabb) -> bool {
+    pub(crate) fn reaches(&self, bounds: &Aabb) -> bool {
         let (low, high) = (bounds.min - self.eye, bounds.max - self.eye);
         let top = |n: DVec3| (low * n).max(high * n).element_sum();
         let bottom = |n: DVec3| (low * n).min(high * n).element_sum();
@@ -101,13 +101,13 @@ impl Screen {
     }
 
     /// How much of its depth the polygon is wide.
-    pub fn width(&self) -> f64 {
+    pub(crate) fn width(&self) -> f64 {
         let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
         far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)
     }
 
     /// Least sine of the height of the polygon over the plane through the eye with unit normal `normal`.
-    pub fn rise(&self, normal: DVec3) -> f64 {
+    pub(crate) fn rise(&self, normal: DVec3) -> f64 {
         let corner = |[s, t]: &[f64; 2]| (self.at(*s, *t) - self.eye).normalize_or_zero().dot(normal);
         self.outline.iter().map(corner).fold(f64::INFINITY, f64::min)
     }

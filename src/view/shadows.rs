@@ -19,7 +19,7 @@ const ENDS: f64 = 1e-9;
 const OWN_ENDS: f64 = 1e-6;
 
 /// The obstacles around a vantage point, as it sees them.
-pub struct Shadows<'a> {
+pub(crate) struct Shadows<'a> {
     vantage: &'a Vantage,
     visibility: &'a Visibility,
     surroundings: &'a Surroundings,
@@ -40,33 +40,37 @@ enum Blocker {
 
 /// The blockers that may hide a part of a cell: a piece of the stack of [`Shadows`].
 #[derive(Clone, Copy, Debug)]
-pub struct Before {
+pub(crate) struct Before {
     start: usize,
     end: usize,
 }
 
 impl Before {
     /// Whether nothing stands before the cell.
-    pub fn is_nothing(&self) -> bool {
+    pub(crate) fn is_nothing(&self) -> bool {
         self.start == self.end
     }
 }
 
 impl<'a> Shadows<'a> {
     /// Of `vantage`, a point of the site that `surroundings` belong to.
-    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
+    pub(crate) fn new(
+        vantage: &'a Vantage,
+        visibility: &'a Visibility,
+        surroundings: &'a Surroundings,
+    ) -> Self {
         let of_obstacle = smallvec![None; surroundings.obstacles.len()];
         Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
     }
 
     /// Whether no obstacle is curved.
-    pub fn all_flat(&self) -> bool {
+    pub(crate) fn all_flat(&self) -> bool {
         self.surroundings.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
     /// Empties the stack and puts on it the blockers of some obstacles of the surroundings, by their places there, that may
     /// hide something of what lies within `bounds`.
-    pub fn ask(&mut self, places: &[usize], bounds: &Aabb) -> Before {
+    pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> Before {
         self.asked.clear();
         for place in places {
             // Making a shadow costs more than a look whether it is needed.
@@ -108,7 +112,7 @@ impl<'a> Shadows<'a> {
 
     /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where
     /// a flat one hides all of its screen.
-    pub fn before_lamp(
+    pub(crate) fn before_lamp(
         &self,
         lamp: &Lamp,
         screen: &Screen,
@@ -140,7 +144,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// Whether an obstacle of those given by their places hides the middle of a lamp.
-    pub fn hide_lamp(&self, lamp: &Lamp, places: &[usize]) -> bool {
+    pub(crate) fn hide_lamp(&self, lamp: &Lamp, places: &[usize]) -> bool {
         let x = self.vantage.position;
         places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
             let faces = self.visibility.faces(surface);
@@ -155,14 +159,14 @@ impl<'a> Shadows<'a> {
     }
 
     /// Puts a curved blocker before what `facets` stands for, a piece of that blocker itself where `is_own`.
-    pub fn add_curved(&self, facets: &mut Facets<'a>, other: usize, is_own: bool) {
+    pub(crate) fn add_curved(&self, facets: &mut Facets<'a>, other: usize, is_own: bool) {
         let Vantage { normal, ground, surface, .. } = *self.vantage;
         let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
         facets.add_curved(self.visibility.net(other), ground, is_own);
     }
 
     /// Puts those of `above` on the stack that may hide a part of `cell`; None where one hides all of it.
-    pub fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
+    pub(crate) fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
         self.asked.truncate(above.end);
         for place in above.start..above.end {
             let blocker = self.asked[place];
@@ -183,12 +187,12 @@ impl<'a> Shadows<'a> {
     }
 
     /// Whether all of them are planar.
-    pub fn are_flat(&self, before: Before) -> bool {
+    pub(crate) fn are_flat(&self, before: Before) -> bool {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
     /// The planar ones.
-    pub fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
+    pub(crate) fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
         self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(pyramid) => Some(pyramid),
             Blocker::Curved(_) => None,
@@ -198,7 +202,7 @@ impl<'a> Shadows<'a> {
     /// What stands before a convex planar polygon; None where the point lies in its plane.
     ///
     /// It may stand for a curved piece of `surface` within the convex hull of `hull`.
-    pub fn facets(
+    pub(crate) fn facets(
         &self,
         before: Before,
         polygon: &[DVec3],
@@ -216,7 +220,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// Whether a point of `surface` is hidden.
-    pub fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
+    pub(crate) fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
         let own = [Some(surface), self.vantage.surface];
         self.of(before).any(|blocker| match blocker {
             Blocker::Flat(pyramid) => pyramid.hides(y),

@@ -32,7 +32,7 @@ const ON_LINE: f64 = 1e-3;
 
 /// Where a line of a screen crosses the edge of a quad.
 #[derive(Clone, Copy, Debug)]
-pub struct Crossing {
+pub(crate) struct Crossing {
     /// The edge, from this corner to the next.
     pub edge: usize,
     /// Place on the edge, 0 to 1.
@@ -42,7 +42,7 @@ pub struct Crossing {
 /// Where the true outline crosses line `t`, near where the net's does; None where it is not found.
 ///
 /// Of two places, of a border and of a silhouette, the one farther towards `side` (±1) counts.
-pub fn outline(
+pub(crate) fn outline(
     screen: &Screen,
     t: f64,
     shape: &dyn Surface,

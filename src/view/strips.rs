@@ -52,7 +52,7 @@ impl Sums {
 }
 
 /// A planar cell in lines.
-pub struct Strips<'a> {
+pub(crate) struct Strips<'a> {
     vantage: &'a Vantage,
     facets: &'a Facets<'a>,
     gauss: &'a UnitRule,
@@ -67,26 +67,26 @@ pub struct Strips<'a> {
 
 impl<'a> Strips<'a> {
     /// Of the polygon that is the screen of `facets`, from a point.
-    pub fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+    pub(crate) fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
         let gauss = UnitRule::of(POINTS);
         Self { vantage, facets, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
     }
 
     /// The same of a screen before a whole lamp.
-    pub fn of_lamp(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+    pub(crate) fn of_lamp(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
         Self { is_of_lamp: true, ..Self::new(vantage, facets) }
     }
 
     /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
-    pub fn shares(&mut self, tolerance: f64) -> [f64; 4] {
+    pub(crate) fn shares(&mut self, tolerance: f64) -> [f64; 4] {
         let sums = self.sums(tolerance);
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
     }
 
     /// The irradiance from what is seen of what shines on the screen with exitance 1, good to about `tolerance` of that from all
     /// of it, and that from all of it.
-    pub fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
+    pub(crate) fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
         let sums = self.sums(tolerance);
         let screen = self.facets.screen();
         let normal = screen.along.cross(screen.across);

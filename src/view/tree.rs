@@ -30,7 +30,7 @@ pub struct Tree {
 }
 
 /// A field over an element: writes the channels at a node of a patch.
-pub type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
+pub(crate) type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 impl Tree {
     /// An element with the constant 1 in a single channel, that counts as `brightness` (positive) times the scale.

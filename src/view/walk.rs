@@ -37,7 +37,7 @@ const LEAST: f64 = 0.05;
 const CLOSE: f64 = 2.0;
 
 /// What a vantage point sees of elements.
-pub struct Walk<'a> {
+pub(crate) struct Walk<'a> {
     vantage: &'a Vantage,
     visibility: &'a Visibility,
     surroundings: &'a Surroundings,
@@ -63,7 +63,11 @@ struct Pass<'a> {
 
 impl<'a> Walk<'a> {
     /// From `vantage`, a point of the site that `surroundings` belong to.
-    pub fn new(vantage: &'a Vantage, visibility: &'a Visibility, surroundings: &'a Surroundings) -> Self {
+    pub(crate) fn new(
+        vantage: &'a Vantage,
+        visibility: &'a Visibility,
+        surroundings: &'a Surroundings,
+    ) -> Self {
         Self {
             vantage,
             visibility,
@@ -75,7 +79,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Whether all obstacles are flat, so that flat cells that shine evenly are exact.
-    pub fn is_flat(&self) -> bool {
+    pub(crate) fn is_flat(&self) -> bool {
         self.shadows.all_flat()
     }
 
@@ -85,7 +89,7 @@ impl<'a> Walk<'a> {
     ///
     /// The irradiance is not known beforehand. Where it turns out to be much less than it might have been, trees are walked
     /// again, finer, of which cells were taken too coarsely for that.
-    pub fn to_share(
+    pub(crate) fn to_share(
         &mut self,
         trees: &[Tree],
         [share, other]: [f64; 2],
@@ -130,7 +134,7 @@ impl<'a> Walk<'a> {
 
     /// Adds the irradiance from element `index`, channel after channel, to `out`; each cell is allowed the error
     /// `tolerance` times the scale of the channel.
-    pub fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
+    pub(crate) fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
         let Some(places) = self.surroundings.before(index) else { return };
         if self.is_out_of_sight(index, tree) {
             return;
@@ -151,7 +155,7 @@ impl<'a> Walk<'a> {
 
     /// Irradiance from all of element `index`, a lamp of exitance 1, good to `tolerance` over its brightness `brightness`; None
     /// where it is too near to be taken as a whole.
-    pub fn lamp(&mut self, index: usize, lamp: &Lamp, brightness: f64, tolerance: f64) -> Option<f64> {
+    pub(crate) fn lamp(&mut self, index: usize, lamp: &Lamp, brightness: f64, tolerance: f64) -> Option<f64> {
         let Some(places) = self.surroundings.before(index) else { return Some(0.0) };
         let (eye, normal) = (self.vantage.position, self.vantage.normal);
         if lamp.center.distance(eye) < CLOSE * lamp.radius {

@@ -1,7 +1,7 @@
 //! Direct light of a uniform planar emitter at a point, exact with planar blockers.
 //!
-//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says ([`super::lambert`]). What a convex
-//! polygon hides of another from x is the part inside a pyramid ([`super::pyramid`]). With C₁, C₂, … what the blockers hide, and
+//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says (`lambert`). What a convex
+//! polygon hides of another from x is the part inside a pyramid (`pyramid`). With C₁, C₂, … what the blockers hide, and
 //! F the form of a polygon outside all of them,
 //!
 //! ```text

@@ -79,7 +79,7 @@ fn quad(n: DVec3, corners: [DVec3; LANES]) -> f64 {
 
 /// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, as long as its angle is told from 180°; zero for a side
 /// that is seen end on.
-pub fn side(n: DVec3, u: DVec3, v: DVec3) -> f64 {
+pub(crate) fn side(n: DVec3, u: DVec3, v: DVec3) -> f64 {
     let (cross, cosine) = (u.cross(v), u.dot(v));
     let rise = n.dot(cross);
     if cosine >= 0.5 {

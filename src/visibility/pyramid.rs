@@ -27,7 +27,7 @@ const ON_PLANE: f64 = 1e-12;
 const PLANES: usize = 10;
 
 /// Corners of a convex polygon as seen from a point, which is the origin.
-pub type Corners = SmallVec<[DVec3; 8]>;
+pub(crate) type Corners = SmallVec<[DVec3; 8]>;
 
 /// A number for each of them.
 type Heights = SmallVec<[f64; 8]>;

@@ -12,7 +12,7 @@
 //!
 //! The plain mask is the paper's; it ignores cosines and distance, and a finer mask does not converge to the truth. The weighted
 //! one is exact at its nodes for a uniform emitter. Both are known at the corners of equal cells of the element's
-//! [coordinates](crate::elements::frame) and bilinear in between. Where something stands on the element there is nothing to see:
+//! coordinates and bilinear in between. Where something stands on the element there is nothing to see:
 //! such nodes take the value of the nearest one that is free, or else the interpolation would darken the rim around it.
 
 use std::num::NonZeroUsize;
