@@ -21,12 +21,12 @@ mod words;
 use std::process::Command;
 use std::time::Duration;
 
-use radiosity::coating::Coating;
 use radiosity::elements::cells::Layers;
+use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::footprint::Footprint;
 use radiosity::scene::{Material, NamedMaterial, Scene, SceneBuilder};
+use radiosity::solve::memory::Footprint;
 use radiosity::solve::{Options, in_threads};
 use radiosity::system::System;
 use radiosity::transport;

@@ -22,9 +22,9 @@ use std::collections::BTreeMap;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::bounce::Bounce;
-use crate::coating::Coating;
 use crate::elements::Element;
+use crate::elements::coating::Coating;
+use crate::light::first_bounce::Bounce;
 use crate::solution::{Band, Place, Solution};
 use crate::system::Coefficients;
 use crate::transport::Blocks;

@@ -18,6 +18,7 @@ pub(crate) mod measure;
 pub mod basis;
 mod fault;
 mod element;
+pub mod coating;
 
 use std::ops::Range;
 use std::sync::Arc;

@@ -4,19 +4,20 @@
 //! E(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y ,
 //! ```
 //!
-//! with D the direct light ([`crate::direct`]) and S_h the polynomials of what was reflected at least once, not below
+//! with D the direct light ([`crate::light::direct`]) and S_h the polynomials of what was reflected at least once, not below
 //! zero. The integral (`reflection`) smooths: shadows and dark corners that polynomials cannot hold appear in E.
 //! x may be any point, on a surface or not. What polynomials smear at the foot of an obstacle is still seen in E near by;
 //! gathered twice, with S_h replaced by what is itself gathered from it at the points y, that is gone as well.
 
 pub mod spot;
 
-use crate::direct::DirectLight;
 use crate::elements::patch::Node;
-use crate::reflection::{self, Reflection};
+use crate::light::direct::DirectLight;
+use crate::light::occluders::{Site, Surroundings};
+use crate::light::receiver_point::Vantage;
+use crate::light::reflected;
+use crate::light::reflected::Reflection;
 use crate::solution::{Band, Place, Solution};
-use crate::view::surroundings::{Site, Surroundings};
-use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
 /// Accuracy of what is gathered first, in multiples of that of what is gathered from it: the second integral smooths.
@@ -101,7 +102,7 @@ impl<'a> Gather<'a> {
 /// Mean radiosity of each band over the scene, reflected and emitted.
 fn scales(solution: &Solution) -> Vec<f64> {
     let mean = |band: &Band| {
-        reflection::scale(solution.elements().list(), band.coefficients.radiosity.iter().copied())
+        reflected::scale(solution.elements().list(), band.coefficients.radiosity.iter().copied())
     };
     solution.bands().iter().map(mean).collect()
 }

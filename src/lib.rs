@@ -46,29 +46,22 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-pub mod rows;
 pub mod scene;
 pub mod visibility;
+pub mod irradiance;
 pub mod footings;
 pub mod covers;
 pub mod inspection;
 pub mod elements;
-pub mod coating;
-pub mod footprint;
 pub mod transport;
-pub mod view;
-pub mod direct;
+pub mod light;
 pub mod zatz1993;
-pub(crate) mod reflection;
-pub(crate) mod bounce;
 pub mod system;
 pub mod solution;
-pub mod distance;
 pub mod gather;
 pub mod checks;
 pub mod solve;
-pub mod adaptation;
-pub mod convergence;
+pub mod studies;
 pub mod solved;
 pub mod view_factors;
 pub mod output;

@@ -4,6 +4,7 @@
 //! every number finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another,
 //! every name given once. What is wrong is a [`SceneError`] with name and cure, and in a file with line and column.
 
+pub mod csv_rows;
 mod coincident;
 pub(crate) mod gap;
 mod middle;

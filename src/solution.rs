@@ -5,8 +5,8 @@
 
 use radiosity_geom::DVec3;
 
-use crate::coating::Coating;
 use crate::elements::Elements;
+use crate::elements::coating::Coating;
 use crate::system::Coefficients;
 use crate::zatz1993::masked_light::MaskedLight;
 

@@ -1,6 +1,7 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
 mod direct;
+pub mod memory;
 mod fit;
 mod options;
 
@@ -9,15 +10,15 @@ use std::time::{Duration, Instant};
 use radiosity_solvers::{Report, Settings, SolveError, Step, method::Method};
 use rayon::ThreadPoolBuildError;
 
-use crate::bounce::Bounce;
 use crate::checks::Checks;
-use crate::coating::Coating;
 use crate::elements::cells::Layers;
+use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
 use crate::elements::{Discretization, ElementError, Elements, Subdivide};
-use crate::footprint::Footprint;
+use crate::light::first_bounce::Bounce;
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
+use crate::solve::memory::Footprint;
 use crate::system::{Coefficients, System};
 use crate::transport;
 use crate::transport::{Blocks, PairCounts};

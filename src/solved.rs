@@ -4,12 +4,12 @@ use std::sync::OnceLock;
 
 use radiosity_geom::DVec3;
 
-use crate::adaptation::{Achieved, Adapted, Goal, adapt};
 use crate::gather::Gather;
+use crate::light::receiver_point::Vantage;
 use crate::scene::Scene;
 use crate::solution::Place;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
-use crate::view::vantage::Vantage;
+use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
 use crate::visibility::Visibility;
 
 /// Relative accuracy of the light gathered at a point: a tenth of what the default transfers are good to as a whole.

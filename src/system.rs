@@ -24,8 +24,8 @@
 
 use radiosity_solvers::{Dense, Partition, SolveError};
 
-use crate::coating::Coating;
 use crate::elements::Element;
+use crate::elements::coating::Coating;
 use crate::transport::Blocks;
 
 /// The system of one band.

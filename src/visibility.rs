@@ -6,14 +6,12 @@
 //! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
 //! segment is tested against the candidates alone.
 
-pub(crate) mod lambert;
-pub(crate) mod rim;
-pub(crate) mod ball;
-pub(crate) mod pyramid;
-pub mod exact;
-mod bodies;
-pub(crate) mod net;
-mod hiding;
+pub(crate) mod blocker_edges;
+pub(crate) mod bounding_ball;
+pub(crate) mod shadow_volume;
+mod convex_bodies;
+pub(crate) mod silhouette_mesh;
+mod mode;
 mod obstacle;
 mod whole;
 
@@ -22,11 +20,11 @@ use std::cmp::Ordering;
 use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated, touching};
 
 use crate::scene::Scene;
-use ball::Ball;
-use bodies::{Bodies, Face};
-pub use hiding::{Hiding, Shadows};
-use net::Net;
+use bounding_ball::Ball;
+use convex_bodies::{Bodies, Face};
+pub use mode::{Hiding, Shadows};
 use obstacle::{Bend, END, Obstacle};
+use silhouette_mesh::Net;
 
 /// A segment may touch the surfaces that its ends lie on within this part of its length.
 const OWN_END: f64 = 1e-6;

@@ -1,14 +1,15 @@
 //! Runs, timed and judged.
 
 use cpu_time::ProcessTime;
-use radiosity::distance::distance;
 use radiosity::elements::rule::UnitRule;
+use radiosity::irradiance::visible_polygon::irradiance;
 use radiosity::output::grid::{Cell, Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solution::{Place, Solution};
 use radiosity::solve::{Options, Outcome, in_threads, solve};
-use radiosity::visibility::{Visibility, exact::irradiance};
+use radiosity::studies::error_norm::distance;
+use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use serde_json::Value;
 

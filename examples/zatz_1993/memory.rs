@@ -1,9 +1,9 @@
 //! Memory that a solution asks for.
 
 use radiosity::elements::{Discretization, Subdivide};
-use radiosity::footprint::Footprint;
 use radiosity::scene::Scene;
 use radiosity::solve::Options;
+use radiosity::solve::memory::Footprint;
 
 /// Megabytes as reckoned before the run, whole surfaces being elements.
 pub(crate) fn megabytes(scene: &Scene, options: &Options) -> f64 {

@@ -7,10 +7,10 @@ use std::io::{self, Write};
 
 use radiosity::elements::patch::Patch;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::irradiance::visible_polygon::irradiance;
 use radiosity::scene::Scene;
 use radiosity::transport;
 use radiosity::transport::Accuracy;
-use radiosity::visibility::exact::irradiance;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity::zatz1993::transfers::{EXTRA_POINTS, Party, Reading, Rules, transfer};
 use radiosity_core::basis::total;

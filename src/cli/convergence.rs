@@ -4,12 +4,12 @@ use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use radiosity::convergence::{Reference, Run, convergence};
-use radiosity::distance::distance;
 use radiosity::output::chart::Chart;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solved::Solved;
+use radiosity::studies::convergence::{Reference, Run, convergence};
+use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
     destination::Destination,

@@ -6,7 +6,7 @@
 use std::io::{self, Read};
 
 use radiosity::output::probe::Probe;
-use radiosity::rows::{Row, Unreadable, rows};
+use radiosity::scene::csv_rows::{Row, Unreadable, rows};
 use radiosity_geom::DVec3;
 use thiserror::Error;
 

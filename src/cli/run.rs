@@ -4,7 +4,6 @@ use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use radiosity::adaptation::{Achieved, Goal};
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::quality::Quality;
@@ -13,6 +12,7 @@ use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
+use radiosity::studies::adaptation::{Achieved, Goal};
 
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;

@@ -7,8 +7,8 @@
 use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
 
 use crate::elements::Elements;
+use crate::light::receiver_point::Vantage;
 use crate::solution::Place;
-use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
 /// How far from a surface a point counts as lying on it, in multiples of the scene's diagonal, and at most of the surface's own:

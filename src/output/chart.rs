@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::canvas::Canvas;
 use super::decades::Decades;
 use super::picture::Picture;
-use crate::convergence::Run;
+use crate::studies::convergence::Run;
 
 /// A chart that could not be drawn.
 #[derive(Debug, thiserror::Error)]

@@ -15,16 +15,16 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_area};
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::direct::DirectLight;
 use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::light::direct::DirectLight;
+use crate::light::occluders::Site;
+use crate::light::receiver_point::Vantage;
+use crate::light::reflected::Reflection;
 use crate::output::reader::{Light, Reader};
-use crate::reflection::Reflection;
 use crate::solution::Place;
-use crate::view::surroundings::Site;
-use crate::view::vantage::Vantage;
 
 /// Means over one cell of one surface.
 #[derive(Clone, Debug, PartialEq)]

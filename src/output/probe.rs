@@ -5,8 +5,8 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::gather::spot::Spot;
+use crate::light::receiver_point::Vantage;
 use crate::output::reader::{Light, Reader};
-use crate::view::vantage::Vantage;
 
 /// Cosine between a probe's normal and its surface's from which on they count as the same where only polynomials are
 /// known, and where light is gathered along any normal.

@@ -2,10 +2,10 @@
 
 use radiosity_geom::DVec3;
 
-use crate::direct::DirectLight;
 use crate::gather::Gather;
+use crate::light::direct::DirectLight;
+use crate::light::receiver_point::Vantage;
 use crate::solution::{Place, Solution};
-use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
 /// What irradiance is read from.

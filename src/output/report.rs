@@ -2,11 +2,11 @@
 
 use serde::Serialize;
 
-use crate::adaptation::{Achieved, End};
 use crate::checks::Checks;
 use crate::scene::{Fitted, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
+use crate::studies::adaptation::{Achieved, End};
 use crate::transport::PairCounts;
 
 /// What a run did, what it cost and how its result judges itself.

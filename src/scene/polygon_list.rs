@@ -4,7 +4,7 @@
 //! with or without that header; rows of one name that follow each other make a polygon. Lines that start with `#` are
 //! left out.
 
-use crate::rows::{Row, Unreadable, rows};
+use crate::scene::csv_rows::{Row, Unreadable, rows};
 use crate::scene::{
     error::{Fault, Located},
     source::{At, Span},

@@ -5,8 +5,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::coating::Coating;
 use crate::elements::Element;
+use crate::elements::coating::Coating;
 use crate::visibility::Visibility;
 
 /// Part of the scene's area that emits from which on direct light counts as smooth.

@@ -48,7 +48,7 @@ pub struct Options {
     pub max_iterations: usize,
     /// Whether the best there is counts as a solution where the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`Footprint`](crate::footprint::Footprint)); what needs more is refused before it begins.
+    /// Most bytes to use ([`Footprint`](crate::solve::memory::Footprint)); what needs more is refused before it begins.
     #[serde(skip)]
     pub memory: Option<u64>,
     /// Threads; the result does not depend on it.

@@ -4,8 +4,8 @@ use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::{DVec3, Jet, Rect, Surface};
 
-use super::ball::Ball;
-use super::net::Net;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::silhouette_mesh::Net;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 pub(super) const END: f64 = 1e-9;

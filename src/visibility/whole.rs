@@ -3,9 +3,9 @@
 use radiosity_geom::{Aabb, DVec3, separated};
 
 use super::Visibility;
-use super::ball::Ball;
-use super::pyramid::Pyramid;
-use super::rim::Rim;
+use crate::visibility::blocker_edges::Rim;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::Pyramid;
 
 impl Visibility {
     /// Those of `blockers`, one face of each body, that may still stand between the hulls of `a` and `b`, bodies as a whole.

@@ -20,11 +20,11 @@ use radiosity_geom::{DVec2, DVec3, Surface, overhang};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::coating::Coating;
-use crate::direct::DirectLight;
+use crate::elements::coating::Coating;
 use crate::elements::frame::{Frame, duals};
 use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
+use crate::light::direct::DirectLight;
 use crate::transport;
 use crate::transport::{Accuracy, Blocks};
 use crate::visibility::Visibility;

@@ -6,7 +6,7 @@ use std::{
     process::{Command, Output},
 };
 
-use radiosity::{elements::Discretization, footprint::Footprint, scene::Scene};
+use radiosity::{elements::Discretization, scene::Scene, solve::memory::Footprint};
 use radiosity_solvers::method::Method;
 use serde_json::Value;
 

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use radiosity::coating::Coating;
-use radiosity::direct::{ACCURACY, DirectLight};
+use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
+use radiosity::light::direct::{ACCURACY, DirectLight};
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solution::{Band, Solution};
 use radiosity::system::Coefficients;

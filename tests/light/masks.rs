@@ -3,7 +3,7 @@
 use std::num::NonZeroUsize;
 use std::process::Command;
 
-use radiosity::direct::DirectLight;
+use radiosity::light::direct::DirectLight;
 use radiosity::output::grid::{Cell, Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;

@@ -1,9 +1,9 @@
 //! Direct light split off the polynomials: power, limits that both forms share, and where they are chosen.
 
 use radiosity::gather::Gather;
+use radiosity::light::receiver_point::Vantage;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, solve};
-use radiosity::view::vantage::Vantage;
 use radiosity::visibility::Visibility;
 
 fn options(order: usize, direct: Direct) -> Options {

@@ -6,9 +6,9 @@
 use std::f64::consts::TAU;
 
 use radiosity::elements::rule::UnitRule;
+use radiosity::irradiance::visible_polygon::irradiance;
 use radiosity::scene::Scene;
 use radiosity::solution::{Place, Solution};
-use radiosity::visibility::exact::irradiance;
 use radiosity_geom::DVec3;
 
 use crate::estimate::{Case, within};

@@ -3,14 +3,14 @@
 //! The errors are ‖B − B′‖/‖B′ − E₀‖. Where B is a polynomial of every run, what is left is what the transfers miss, and the
 //! estimate may only be too large.
 
-use radiosity::adaptation::{Goal, adapt};
-use radiosity::distance::distance;
 use radiosity::elements::cells::Layers;
 use radiosity::gather::Gather;
 use radiosity::gather::spot::Spot;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solve::{Options, solve};
+use radiosity::studies::adaptation::{Goal, adapt};
+use radiosity::studies::error_norm::distance;
 use radiosity::visibility::Visibility;
 
 use crate::random::Random;

@@ -3,18 +3,18 @@
 use std::sync::Mutex;
 
 use proptest::prelude::*;
-use radiosity::adaptation::{Achieved, Adapted, End, Goal, adapt};
-use radiosity::coating::Coating;
-use radiosity::convergence::{Reference, convergence};
-use radiosity::distance::{Incomparable, distance};
 use radiosity::elements::cells::Layers;
+use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
-use radiosity::footprint::Footprint;
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
+use radiosity::solve::memory::Footprint;
 use radiosity::solve::{Options, solve};
+use radiosity::studies::adaptation::{Achieved, Adapted, End, Goal, adapt};
+use radiosity::studies::convergence::{Reference, convergence};
+use radiosity::studies::error_norm::{Incomparable, distance};
 use radiosity::system::Coefficients;
 use radiosity_geom::DVec3;
 use serde_json::Value;

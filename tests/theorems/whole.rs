@@ -1,11 +1,11 @@
 //! What must hold whatever the numbers: the white furnace, energy, agreement of solvers, equal bits.
 
 use radiosity::checks::Checks;
-use radiosity::coating::Coating;
-use radiosity::direct::DirectLight;
 use radiosity::elements::cells::Layers;
+use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
+use radiosity::light::direct::DirectLight;
 use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;

@@ -4,15 +4,15 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use std::sync::Arc;
 
 use proptest::prelude::*;
-use radiosity::coating::Coating;
+use radiosity::elements::coating::Coating;
 use radiosity::elements::patch::{Direction, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
+use radiosity::irradiance::visible_polygon::irradiance;
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::system::System;
 use radiosity::transport;
 use radiosity::transport::{Accuracy, Blocks};
-use radiosity::visibility::exact::irradiance;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{
     Bezier, Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, SpherePatch, Torus,

@@ -5,10 +5,10 @@ use radiosity::elements::basis::AreaBasis;
 use radiosity::elements::patch::{Direction, Node, Patch};
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::{Discretization, Element, Elements};
+use radiosity::irradiance::visible_polygon::irradiance;
 use radiosity::scene::Scene;
 use radiosity::transport;
 use radiosity::transport::{Accuracy, kernel};
-use radiosity::visibility::exact::irradiance;
 use radiosity::visibility::{Shadows, Visibility};
 
 /// Adds ∫ κ(x, y) L_l(y) dA_y over the part of an element that x sees, L_l its raw polynomials.

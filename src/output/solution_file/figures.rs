@@ -4,11 +4,11 @@
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
-use crate::adaptation::Achieved;
 use crate::checks::Checks;
 use crate::solution::Solution;
 use crate::solve::{Outcome, Stages};
 use crate::solved::Solved;
+use crate::studies::adaptation::Achieved;
 use crate::transport::PairCounts;
 
 /// The figures of an [`Outcome`].

@@ -9,7 +9,7 @@ use super::element::SavedElement;
 use super::error::{Mismatch, SolutionError, SolutionFault};
 use super::tree::{SavedScene, SolutionFile};
 use super::version::{FORMAT, VERSION};
-use crate::coating::Coating;
+use crate::elements::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};
 use crate::solution::{Band, Solution};

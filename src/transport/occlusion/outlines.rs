@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with G⁰ the block were nothing in between, and H(x) the part of one element that is hidden from the point x of the other:
-//! polygons, by clipping ([`crate::visibility::exact`]). What is hidden lies apart from x, behind a blocker, so that the
+//! polygons, by clipping ([`crate::irradiance::visible_polygon`]). What is hidden lies apart from x, behind a blocker, so that the
 //! inner integral is smooth where that over all y is singular. Constants are summed by Lambert's form, higher functions by
 //! Gauss rules over the polygons, halved while they are near ([`crate::transport::rules::far`]).
 //!
@@ -27,10 +27,10 @@ use rayon::prelude::*;
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
 use crate::visibility::Visibility;
-use crate::visibility::ball::Ball;
-use crate::visibility::exact::{inside_any, irradiance, irradiance_seen};
-use crate::visibility::pyramid::Corners;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::Corners;
 
 use crate::transport::blocks::block::Block;
 use crate::transport::contact::clip::Facet;

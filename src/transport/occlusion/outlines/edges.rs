@@ -18,7 +18,7 @@ use radiosity_geom::{DVec3, extreme_points, separated};
 use crate::elements::patch::Patch;
 use crate::transport::contact::flat::segment_distance;
 use crate::visibility::Visibility;
-use crate::visibility::rim::Rim;
+use crate::visibility::blocker_edges::Rim;
 
 /// Distance of an edge from a cell of size 1, times n², below which its shadow may be overlooked.
 const NEAR: f64 = 4.0;

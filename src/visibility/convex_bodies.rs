@@ -18,9 +18,9 @@ use std::collections::HashMap;
 use radiosity_geom::{Aabb, DVec3, touching};
 use smallvec::SmallVec;
 
-use super::ball::Ball;
-use super::pyramid::Pyramid;
-use super::rim::{Rim, sides};
+use crate::visibility::blocker_edges::{Rim, sides};
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::Pyramid;
 
 /// Heights below this part of the distance count as none.
 const FLAT: f64 = 1e-9;

@@ -38,7 +38,7 @@ const SERIES: [[f64; 2]; 7] = [
 const LANES: usize = 4;
 
 /// Irradiance from a polygon above the horizon of unit normal `n`, its corners as seen from the point.
-pub(super) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
+pub(crate) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
     let Some(last) = corners.last() else { return 0.0 };
     if corners.len() <= LANES {
         // A corner that is repeated adds a side of no length.

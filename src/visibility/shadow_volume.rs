@@ -15,7 +15,7 @@ use core::iter;
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use super::ball::Ball;
+use crate::visibility::bounding_ball::Ball;
 
 /// Points within this part of their distance from a bounding plane count as touching it.
 const TOUCHING: f64 = 1e-9;
@@ -66,13 +66,13 @@ impl Plane {
 }
 
 /// The part of a convex polygon above the horizon of unit normal `n`; nothing where it merely touches it.
-pub(super) fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
+pub(crate) fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
     let reach = reach(polygon);
     Plane { inward: n, depth: 0.0 }.cut(polygon, reach);
 }
 
 /// Largest distance of corners from the point.
-pub(super) fn reach(polygon: &[DVec3]) -> f64 {
+pub(crate) fn reach(polygon: &[DVec3]) -> f64 {
     let longer =
         |longest: f64, a: &DVec3| if a.length_squared() > longest { a.length_squared() } else { longest };
     polygon.iter().fold(0.0, longer).sqrt()
@@ -162,7 +162,7 @@ impl Pyramid {
 
     /// What lies within the planes through `x` and each of `sides`, on the side of `middle`, and beyond each of the planes
     /// of `beyond`, given by unit normals away from x and distances from it.
-    pub(super) fn bounded(
+    pub(crate) fn bounded(
         x: DVec3,
         middle: DVec3,
         sides: impl Iterator<Item = [DVec3; 2]>,
@@ -179,7 +179,7 @@ impl Pyramid {
     }
 
     /// Whether one of its planes has all of a ball outside.
-    pub(super) fn misses(&self, ball: &Ball) -> bool {
+    pub(crate) fn misses(&self, ball: &Ball) -> bool {
         let middle = ball.center() - self.eye;
         self.planes.iter().any(|plane| plane.height(middle) <= -ball.radius())
     }
@@ -243,12 +243,12 @@ impl Pyramid {
     }
 
     /// The same of points as seen from the eye.
-    pub(super) fn cover_seen(&self, points: &[DVec3]) -> Cover {
+    pub(crate) fn cover_seen(&self, points: &[DVec3]) -> Cover {
         self.cover_within(points, reach(points))
     }
 
     /// The same of points no farther from the eye than `reach`.
-    pub(super) fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
+    pub(crate) fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
         cover_by(self.planes.iter(), points, reach)
     }
 
@@ -274,19 +274,19 @@ impl Pyramid {
     }
 
     /// The point at its tip.
-    pub(super) fn eye(&self) -> DVec3 {
+    pub(crate) fn eye(&self) -> DVec3 {
         self.eye
     }
 
     /// What it hides of a convex polygon seen from the eye.
-    pub(super) fn hidden_part(&self, polygon: &[DVec3]) -> Corners {
+    pub(crate) fn hidden_part(&self, polygon: &[DVec3]) -> Corners {
         let (mut hidden, reach) = (Corners::from_slice(polygon), reach(polygon));
         self.planes.iter().for_each(|plane| plane.cut(&mut hidden, reach));
         hidden
     }
 
     /// What it hides of such a polygon; what it leaves is added to `parts`, as convex polygons.
-    pub(super) fn divide(&self, polygon: &[DVec3], parts: &mut Vec<Corners>) -> Corners {
+    pub(crate) fn divide(&self, polygon: &[DVec3], parts: &mut Vec<Corners>) -> Corners {
         let mut inside = Corners::from_slice(polygon);
         let reach = reach(polygon);
         for plane in &self.planes {

@@ -7,7 +7,7 @@ use smallvec::smallvec;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
-use crate::view::cell::{Cell, POINTS};
+use crate::light::hierarchy::cell::{Cell, POINTS};
 
 /// Levels of quarters below the patches of an element.
 const DEEPEST: usize = 4;

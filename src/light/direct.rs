@@ -4,21 +4,21 @@
 //! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y
 //! ```
 //!
-//! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::visibility::exact`]) for planar emitters
-//! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::view`] are refined until D is good
+//! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::irradiance::visible_polygon`]) for planar emitters
+//! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::light`] are refined until D is good
 //! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole (`lamp`).
 
 use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
-use crate::coating::Coating;
 use crate::elements::Element;
-use crate::view::lamp::Lamp;
-use crate::view::surroundings::{Site, Surroundings};
-use crate::view::tree::Tree;
-use crate::view::vantage::Vantage;
-use crate::view::walk::Walk;
+use crate::elements::coating::Coating;
+use crate::light::area_light::Lamp;
+use crate::light::hierarchy::tree::Tree;
+use crate::light::occluders::{Site, Surroundings};
+use crate::light::receiver_point::Vantage;
+use crate::light::traversal::Walk;
 use crate::visibility::Visibility;
 
 /// Error of the sampled light, about, relative to what all emitters would send with nothing between.

@@ -27,11 +27,11 @@ use rayon::prelude::*;
 
 use crate::elements::patch::Node;
 use crate::gather::Gather;
+use crate::light::occluders::Site;
+use crate::light::receiver_point::Vantage;
 use crate::scene::Scene;
 use crate::solution::{Place, Solution};
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
-use crate::view::surroundings::Site;
-use crate::view::vantage::Vantage;
 use crate::visibility::Visibility;
 
 /// Points in all, and the fewest on a patch.

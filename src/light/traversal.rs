@@ -1,20 +1,21 @@
 //! The walk from a point over the cells of elements.
 
-mod estimate;
+mod cell_rule;
 
 use std::f64::consts::PI;
 
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use crate::view::cell::{Cell, POINTS};
-use crate::view::facets::Facets;
-use crate::view::lamp::{Lamp, irradiance};
-use crate::view::shadows::{Before, Shadows};
-use crate::view::strips::Strips;
-use crate::view::surroundings::Surroundings;
-use crate::view::tree::Tree;
-use crate::view::vantage::Vantage;
+use crate::light::area_light::{Lamp, irradiance};
+use crate::light::blockers::Before;
+use crate::light::blockers::Shadows;
+use crate::light::hierarchy::cell::{Cell, POINTS};
+use crate::light::hierarchy::tree::Tree;
+use crate::light::lines::hidden_spans::Facets;
+use crate::light::lines::line_quadrature::Strips;
+use crate::light::occluders::Surroundings;
+use crate::light::receiver_point::Vantage;
 use crate::visibility::Visibility;
 
 /// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was, and of one of the surface

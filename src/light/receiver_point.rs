@@ -2,9 +2,9 @@
 
 use radiosity_geom::{DVec3, clip_polygon};
 
-use crate::view::surroundings::Site;
-use crate::visibility::exact::visible_irradiance;
-use crate::visibility::pyramid::Pyramid;
+use crate::irradiance::visible_polygon::visible_irradiance;
+use crate::light::occluders::Site;
+use crate::visibility::shadow_volume::Pyramid;
 
 /// Heights below this part of the distance count as on the horizon.
 const ON_HORIZON: f64 = 1e-12;

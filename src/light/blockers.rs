@@ -5,14 +5,14 @@ use std::ops::Range;
 use radiosity_geom::{Aabb, DVec3, separated};
 use smallvec::{SmallVec, smallvec};
 
-use crate::view::cell::Cell;
-use crate::view::facets::Facets;
-use crate::view::lamp::Lamp;
-use crate::view::screen::Screen;
-use crate::view::surroundings::Surroundings;
-use crate::view::vantage::Vantage;
+use crate::light::area_light::Lamp;
+use crate::light::hierarchy::cell::Cell;
+use crate::light::lines::hidden_spans::Facets;
+use crate::light::lines::projection::Screen;
+use crate::light::occluders::Surroundings;
+use crate::light::receiver_point::Vantage;
 use crate::visibility::Visibility;
-use crate::visibility::pyramid::{Cover, Pyramid};
+use crate::visibility::shadow_volume::{Cover, Pyramid};
 
 /// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
 const ENDS: f64 = 1e-9;

@@ -5,17 +5,17 @@
 //! ```
 //!
 //! with L the irradiance that arrives at y, as it is there and not as polynomials would have it. The reflected
-//! radiosity is tabulated once per element, and summed over from each point ([`crate::view`]).
+//! radiosity is tabulated once per element, and summed over from each point ([`crate::light`]).
 
 use rayon::prelude::*;
 
-use crate::coating::Coating;
 use crate::elements::Element;
+use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
-use crate::view::surroundings::{Site, Surroundings};
-use crate::view::tree::Tree;
-use crate::view::vantage::Vantage;
-use crate::view::walk::Walk;
+use crate::light::hierarchy::tree::Tree;
+use crate::light::occluders::{Site, Surroundings};
+use crate::light::receiver_point::Vantage;
+use crate::light::traversal::Walk;
 use crate::visibility::Visibility;
 
 /// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.

@@ -2,7 +2,7 @@
 //!
 //! A planar piece hides an interval of a line. Of a curved blocker each quad of its net meets the plane through the eye and
 //! the line in a segment, which hides an interval; the intervals of all quads are put together, and only the ends of what
-//! is left are corrected from the net to the surface itself ([`super::silhouette`]). The correction is what counts for the
+//! is left are corrected from the net to the surface itself ([`crate::light::lines::silhouette`]). The correction is what counts for the
 //! result: the net only has to find the outline.
 
 use std::borrow::Cow;
@@ -10,10 +10,10 @@ use std::borrow::Cow;
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::{SmallVec, smallvec};
 
-use crate::view::screen::{Screen, TOUCHING};
-use crate::view::silhouette::{Crossing, outline};
-use crate::visibility::net::{Net, Quad, Region};
-use crate::visibility::pyramid::Pyramid;
+use crate::light::lines::projection::{Screen, TOUCHING};
+use crate::light::lines::silhouette::{Crossing, outline};
+use crate::visibility::shadow_volume::Pyramid;
+use crate::visibility::silhouette_mesh::{Net, Quad, Region};
 
 /// Gaps and overlaps of this part of the screen are none.
 const NONE: f64 = 1e-9;

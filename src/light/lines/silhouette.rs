@@ -17,8 +17,8 @@
 
 use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 
-use crate::view::screen::Screen;
-use crate::visibility::net::Quad;
+use crate::light::lines::projection::Screen;
+use crate::visibility::silhouette_mesh::Quad;
 
 /// Steps towards a border and, at the most, towards a silhouette.
 const BORDER_STEPS: usize = 2;

@@ -14,14 +14,15 @@
 
 use rayon::prelude::*;
 
-use crate::coating::Coating;
-use crate::direct::DirectLight;
 use crate::elements::Element;
+use crate::elements::coating::Coating;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::reflection::{self, Lit, Reflection};
-use crate::view::surroundings::Site;
-use crate::view::vantage::Vantage;
+use crate::light::direct::DirectLight;
+use crate::light::occluders::Site;
+use crate::light::receiver_point::Vantage;
+use crate::light::reflected;
+use crate::light::reflected::{Lit, Reflection};
 use crate::visibility::Visibility;
 
 /// Halvings of a patch in each direction for D and for g; a patch that is a small part of its element takes fewer for g.
@@ -80,7 +81,7 @@ fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> V
         let reflectances = elements.iter().zip(&coating.reflectance);
         let reflectances =
             reflectances.flat_map(|(element, rho)| std::iter::repeat_n(rho, element.constant.len()));
-        reflection::scale(elements, reflectances.zip(direct).map(|(rho, d)| rho * d))
+        reflected::scale(elements, reflectances.zip(direct).map(|(rho, d)| rho * d))
     };
     coatings.iter().zip(direct).map(mean).collect()
 }

@@ -6,7 +6,7 @@
 use radiosity_geom::{Aabb, DVec3};
 
 use crate::elements::Element;
-use crate::view::tree::Tree;
+use crate::light::hierarchy::tree::Tree;
 use crate::visibility::Visibility;
 
 /// Heights below this part of the distance count as none.

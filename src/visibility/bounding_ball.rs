@@ -2,7 +2,7 @@
 
 use radiosity_geom::{Aabb, DVec3};
 
-use super::rim::sides;
+use crate::visibility::blocker_edges::sides;
 
 /// Distances are taken for smaller by this part of the lengths they are computed from, against rounding.
 const ROUNDING: f64 = 1e-12;

@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::visibility::pyramid::Quad;
+use crate::visibility::shadow_volume::Quad;
 
 /// Length over breadth above which a curved cell is only cut across.
 const LONG: f64 = 2.0;

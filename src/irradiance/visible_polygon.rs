@@ -14,9 +14,9 @@
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use super::ball::Ball;
-use super::lambert;
-use super::pyramid::{Corners, Cover, Pyramid, cut_at_horizon, reach};
+use crate::irradiance::lambert;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::{Corners, Cover, Pyramid, cut_at_horizon, reach};
 
 /// Overlapping blockers up to which what they hide in common is subtracted and added.
 const FEW: usize = 4;

@@ -68,7 +68,7 @@ fn row_start(text: &[u8], from: usize) -> usize {
 
 #[cfg(test)]
 mod tests {
-    use super::rows;
+    use crate::scene::csv_rows::rows;
 
     #[test]
     fn rows_start_after_comments_and_blank_lines() {

@@ -20,10 +20,10 @@ use std::f64::consts::TAU;
 
 use radiosity_geom::{DVec2, DVec3, Surface};
 
-use crate::view::screen::Screen;
+use crate::irradiance::lambert;
+use crate::light::lines::projection::Screen;
 use crate::visibility::Visibility;
-use crate::visibility::lambert;
-use crate::visibility::net::{Knot, Net};
+use crate::visibility::silhouette_mesh::{Knot, Net};
 
 /// Steps towards a silhouette on the edge of a quad.
 const STEPS: usize = 2;

@@ -11,20 +11,21 @@
 //!
 //! A straight cell, as of a tube along its axis, that is seen from before all of it counts as flat unless blockers are curved. A
 //! cell of a ball's inside that a point of the ball sees past nothing has a constant kernel. What can send no more than the
-//! tolerance is left to its points. Errors of clear cells are those of [`crate::view`]; the constants are measured.
+//! tolerance is left to its points. Errors of clear cells are those of [`crate::light`]; the constants are measured.
 
 use std::f64::consts::{FRAC_1_PI, PI};
 use std::iter;
 
 use radiosity_geom::DVec3;
 
-use super::{Pass, Walk};
 use crate::elements::patch::Node;
+use crate::light::blockers::Before;
+use crate::light::hierarchy::cell::{Cell, POINTS};
+use crate::light::lines::line_quadrature::Strips;
+use crate::light::receiver_point::Vantage;
+use crate::light::traversal::Pass;
+use crate::light::traversal::Walk;
 use crate::transport::kernel;
-use crate::view::cell::{Cell, POINTS};
-use crate::view::shadows::Before;
-use crate::view::strips::Strips;
-use crate::view::vantage::Vantage;
 
 /// Cosine between the normals of a cell below which it is divided before anything is told of it.
 const STRAIGHT: f64 = 0.7;

@@ -1,6 +1,6 @@
 //! Convergence: one scene solved at rising orders, and on meshes with more and more layers; how its error falls.
 //!
-//! The error of a run is its [distance](crate::distance) from a reference; without one, from the finest run, whose own
+//! The error of a run is its [distance](crate::studies::error_norm) from a reference; without one, from the finest run, whose own
 //! error is then unknown and, as long as errors fall, part of what every other run is said to miss. Between two runs of
 //! n and n′ unknowns on the same number of layers the rate is
 //!
@@ -10,11 +10,11 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::distance::distance;
 use crate::elements::cells::Layers;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
+use crate::studies::error_norm::distance;
 
 /// One solved discretisation.
 #[derive(Clone, Debug, PartialEq)]

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with N_k the bilinear functions of the cell's 2 × 2 points. Along a line the visible parts are known
-//! ([`super::facets`]), and κ is integrated over each by Gauss's rule. Across the lines the integrand is continuous, with
+//! ([`crate::light::lines::hidden_spans`]), and κ is integrated over each by Gauss's rule. Across the lines the integrand is continuous, with
 //! bends where the outline meets the border of the cell and roots where it touches a line: Simpson's rule on halves of
 //! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
 //! that one sees all and another nothing, lines of the other direction are taken. So they are before a whole lamp of which
@@ -16,8 +16,8 @@ use std::f64::consts::PI;
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-use crate::view::facets::Facets;
-use crate::view::vantage::Vantage;
+use crate::light::lines::hidden_spans::Facets;
+use crate::light::receiver_point::Vantage;
 
 /// Gauss points on a visible part of a line.
 const POINTS: usize = 3;

@@ -1,0 +1,4 @@
+//! Elements as trees of cells.
+
+pub(crate) mod cell;
+pub(crate) mod tree;
