@@ -13,8 +13,8 @@ pub mod spot;
 
 use crate::elements::patch::Node;
 use crate::light::direct::DirectLight;
-use crate::light::occluders::{Site, Surroundings};
-use crate::light::receiver_point::Vantage;
+use crate::light::occluders::{Occluders, Site};
+use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected;
 use crate::light::reflected::Reflection;
 use crate::solution::{Band, Place, Solution};
@@ -34,9 +34,9 @@ pub struct Gather<'a> {
 #[derive(Clone, Debug)]
 pub struct Company {
     /// And emitters.
-    pub direct: Surroundings,
+    pub direct: Occluders,
     /// And reflecting elements.
-    pub indirect: Surroundings,
+    pub indirect: Occluders,
 }
 
 impl<'a> Gather<'a> {
@@ -58,10 +58,10 @@ impl<'a> Gather<'a> {
     pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
         let (list, coatings) = (solution.elements().list(), solution.coatings());
-        let around: Vec<Surroundings> =
+        let around: Vec<Occluders> =
             list.iter().map(|element| reflection.around(&Site::of(element))).collect();
         let lit = |element: usize, node: &Node| {
-            let vantage = Vantage::on(list[element].surface, node.position, node.normal);
+            let vantage = ReceiverPoint::on(list[element].surface, node.position, node.normal);
             let lit = direct.at(element, node.position, node.normal);
             let indirect = reflection.irradiance(&vantage, &around[element], &lit);
             lit.iter().zip(indirect).map(|(d, s)| d + s).collect()
@@ -87,14 +87,14 @@ impl<'a> Gather<'a> {
     }
 
     /// Irradiance (W m⁻²) per band at a point of a site.
-    pub fn irradiance(&self, vantage: &Vantage, company: &Company) -> Vec<f64> {
+    pub fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
         let direct = self.direct.irradiance(vantage, &company.direct);
         let indirect = self.reflection.irradiance(vantage, &company.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
     }
 
     /// Irradiance (W m⁻²) per band at a point on its own.
-    pub fn at(&self, vantage: &Vantage) -> Vec<f64> {
+    pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
         self.irradiance(vantage, &self.around(&vantage.site()))
     }
 }

@@ -5,7 +5,7 @@ use std::sync::OnceLock;
 use radiosity_geom::DVec3;
 
 use crate::gather::Gather;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::scene::Scene;
 use crate::solution::Place;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
@@ -74,7 +74,7 @@ impl Solved {
     /// [`Gather`].
     pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
         let gather = Gather::new(&self.outcome.solution, self.visibility(), AT_A_POINT);
-        gather.at(&Vantage::free(position, normal))
+        gather.at(&ReceiverPoint::free(position, normal))
     }
 
     /// Radiosity per band (the unit of exitance) of the polynomials at the parameters (u, v) of a surface; None inside its holes.

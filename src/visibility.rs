@@ -24,7 +24,7 @@ use bounding_ball::Ball;
 use convex_bodies::{Bodies, Face};
 pub use mode::{Hiding, Shadows};
 use obstacle::{Bend, END, Obstacle};
-use silhouette_mesh::Net;
+use silhouette_mesh::SilhouetteMesh;
 
 /// A segment may touch the surfaces that its ends lie on within this part of its length.
 const OWN_END: f64 = 1e-6;
@@ -232,9 +232,9 @@ impl Visibility {
     }
 
     /// A net over a surface.
-    pub fn net(&self, surface: usize) -> &Net {
+    pub fn net(&self, surface: usize) -> &SilhouetteMesh {
         let Obstacle { shape, net, .. } = &self.obstacles[surface];
-        net.get_or_init(|| Net::new(shape))
+        net.get_or_init(|| SilhouetteMesh::new(shape))
     }
 
     /// Whether any surface of the scene may stand between any two others.

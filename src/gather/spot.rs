@@ -7,7 +7,7 @@
 use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
 
 use crate::elements::Elements;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::Place;
 use crate::visibility::Visibility;
 
@@ -71,9 +71,9 @@ impl Spot {
     }
 
     /// As a receiver along the unit normal `n`.
-    pub fn vantage(&self, n: DVec3) -> Vantage {
+    pub fn vantage(&self, n: DVec3) -> ReceiverPoint {
         let ground = (n != self.normal).then_some(self.normal);
-        Vantage { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
+        ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
     /// The spot at these parameters, moved by `step`: `away` from what else touches it, or else inwards.

@@ -21,9 +21,9 @@ use std::f64::consts::TAU;
 use radiosity_geom::{DVec2, DVec3, Surface};
 
 use crate::irradiance::lambert;
-use crate::light::lines::projection::Screen;
+use crate::light::lines::projection::ProjectionPlane;
 use crate::visibility::Visibility;
-use crate::visibility::silhouette_mesh::{Knot, Net};
+use crate::visibility::silhouette_mesh::{Knot, SilhouetteMesh};
 
 /// Steps towards a silhouette on the edge of a quad.
 const STEPS: usize = 2;
@@ -46,8 +46,8 @@ pub(crate) type Side = [DVec3; 2];
 
 /// A luminous surface.
 #[derive(Debug)]
-pub(crate) struct Lamp<'a> {
-    net: &'a Net,
+pub(crate) struct AreaLight<'a> {
+    net: &'a SilhouetteMesh,
     /// Corners of the quads of its net.
     quads: Vec<[Knot; 4]>,
     /// Indices of the surfaces that close it and hide nothing of it, ascending.
@@ -58,7 +58,7 @@ pub(crate) struct Lamp<'a> {
     pub radius: f64,
 }
 
-impl<'a> Lamp<'a> {
+impl<'a> AreaLight<'a> {
     /// A surface; None where it is a polygon, may hide itself, or has other things than lids around.
     pub(crate) fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
         if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
@@ -166,7 +166,7 @@ impl<'a> Lamp<'a> {
 
     /// A rectangle that it touches from behind, square to what faces `eye` or else to the view, whose lines run along it, with
     /// its outline `sides` there. None where the eye is too near.
-    pub(crate) fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(Screen, Vec<[[f64; 2]; 2]>)> {
+    pub(crate) fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
         let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
         let towards = (self.center - eye).normalize_or_zero();
@@ -191,7 +191,7 @@ impl<'a> Lamp<'a> {
         let rectangle = [corner(left, low), corner(right, low), corner(right, high), corner(left, high)];
         let place = |[s, t]: [f64; 2]| [(s - left) / (right - left), (t - low) / (high - low)];
         let spots = spots.into_iter().map(|side| side.map(place)).collect();
-        Some((Screen::new(eye, &rectangle, &rectangle)?, spots))
+        Some((ProjectionPlane::new(eye, &rectangle, &rectangle)?, spots))
     }
 
     /// Distance from the eye to the plane across `inward` that touches it, if all of its outline lies well beyond the eye.

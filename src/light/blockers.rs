@@ -5,12 +5,12 @@ use std::ops::Range;
 use radiosity_geom::{Aabb, DVec3, separated};
 use smallvec::{SmallVec, smallvec};
 
-use crate::light::area_light::Lamp;
+use crate::light::area_light::AreaLight;
 use crate::light::hierarchy::cell::Cell;
-use crate::light::lines::hidden_spans::Facets;
-use crate::light::lines::projection::Screen;
-use crate::light::occluders::Surroundings;
-use crate::light::receiver_point::Vantage;
+use crate::light::lines::hidden_spans::HiddenSpans;
+use crate::light::lines::projection::ProjectionPlane;
+use crate::light::occluders::Occluders;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::visibility::Visibility;
 use crate::visibility::shadow_volume::{Cover, Pyramid};
 
@@ -20,9 +20,9 @@ const OWN_ENDS: f64 = 1e-6;
 
 /// The obstacles around a vantage point, as it sees them.
 pub(crate) struct Shadows<'a> {
-    vantage: &'a Vantage,
+    vantage: &'a ReceiverPoint,
     visibility: &'a Visibility,
-    surroundings: &'a Surroundings,
+    surroundings: &'a Occluders,
     blockers: Vec<Blocker>,
     /// The blockers of each obstacle of the surroundings, once they were asked for.
     of_obstacle: SmallVec<[Option<Range<usize>>; 8]>,
@@ -55,9 +55,9 @@ impl Before {
 impl<'a> Shadows<'a> {
     /// Of `vantage`, a point of the site that `surroundings` belong to.
     pub(crate) fn new(
-        vantage: &'a Vantage,
+        vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,
-        surroundings: &'a Surroundings,
+        surroundings: &'a Occluders,
     ) -> Self {
         let of_obstacle = smallvec![None; surroundings.obstacles.len()];
         Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
@@ -114,8 +114,8 @@ impl<'a> Shadows<'a> {
     /// a flat one hides all of its screen.
     pub(crate) fn before_lamp(
         &self,
-        lamp: &Lamp,
-        screen: &Screen,
+        lamp: &AreaLight,
+        screen: &ProjectionPlane,
         places: &[usize],
     ) -> Option<(Vec<Pyramid>, Vec<usize>)> {
         let corners: Vec<DVec3> = screen.outline.iter().map(|[s, t]| screen.at(*s, *t)).collect();
@@ -144,7 +144,7 @@ impl<'a> Shadows<'a> {
     }
 
     /// Whether an obstacle of those given by their places hides the middle of a lamp.
-    pub(crate) fn hide_lamp(&self, lamp: &Lamp, places: &[usize]) -> bool {
+    pub(crate) fn hide_lamp(&self, lamp: &AreaLight, places: &[usize]) -> bool {
         let x = self.vantage.position;
         places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
             let faces = self.visibility.faces(surface);
@@ -159,8 +159,8 @@ impl<'a> Shadows<'a> {
     }
 
     /// Puts a curved blocker before what `facets` stands for, a piece of that blocker itself where `is_own`.
-    pub(crate) fn add_curved(&self, facets: &mut Facets<'a>, other: usize, is_own: bool) {
-        let Vantage { normal, ground, surface, .. } = *self.vantage;
+    pub(crate) fn add_curved(&self, facets: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
+        let ReceiverPoint { normal, ground, surface, .. } = *self.vantage;
         let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
         facets.add_curved(self.visibility.net(other), ground, is_own);
     }
@@ -208,8 +208,8 @@ impl<'a> Shadows<'a> {
         polygon: &[DVec3],
         hull: &[DVec3],
         curved: Option<usize>,
-    ) -> Option<Facets<'_>> {
-        let mut facets = Facets::new(Screen::new(self.vantage.position, polygon, hull)?);
+    ) -> Option<HiddenSpans<'_>> {
+        let mut facets = HiddenSpans::new(ProjectionPlane::new(self.vantage.position, polygon, hull)?);
         for blocker in self.of(before) {
             match blocker {
                 Blocker::Flat(pyramid) => facets.add_flat(pyramid),

@@ -14,11 +14,11 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
-use crate::light::area_light::Lamp;
+use crate::light::area_light::AreaLight;
 use crate::light::hierarchy::tree::Tree;
-use crate::light::occluders::{Site, Surroundings};
-use crate::light::receiver_point::Vantage;
-use crate::light::traversal::Walk;
+use crate::light::occluders::{Occluders, Site};
+use crate::light::receiver_point::ReceiverPoint;
+use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
 
 /// Error of the sampled light, about, relative to what all emitters would send with nothing between.
@@ -42,9 +42,9 @@ pub struct DirectLight<'a> {
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
     /// Those of the emitters that may be taken as a whole.
-    lamps: Vec<Option<Lamp<'a>>>,
+    lamps: Vec<Option<AreaLight<'a>>>,
     /// Per receiving element.
-    surroundings: Vec<Surroundings>,
+    surroundings: Vec<Occluders>,
     bands: usize,
     eps: f64,
 }
@@ -82,7 +82,7 @@ impl<'a> DirectLight<'a> {
         let is_whole = |element: &Element| element.rect == Rect::FULL && element.contact.is_none();
         let lamp = |Emitter { element, .. }: &Emitter| {
             let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
-            Lamp::new(visibility, element.surface)
+            AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
         let mut light =
@@ -99,7 +99,7 @@ impl<'a> DirectLight<'a> {
     /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
     /// exitance.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
-        let vantage = Vantage::on(self.elements[receiver].surface, x, n);
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
         let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
         self.emitters().zip(factors).collect()
     }
@@ -111,13 +111,13 @@ impl<'a> DirectLight<'a> {
 
     /// The same where `other` light (W m⁻², per band) arrives as well: errors are judged against both.
     pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
-        let vantage = Vantage::on(self.elements[receiver].surface, x, n);
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
         self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
     /// What may stand between the emitters and a site.
-    pub fn around(&self, site: &Site) -> Surroundings {
-        let surroundings = Surroundings::new(self.visibility, &self.trees, site);
+    pub fn around(&self, site: &Site) -> Occluders {
+        let surroundings = Occluders::new(self.visibility, &self.trees, site);
         if surroundings.obstacles.len() > FEW {
             return surroundings;
         }
@@ -127,7 +127,7 @@ impl<'a> DirectLight<'a> {
     }
 
     /// Whether light arrives at a site without shadows and from so far that it varies little more than linearly there.
-    pub fn is_smooth(&self, site: &Site, surroundings: &Surroundings) -> bool {
+    pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
@@ -137,11 +137,16 @@ impl<'a> DirectLight<'a> {
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
-    pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings) -> Vec<f64> {
+    pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders) -> Vec<f64> {
         self.irradiance_beside(vantage, surroundings, &[])
     }
 
-    fn irradiance_beside(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
+    fn irradiance_beside(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        other: &[f64],
+    ) -> Vec<f64> {
         let other = other.iter().map(|other| other.max(0.0)).sum();
         let mut sums = vec![0.0; self.bands];
         for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
@@ -151,9 +156,9 @@ impl<'a> DirectLight<'a> {
     }
 
     /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
-    fn from(&self, vantage: &Vantage, surroundings: &Surroundings, other: f64) -> SmallVec<[f64; 4]> {
-        let mut walk = Walk::new(vantage, self.visibility, surroundings);
-        let add = |walk: &mut Walk, index: usize, tolerance: f64, factor: &mut [f64]| {
+    fn from(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
+        let mut walk = Traversal::new(vantage, self.visibility, surroundings);
+        let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {
             let tree = &self.trees[index];
             let lamp = self.lamps[index].as_ref();
             match lamp.and_then(|lamp| walk.lamp(index, lamp, 1.0 / tree.scale()[0], tolerance)) {
@@ -169,6 +174,6 @@ impl<'a> DirectLight<'a> {
         }
         let level =
             |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
-        walk.to_share(&self.trees, [PER_CELL * self.eps, other], add, level).into()
+        walk.within_share(&self.trees, [PER_CELL * self.eps, other], add, level).into()
     }
 }

@@ -20,7 +20,7 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::Site;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected;
 use crate::light::reflected::{Lit, Reflection};
 use crate::visibility::Visibility;
@@ -112,7 +112,7 @@ fn of_reflected(
             let site = Site { points: &cell.hull(), ..Site::of(element) };
             let around = reflection.around(&site);
             sums.add(&cell, points, |node| {
-                let vantage = Vantage::on(element.surface, node.position, node.normal);
+                let vantage = ReceiverPoint::on(element.surface, node.position, node.normal);
                 reflection.irradiance(&vantage, &around, &lit(index, node))
             });
         }

@@ -33,7 +33,7 @@ impl<'a> Site<'a> {
 
 /// The obstacles between a site and each of some elements.
 #[derive(Clone, Debug)]
-pub struct Surroundings {
+pub struct Occluders {
     /// Indices of all surfaces that may stand anywhere between, ascending.
     pub obstacles: Vec<usize>,
     /// Places in `obstacles`, element after element.
@@ -42,7 +42,7 @@ pub struct Surroundings {
     ranges: Vec<Option<(usize, usize)>>,
 }
 
-impl Surroundings {
+impl Occluders {
     /// Of a site.
     pub fn new(visibility: &Visibility, trees: &[Tree], site: &Site) -> Self {
         let Site { points: site, horizon, surface } = *site;

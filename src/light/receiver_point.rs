@@ -11,7 +11,7 @@ const ON_HORIZON: f64 = 1e-12;
 
 /// A point that receives light along a normal, and the surface that bounds what it sees.
 #[derive(Clone, Copy, Debug)]
-pub struct Vantage {
+pub struct ReceiverPoint {
     /// The point.
     pub position: DVec3,
     /// Unit normal of the receiver: E counts cosines against it.
@@ -22,7 +22,7 @@ pub struct Vantage {
     pub surface: Option<usize>,
 }
 
-impl Vantage {
+impl ReceiverPoint {
     /// A point in the open.
     pub fn free(position: DVec3, normal: DVec3) -> Self {
         Self { position, normal, ground: None, surface: None }

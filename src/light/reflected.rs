@@ -13,9 +13,9 @@ use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::tree::Tree;
-use crate::light::occluders::{Site, Surroundings};
-use crate::light::receiver_point::Vantage;
-use crate::light::traversal::Walk;
+use crate::light::occluders::{Occluders, Site};
+use crate::light::receiver_point::ReceiverPoint;
+use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
 
 /// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
@@ -69,19 +69,19 @@ impl<'a> Reflection<'a> {
     }
 
     /// What may stand between a site and the reflecting elements.
-    pub fn around(&self, site: &Site) -> Surroundings {
-        Surroundings::new(self.visibility, &self.trees, site)
+    pub fn around(&self, site: &Site) -> Occluders {
+        Occluders::new(self.visibility, &self.trees, site)
     }
 
     /// Irradiance (W m⁻²) per band at a point of a site; `other` light is known to arrive there as well, and errors are
     /// judged against both.
-    pub fn irradiance(&self, vantage: &Vantage, surroundings: &Surroundings, other: &[f64]) -> Vec<f64> {
-        let mut walk = Walk::new(vantage, self.visibility, surroundings);
+    pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
+        let mut walk = Traversal::new(vantage, self.visibility, surroundings);
         let shares = [PER_CELL * self.eps, self.relative(other)];
-        let add = |walk: &mut Walk, index: usize, tolerance: f64, out: &mut [f64]| {
+        let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
             walk.add(index, &self.trees[index], tolerance, out);
         };
-        let parts = walk.to_share(&self.trees, shares, add, |parts| self.relative(&self.sum(parts)));
+        let parts = walk.within_share(&self.trees, shares, add, |parts| self.relative(&self.sum(parts)));
         self.sum(&parts)
     }
 

@@ -7,15 +7,15 @@ use std::f64::consts::PI;
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use crate::light::area_light::{Lamp, irradiance};
+use crate::light::area_light::{AreaLight, irradiance};
 use crate::light::blockers::Before;
 use crate::light::blockers::Shadows;
 use crate::light::hierarchy::cell::{Cell, POINTS};
 use crate::light::hierarchy::tree::Tree;
-use crate::light::lines::hidden_spans::Facets;
-use crate::light::lines::line_quadrature::Strips;
-use crate::light::occluders::Surroundings;
-use crate::light::receiver_point::Vantage;
+use crate::light::lines::hidden_spans::HiddenSpans;
+use crate::light::lines::line_quadrature::LineQuadrature;
+use crate::light::occluders::Occluders;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::visibility::Visibility;
 
 /// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was, and of one of the surface
@@ -38,10 +38,10 @@ const LEAST: f64 = 0.05;
 const CLOSE: f64 = 2.0;
 
 /// What a vantage point sees of elements.
-pub(crate) struct Walk<'a> {
-    vantage: &'a Vantage,
+pub(crate) struct Traversal<'a> {
+    vantage: &'a ReceiverPoint,
     visibility: &'a Visibility,
-    surroundings: &'a Surroundings,
+    surroundings: &'a Occluders,
     shadows: Shadows<'a>,
     /// Largest error of a cell so far, in multiples of the scales.
     coarsest: f64,
@@ -62,12 +62,12 @@ struct Pass<'a> {
     out: &'a mut [f64],
 }
 
-impl<'a> Walk<'a> {
+impl<'a> Traversal<'a> {
     /// From `vantage`, a point of the site that `surroundings` belong to.
     pub(crate) fn new(
-        vantage: &'a Vantage,
+        vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,
-        surroundings: &'a Surroundings,
+        surroundings: &'a Occluders,
     ) -> Self {
         Self {
             vantage,
@@ -90,7 +90,7 @@ impl<'a> Walk<'a> {
     ///
     /// The irradiance is not known beforehand. Where it turns out to be much less than it might have been, trees are walked
     /// again, finer, of which cells were taken too coarsely for that.
-    pub(crate) fn to_share(
+    pub(crate) fn within_share(
         &mut self,
         trees: &[Tree],
         [share, other]: [f64; 2],
@@ -156,7 +156,13 @@ impl<'a> Walk<'a> {
 
     /// Irradiance from all of element `index`, a lamp of exitance 1, good to `tolerance` over its brightness `brightness`; None
     /// where it is too near to be taken as a whole.
-    pub(crate) fn lamp(&mut self, index: usize, lamp: &Lamp, brightness: f64, tolerance: f64) -> Option<f64> {
+    pub(crate) fn lamp(
+        &mut self,
+        index: usize,
+        lamp: &AreaLight,
+        brightness: f64,
+        tolerance: f64,
+    ) -> Option<f64> {
         let Some(places) = self.surroundings.before(index) else { return Some(0.0) };
         let (eye, normal) = (self.vantage.position, self.vantage.normal);
         if lamp.center.distance(eye) < CLOSE * lamp.radius {
@@ -176,14 +182,14 @@ impl<'a> Walk<'a> {
         }
         let (screen, lit) = lamp.screen(eye, &sides)?;
         let Some((flat, curved)) = self.shadows.before_lamp(lamp, &screen, places) else { return Some(0.0) };
-        let mut facets = Facets::before_lamp(screen, lit);
+        let mut facets = HiddenSpans::before_lamp(screen, lit);
         flat.iter().for_each(|pyramid| facets.add_flat(pyramid));
         curved.iter().for_each(|surface| self.shadows.add_curved(&mut facets, *surface, false));
         if facets.is_empty() && is_whole {
             return Some(whole);
         }
         self.coarsest = self.coarsest.max(tolerance);
-        let [seen, all] = Strips::of_lamp(self.vantage, &facets).irradiances(error);
+        let [seen, all] = LineQuadrature::of_lamp(self.vantage, &facets).irradiances(error);
         Some(if is_whole && all > 0.0 { whole * seen / all } else { seen })
     }
 
@@ -219,7 +225,7 @@ impl<'a> Walk<'a> {
     /// The kernel between any two points of the inside of a ball, of which `surface` is the whole, if the point is one.
     fn dome(&self, surface: usize) -> Option<f64> {
         let (center, radius) = self.visibility.whole_dome(surface)?;
-        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
         let is_inward = (center - position).distance(radius * normal) <= ON_DOME * radius;
         (ground.is_none() && is_inward).then_some(1.0 / (4.0 * PI * radius * radius))
     }

@@ -21,7 +21,7 @@ use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::Site;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected::Reflection;
 use crate::output::reader::{Light, Reader};
 use crate::solution::Place;
@@ -189,8 +189,9 @@ fn lit(
     let site = Site { points: &hull, horizon, surface: Some(surface) };
     let surroundings = direct.around(&site);
     let points = if direct.is_smooth(&site, &surroundings) { points.min(SMOOTH) } else { points };
-    let value =
-        |node: &Node| direct.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings);
+    let value = |node: &Node| {
+        direct.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings)
+    };
     mean(patch, points, value)
 }
 
@@ -205,7 +206,7 @@ fn gathered(
 ) -> Vec<f64> {
     let surroundings = reflection.around(&Site { points: &patch.hull(), horizon, surface: Some(surface) });
     mean(patch, points, |node| {
-        reflection.irradiance(&Vantage::on(surface, node.position, node.normal), &surroundings, lit)
+        reflection.irradiance(&ReceiverPoint::on(surface, node.position, node.normal), &surroundings, lit)
     })
 }
 

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::gather::spot::Spot;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::output::reader::{Light, Reader};
 
 /// Cosine between a probe's normal and its surface's from which on they count as the same where only polynomials are
@@ -83,7 +83,7 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
     let spot = Spot::find(elements, reader.visibility(), position, normal);
     let along_surface = |spot: &Spot| reader.irradiance(spot.element, &spot.place, spot.normal);
     let (irradiance, on) = match (reader.light(), spot) {
-        (Light::Gather(gather), None) => (gather.at(&Vantage::free(position, normal)), None),
+        (Light::Gather(gather), None) => (gather.at(&ReceiverPoint::free(position, normal)), None),
         (_, None) => return Err(ProbeFault::OffSurface),
         (Light::Gather(gather), Some(spot)) if spot.normal.dot(normal) < EQUAL_NORMAL => {
             (gather.at(&spot.vantage(normal)), Some(on(reader, &spot, &along_surface(&spot))))

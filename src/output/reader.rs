@@ -4,7 +4,7 @@ use radiosity_geom::DVec3;
 
 use crate::gather::Gather;
 use crate::light::direct::DirectLight;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
@@ -91,7 +91,7 @@ impl<'a> Reader<'a> {
                 let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s).collect()
             }
-            Light::Gather(gather) => gather.at(&Vantage::on(place.surface, place.position, normal)),
+            Light::Gather(gather) => gather.at(&ReceiverPoint::on(place.surface, place.position, normal)),
         }
     }
 }

@@ -27,10 +27,10 @@ use crate::transport::blocks::reciprocity::Reciprocity;
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
 use crate::transport::contact::sectors::sectors;
-use crate::transport::estimates::coarse::Rough;
-use crate::transport::estimates::entry_bounds::Reach;
-use crate::transport::estimates::probing_rays::{Hidden, Obstruction};
-use crate::transport::occlusion::outlines::shaded_block;
+use crate::transport::estimates::coarse::CoarseEstimate;
+use crate::transport::estimates::entry_bounds::EntryBounds;
+use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
+use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
@@ -106,9 +106,9 @@ pub fn assemble_pairs(
     let scene = Scene {
         list,
         panels: list.iter().map(Panel::of).collect(),
-        reaches: list.iter().map(Reach::of).collect(),
+        reaches: list.iter().map(EntryBounds::of).collect(),
         ranks: list.iter().map(Rank::of).collect(),
-        roughs: list.par_iter().map(Rough::of).collect(),
+        roughs: list.par_iter().map(CoarseEstimate::of).collect(),
         is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
         parts: list.par_iter().map(sectors).collect(),
         visibility,
@@ -395,7 +395,7 @@ impl Scene<'_> {
             false => self.curved_block(places, task, blockers, goal),
         };
         match goal.outlined {
-            Some(limit) => shaded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
+            Some(limit) => occluded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
             None if is_flat => self.hidden_block(places, task, goal).unwrap_or_else(|| block(&task.blockers)),
             None => block(&task.blockers),
         }
@@ -414,7 +414,7 @@ impl Scene<'_> {
             let parts = [&self.parts[row][..], &self.parts[column][..]];
             let surfaces = [receiver.surface, emitter.surface];
             let most = if is_told { enough } else { MOST_OWN_RAYS };
-            let met = Obstruction::between(parts, surfaces, [asked, &task.own], self.visibility, most);
+            let met = ProbingRays::between(parts, surfaces, [asked, &task.own], self.visibility, most);
             rays = met.rays;
             match (is_told && rays as f64 >= enough, met.hidden) {
                 (true, Hidden::All) => {

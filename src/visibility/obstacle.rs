@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use radiosity_geom::{DVec3, Jet, Rect, Surface};
 
 use crate::visibility::bounding_ball::Ball;
-use crate::visibility::silhouette_mesh::Net;
+use crate::visibility::silhouette_mesh::SilhouetteMesh;
 
 /// A segment may touch surfaces within this part of its length at both ends.
 pub(super) const END: f64 = 1e-9;
@@ -30,7 +30,7 @@ pub(super) struct Obstacle {
     /// Places and normals of a curved one, here and there.
     pub(super) looks: Vec<(DVec3, DVec3)>,
     /// Made when it is first asked for.
-    pub(super) net: OnceLock<Net>,
+    pub(super) net: OnceLock<SilhouetteMesh>,
 }
 
 impl Obstacle {

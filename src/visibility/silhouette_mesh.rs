@@ -31,7 +31,7 @@ const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 
 
 /// A surface as a net.
 #[derive(Debug)]
-pub struct Net {
+pub struct SilhouetteMesh {
     shape: Arc<dyn Surface>,
     nodes: Vec<Node>,
 }
@@ -80,7 +80,7 @@ pub trait Region {
     fn ground(&self) -> Option<(DVec3, f64)>;
 }
 
-impl Net {
+impl SilhouetteMesh {
     /// Of a surface.
     pub fn new(shape: &Arc<dyn Surface>) -> Self {
         let mut net = Self { shape: Arc::clone(shape), nodes: Vec::new() };

@@ -9,7 +9,7 @@ use radiosity::elements::{Discretization, Elements};
 use radiosity::gather::Gather;
 use radiosity::gather::spot::Spot;
 use radiosity::light::direct::DirectLight;
-use radiosity::light::receiver_point::Vantage;
+use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::{Material, Scene, SceneBuilder};
@@ -59,7 +59,7 @@ fn solution(scene: &Scene, total: f64, direct: f64) -> Solution {
 fn at(gather: &Gather, solution: &Solution, visibility: &Visibility, x: DVec3, n: DVec3) -> f64 {
     let vantage = match Spot::find(solution.elements(), visibility, x, n) {
         Some(spot) => spot.vantage(n),
-        None => Vantage::free(x, n),
+        None => ReceiverPoint::free(x, n),
     };
     gather.at(&vantage)[0]
 }
@@ -70,7 +70,7 @@ fn lit_at_origin(shapes: Shapes) -> f64 {
     let solution = solution(&scene, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
     let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
-    let vantage = Vantage::free(DVec3::ZERO, DVec3::Z);
+    let vantage = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
     direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
 }
 
@@ -118,13 +118,13 @@ fn the_poles_of_a_ball_see_what_the_rest_sees() {
     let gather = Gather::new(&solution, &visibility, EPS);
     for v in [0.0, 0.9, 0.999, 0.999_999, 1.0] {
         let jet = scene.surfaces[0].shape.jet(0.3, v);
-        let found = gather.at(&Vantage::on(0, jet.position, jet.normal))[0];
+        let found = gather.at(&ReceiverPoint::on(0, jet.position, jet.normal))[0];
         assert!((found / 2.0 - 1.0).abs() < EPS, "{found} at v = {v}");
         // Askew by ϑ the kernel is no constant, and (1 + cos ϑ)/2 of what the normal faces lies over the ground.
-        let askew = Vantage {
+        let askew = ReceiverPoint {
             normal: (jet.normal + 0.1 * DVec3::Y).normalize(),
             ground: Some(jet.normal),
-            ..Vantage::on(0, jet.position, jet.normal)
+            ..ReceiverPoint::on(0, jet.position, jet.normal)
         };
         let found = gather.at(&askew)[0];
         let exact = 1.0 + askew.normal.dot(jet.normal);

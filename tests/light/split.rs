@@ -1,7 +1,7 @@
 //! Direct light split off the polynomials: power, limits that both forms share, and where they are chosen.
 
 use radiosity::gather::Gather;
-use radiosity::light::receiver_point::Vantage;
+use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Outcome, solve};
 use radiosity::visibility::Visibility;
@@ -78,7 +78,7 @@ fn without_reflection_there_is_direct_light_alone() {
     let gather = Gather::twice(&outcome.solution, &visibility, 1e-3);
     let floor = scene.surface_named("floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
-    let found = gather.at(&Vantage::on(floor, jet.position, jet.normal))[0];
+    let found = gather.at(&ReceiverPoint::on(floor, jet.position, jet.normal))[0];
     let q = 0.5 / 0.5f64.hypot(1.0);
     let exact = 3.0 * 0.5 * 4.0 / std::f64::consts::PI * q * q.atan();
     assert!((found - exact).abs() < 1e-14, "{found} instead of {exact}");

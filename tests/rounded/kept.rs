@@ -143,7 +143,11 @@ fn a_plate_casts_its_shadow_however_far_the_sun_is() {
         let visibility = solved.visibility();
         let gather = radiosity::gather::Gather::new(&solved.outcome.solution, visibility, 1e-3);
         let at = |x: f64| {
-            gather.at(&radiosity::light::receiver_point::Vantage::on(0, DVec3::new(x, 0.0, 0.0), DVec3::Z))[0]
+            gather.at(&radiosity::light::receiver_point::ReceiverPoint::on(
+                0,
+                DVec3::new(x, 0.0, 0.0),
+                DVec3::Z,
+            ))[0]
         };
         let open = 46000.0 * exact;
         assert!((at(3.0) / open - 1.0).abs() < 1e-2, "at {distance:e}: {} of {open}", at(3.0));

@@ -10,10 +10,10 @@ use std::borrow::Cow;
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::{SmallVec, smallvec};
 
-use crate::light::lines::projection::{Screen, TOUCHING};
+use crate::light::lines::projection::{ProjectionPlane, TOUCHING};
 use crate::light::lines::silhouette::{Crossing, outline};
 use crate::visibility::shadow_volume::Pyramid;
-use crate::visibility::silhouette_mesh::{Net, Quad, Region};
+use crate::visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
 
 /// Gaps and overlaps of this part of the screen are none.
 const NONE: f64 = 1e-9;
@@ -36,8 +36,8 @@ const CRACK: f64 = 0.25;
 
 /// Blockers before a screen.
 #[derive(Debug)]
-pub(crate) struct Facets<'a> {
-    screen: Screen,
+pub(crate) struct HiddenSpans<'a> {
+    screen: ProjectionPlane,
     quads: Vec<Facet<'a>>,
     /// Lowest and highest t at which each quad is seen.
     heights: Vec<[f64; 2]>,
@@ -49,7 +49,7 @@ pub(crate) struct Facets<'a> {
 /// A quad as it is seen.
 #[derive(Debug)]
 struct Facet<'a> {
-    net: &'a Net,
+    net: &'a SilhouetteMesh,
     quad: Cow<'a, Quad>,
     /// (S, T, λ) of its corners.
     seen: [DVec3; 4],
@@ -74,12 +74,12 @@ struct End {
 struct Place<'a> {
     s: f64,
     /// The net that it lies within, with the breadth of its quad as it is seen, where no outline was found.
-    within: Option<(&'a Net, f64)>,
+    within: Option<(&'a SilhouetteMesh, f64)>,
 }
 
 /// The quads before a screen, of a surface that the eye may lie on.
 struct Ahead<'a> {
-    screen: &'a Screen,
+    screen: &'a ProjectionPlane,
     /// Its unit normal there, and the least sine of the screen's height over it, if it does.
     ground: Option<(DVec3, f64)>,
 }
@@ -98,14 +98,14 @@ impl Region for Ahead<'_> {
     }
 }
 
-impl<'a> Facets<'a> {
+impl<'a> HiddenSpans<'a> {
     /// Before `screen`, nothing yet.
-    pub(crate) fn new(screen: Screen) -> Self {
+    pub(crate) fn new(screen: ProjectionPlane) -> Self {
         Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
     }
 
     /// Before a screen of which only what lies within an outline shines, given by its sides in (s, t); nothing yet.
-    pub(crate) fn before_lamp(screen: Screen, sides: Vec<[[f64; 2]; 2]>) -> Self {
+    pub(crate) fn before_lamp(screen: ProjectionPlane, sides: Vec<[[f64; 2]; 2]>) -> Self {
         Self { lit: Some(sides), ..Self::new(screen) }
     }
 
@@ -116,7 +116,7 @@ impl<'a> Facets<'a> {
 
     /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it. If the screen stands for a
     /// piece of the blocker itself, only what lies well before it counts.
-    pub(crate) fn add_curved(&mut self, net: &'a Net, ground: Option<DVec3>, is_own: bool) {
+    pub(crate) fn add_curved(&mut self, net: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
         let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
         let ahead = Ahead { screen: &self.screen, ground };
@@ -146,7 +146,7 @@ impl<'a> Facets<'a> {
     }
 
     /// The screen.
-    pub(crate) fn screen(&self) -> &Screen {
+    pub(crate) fn screen(&self) -> &ProjectionPlane {
         &self.screen
     }
 

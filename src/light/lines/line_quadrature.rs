@@ -16,8 +16,8 @@ use std::f64::consts::PI;
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-use crate::light::lines::hidden_spans::Facets;
-use crate::light::receiver_point::Vantage;
+use crate::light::lines::hidden_spans::HiddenSpans;
+use crate::light::receiver_point::ReceiverPoint;
 
 /// Gauss points on a visible part of a line.
 const POINTS: usize = 3;
@@ -52,9 +52,9 @@ impl Sums {
 }
 
 /// A planar cell in lines.
-pub(crate) struct Strips<'a> {
-    vantage: &'a Vantage,
-    facets: &'a Facets<'a>,
+pub(crate) struct LineQuadrature<'a> {
+    vantage: &'a ReceiverPoint,
+    facets: &'a HiddenSpans<'a>,
     gauss: &'a UnitRule,
     /// Places of the cell's points along a side.
     places: &'a [f64],
@@ -65,16 +65,16 @@ pub(crate) struct Strips<'a> {
     room: Vec<[f64; 2]>,
 }
 
-impl<'a> Strips<'a> {
+impl<'a> LineQuadrature<'a> {
     /// Of the polygon that is the screen of `facets`, from a point.
-    pub(crate) fn new(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+    pub(crate) fn new(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
         let gauss = UnitRule::of(POINTS);
         Self { vantage, facets, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
     }
 
     /// The same of a screen before a whole lamp.
-    pub(crate) fn of_lamp(vantage: &'a Vantage, facets: &'a Facets<'a>) -> Self {
+    pub(crate) fn of_lamp(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
         Self { is_of_lamp: true, ..Self::new(vantage, facets) }
     }
 
@@ -103,8 +103,11 @@ impl<'a> Strips<'a> {
         let is_told = varied <= ALONG && (!self.is_of_lamp || varied > 0.0);
         if !self.is_turned && !is_told {
             let facets = self.facets.transposed();
-            let mut turned =
-                Strips { is_turned: true, is_of_lamp: self.is_of_lamp, ..Strips::new(self.vantage, &facets) };
+            let mut turned = LineQuadrature {
+                is_turned: true,
+                is_of_lamp: self.is_of_lamp,
+                ..LineQuadrature::new(self.vantage, &facets)
+            };
             let sums = turned.sums(tolerance);
             let [a, b, c, d] = sums.visible;
             return Sums { visible: [a, c, b, d], ..sums };
@@ -164,7 +167,7 @@ impl<'a> Strips<'a> {
     fn range(&self, t: f64) -> Option<[f64; 2]> {
         let screen = self.facets.screen();
         let (mut low, mut high) = crossed(&screen.outline, t)?;
-        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
         for horizon in std::iter::once(normal).chain(ground) {
             let (start, slope) = ((screen.at(0.0, t) - position).dot(horizon), screen.along.dot(horizon));
             match slope {
@@ -179,7 +182,7 @@ impl<'a> Strips<'a> {
 
     /// ∫ κ N_k ds, but for a factor that is the same everywhere.
     fn over(&self, t: f64, [low, high]: [f64; 2]) -> [f64; 4] {
-        let Vantage { position, normal, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, .. } = *self.vantage;
         let screen = self.facets.screen();
         let across = shape(t, self.places);
         let mut sums = [0.0; 4];

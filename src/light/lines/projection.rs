@@ -16,7 +16,7 @@ pub(crate) const TOUCHING: f64 = 1e-9;
 
 /// The plane of a convex polygon with at least three corners, seen from a point.
 #[derive(Clone, Debug)]
-pub(crate) struct Screen {
+pub(crate) struct ProjectionPlane {
     /// The point.
     pub eye: DVec3,
     /// First corner of the polygon.
@@ -34,7 +34,7 @@ pub(crate) struct Screen {
     depth: f64,
 }
 
-impl Screen {
+impl ProjectionPlane {
     /// Of a polygon that stands for a piece of surface within a hull; None where the eye lies in the polygon's plane.
     pub(crate) fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =

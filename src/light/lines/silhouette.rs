@@ -17,7 +17,7 @@
 
 use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 
-use crate::light::lines::projection::Screen;
+use crate::light::lines::projection::ProjectionPlane;
 use crate::visibility::silhouette_mesh::Quad;
 
 /// Steps towards a border and, at the most, towards a silhouette.
@@ -43,7 +43,7 @@ pub(crate) struct Crossing {
 ///
 /// Of two places, of a border and of a silhouette, the one farther towards `side` (±1) counts.
 pub(crate) fn outline(
-    screen: &Screen,
+    screen: &ProjectionPlane,
     t: f64,
     shape: &dyn Surface,
     quad: &Quad,
@@ -68,7 +68,7 @@ pub(crate) fn outline(
 }
 
 struct Line<'a> {
-    screen: &'a Screen,
+    screen: &'a ProjectionPlane,
     /// Of the plane through the eye and the line.
     normal: DVec3,
 }

@@ -21,10 +21,10 @@ use radiosity_geom::DVec3;
 use crate::elements::patch::Node;
 use crate::light::blockers::Before;
 use crate::light::hierarchy::cell::{Cell, POINTS};
-use crate::light::lines::line_quadrature::Strips;
-use crate::light::receiver_point::Vantage;
+use crate::light::lines::line_quadrature::LineQuadrature;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::light::traversal::Pass;
-use crate::light::traversal::Walk;
+use crate::light::traversal::Traversal;
 use crate::transport::kernel;
 
 /// Cosine between the normals of a cell below which it is divided before anything is told of it.
@@ -69,7 +69,7 @@ pub(super) struct Estimate {
     pub(super) error: f64,
 }
 
-impl Walk<'_> {
+impl Traversal<'_> {
     /// The rule for a cell, some of it hidden by what is `before` it.
     pub(super) fn estimate(&self, pass: &Pass, cell: &Cell, before: Before) -> Estimate {
         if cell.is_uniform() && cell.is_flat() && self.shadows.are_flat(before) {
@@ -177,7 +177,7 @@ impl Walk<'_> {
         if width < 1.0 && stake <= pass.tolerance {
             return Estimate { weights: self.seen(pass, cell, weights, before), error: pass.tolerance };
         }
-        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let shares = LineQuadrature::new(self.vantage, &facets).shares(pass.tolerance / stake);
         let sum: f64 = shares.iter().sum();
         let weights = match cell.is_parallelogram() {
             true => shares.map(|share| factor * share),
@@ -226,7 +226,7 @@ impl Walk<'_> {
         if facets.is_empty() {
             return Estimate { weights, error: form };
         }
-        let shares = Strips::new(self.vantage, &facets).shares(pass.tolerance / stake);
+        let shares = LineQuadrature::new(self.vantage, &facets).shares(pass.tolerance / stake);
         let share = shares.iter().sum::<f64>().clamp(0.0, 1.0);
         let partial =
             if share > 0.0 && share < 1.0 { 0.5 * stake * cell.warp + whole * cell.spread } else { 0.0 };
@@ -265,7 +265,7 @@ impl Walk<'_> {
 
     /// Weights of the Gauss rule with the kernel, whatever stands between.
     pub(super) fn weights(&self, cell: &Cell) -> [f64; POINTS] {
-        let Vantage { position, normal, ground, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, ground, .. } = *self.vantage;
         if ground.is_none() && cell.is_flat() {
             return self.weights_of_flat(cell);
         }
@@ -279,7 +279,7 @@ impl Walk<'_> {
 
     /// The same of a flat cell: its points have one normal, and are taken side by side.
     fn weights_of_flat(&self, cell: &Cell) -> [f64; POINTS] {
-        let Vantage { position, normal, .. } = *self.vantage;
+        let ReceiverPoint { position, normal, .. } = *self.vantage;
         let (out, [x, y, z]) = (cell.nodes[0].normal, &cell.lanes);
         let mut weights = [0.0; POINTS];
         for (k, weight) in weights.iter_mut().enumerate() {

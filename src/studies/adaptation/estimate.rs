@@ -28,7 +28,7 @@ use rayon::prelude::*;
 use crate::elements::patch::Node;
 use crate::gather::Gather;
 use crate::light::occluders::Site;
-use crate::light::receiver_point::Vantage;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::scene::Scene;
 use crate::solution::{Place, Solution};
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
@@ -118,7 +118,7 @@ fn squares(element: usize, solution: &Solution, gather: &Gather, first: usize, p
             let index = first + place * points + k;
             let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
             let Node { position, normal, parameters, area, .. } = patch.node(s, t);
-            let gathered = gather.irradiance(&Vantage::on(own.surface, position, normal), &company);
+            let gathered = gather.irradiance(&ReceiverPoint::on(own.surface, position, normal), &company);
             let place = Place { surface: own.surface, parameters: parameters.to_array(), position };
             for (band, (reflectance, gathered)) in reflectances.iter().zip(gathered).enumerate() {
                 let held = solution.irradiance(band, element, &place);

@@ -23,13 +23,13 @@ const CORNERED: usize = 6;
 
 /// An element ready to be set against others.
 #[derive(Debug)]
-pub(in crate::transport) struct Rough {
+pub(in crate::transport) struct CoarseEstimate {
     /// Nodes with weights for the part of the receiver and that of the emitter.
     nodes: [Vec<(Node, f64)>; 2],
     area: f64,
 }
 
-impl Rough {
+impl CoarseEstimate {
     /// Of one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let parts = sectors(element);

@@ -26,7 +26,7 @@ const LOOSEST: f64 = 0.5;
 
 /// The ball around an element, and its plane where it has one.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::transport) struct Reach {
+pub(in crate::transport) struct EntryBounds {
     center: DVec3,
     radius: f64,
     area: f64,
@@ -34,7 +34,7 @@ pub(in crate::transport) struct Reach {
     plane: Option<(DVec3, DVec3)>,
 }
 
-impl Reach {
+impl EntryBounds {
     /// Of one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let bounds = element.bounds();
@@ -86,9 +86,9 @@ pub(in crate::transport) fn relaxed(eps: f64, least: f64, entry: f64) -> f64 {
 mod tests {
     use super::*;
 
-    fn square(z: f64, up: f64) -> Reach {
+    fn square(z: f64, up: f64) -> EntryBounds {
         let center = DVec3::Z * z;
-        Reach { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
+        EntryBounds { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
     }
 
     /// Parallel unit squares three apart: F = 0.0316 by the closed form.

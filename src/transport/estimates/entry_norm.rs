@@ -11,14 +11,14 @@ use crate::elements::basis::AreaBasis;
 
 /// The measure of moments between two elements.
 #[derive(Debug)]
-pub(in crate::transport) struct Yardstick {
+pub(in crate::transport) struct EntryNorm {
     /// Largest factors of the raw polynomials of either.
     factors: [Vec<f64>; 2],
     /// T_00 T_00.
     first: f64,
 }
 
-impl Yardstick {
+impl EntryNorm {
     /// Of moments whose rows are in the polynomials of the first basis, their columns in those of the second.
     pub(in crate::transport) fn of(bases: [&AreaBasis; 2]) -> Self {
         let first = bases.map(|basis| basis.transform()[0]).iter().product();
@@ -72,7 +72,7 @@ mod tests {
         let patch = Patch::curved(Arc::new(square.expect("a square")), &Rect::FULL);
         let frame = Frame::Parameters { center: DVec2::ZERO, half: DVec2::ONE };
         let basis = AreaBasis::new(2, frame, &[patch]).expect("it has area");
-        let yardstick = Yardstick::of([&basis, &basis]);
+        let yardstick = EntryNorm::of([&basis, &basis]);
         let (mut a, b) = (vec![0.0; 36], vec![0.0; 36]);
         a[7] = 0.9;
         assert!((yardstick.difference(&a, &b) - 0.4).abs() < 1e-12);

@@ -19,7 +19,7 @@ const MOST_POINTS: u64 = 1 << 16;
 
 /// What a few rays between two elements met.
 #[derive(Debug)]
-pub(in crate::transport) struct Obstruction {
+pub(in crate::transport) struct ProbingRays {
     /// How many of them were hidden.
     pub hidden: Hidden,
     /// Those surfaces of the elements themselves that hid any, ascending.
@@ -39,7 +39,7 @@ pub(in crate::transport) enum Hidden {
     All,
 }
 
-impl Obstruction {
+impl ProbingRays {
     /// What about `enough` rays or more between two elements, given by their parts and `surfaces`, meet of `blockers` and of
     /// their `own` surfaces; fewer rays where these tell all.
     pub(in crate::transport) fn between(

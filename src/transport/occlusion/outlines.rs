@@ -79,7 +79,7 @@ pub(in crate::transport) struct Limit {
 
 /// What blockers take from a block.
 #[derive(Debug)]
-pub(in crate::transport) struct Shade {
+pub(in crate::transport) struct Occlusion {
     /// S_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,
     /// Whether anything is hidden.
@@ -92,7 +92,7 @@ pub(in crate::transport) struct Shade {
     pub samples: u64,
 }
 
-impl Shade {
+impl Occlusion {
     /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
     pub(in crate::transport) fn of(
         pair: [&Element; 2],
@@ -129,14 +129,14 @@ impl Shade {
 
 /// The block between two elements with planar `blockers`, whose shade is found to `limit`; `unshaded` makes the block were
 /// nothing in between.
-pub(in crate::transport) fn shaded_block(
+pub(in crate::transport) fn occluded_block(
     pair: [&Element; 2],
     blockers: &[usize],
     visibility: &Visibility,
     limit: Limit,
     unshaded: impl FnOnce() -> Block,
 ) -> Block {
-    let shade = Shade::of(pair, blockers, visibility, limit);
+    let shade = Occlusion::of(pair, blockers, visibility, limit);
     if shade.dark {
         return Block { samples: shade.samples, ..Block::hidden(shade.values.len(), 0) };
     }
@@ -273,9 +273,9 @@ impl<'a> Work<'a> {
         self.samples += other.samples;
     }
 
-    fn finish(self) -> Shade {
+    fn finish(self) -> Occlusion {
         let Self { hides, dark, error, samples, moments, .. } = self;
-        Shade { values: moments.into_block(), hides, dark: dark && hides, error, samples }
+        Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
     /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.

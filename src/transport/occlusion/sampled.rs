@@ -46,7 +46,7 @@ pub(in crate::transport) enum Choice {
 
 /// What is seen, or what is hidden, between two patches.
 #[derive(Debug)]
-pub(in crate::transport) struct Scatter {
+pub(in crate::transport) struct SampledVisibility {
     /// In raw polynomials, row-major, receiver's functions by emitter's.
     pub values: Vec<f64>,
     /// Whether `values` are of what is hidden.
@@ -60,7 +60,7 @@ pub(in crate::transport) struct Scatter {
     pub rays: u64,
 }
 
-impl Scatter {
+impl SampledVisibility {
     /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach
     /// that.
     pub(in crate::transport) fn new(
@@ -226,17 +226,17 @@ mod tests {
     }
 
     /// Of a square and one above it, that sees it from the part x < `to` only: the sum and the samples.
-    fn found(to: f64, limit: f64) -> (Scatter, f64) {
+    fn found(to: f64, limit: f64) -> (SampledVisibility, f64) {
         found_of(to, limit, Choice::Rarer)
     }
 
-    fn found_of(to: f64, limit: f64, choice: Choice) -> (Scatter, f64) {
+    fn found_of(to: f64, limit: f64, choice: Choice) -> (SampledVisibility, f64) {
         let (floor, ceiling) = (square(0.0, true), square(1.0, false));
         let p = Patch::of_polygon(&floor, DVec3::Z);
         let q = Patch::of_polygon(&ceiling, -DVec3::Z);
         let bases = [basis(&p), basis(&q)];
         let sees = |x: DVec3, _| x.x < to;
-        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, choice);
+        let found = SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &sees, limit, choice);
         let part = |from: f64, to: f64| {
             let corners = [[from, 0.], [to, 0.], [to, 1.], [from, 1.]].map(|[x, y]| DVec3::new(x, y, 0.0));
             polygon_exchange(&corners, &ceiling)
@@ -273,7 +273,8 @@ mod tests {
         let (up, down) = (square(0.0, true), square(-1.0, false));
         let [p, q] = [Patch::of_polygon(&up, DVec3::Z), Patch::of_polygon(&down, -DVec3::Z)];
         let bases = [basis(&p), basis(&q)];
-        let found = Scatter::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, Choice::Seen);
+        let found =
+            SampledVisibility::new([&p[0], &q[0]], [&bases[0], &bases[1]], &|_, _| true, 1e-3, Choice::Seen);
         assert!(found.hidden && found.values == [0.0] && found.error == 0.0 && found.rays == 0);
     }
 

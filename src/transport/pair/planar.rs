@@ -31,7 +31,7 @@ use crate::transport::contact::clip::{Facet, match_contact};
 use crate::transport::contact::flat::{Contact, classify, gap};
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
-use crate::transport::occlusion::sampled::{Choice, Scatter};
+use crate::transport::occlusion::sampled::{Choice, SampledVisibility};
 use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge};
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::near::Plan;
@@ -278,7 +278,7 @@ impl<'a> Job<'a> {
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
-        let found = Scatter::new([p, q], self.moments.bases(), sees, limit, Choice::Rarer);
+        let found = SampledVisibility::new([p, q], self.moments.bases(), sees, limit, Choice::Rarer);
         found.add_to(&mut self.moments);
         self.error += self.scale * found.error;
         if found.hidden {

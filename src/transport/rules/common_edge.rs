@@ -35,7 +35,7 @@ use crate::elements::rule::UnitRule;
 
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
-use crate::transport::rules::common_edge::parallelograms::Hinge;
+use crate::transport::rules::common_edge::parallelograms::ParallelogramPair;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::common_edge::table::EdgeTable;
 use crate::transport::rules::far;
@@ -110,7 +110,7 @@ pub(in crate::transport) fn counts(
 /// Adds two flat patches oriented with their common edge at t = 0 that see each other freely, of any angle and
 /// proportions.
 ///
-/// Parallelograms go by [`Hinge`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which
+/// Parallelograms go by [`ParallelogramPair`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which
 /// meet the edge in one corner at most, are returned as pairs still to be done. None, and nothing is added, where the kernel is
 /// too nearly singular.
 pub(in crate::transport) fn integrate_flat(
@@ -122,7 +122,7 @@ pub(in crate::transport) fn integrate_flat(
 ) -> Option<Vec<(Patch, Patch)>> {
     if p.is_parallelogram() && q.is_parallelogram() {
         let table = EdgeTable::of(degrees);
-        let (angular, samples) = Hinge::new(p, q).moments(degrees, eps)?;
+        let (angular, samples) = ParallelogramPair::new(p, q).moments(degrees, eps)?;
         moments.own(p, q, &table.moments(&angular));
         moments.samples += samples * table.points() as u64;
         moments.distinct += samples;

@@ -31,7 +31,7 @@ use crate::elements::rule::MOST_POINTS;
 
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::contact::planes::plane_of;
-use crate::transport::estimates::entry_norm::Yardstick;
+use crate::transport::estimates::entry_norm::EntryNorm;
 use cell::{Cell, DIRECTIONS, Whole};
 pub(in crate::transport) use front::Front;
 use front::Nodes;
@@ -95,7 +95,7 @@ pub(in crate::transport) fn integrate(
     outer: &Side,
     basis: &AreaBasis,
     inner: &[(Patch, Arc<[[usize; 2]]>)],
-    yardstick: &Yardstick,
+    yardstick: &EntryNorm,
     tolerance: f64,
     budget: u64,
 ) -> Cut {
@@ -132,7 +132,7 @@ struct Job<'a> {
     front: Option<Front>,
     columns: usize,
     inner: Vec<Part<'a>>,
-    yardstick: &'a Yardstick,
+    yardstick: &'a EntryNorm,
     tolerance: f64,
     budget: u64,
     cut: Cut,

@@ -3,8 +3,8 @@
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::transport::blocks::block::Accuracy;
-use crate::transport::estimates::coarse::Rough;
-use crate::transport::estimates::entry_bounds::Reach;
+use crate::transport::estimates::coarse::CoarseEstimate;
+use crate::transport::estimates::entry_bounds::EntryBounds;
 use crate::visibility::Visibility;
 
 use super::congruent::Panel;
@@ -14,9 +14,9 @@ use super::order::Rank;
 pub(super) struct Scene<'a> {
     pub(super) list: &'a [Element],
     pub(super) panels: Vec<Option<Panel>>,
-    pub(super) reaches: Vec<Reach>,
+    pub(super) reaches: Vec<EntryBounds>,
     pub(super) ranks: Vec<Rank>,
-    pub(super) roughs: Vec<Rough>,
+    pub(super) roughs: Vec<CoarseEstimate>,
     /// Whether blocks are estimated: what is planar needs it for its shadows only.
     pub(super) is_estimated: bool,
     /// The sectors of each.

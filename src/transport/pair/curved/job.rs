@@ -9,7 +9,7 @@ use crate::transport::contact::curved::{Touch, cut};
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::largest_kernel;
 use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
-use crate::transport::estimates::entry_norm::Yardstick;
+use crate::transport::estimates::entry_norm::EntryNorm;
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::Wedge;
 use crate::transport::rules::horizon::{Ball, Front};
@@ -59,7 +59,7 @@ pub(super) struct Job<'a> {
     /// What stands between in fans, with its surface.
     pub ball: Option<(usize, Ball)>,
     pub moments: Moments<'a>,
-    pub yardstick: Yardstick,
+    pub yardstick: EntryNorm,
     pub tasks: VecDeque<Task>,
     pub kind: Kind,
     pub partly_hidden: bool,
@@ -84,7 +84,7 @@ impl<'a> Job<'a> {
             fronts: None,
             ball: None,
             moments: Moments::new(&receiver.basis, &emitter.basis),
-            yardstick: Yardstick::of([&receiver.basis, &emitter.basis]),
+            yardstick: EntryNorm::of([&receiver.basis, &emitter.basis]),
             tasks: VecDeque::new(),
             kind: Kind::Separated,
             partly_hidden: false,

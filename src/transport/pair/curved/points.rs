@@ -40,7 +40,7 @@ impl Points {
         let [radial, along, angular] = if matched {
             by_trial::edge(p, &|u, v| q.node(u, v), eps)
         } else {
-            let seam = unequal_speed::Seam::new(p, q);
+            let seam = unequal_speed::UnequalSpeed::new(p, q);
             by_trial::edge(p, &|u, v| seam.node(u, v), eps)
         };
         [exact + radial - 1, exact + along - 1, angular + self.largest_degree().div_ceil(2)]

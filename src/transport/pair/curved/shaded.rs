@@ -2,7 +2,7 @@
 
 use crate::elements::patch::Patch;
 use crate::transport::contact::orientation::Facing;
-use crate::transport::occlusion::sampled::{Choice, Scatter};
+use crate::transport::occlusion::sampled::{Choice, SampledVisibility};
 
 use crate::transport::pair::curved::job::Job;
 use crate::transport::pair::curved::size::area;
@@ -17,7 +17,7 @@ impl Job<'_> {
         let choice = if facing == Facing::Wholly { Choice::Rarer } else { Choice::Seen };
         let scale = self.yardstick.first();
         let limit = self.budget.shadow_error / scale * (area(p) * area(q)).sqrt() / self.budget.unit;
-        let found = Scatter::new([p, q], self.moments.bases(), &free, limit, choice);
+        let found = SampledVisibility::new([p, q], self.moments.bases(), &free, limit, choice);
         found.add_to(&mut self.moments);
         self.error += scale * found.error;
         found.hidden

@@ -26,7 +26,7 @@ use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
 /// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]
-pub(in crate::transport) struct Hinge {
+pub(in crate::transport) struct ParallelogramPair {
     edge: DVec3,
     depths: [DVec3; 2],
     /// (n_p·q)(n_q·p)/π times both area elements.
@@ -61,7 +61,7 @@ struct Region {
     signs: usize,
 }
 
-impl Hinge {
+impl ParallelogramPair {
     /// Of two parallelograms oriented with the common edge at t = 0, each in front of the other.
     pub(in crate::transport) fn new(p: &Patch, q: &Patch) -> Self {
         let (origin, far) = (p.node(0.0, 0.0), q.node(0.0, 1.0));

@@ -28,7 +28,7 @@ pub(in crate::transport) fn integrate(
     points: [usize; 3],
     sees: Option<Sees>,
 ) {
-    let seam = Seam::new(p, q);
+    let seam = UnequalSpeed::new(p, q);
     let rules = points.map(UnitRule::of);
     for (x, wx) in rules[0].iter() {
         for ((a, wa), (b, wb)) in rules[2].iter().flat_map(|a| rules[2].iter().map(move |b| (a, b))) {
@@ -46,14 +46,14 @@ pub(in crate::transport) fn integrate(
 }
 
 /// The emitter with its chart rewound along the edge.
-pub(in crate::transport) struct Seam<'a> {
+pub(in crate::transport) struct UnequalSpeed<'a> {
     p: &'a Patch,
     q: &'a Patch,
     /// σ at the Chebyshev points ½(1 − cos(πk/(n − 1))).
     values: Vec<f64>,
 }
 
-impl<'a> Seam<'a> {
+impl<'a> UnequalSpeed<'a> {
     /// Of an emitter whose edge t = 0 is that of `p`.
     pub(in crate::transport) fn new(p: &'a Patch, q: &'a Patch) -> Self {
         let edges = sides(q);

@@ -7,7 +7,7 @@
 use std::cmp::Ordering;
 
 use crate::elements::patch::{Direction, Patch};
-use crate::transport::estimates::entry_norm::Yardstick;
+use crate::transport::estimates::entry_norm::EntryNorm;
 
 /// The error of halves as a part of their difference from the whole: a kink of second order gives 2⁻³, and may lie twice as
 /// badly.
@@ -68,7 +68,7 @@ impl Cell {
     }
 
     /// Notes the halves of a direction.
-    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], yardstick: &Yardstick) {
+    pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], yardstick: &EntryNorm) {
         self.errors[direction] = yardstick.difference(&sum(&halves), &self.whole.moments);
         self.halves[direction] = Some(halves);
         self.own[direction] = true;
