@@ -18,6 +18,14 @@ const DOCUMENTS: [&str; 11] = [
     "solvers/README.md",
     "solvers/benches/README.md",
 ];
+/// The documents that say where in the sources things live.
+const MAPS: [&str; 5] = [
+    "docs/glossary.md",
+    "docs/theory/transport.md",
+    "docs/theory/visibility.md",
+    "docs/theory/gathering.md",
+    "docs/theory/solvers.md",
+];
 const PACKAGES: [&str; 4] = [".", "core", "geom", "solvers"];
 
 fn root() -> &'static Path {
@@ -80,6 +88,23 @@ fn links_lead_somewhere() {
         }
     }
     assert!(pictures > 5, "the pictures were found");
+}
+
+#[test]
+fn places_in_the_sources_are_there() {
+    let mut found = 0;
+    for map in MAPS {
+        let text = fs::read_to_string(root().join(map)).expect("the document is there");
+        let places = text.split('`').skip(1).step_by(2);
+        for place in places.filter(|place| place.contains('/') && !place.contains([' ', '*', '…'])) {
+            let known = ["src/", "core/", "geom/", "solvers/", "tests/", "examples/", "benches/"];
+            if known.iter().any(|folder| place.starts_with(folder)) {
+                found += 1;
+                assert!(root().join(place).exists(), "{map} names {place}");
+            }
+        }
+    }
+    assert!(found > 80, "{found} places");
 }
 
 #[test]
