@@ -20,6 +20,9 @@ const PARALLEL: f64 = 1e-6;
 /// Share of the smaller of two sheets that they have to share to cover each other.
 const SHARED: f64 = 1e-6;
 
+/// Width of a piece below which it is rounding, as a part of the smaller sheet's extent.
+const NARROW: f64 = 1e-6;
+
 /// A part of a flat surface on which another lies.
 #[derive(Clone, Debug)]
 pub struct Cover {
@@ -40,6 +43,9 @@ pub fn covers(scene: &Scene) -> Vec<Cover> {
         let pieces = without(pieces, of_surface(&found, under), region(under).normal());
         let pieces =
             if mutual { without(pieces, of_surface(&found, over), region(over).normal()) } else { pieces };
+        let extent = region(under).extent().min(region(over).extent());
+        let pieces: Vec<Vec<DVec3>> =
+            pieces.into_iter().filter(|piece| width(piece) > NARROW * extent).collect();
         if area(&pieces) <= SHARED * region(under).area().min(region(over).area()) {
             continue;
         }
@@ -68,8 +74,13 @@ pub fn of_surface(covers: &[Cover], surface: usize) -> impl Iterator<Item = &Cov
     covers.iter().filter(move |cover| cover.surface == surface)
 }
 
+/// Area over extent of a piece (scene length).
+pub fn width(piece: &[DVec3]) -> f64 {
+    polygon_area(piece) / Aabb::around(piece.iter().copied()).diagonal()
+}
+
 /// Area of pieces that do not overlap (scene length²).
-pub fn area(pieces: &[Vec<DVec3>]) -> f64 {
+fn area(pieces: &[Vec<DVec3>]) -> f64 {
     pieces.iter().map(|piece| polygon_area(piece)).sum()
 }
 

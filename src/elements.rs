@@ -279,14 +279,16 @@ impl Cut {
     }
 }
 
-/// Share of a surface below which what covers leave of it is rounding.
+/// Width of what covers leave of a surface below which it is rounding, as a part of the surface's extent.
 const LEAST: f64 = 1e-6;
 
 /// Convex pieces of what `covers` leave of a flat surface.
 fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
     let open = covers::without(whole, covers.iter().copied(), region.normal());
-    if covers::area(&open) > LEAST * region.area() { open } else { Vec::new() }
+    open.into_iter()
+        .filter(|piece| covers.is_empty() || covers::width(piece) > LEAST * region.extent())
+        .collect()
 }
 
 fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {

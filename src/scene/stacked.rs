@@ -179,6 +179,12 @@ impl Pair<'_> {
             // The inner and the outer skin of one shell: their backs are together.
             return (!is_alike).then_some(-up);
         }
+        // A face whose body is behind it stands on what has its body before it, as a box on a tile of a room, and on loose tiles.
+        let stands_on = self.bodies[1] < 0.0 && self.bodies[0] * normal.dot(up) >= 0.0;
+        let is_tile = self.bodies[0] == 0.0 && is_within && !self.sheet.two_sided;
+        if !is_alike && stands_on && (is_tile || self.bodies[0] != 0.0 && !is_within) {
+            return Some(up);
+        }
         if self.bodies[0] != 0.0 {
             return Some(self.bodies[0].signum() * up);
         }

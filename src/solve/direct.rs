@@ -44,7 +44,10 @@ impl Direct {
 
 /// Whether all emitters and all that may stand before them are flat, something does, and not much emits.
 fn casts_flat_shadows(elements: &[Element], coatings: &[&Coating], visibility: &Visibility) -> bool {
-    let emits = |i: &usize| coatings.iter().any(|coating| coating.exitance[*i] > 0.0);
+    // What is covered sends and receives nothing but what it exchanges with what covers it.
+    let is_open = |element: &&Element| element.contact.is_none();
+    let emits =
+        |i: &usize| is_open(&&elements[*i]) && coatings.iter().any(|coating| coating.exitance[*i] > 0.0);
     let emitters: Vec<&Element> = (0..elements.len()).filter(emits).map(|i| &elements[i]).collect();
     let area = |some: &mut dyn Iterator<Item = &Element>| some.map(|element| element.area).sum::<f64>();
     if area(&mut emitters.iter().copied()) > LARGE * area(&mut elements.iter()) {
@@ -55,7 +58,7 @@ fn casts_flat_shadows(elements: &[Element], coatings: &[&Coating], visibility: &
         if emitter.plane.is_none() {
             return false;
         }
-        for element in elements {
+        for element in elements.iter().filter(is_open) {
             let surfaces = [element.surface, emitter.surface];
             let blockers = visibility.candidates(&element.hull, &emitter.hull, surfaces);
             if blockers.iter().any(|blocker| visibility.pieces(*blocker).is_none()) {

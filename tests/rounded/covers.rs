@@ -8,7 +8,7 @@ use radiosity::solve::{Direct, Options, solve};
 use radiosity_geom::polygon_area;
 use radiosity_geom::shapes::Polygon;
 
-use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, turned};
+use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, sheet, turned};
 
 fn built(sheets: &[Sheet]) -> Scene {
     scene(sheets).expect("a scene")
@@ -116,4 +116,43 @@ proptest! {
         let sums = factors(&scene).row_sums();
         prop_assert!(sums.iter().all(|sum| (sum - 1.0).abs() < 3e-3), "{sums:?}");
     }
+}
+
+/// A box that stands across tiles of a floor, larger than some of them, stands on all of them.
+#[test]
+fn a_box_stands_on_tiles() {
+    let tile = |name: &str, x: [f64; 2], y: [f64; 2]| {
+        sheet(name, &[[x[0], y[0], 0.0], [x[1], y[0], 0.0], [x[1], y[1], 0.0], [x[0], y[1], 0.0]])
+    };
+    let walls: Vec<Sheet> = room().into_iter().filter(|wall| wall.name != "room-bottom").collect();
+    let strips = vec![tile("strip", [0.0, 0.5], [0.0, 3.5]), tile("rest", [0.5, 4.0], [0.0, 3.5])];
+    let inner = vec![
+        tile("inner", [1.0, 1.5], [1.0, 1.5]),
+        tile("west", [0.0, 1.0], [0.0, 3.5]),
+        tile("east", [1.5, 4.0], [0.0, 3.5]),
+        tile("south", [1.0, 1.5], [0.0, 1.0]),
+        tile("north", [1.0, 1.5], [1.5, 3.5]),
+    ];
+    for floor in [strips, inner] {
+        let cuboid = cuboid("box", [0.2, 0.5, 0.0], [2.7, 3.0, 1.0], &[]);
+        let found = factors(&built(&[walls.clone(), floor, cuboid].concat()));
+        for (name, sum) in found.names.iter().zip(found.row_sums()) {
+            assert!((sum - 1.0).abs() < 3e-3, "{name}: {sum}");
+        }
+    }
+}
+
+/// Three boxes side by side in a corner: their shadows run along each other, and leave slivers without width.
+#[test]
+fn boxes_side_by_side_in_a_corner_come_to_an_end() {
+    let boxes = [
+        ("a", [0.0; 3], [1.0; 3]),
+        ("b", [1.0, 0.0, 0.0], [2.0, 1.0, 1.0]),
+        ("c", [0.0, 1.0, 0.0], [1.0, 2.0, 1.0]),
+    ];
+    let boxes = boxes.into_iter().flat_map(|(name, low, high)| cuboid(name, low, high, &[])).collect();
+    let scene = built(&[room(), boxes].concat());
+    let outcome =
+        solve(&scene, &Options { subdivide: Some(1), ..Options::default() }, &|_| {}).expect("a solution");
+    assert!(outcome.checks.row_sum_min > 0.997 && outcome.checks.row_sum_max < 1.003, "{:?}", outcome.checks);
 }

@@ -123,7 +123,8 @@ fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone + '_ {
 pub(in crate::transport) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
     let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
     let normal = doubled.normalize_or_zero();
-    let inside = sides(polygon).all(|[a, b]| normal.cross(b - a).dot(x - a) >= 0.0);
+    // A polygon without area has no inside.
+    let inside = normal != DVec3::ZERO && sides(polygon).all(|[a, b]| normal.cross(b - a).dot(x - a) >= 0.0);
     if inside {
         return (x - polygon[0]).dot(normal).abs();
     }

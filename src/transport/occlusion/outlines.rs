@@ -21,7 +21,7 @@ mod sides;
 use core::f64::consts::FRAC_1_PI;
 use std::borrow::Cow;
 
-use radiosity_geom::{DVec2, DVec3, clip_polygon};
+use radiosity_geom::{Aabb, DVec2, DVec3, clip_polygon, polygon_area};
 use rayon::prelude::*;
 
 use crate::elements::Element;
@@ -54,6 +54,9 @@ const MOST_CELLS: u64 = 1 << 16;
 
 /// Patches of the outer element from which on they are summed side by side.
 const MANY: usize = 8;
+
+/// Width over length of what is hidden below which it is rounding: shadows whose sides run along each other leave such slivers.
+const SLIVER: f64 = 1e-13;
 
 /// Differences of cells below this part of the entry are rounding.
 const ROUNDING: f64 = 1e-15;
@@ -409,7 +412,11 @@ impl<'a> Work<'a> {
         }
         let polygon: Corners = seen.iter().map(|a| a + x.position).collect();
         for patch in Patch::of_polygon(&polygon, self.task.normal) {
-            self.gauss(x, &patch, out, INNER_DEPTH);
+            let corners = patch.polygon();
+            let length = Aabb::around(corners.iter().copied()).diagonal();
+            if polygon_area(&corners) > SLIVER * length * length {
+                self.gauss(x, &patch, out, INNER_DEPTH);
+            }
         }
     }
 
