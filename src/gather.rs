@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with D the direct light ([`crate::light::direct`]) and S_h the polynomials of what was reflected at least once, not below
-//! zero. The integral (`reflection`) smooths: shadows and dark corners that polynomials cannot hold appear in E.
+//! zero. The integral (`light::reflected`) smooths: shadows and dark corners that polynomials cannot hold appear in E.
 //! x may be any point, on a surface or not. What polynomials smear at the foot of an obstacle is still seen in E near by;
 //! gathered twice, with S_h replaced by what is itself gathered from it at the points y, that is gone as well.
 

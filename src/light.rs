@@ -1,4 +1,5 @@
-//! What a point sees: the light that arrives from the visible part of elements with a given radiosity.
+//! Irradiance at a point from elements with a known radiosity: direct light, light reflected once, and the first bounce;
+//! [`crate::gather`] combines them.
 //!
 //! ```text
 //! E(x) = ∫ κ(x, y) V(x, y) B(y) dA_y ≈ Σ_cells F_c B̄_c ,     B̄_c = Σ_a w_a κ_a V_a B_a / Σ_a w_a κ_a V_a
@@ -11,8 +12,8 @@
 //! * a flat cell that planar blockers hide in part: F_c is Lambert's form on its visible pieces
 //!   ([`crate::irradiance::visible_polygon`]);
 //! * where a cell or a blocker is curved: the Gauss rule or Lambert's form, times the part that lines across the cell show
-//!   as seen (`lines::line_quadrature`). A blocker's net of quads shows where its outline crosses a line (`lines::hidden_spans`), and Newton steps
-//!   move the crossing from the net to the surface itself (`lines::silhouette`);
+//!   as seen (`lines::line_quadrature`). A blocker's silhouette mesh shows where its outline crosses a line (`lines::hidden_spans`), and Newton steps
+//!   move the crossing from the mesh to the surface itself (`lines::silhouette`);
 //! * such a cell that can send no more than the tolerance: its points, each seen or hidden by itself;
 //! * a curved surface that shines evenly and hides nothing of itself: Lambert's form on its outline, times the part that lines
 //!   across it show as seen, without cells (`area_light`).

@@ -12,7 +12,7 @@
 //! divided by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. Irradiance is h = G b, on black
 //! elements too.
 //!
-//! Where direct light is split off (`bounce`), d of the direct irradiance and g of what is reflected once are
+//! Where direct light is split off (`light::first_bounce`), d of the direct irradiance and g of what is reflected once are
 //! known, and the irradiance s that was reflected at least once is the unknown: with s = g + G √ρ z,
 //!
 //! ```text

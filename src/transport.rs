@@ -7,8 +7,8 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
-//! The rooms, each standing on those before it: sums over points (`moments`); how two patches lie to each other (`contact`); the
-//! blocks as a matrix (`blocks`); sizes known beforehand (`estimates`); quadrature for each case of contact (`rules`);
+//! The submodules, each standing on those before it: sums over points (`moments`); how two patches lie to each other (`contact`);
+//! sizes known beforehand (`estimates`); the blocks as a matrix (`blocks`); quadrature for each case of contact (`rules`);
 //! what is hidden (`occlusion`); one pair of elements (`pair`); and all pairs (`schedule`).
 
 pub(crate) mod moments;

@@ -1,7 +1,8 @@
-//! Direct light of a uniform planar emitter at a point, exact with planar blockers.
+//! Irradiance at a point from a uniform planar emitter, exact with planar blockers: of direct light, and of what blockers hide of
+//! an element in a transfer.
 //!
 //! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says (`lambert`). What a convex
-//! polygon hides of another from x is the part inside a pyramid (`pyramid`). With C₁, C₂, … what the blockers hide, and
+//! polygon hides of another from x is the part inside a pyramid (`visibility::shadow_volume`). With C₁, C₂, … what the blockers hide, and
 //! F the form of a polygon outside all of them,
 //!
 //! ```text

@@ -53,7 +53,7 @@ impl Before {
 }
 
 impl<'a> Shadows<'a> {
-    /// Of `vantage`, a point of the site that `surroundings` belong to.
+    /// Of a receiver point `vantage` of the site that the occluders `surroundings` belong to.
     pub(crate) fn new(
         vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,

@@ -6,7 +6,7 @@
 //!
 //! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::irradiance::visible_polygon`]) for planar emitters
 //! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::light`] are refined until D is good
-//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole (`lamp`).
+//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole (`area_light`).
 
 use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;

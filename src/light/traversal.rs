@@ -63,7 +63,7 @@ struct Pass<'a> {
 }
 
 impl<'a> Traversal<'a> {
-    /// From `vantage`, a point of the site that `surroundings` belong to.
+    /// From a receiver point `vantage` of the site that the occluders `surroundings` belong to.
     pub(crate) fn new(
         vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,

@@ -18,7 +18,7 @@ const LARGE: f64 = 0.25;
 pub enum Direct {
     /// Split off where flat emitters cast shadows of flat obstacles, which are exact and cheap; projected elsewhere.
     Auto,
-    /// An exact source at every point, with its shadows (`bounce`).
+    /// An exact source at every point, with its shadows (`light::first_bounce`).
     Split,
     /// Transported by the polynomials like all other light, as in the papers.
     Projected,

@@ -7,7 +7,7 @@
 //! ```
 //!
 //! with G° without visibility and G with it (Zatz 1993, eq. 29). D is sent on through its masks: it stands where the exact direct
-//! light stands in `bounce`. What an emitter reflects is no part of it and is shadowed within its blocks.
+//! light stands in `light::first_bounce`. What an emitter reflects is no part of it and is shadowed within its blocks.
 //!
 //! Masks are placed where they matter: between elements between which something stands, and of whose unshadowed light more is
 //! hidden somewhere than the accuracy of shadows times all that arrives.
