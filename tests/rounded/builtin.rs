@@ -59,7 +59,7 @@ fn solutions_of_rounded_scenes_are_the_same() {
 fn solutions_of_rounded_curved_scenes_are_the_same() {
     // Adaptive rules decide otherwise here and there, at the accuracy of 1e-3 that is asked of blocks.
     for name in ["teapot", "temple"] {
-        assert!(distance(name) < 3e-5, "{name}");
+        assert!(distance(name) < 5e-5, "{name}");
     }
 }
 
