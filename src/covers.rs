@@ -10,7 +10,7 @@
 
 use std::cmp::Ordering;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, difference, intersection, polygon_area, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, difference, polygon_area, polygon_width, touching};
 
 use crate::scene::{Scene, gap::closed};
 
@@ -39,13 +39,13 @@ pub fn covers(scene: &Scene) -> Vec<Cover> {
     let mut found: Vec<Cover> = Vec::new();
     for (contact, Contact { under, over, mutual, .. }) in contacts(scene).into_iter().enumerate() {
         let region = |surface: usize| scene.surfaces[surface].shape.region().expect("sheets are flat");
-        let pieces = common(region(under), region(over));
+        let pieces = region(under).common_parts(region(over)).collect();
         let pieces = without(pieces, of_surface(&found, under), region(under).normal());
         let pieces =
             if mutual { without(pieces, of_surface(&found, over), region(over).normal()) } else { pieces };
         let extent = region(under).extent().min(region(over).extent());
         let pieces: Vec<Vec<DVec3>> =
-            pieces.into_iter().filter(|piece| width(piece) > NARROW * extent).collect();
+            pieces.into_iter().filter(|piece| polygon_width(piece) > NARROW * extent).collect();
         if area(&pieces) <= SHARED * region(under).area().min(region(over).area()) {
             continue;
         }
@@ -72,11 +72,6 @@ pub fn without<'a>(
 /// Those of `covers` that belong to `surface`.
 pub fn of_surface(covers: &[Cover], surface: usize) -> impl Iterator<Item = &Cover> {
     covers.iter().filter(move |cover| cover.surface == surface)
-}
-
-/// Area over extent of a piece (scene length).
-pub fn width(piece: &[DVec3]) -> f64 {
-    polygon_area(piece) / Aabb::around(piece.iter().copied()).diagonal()
 }
 
 /// Area of pieces that do not overlap (scene length²).
@@ -146,14 +141,4 @@ fn height_over(under: &PlanarRegion, over: &PlanarRegion) -> Option<f64> {
     let tolerance = touching(small.extent(), large.extent());
     let heights = || small.outer().iter().map(|x| up * large.height(*x));
     heights().all(|height| height > tolerance).then(|| heights().fold(0.0, f64::max))
-}
-
-/// The part of a sheet over which another lies, in its own plane.
-fn common(region: &PlanarRegion, other: &PlanarRegion) -> Vec<Vec<DVec3>> {
-    let pairs =
-        region.convex_pieces().iter().flat_map(|own| other.convex_pieces().iter().map(move |o| (own, o)));
-    pairs
-        .map(|(own, other_piece)| intersection(own, other_piece, other.normal()))
-        .filter(|p| p.len() > 2)
-        .collect()
 }

@@ -23,7 +23,7 @@ pub mod coating;
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Rect, Surface, overhang, touching};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
 use serde::{Deserialize, Serialize};
 
 use crate::covers::{self, Cover, covers};
@@ -85,25 +85,8 @@ struct Cut {
     shape: Arc<dyn Surface>,
     breaks: [Vec<f64>; 2],
     element: Vec<Option<usize>>,
-    /// The parts on which others lie.
-    covered: Vec<Covered>,
-}
-
-/// A part of a surface on which another lies, and its element.
-#[derive(Debug)]
-struct Covered {
-    pieces: Vec<Vec<DVec3>>,
-    /// Unit normal of the surface.
-    normal: DVec3,
-    /// Points nearer to it count as in it (scene length).
-    tolerance: f64,
-    element: usize,
-}
-
-impl Covered {
-    fn contains(&self, x: DVec3) -> bool {
-        self.pieces.iter().any(|piece| overhang(piece, self.normal, x) <= self.tolerance)
-    }
+    /// Those of the parts on which others lie.
+    covered: Vec<usize>,
 }
 
 impl Elements {
@@ -172,11 +155,7 @@ impl Elements {
         }
         for Cover { pieces, contact, .. } in covers {
             let found = made(Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) })?;
-            let tolerance = found.as_ref().map_or(0.0, |element| touching(element.extent, 0.0));
-            let normal =
-                found.as_ref().and_then(|element| element.plane).map_or(DVec3::ZERO, |plane| plane.1);
-            let covered = |element| Covered { pieces: pieces.clone(), normal, tolerance, element };
-            cut.covered.extend(self.push(found).map(covered));
+            cut.covered.extend(self.push(found));
         }
         Ok(cut)
     }
@@ -208,8 +187,8 @@ impl Elements {
     /// The element of a surface that holds the parameters (u, v); None inside a hole that fills a cell.
     pub fn at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<usize> {
         let cut = &self.surfaces[surface];
-        if let Some(covered) = cut.covered_at([u, v]) {
-            return Some(covered.element);
+        if let Some(covered) = self.covered_at(cut, [u, v]) {
+            return Some(covered);
         }
         let columns = cut.breaks[1].len() - 1;
         cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
@@ -221,11 +200,21 @@ impl Elements {
         let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
         let shape = self.shape(surface);
         let cut = &self.surfaces[surface];
-        if [[u, v], beyond].iter().any(|place| cut.covered_at(*place).is_some()) {
+        if [[u, v], beyond].iter().any(|place| self.covered_at(cut, *place).is_some()) {
             return None;
         }
         let covered = shape.region().is_none_or(|region| region.contains(shape.jet(u, v).position));
         if covered && beyond.iter().all(|x| *x < 1.0) { self.at(surface, beyond) } else { None }
+    }
+
+    /// The element of the part on which another surface lies at the parameters (u, v).
+    fn covered_at(&self, cut: &Cut, [u, v]: [f64; 2]) -> Option<usize> {
+        let position = (!cut.covered.is_empty()).then(|| cut.shape.jet(u, v).position)?;
+        let holds = |index: &&usize| {
+            let element = &self.list[**index];
+            element.covers(position, touching(element.extent, 0.0))
+        };
+        cut.covered.iter().find(holds).copied()
     }
 
     /// Number of surfaces, those without elements included.
@@ -271,14 +260,6 @@ impl Elements {
     }
 }
 
-impl Cut {
-    /// The covered part at (u, v).
-    fn covered_at(&self, [u, v]: [f64; 2]) -> Option<&Covered> {
-        let position = (!self.covered.is_empty()).then(|| self.shape.jet(u, v).position)?;
-        self.covered.iter().find(|covered| covered.contains(position))
-    }
-}
-
 /// Width of what covers leave of a surface below which it is rounding, as a part of the surface's extent.
 const LEAST: f64 = 1e-6;
 
@@ -287,7 +268,7 @@ fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
     let open = covers::without(whole, covers.iter().copied(), region.normal());
     open.into_iter()
-        .filter(|piece| covers.is_empty() || covers::width(piece) > LEAST * region.extent())
+        .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
         .collect()
 }
 

@@ -3,6 +3,8 @@
 
 use glam::DVec3;
 
+use crate::Aabb;
+
 /// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on
 /// it.
 const ON_PLANE: f64 = 1e-12;
@@ -62,8 +64,20 @@ pub fn difference(polygon: &[DVec3], hole: &[DVec3], normal: DVec3) -> Vec<Vec<D
     beside
 }
 
-fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + '_ {
+/// The sides of a polygon, in order, from each corner to the next.
+pub fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone {
     polygon.iter().zip(polygon.iter().cycle().skip(1)).map(|(from, to)| [*from, *to])
+}
+
+/// Distance of a point from the segment between two others (length).
+pub fn distance_to_segment(x: DVec3, [a, b]: [DVec3; 2]) -> f64 {
+    let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
+    x.distance(a.lerp(b, along))
+}
+
+/// Area of a planar polygon over the diagonal of the box around it: about its breadth (length).
+pub fn polygon_width(polygon: &[DVec3]) -> f64 {
+    polygon_area(polygon) / Aabb::around(polygon.iter().copied()).diagonal()
 }
 
 /// Area of a planar polygon, convex or not (length²).

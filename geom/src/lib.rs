@@ -49,7 +49,9 @@ pub mod shapes;
 pub use aabb::Aabb;
 pub use adjacency::{Adjacency, Seam, Tee};
 pub use bvh::Bvh;
-pub use clip::{clip_polygon, difference, intersection, overhang, polygon_area};
+pub use clip::{
+    clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area, polygon_width, sides,
+};
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
 pub use hull::extreme_points;

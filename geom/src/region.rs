@@ -7,7 +7,7 @@
 mod rings;
 mod pieces;
 
-use crate::{Motion, ShapeError, coordinate_rounding};
+use crate::{Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
 
 /// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed
@@ -164,6 +164,13 @@ impl PlanarRegion {
     /// or four vertices is one piece.
     pub fn convex_pieces(&self) -> &[Vec<DVec3>] {
         &self.pieces
+    }
+
+    /// The parts of its convex pieces over those of another region, seen along the normal of that.
+    pub fn common_parts<'a>(&'a self, other: &'a PlanarRegion) -> impl Iterator<Item = Vec<DVec3>> + 'a {
+        let (ours, theirs) = (self.convex_pieces(), other.convex_pieces());
+        let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
+        pairs.map(|(our, their)| intersection(our, their, other.normal())).filter(|part| part.len() > 2)
     }
 
     /// The same region seen from the other side.

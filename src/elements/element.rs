@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, polygon_area};
+use radiosity_geom::{Aabb, DVec2, DVec3, Rect, Surface, clip_polygon, overhang, polygon_area};
 use smallvec::{SmallVec, smallvec};
 
 use super::basis::AreaBasis;
@@ -74,6 +74,13 @@ impl Element {
         sums
     }
 
+    /// Whether a point of its plane lies in it, or nearer to one of its patches than `tolerance` (scene length); never on a curved
+    /// element.
+    pub fn covers(&self, x: DVec3, tolerance: f64) -> bool {
+        let Some((_, normal)) = self.plane else { return false };
+        self.patches.iter().any(|patch| overhang(&patch.corners(), normal, x) <= tolerance)
+    }
+
     /// Bounding box.
     pub fn bounds(&self) -> Aabb {
         Aabb::around(self.hull.iter().copied())
@@ -107,7 +114,7 @@ pub(super) fn element(
     if patches.is_empty() {
         return Ok(None);
     }
-    let frame = frame(shape.as_ref(), &patches, plane, (&rect, contact.is_some()));
+    let frame = frame(shape.as_ref(), &patches, plane, &rect, contact.is_some());
     let measure = Measure::new(&patches, space.chart_degree(order, &patches));
     let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
     let area = measure.area();
@@ -145,7 +152,8 @@ fn frame(
     shape: &dyn Surface,
     patches: &[Patch],
     plane: Option<(DVec3, DVec3)>,
-    (rect, is_cover): (&Rect, bool),
+    rect: &Rect,
+    is_cover: bool,
 ) -> Frame {
     let [u, v] = rect.center();
     match plane {

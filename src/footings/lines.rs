@@ -1,6 +1,6 @@
 //! Lines along which other planar surfaces stand on one.
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, touching};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, distance_to_segment, sides, touching};
 
 use crate::scene::Scene;
 use crate::visibility::Visibility;
@@ -32,8 +32,9 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
         let in_plane = |x: &DVec3| region.height(*x).abs() <= tolerance;
         // On the plane to rounding: a part of it that is cut out along the lines must not tower over it.
         let onto_plane = |x: DVec3| x - region.height(x) * region.normal();
-        let is_own =
-            |line: &[DVec3; 2]| own.iter().any(|side| line.iter().all(|x| distance(*x, *side) <= tolerance));
+        let is_own = |line: &[DVec3; 2]| {
+            own.iter().any(|side| line.iter().all(|x| distance_to_segment(*x, *side) <= tolerance))
+        };
         let lines = outline(standing).into_iter().filter(|line| line.iter().all(in_plane) && !is_own(line));
         found.extend(lines.map(|ends| Line { ends: ends.map(onto_plane), owner: other }));
     }
@@ -43,9 +44,6 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
 /// The sides of a region, those of its holes included.
 pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
     let rings = std::iter::once(region.outer()).chain(region.holes().iter().map(Vec::as_slice));
-    let sides = |ring: &[DVec3]| -> Vec<[DVec3; 2]> {
-        ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b]).collect()
-    };
     rings.flat_map(sides).collect()
 }
 
@@ -53,15 +51,9 @@ pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
 pub(super) fn around(lines: &[Line], face: &PlanarRegion) -> Vec<usize> {
     let tolerance = 2.0 * touching(face.extent(), 0.0);
     let middles: Vec<DVec3> = outline(face).iter().map(|[a, b]| a.midpoint(*b)).collect();
-    let bounds = |line: &&Line| middles.iter().any(|x| distance(*x, line.ends) <= tolerance);
+    let bounds = |line: &&Line| middles.iter().any(|x| distance_to_segment(*x, line.ends) <= tolerance);
     let mut owners: Vec<usize> = lines.iter().filter(bounds).map(|line| line.owner).collect();
     owners.sort_unstable();
     owners.dedup();
     owners
-}
-
-/// Distance of a point from a segment.
-fn distance(x: DVec3, [a, b]: [DVec3; 2]) -> f64 {
-    let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
-    x.distance(a.lerp(b, along))
 }

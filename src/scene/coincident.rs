@@ -8,7 +8,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, intersection, polygon_area, touching};
+use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width, touching};
 
 /// Distance, relative to the smaller extent, below which points of curved surfaces are the same.
 const SAME: f64 = 1e-9;
@@ -89,20 +89,12 @@ fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
 fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     let breadth = |region: &PlanarRegion| region.area() / region.extent();
     let least = (WIDTH * a.extent().min(b.extent())).min(OF_BREADTH * breadth(a).min(breadth(b)));
-    let width = |part: Vec<DVec3>| polygon_area(&part) / Aabb::around(part).diagonal();
-    common_parts(a, b).any(|part| part.len() > 2 && width(part) > least)
+    a.common_parts(b).any(|part| polygon_width(&part) > least)
 }
 
 /// The area that two regions have in common, seen along the normal of the second.
 pub(super) fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
-    common_parts(a, b).map(|part| polygon_area(&part)).sum()
-}
-
-/// What the convex pieces of two regions have in common, seen along the normal of the second.
-fn common_parts(a: &PlanarRegion, b: &PlanarRegion) -> impl Iterator<Item = Vec<DVec3>> {
-    let (ours, theirs) = (a.convex_pieces(), b.convex_pieces());
-    let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
-    pairs.map(|(our, their)| intersection(our, their, b.normal()))
+    a.common_parts(b).map(|part| polygon_area(&part)).sum()
 }
 
 /// Whether some of `a`, more than a line of it, lies in `b`.

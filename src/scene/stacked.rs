@@ -11,7 +11,7 @@ use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, distance_to_segment, sides, touching};
 
 use crate::scene::{coincident::Occupied, gap};
 
@@ -239,22 +239,12 @@ fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
 /// Whether a side of another sheet lies on one of a sheet's own: positive where both run the same way about their fronts.
 fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
     let way = if own.flip == other.flip { 1.0 } else { -1.0 };
-    sides(other.region()?).find_map(|[a, b]| {
-        let holds = |[p, q]: &[DVec3; 2]| [a, b].iter().all(|x| to_segment(*x, *p, *q) <= tolerance);
-        let [p, q] = sides(own.region()?).find(holds)?;
+    sides(other.region()?.outer()).find_map(|[a, b]| {
+        let holds =
+            |[p, q]: &[DVec3; 2]| [a, b].iter().all(|x| distance_to_segment(*x, [*p, *q]) <= tolerance);
+        let [p, q] = sides(own.region()?.outer()).find(holds)?;
         Some(way * (q - p).dot(b - a))
     })
-}
-
-fn sides(region: &PlanarRegion) -> impl Iterator<Item = [DVec3; 2]> {
-    let outline = region.outer();
-    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
-}
-
-/// Distance of a point from a segment.
-fn to_segment(x: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
-    x.distance(a.lerp(b, along))
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@
 //! lie between a face with x before it and one with x behind: where all points of a convex set lie before both, or behind both,
 //! the edge bounds nothing for any of them.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, sides};
 use smallvec::SmallVec;
 
 /// Heights below this part of the distance count as none.
@@ -59,11 +59,6 @@ impl Rim {
         }
         above && below
     }
-}
-
-/// The sides of a polygon.
-pub(super) fn sides(outline: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> {
-    outline.iter().zip(outline.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
 }
 
 /// The side of a plane that points lie on, but for rounding.

@@ -1,8 +1,6 @@
 //! Balls around points: what is far from a segment, or from the hull of two other balls, is told at once.
 
-use radiosity_geom::{Aabb, DVec3};
-
-use crate::visibility::blocker_edges::sides;
+use radiosity_geom::{Aabb, DVec3, sides};
 
 /// Distances are taken for smaller by this part of the lengths they are computed from, against rounding.
 const ROUNDING: f64 = 1e-12;

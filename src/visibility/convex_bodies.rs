@@ -15,10 +15,10 @@
 
 use std::collections::HashMap;
 
-use radiosity_geom::{Aabb, DVec3, touching};
+use radiosity_geom::{Aabb, DVec3, sides, touching};
 use smallvec::SmallVec;
 
-use crate::visibility::blocker_edges::{Rim, sides};
+use crate::visibility::blocker_edges::Rim;
 use crate::visibility::bounding_ball::Ball;
 use crate::visibility::shadow_volume::Pyramid;
 

@@ -16,13 +16,12 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
-use radiosity_geom::{DVec2, DVec3, Surface, overhang};
+use radiosity_geom::{DVec2, DVec3, Surface};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::coating::Coating;
 use crate::elements::frame::{Frame, duals};
-use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::light::direct::DirectLight;
 use crate::transport;
@@ -286,8 +285,7 @@ impl<'a> Receiver<'a> {
                 let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
-                let covers = |patch: &Patch| overhang(&patch.polygon(), normal, position) <= RIM * extent;
-                element.patches.iter().any(covers).then_some((position, normal))
+                element.covers(position, RIM * extent).then_some((position, normal))
             }
             (Frame::Parameters { center, half }, _) => {
                 let parameters = *center + *half * DVec2::new(a, b);

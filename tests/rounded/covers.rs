@@ -3,36 +3,19 @@
 use proptest::prelude::*;
 use radiosity::covers::covers;
 use radiosity::elements::{Discretization, Elements};
-use radiosity::scene::{Material, Scene, SceneBuilder};
+use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, solve};
 use radiosity_geom::polygon_area;
-use radiosity_geom::shapes::Polygon;
 
-use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, sheet, turned};
+use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, scene_lit_by, sheet, turned};
 
 fn built(sheets: &[Sheet]) -> Scene {
     scene(sheets).expect("a scene")
 }
 
-/// The room of these sheets, whose ceiling alone shines.
-fn lit(sheets: &[Sheet]) -> Scene {
-    let mut scene = SceneBuilder::new("lit", ["grey"]);
-    let grey = scene.material("grey", Material::new(vec![0.5], vec![0.0]).expect("a material"));
-    let lamp = scene.material("lamp", Material::new(vec![0.5], vec![1.0]).expect("a material"));
-    for sheet in sheets {
-        let material = if sheet.name == "room-top" { &lamp } else { &grey };
-        scene.surface(
-            &sheet.name,
-            Polygon::new(sheet.corners.clone(), Vec::new()).expect("a polygon"),
-            material,
-        );
-    }
-    scene.build().expect("a scene")
-}
-
 /// The mean irradiance of every surface but the floor and the bottom of the box.
 fn irradiances(sheets: &[Sheet]) -> Vec<f64> {
-    let scene = lit(sheets);
+    let scene = scene_lit_by(sheets, |name| name == "room-top").expect("a scene");
     let options = Options {
         order: 2,
         subdivide: Some(1),

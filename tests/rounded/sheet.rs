@@ -67,10 +67,22 @@ pub(crate) fn turned(sheets: Vec<Sheet>, [x, y]: [f64; 2], angle: f64) -> Vec<Sh
 
 /// The scene of these sheets, all of one material.
 pub(crate) fn scene(sheets: &[Sheet]) -> Result<Scene, Box<dyn std::error::Error>> {
+    scene_lit_by(sheets, |_| true)
+}
+
+/// The scene of these sheets, all of reflectance ½; those with certain names emit 1.
+pub(crate) fn scene_lit_by(
+    sheets: &[Sheet],
+    shines: impl Fn(&str) -> bool,
+) -> Result<Scene, Box<dyn std::error::Error>> {
     let mut scene = SceneBuilder::new("sheets", ["grey"]);
-    let grey = scene.material("grey", Material::new(vec![0.5], vec![1.0])?);
+    let [grey, lamp] = [("grey", 0.0), ("lamp", 1.0)].map(|(name, emission)| {
+        Material::new(vec![0.5], vec![emission]).map(|material| scene.material(name, material))
+    });
+    let (grey, lamp) = (grey?, lamp?);
     for sheet in sheets {
-        let draft = scene.surface(&sheet.name, Polygon::new(sheet.corners.clone(), Vec::new())?, &grey);
+        let material = if shines(&sheet.name) { &lamp } else { &grey };
+        let draft = scene.surface(&sheet.name, Polygon::new(sheet.corners.clone(), Vec::new())?, material);
         if sheet.two_sided {
             draft.two_sided();
         }

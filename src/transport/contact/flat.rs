@@ -3,7 +3,7 @@
 //! The rule is chosen by this alone. Flat pairs arrive cut so that contacts are whole edges or
 //! corners ([`crate::transport::contact::clip`]); for pairs with a curved patch see [`crate::transport::contact::curved`].
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, sides};
 
 use crate::elements::patch::Patch;
 
@@ -114,10 +114,6 @@ pub(in crate::transport) fn polygon_distance(p: &[DVec3], q: &[DVec3]) -> f64 {
 pub(in crate::transport) fn segment_distance(p: &[DVec3], [a, b]: [DVec3; 2]) -> f64 {
     let ends = point_to_polygon(a, p).min(point_to_polygon(b, p));
     sides(p).map(|side| segment_to_segment(side, [a, b])).fold(ends, f64::min)
-}
-
-fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone + '_ {
-    (0..polygon.len()).map(|k| [polygon[k], polygon[(k + 1) % polygon.len()]])
 }
 
 pub(in crate::transport) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
