@@ -9,14 +9,10 @@
 use std::time::Instant;
 
 use crate::cg::Cg;
-#[cfg(feature = "faer")]
 use crate::cholesky::Cholesky;
 use crate::error::{SolveError, Stop};
 use crate::gmres::Gmres;
-#[cfg(feature = "faer")]
 use crate::lu::Lu;
-#[cfg(not(feature = "faer"))]
-use crate::lu_small::LuSmall as Lu;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
@@ -25,11 +21,10 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "auto";
 
 /// Unknowns per right-hand side up to which a direct method comes first.
-const DIRECT: usize = if cfg!(feature = "faer") { 500 } else { 200 };
+const DIRECT: usize = 500;
 
-/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB, or unblocked
-/// elimination many minutes.
-const HUGE: usize = if cfg!(feature = "faer") { 30_000 } else { 8000 };
+/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB.
+const HUGE: usize = 30_000;
 
 /// Tolerance below which iterations may fail where a refined direct method does not.
 const STRICT: f64 = 1e-13;
@@ -87,7 +82,6 @@ impl Plan {
         if !direct_only {
             first.push(if a.symmetric() { &Cg } else { &Gmres });
         }
-        #[cfg(feature = "faer")]
         if a.symmetric() {
             first.push(&Cholesky);
         }

@@ -14,10 +14,10 @@
 //! probe, vᵀ(A p₀) = p₀ᵀ(A v) for a scattered v. Reference: Y. Saad, *Iterative Methods for Sparse Linear
 //! Systems*, 2nd ed., SIAM 2003, §6.7, §9.2.
 
-use nalgebra::{Cholesky, DMatrix, DMatrixViewMut, Dyn};
-
+use crate::cholesky_factor::CholeskyFactor;
 use crate::diagonal::diagonal_block;
 use crate::error::SolveError;
+use crate::factors::Factors;
 use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
 use crate::problem::Problem;
@@ -68,11 +68,10 @@ impl Solver for Cg {
     }
 }
 
-/// A_BB = L Lᵀ; none for an empty block.
-fn factor(a: &dyn Operator, block: usize) -> Result<Cholesky<f64, Dyn>, SolveError> {
-    let size = a.partition().size(block);
-    let values = DMatrix::from_vec(size, size, diagonal_block(a, block)?);
-    Cholesky::new(values).ok_or(SolveError::NotPositiveDefinite { method: NAME })
+/// A_BB = L Lᵀ.
+fn factor(a: &dyn Operator, block: usize) -> Result<CholeskyFactor, SolveError> {
+    let factor = CholeskyFactor::new(diagonal_block(a, block)?, a.partition().size(block), 1);
+    factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })
 }
 
 /// A search direction p with its rᵀz.
@@ -84,7 +83,7 @@ struct Direction {
 /// The method at work.
 struct Descent<'p> {
     problem: &'p Problem<'p>,
-    blocks: Vec<Cholesky<f64, Dyn>>,
+    blocks: Vec<CholeskyFactor>,
     r: Vec<f64>,
     /// Relative residual when `r` was last recomputed.
     renewed: f64,
@@ -101,11 +100,7 @@ impl Descent<'_> {
     fn precondition(&self) -> Result<(Vec<f64>, f64), SolveError> {
         let mut z = self.r.clone();
         for (block, factor) in self.blocks.iter().enumerate() {
-            let z = &mut z[self.problem.a.partition().range(block)];
-            let rows = z.len();
-            if rows > 0 {
-                factor.solve_mut(&mut DMatrixViewMut::from_slice(z, rows, 1));
-            }
+            factor.solve(&mut z[self.problem.a.partition().range(block)]);
         }
         let rz = dot(&self.r, &z);
         if rz > 0.0 && rz.is_finite() { Ok((z, rz)) } else { Err(self.broken()) }

@@ -1,4 +1,4 @@
-//! Cholesky factorisation, blocked and threaded.
+//! Cholesky factorisation.
 //!
 //! A = L Lᵀ in n³/6 multiplications from the lower triangle of A alone, half of what LU takes. The residual
 //! is recomputed with all of A and refined; where that does not reach the tolerance (a matrix that is not as
@@ -8,14 +8,11 @@
 
 use std::time::Instant;
 
-use faer::dyn_stack::{MemBuffer, MemStack};
-use faer::linalg::cholesky::llt::{factor, solve};
-use faer::{MatMut, MatRef, Par};
-
+use crate::cholesky_factor::CholeskyFactor;
 use crate::direct::Direct;
 use crate::error::{SolveError, Stop};
 use crate::factors::Factors;
-use crate::lu::{Lu, parallelism};
+use crate::lu::Lu;
 use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
@@ -85,44 +82,8 @@ impl Direct for LowerTriangle {
 
     const LOWER: bool = true;
 
-    /// A = L Lᵀ, in place.
-    fn factor(
-        mut matrix: Vec<f64>,
-        dim: usize,
-        settings: &Settings<'_>,
-    ) -> Result<Box<dyn Factors>, SolveError> {
-        let par = parallelism(dim, settings.threads);
-        let scratch = factor::cholesky_in_place_scratch::<f64>(dim, par, Default::default());
-        factor::cholesky_in_place(
-            MatMut::from_column_major_slice_mut(&mut matrix, dim, dim),
-            Default::default(),
-            par,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-            Default::default(),
-        )
-        .map_err(|_| SolveError::NotPositiveDefinite { method: NAME })?;
-        Ok(Box::new(Triangle { matrix, dim }))
-    }
-}
-
-/// L on and below the diagonal.
-struct Triangle {
-    matrix: Vec<f64>,
-    dim: usize,
-}
-
-impl Factors for Triangle {
-    fn solve(&self, x: &mut [f64]) {
-        let scratch = solve::solve_in_place_scratch::<f64>(self.dim, 1, Par::Seq);
-        solve::solve_in_place(
-            MatRef::from_column_major_slice(&self.matrix, self.dim, self.dim),
-            MatMut::from_column_major_slice_mut(x, self.dim, 1),
-            Par::Seq,
-            MemStack::new(&mut MemBuffer::new(scratch)),
-        );
-    }
-
-    fn solve_transposed(&self, x: &mut [f64]) {
-        self.solve(x);
+    fn factor(matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
+        let factor = CholeskyFactor::new(matrix, dim, settings.threads);
+        Ok(Box::new(factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })?))
     }
 }

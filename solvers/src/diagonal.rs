@@ -1,8 +1,8 @@
 //! Diagonal blocks and their inverses.
 
-use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
-
 use crate::error::SolveError;
+use crate::factors::Factors;
+use crate::lu_factors::LuFactors;
 use crate::operator::Operator;
 use crate::partition::Partition;
 use crate::problem::finite;
@@ -11,7 +11,7 @@ use crate::settings::Granularity;
 /// The inverse of one diagonal block, or of its diagonal alone.
 pub(crate) enum Pivot {
     /// The block D, factored.
-    Block(LU<f64, Dyn, Dyn>),
+    Block(LuFactors),
     /// The block D as it is, column by column: its unknowns are relaxed one by one.
     Coefficients(Vec<f64>),
 }
@@ -29,8 +29,7 @@ impl Pivot {
             let invertible = (0..size).all(|k| values[k * size + k] != 0.0);
             return if invertible { Ok(Self::Coefficients(values)) } else { Err(singular()) };
         }
-        let lu = DMatrix::from_vec(size, size, values).lu();
-        if lu.is_invertible() { Ok(Self::Block(lu)) } else { Err(singular()) }
+        LuFactors::new(values, size, 1).map(Self::Block).ok_or_else(singular)
     }
 
     /// All diagonal blocks of `a`, in order.
@@ -48,12 +47,7 @@ impl Pivot {
     /// r := D⁻¹ r, or r_k := r_k / d_kk.
     pub(crate) fn divide(&self, r: &mut [f64]) {
         match self {
-            // A view of no rows is refused by the matrix library.
-            Self::Block(_) if r.is_empty() => {}
-            Self::Block(lu) => {
-                let rows = r.len();
-                lu.solve_mut(&mut DMatrixViewMut::from_slice(r, rows, 1));
-            }
+            Self::Block(lu) => lu.solve(r),
             Self::Coefficients(values) => {
                 let size = r.len();
                 for (k, r) in r.iter_mut().enumerate() {

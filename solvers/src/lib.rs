@@ -44,16 +44,15 @@
 //! | method | when | converges | reference |
 //! | --- | --- | --- | --- |
 //! | [`auto`] | not sure | where one of its choices does | – |
-//! | `cholesky` | symmetric positive definite, up to some thousand unknowns, or many right-hand sides | A = Aᵀ, xᵀAx > 0, ε κ(A) < 1 | Higham 2002, ch. 10 |
-//! | `lu` | anything else of that size | A invertible, ε κ(A) < 1 | Golub, Van Loan 2013, § 3.4 |
-//! | [`lu_small`] `lu-small` | a cross-check, or a build without the `faer` feature; up to 1000 unknowns | as `lu` | as `lu` |
+//! | [`cholesky`] | symmetric positive definite, up to some thousand unknowns, or many right-hand sides | A = Aᵀ, xᵀAx > 0, ε κ(A) < 1 | Higham 2002, ch. 10 |
+//! | [`lu`] | anything else of that size | A invertible, ε κ(A) < 1 | Golub, Van Loan 2013, § 3.4 |
 //! | [`cg`] | symmetric positive definite, large or never stored | A = Aᵀ, xᵀAx > 0; in O(√κ) steps | Saad 2003, § 6.7 |
 //! | [`gmres`] | unsymmetric, large or never stored | A invertible, if never restarted; symmetric part of A M⁻¹ positive definite, if so | Saad 2003, § 6.5 |
 //! | [`gauss_seidel`] `gauss-seidel` | rows at hand one by one; smooth progress; a bound on memory | A symmetric positive definite and 0 < ω < 2, or ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
 //! | [`jacobi`] | the plainest yardstick; Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
 //! | [`southwell`] | columns are dear and few of them matter; a picture after every shot | as `gauss-seidel`, dominant by columns | Southwell 1940; Gortler, Cohen, Slusallek 1994 |
 //!
-//! Full references stand at the head of each module. Features: `faer` (default) brings `lu` and `cholesky`.
+//! Full references stand at the head of each module.
 
 mod partition;
 
@@ -79,17 +78,19 @@ mod ranking;
 
 mod factors;
 
+mod panel;
+
+mod lu_factors;
+
+mod cholesky_factor;
+
 mod condition;
 
 mod direct;
 
-#[cfg(feature = "faer")]
 pub mod lu;
 
-#[cfg(feature = "faer")]
 pub mod cholesky;
-
-pub mod lu_small;
 
 pub mod jacobi;
 

@@ -4,14 +4,11 @@ use std::fmt;
 
 use crate::auto::{self, Auto};
 use crate::cg::{self, Cg};
-#[cfg(feature = "faer")]
 use crate::cholesky::{self, Cholesky};
 use crate::gauss_seidel::{self, GaussSeidel};
 use crate::gmres::{self, Gmres};
 use crate::jacobi::{self, Jacobi};
-#[cfg(feature = "faer")]
 use crate::lu::{self, Lu};
-use crate::lu_small::{self, LuSmall};
 use crate::solver::Solver;
 use crate::southwell::{self, Southwell};
 
@@ -72,7 +69,6 @@ impl Method {
             storage: "that of its choice",
             solver: &Auto,
         },
-        #[cfg(feature = "faer")]
         Self {
             name: cholesky::NAME,
             summary: "Cholesky with refinement, LU where that fails",
@@ -81,7 +77,6 @@ impl Method {
             storage: "n²",
             solver: &Cholesky,
         },
-        #[cfg(feature = "faer")]
         Self {
             name: lu::NAME,
             summary: "LU with partial pivoting and refinement",
@@ -89,14 +84,6 @@ impl Method {
             cost: "n³/3",
             storage: "n²",
             solver: &Lu,
-        },
-        Self {
-            name: lu_small::NAME,
-            summary: "the same, plain, for up to 1000 unknowns",
-            needs: Needs::Inverse,
-            cost: "n³/3, slow ones",
-            storage: "n²",
-            solver: &LuSmall,
         },
         Self {
             name: cg::NAME,

@@ -53,7 +53,7 @@ pub struct Settings<'a> {
     pub relaxation: f64,
     /// gmres: vectors kept before it restarts, at least 1.
     pub restart: usize,
-    /// lu, cholesky, lu-small: also estimate the condition number, at the price of some ten solves.
+    /// lu, cholesky: also estimate the condition number, at the price of some ten solves.
     pub condition: bool,
 }
 

@@ -93,7 +93,7 @@ fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
 fn copies(method: &Method, unknowns: u64) -> u64 {
     let factors = match method.name {
         "auto" => unknowns <= FACTORED,
-        name => matches!(name, "lu" | "lu-small" | "cholesky"),
+        name => matches!(name, "lu" | "cholesky"),
     };
     if factors { 2 } else { 1 }
 }

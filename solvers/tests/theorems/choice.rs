@@ -20,9 +20,7 @@ fn large_systems_are_iterated_unless_rounding_decides() {
     for (symmetric, iterative, direct) in [(true, "cg", "cholesky"), (false, "gmres", "lu")] {
         let a = enclosure(&mut Random(61), Partition::new(&[6; LARGE / 6]), (0.3, 0.8), symmetric);
         assert_eq!(auto(&a, &Settings::default()).method, iterative);
-        if cfg!(feature = "faer") {
-            assert_eq!(auto(&a, &Settings { tolerance: 5e-14, ..Settings::default() }).method, direct);
-        }
+        assert_eq!(auto(&a, &Settings { tolerance: 5e-14, ..Settings::default() }).method, direct);
     }
 }
 

@@ -1,9 +1,9 @@
 //! The number of threads changes no bit.
 
-use radiosity_solvers::Settings;
 use radiosity_solvers::method::Method;
+use radiosity_solvers::{Operator, Partition, Settings};
 
-use crate::systems::{Random, enclosure};
+use crate::systems::{Random, enclosure, matrix};
 
 #[test]
 fn of_products_and_iterations() {
@@ -24,13 +24,8 @@ fn of_products_and_iterations() {
     }
 }
 
-#[cfg(feature = "faer")]
 #[test]
 fn of_large_factorisations() {
-    use radiosity_solvers::{Operator, Partition};
-
-    use crate::systems::matrix;
-
     let random = &mut Random(17);
     for dim in [2000, 2113] {
         let entries = random.vector(4096);
