@@ -66,6 +66,8 @@ mod vector;
 
 mod dense;
 
+mod block_sparse;
+
 mod problem;
 
 mod solver;
@@ -106,6 +108,7 @@ pub mod auto;
 
 pub mod method;
 
+pub use block_sparse::{BlockSparse, SparseBlock};
 pub use dense::Dense;
 pub use error::{SolveError, Stop};
 pub use operator::Operator;
