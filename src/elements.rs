@@ -19,11 +19,12 @@ pub mod basis;
 mod fault;
 mod element;
 pub mod coating;
+mod resolution;
 
 use std::ops::Range;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
+use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching};
 use serde::{Deserialize, Serialize};
 
 use crate::covers::{self, Cover, covers};
@@ -35,6 +36,7 @@ pub use element::{Element, clip_to_cell};
 use element::{Part, element};
 pub use fault::ElementError;
 use patch::Patch;
+use resolution::Resolution;
 use space::Space;
 
 /// How the scene is cut and which polynomials it carries.
@@ -69,6 +71,11 @@ pub enum Subdivide {
     },
     /// The same number along u and v everywhere.
     Uniform(usize),
+    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order as well.
+    Graded {
+        /// Rays from all surfaces together, spread by area.
+        rays: u64,
+    },
 }
 
 /// All elements of a scene, surface by surface.
@@ -116,15 +123,14 @@ impl Elements {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
         }
-        let extent = scene_extent(scene);
+        let resolution = Resolution::new(scene, how);
         let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
-            let order = surface.order.unwrap_or(how.order);
+            let order = resolution.order(surface);
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
-            let breaks = parts.map(|parts| breaks(parts, how.layers));
+            let breaks = resolution.parts(surface).map(|parts| breaks(parts, how.layers));
             let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
             let cut = elements.cut((index, surface), shape, breaks, &own, order)?;
             elements.surfaces.push(cut);
@@ -289,35 +295,15 @@ pub struct CutSize {
 
 /// How many elements and functions [`Elements::new`] makes of each surface at the most; makes none.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
-    let extent = scene_extent(scene);
+    let resolution = Resolution::new(scene, how);
     let covers = covers(scene);
     let size = |(index, surface): (usize, &SceneSurface)| {
-        let parts = surface.subdivide.unwrap_or_else(|| cuts(how.subdivide, surface, extent));
-        let [along, across] = parts.map(|parts| (parts + 2 * how.layers.count) as u64);
-        let order = surface.order.unwrap_or(how.order);
+        let [along, across] = resolution.parts(surface).map(|parts| (parts + 2 * how.layers.count) as u64);
         let covered = covers::of_surface(&covers, index).count() as u64;
-        CutSize { elements: along * across + covered, functions: how.space.count(order) as u64 }
+        let functions = how.space.count(resolution.order(surface)) as u64;
+        CutSize { elements: along * across + covered, functions }
     };
     scene.surfaces.iter().enumerate().map(size).collect()
-}
-
-fn cuts(subdivide: Subdivide, surface: &SceneSurface, extent: f64) -> [usize; 2] {
-    match subdivide {
-        Subdivide::Uniform(n) => [n, n],
-        Subdivide::Auto { occluded } => {
-            let bounds = surface.shape.bounds(&Rect::FULL);
-            let large = (bounds.max - bounds.min).max_element() > 0.5 * extent;
-            if occluded && large { [2, 2] } else { [1, 1] }
-        }
-    }
-}
-
-fn scene_extent(scene: &Scene) -> f64 {
-    let bounds = scene
-        .surfaces
-        .iter()
-        .fold(Aabb::EMPTY, |bounds, surface| bounds.union(surface.shape.bounds(&Rect::FULL)));
-    (bounds.max - bounds.min).max_element()
 }
 
 #[cfg(test)]

@@ -22,11 +22,14 @@
 //! Both are one system: the unknown radiosity √ρ y (or z) is sent besides a known one, e (or e + ρ d), and the irradiance
 //! is a known one, 0 (or d), and that of the first transport, G e (or g), besides G times what is unknown.
 
-use radiosity_solvers::{Dense, Partition, SolveError};
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::transport::Blocks;
+
+/// Unknowns up to which the matrix is held entry by entry: 72 MB.
+const SMALL: usize = 3000;
 
 /// The system of one band.
 #[derive(Debug)]
@@ -121,6 +124,38 @@ impl<'a> System<'a> {
             }
         }
         Dense::new(partition, values, self.blocks.symmetric())
+    }
+
+    /// I − √ρ G √ρ on the reflecting elements: entry by entry where it is small, by its blocks elsewhere.
+    ///
+    /// # Errors
+    /// Values that are not finite.
+    pub fn operator(&self, threads: usize) -> Result<Box<dyn Operator>, SolveError> {
+        let dim: usize = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).sum();
+        if dim <= SMALL || !self.blocks.symmetric() {
+            return Ok(Box::new(self.matrix()?));
+        }
+        Ok(Box::new(self.block_sparse()?.with_threads(threads)))
+    }
+
+    /// The same by those of its blocks that differ from zero.
+    fn block_sparse(&self) -> Result<BlockSparse, SolveError> {
+        let sizes: Vec<usize> = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).collect();
+        let place = |element: usize| self.reflecting.binary_search(&element).ok();
+        let mut blocks: Vec<(usize, usize, Vec<f64>)> = Vec::new();
+        for (block, size) in sizes.iter().enumerate() {
+            let mut identity = vec![0.0; size * size];
+            identity.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = 1.0);
+            blocks.push((block, block, identity));
+        }
+        for (row, column, values) in self.blocks.iter() {
+            let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
+            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
+            blocks.push((i, j, values.iter().map(|g| -root * g).collect()));
+        }
+        let borrowed: Vec<SparseBlock<'_>> =
+            blocks.iter().map(|(i, j, values)| (*i, *j, &values[..])).collect();
+        BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 
     /// √ρ G e, or √ρ g, on the reflecting elements.

@@ -19,6 +19,7 @@ pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;
 mod schedule;
+pub(crate) mod sampled;
 
 pub use blocks::Blocks;
 pub use blocks::block::{Accuracy, Kind};
@@ -26,4 +27,5 @@ pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
+pub use sampled::{Rays, SampledTransport};
 pub use schedule::{assemble, assemble_pairs, assemble_senders};

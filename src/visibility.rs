@@ -263,7 +263,15 @@ impl Visibility {
     ///
     /// Front and back of a two-sided surface are met at once: a back counts as a trifle farther.
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
+        self.nearest_but(None, ray)
+    }
+
+    /// The first surface that a ray meets, other than `own`; see [`Visibility::nearest`].
+    pub fn nearest_but(&self, own: Option<usize>, ray: &Ray) -> Option<(usize, Hit)> {
         self.tree.nearest(ray, |index, ray| {
+            if own == Some(index) {
+                return None;
+            }
             let shape = &self.obstacles[index].shape;
             let hit = shape.intersect(ray)?;
             let back = shape.jet(hit.u, hit.v).normal.dot(ray.direction) > 0.0;

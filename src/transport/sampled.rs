@@ -1,0 +1,225 @@
+//! Blocks from rays: who sees whom is answered for all pairs of a row at once.
+//!
+//! Element i sends n_i rays, from points x spread evenly over its area A_i in cosine-distributed directions. A ray that first
+//! meets the front of element j at y has the density (1/A_i) κ V, the shape of the integrand, from either end. Combined with the rays
+//! from j by the balance heuristic,
+//!
+//! ```text
+//! G_ij^kl ≈ Σ φ_k(x) φ_l(y) / (n_i/A_i + n_j/A_j)   over all rays i → j and j → i ,
+//! ```
+//!
+//! without bias, symmetric, each ray used in both directions; backs absorb. Row sums are then made to agree with the shares of rays
+//! that hit something ([`closure`]). The rays of even and of odd number are two estimates of their own: half of what they differ by
+//! is about the error of their mean.
+//!
+//! What lies on another surface exchanges with it alone, exactly ([`crate::transport::rules::covering`]), and sends no rays.
+//!
+//! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance
+//! heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for radiosity*, K. U. Leuven 1999.
+
+mod closure;
+mod hit;
+mod sender;
+mod tally;
+
+use rayon::prelude::*;
+
+use crate::elements::{Element, Elements};
+use crate::transport::blocks::Blocks;
+use crate::transport::rules::covering;
+use crate::visibility::Visibility;
+use closure::Exchange;
+use hit::{Hit, hit};
+use sender::Sender;
+use tally::{Sums, Tally};
+
+/// Rays whose hits are held at a time: some 30 MB.
+const CHUNK: u64 = 1 << 19;
+
+/// Rays that one task sends.
+const TASK: u64 = 1 << 12;
+
+/// Which rays an estimate of G takes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Rays {
+    /// All.
+    All,
+    /// Those of even number.
+    Even,
+    /// Those of odd number.
+    Odd,
+}
+
+/// Rays sent so far between elements, and what they met.
+#[derive(Debug)]
+pub struct SampledTransport<'a> {
+    elements: &'a Elements,
+    visibility: &'a Visibility,
+    senders: Vec<Sender>,
+    /// Rays sent by each element.
+    sent: Vec<u64>,
+    /// Sum of the weights of the rays of each element that met a front, in either half.
+    met: Vec<[f64; 2]>,
+    tally: Tally,
+}
+
+/// Rays of one element, one after the other.
+#[derive(Clone, Copy, Debug)]
+struct Task {
+    element: usize,
+    first: u64,
+    count: u64,
+}
+
+impl<'a> SampledTransport<'a> {
+    /// No rays yet.
+    pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
+        let list = elements.list();
+        let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, place));
+        Self {
+            elements,
+            visibility,
+            senders: senders.collect(),
+            sent: vec![0; list.len()],
+            met: vec![[0.0; 2]; list.len()],
+            tally: Tally::new(list.len()),
+        }
+    }
+
+    /// Rays sent by each element so far.
+    pub fn sent(&self) -> &[u64] {
+        &self.sent
+    }
+
+    /// Sends so many more rays from each element; covered ones send none. `progress` hears how many are done.
+    pub fn send(&mut self, rays: &[u64], progress: &mut dyn FnMut(u64)) {
+        let list = self.elements.list();
+        let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
+        let mut tasks: Vec<Task> = tasks
+            .flat_map(|(element, rays)| {
+                let sent = self.sent[element];
+                (0..*rays).step_by(TASK as usize).map(move |first| Task {
+                    element,
+                    first: sent + first,
+                    count: TASK.min(rays - first),
+                })
+            })
+            .collect();
+        let (mut rest, mut done) = (&mut tasks[..], 0);
+        while !rest.is_empty() {
+            let mut total = 0;
+            let mut fits = |task: &Task| {
+                total += task.count;
+                total <= CHUNK
+            };
+            let count = rest.iter().take_while(|task| fits(task)).count().max(1);
+            let (now, later) = rest.split_at_mut(count);
+            self.run(now);
+            done += now.iter().map(|task| task.count).sum::<u64>();
+            progress(done);
+            rest = later;
+        }
+    }
+
+    fn run(&mut self, tasks: &[Task]) {
+        let hits: Vec<Vec<Hit>> = tasks.par_iter().map(|task| self.hits(task)).collect();
+        for (Task { element, count, .. }, hits) in tasks.iter().zip(&hits) {
+            self.sent[*element] += count;
+            hits.iter().for_each(|hit| self.met[*element][hit.half as usize] += hit.weight);
+        }
+        self.tally.take(self.elements.list(), &hits.concat());
+    }
+
+    fn hits(&self, task: &Task) -> Vec<Hit> {
+        let sender = &self.senders[task.element];
+        let indices = task.first..task.first + task.count;
+        let met = |index| hit(self.elements, self.visibility, task.element, index, &sender.departure(index));
+        indices.filter_map(met).collect()
+    }
+
+    /// Estimate of G by the rays sent so far.
+    pub fn blocks(&self, rays: Rays) -> Blocks {
+        let list = self.elements.list();
+        let densities = self.densities(rays);
+        let exchanges: Vec<Exchange> =
+            self.tally.iter().map(|sums| exchange(list, &densities, &sums, rays)).collect();
+        let wanted = self.wanted(rays);
+        let factors = closure::factors(&exchanges, &wanted);
+        let mut blocks = Blocks::empty(self.elements.starts(), true);
+        let mut values = Vec::new();
+        for sums in self.tally.iter() {
+            let Sums { row, column, halves } = sums;
+            let factor = factors[row] * factors[column] / (densities[row] + densities[column]);
+            values.clear();
+            values.extend(chosen(halves, rays).map(|sum| factor * sum));
+            blocks.push(row, column, &values);
+        }
+        self.push_covered(&mut blocks);
+        blocks.rays = self.sent.iter().sum();
+        blocks
+    }
+
+    /// n_i / A_i of the rays that count.
+    fn densities(&self, rays: Rays) -> Vec<f64> {
+        let density = |(sent, element): (&u64, &Element)| rays.count(*sent) as f64 / element.area;
+        self.sent.iter().zip(self.elements.list()).map(density).collect()
+    }
+
+    /// A_i s_i, s_i the share of rays that met a front.
+    fn wanted(&self, rays: Rays) -> Vec<f64> {
+        let list = self.elements.list();
+        let share = |index: usize| match rays.count(self.sent[index]) {
+            0 => 0.0,
+            count => (chosen_of(self.met[index], rays) / count as f64).min(1.0),
+        };
+        (0..list.len()).map(|index| list[index].area * share(index)).collect()
+    }
+
+    /// The exact blocks of what lies on each other.
+    fn push_covered(&self, blocks: &mut Blocks) {
+        let list = self.elements.list();
+        let covered: Vec<usize> = (0..list.len()).filter(|index| list[*index].contact.is_some()).collect();
+        for (place, row) in covered.iter().enumerate() {
+            for column in &covered[place + 1..] {
+                if list[*row].contact == list[*column].contact {
+                    blocks.push(*row, *column, &covering::block(&list[*row], &list[*column]).values);
+                }
+            }
+        }
+    }
+}
+
+impl Rays {
+    /// How many of the first `sent` rays count.
+    fn count(self, sent: u64) -> u64 {
+        match self {
+            Self::All => sent,
+            Self::Even => sent.div_ceil(2),
+            Self::Odd => sent / 2,
+        }
+    }
+}
+
+/// The sums of the rays that count.
+fn chosen(halves: [&[f64]; 2], rays: Rays) -> impl Iterator<Item = f64> {
+    halves[0].iter().zip(halves[1]).map(move |(even, odd)| chosen_of([*even, *odd], rays))
+}
+
+fn chosen_of([even, odd]: [f64; 2], rays: Rays) -> f64 {
+    match rays {
+        Rays::All => even + odd,
+        Rays::Even => even,
+        Rays::Odd => odd,
+    }
+}
+
+/// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
+fn exchange(list: &[Element], densities: &[f64], sums: &Sums, rays: Rays) -> Exchange {
+    let Sums { row, column, halves } = *sums;
+    let sum = chosen_of([halves[0][0], halves[1][0]], rays);
+    let amount = match densities[row] + densities[column] {
+        0.0 => 0.0,
+        density => list[row].constant[0] * sum * list[column].constant[0] / density,
+    };
+    Exchange { row: row as u32, column: column as u32, amount }
+}

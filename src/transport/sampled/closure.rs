@@ -1,0 +1,62 @@
+//! Row sums that agree with the shares of rays that hit something.
+//!
+//! The share s_i of the rays of element i that meet a front is Σ_j F_ij, known far better than each F_ij. Factors d_i are
+//! found with
+//!
+//! ```text
+//! Σ_j d_i (A_i F_ij) d_j = A_i s_i   for all i ,
+//! ```
+//!
+//! and G_ij becomes d_i G_ij d_j: symmetric still, and exact for constants. The d are found by turns (d_i ← d_i √(s_i / Σ_j F_ij),
+//! the damped iteration of R. Sinkhorn, P. Knopp, *Pacific J. Math.* 21 (1967) 343-348, for symmetric matrices); a row that nothing
+//! enters keeps d_i = 1. Smoothing by least squares is in M. E. Larsen, J. R. Howell, *J. Heat Transfer* 108 (1986) 239-242.
+
+/// Most turns. Each halves about what is missing; elements that few rays reach are the slow ones.
+const TURNS: usize = 60;
+
+/// Largest relative error of a row sum at which the turns end: far below what is left of sampling.
+const SETTLED: f64 = 1e-6;
+
+/// Bounds of a factor: an element whose sum is farther off was reached by too few rays to tell.
+const FACTORS: [f64; 2] = [0.2, 5.0];
+
+/// Exchange A_i F_ij of two elements, i ≤ j.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Exchange {
+    pub row: u32,
+    pub column: u32,
+    pub amount: f64,
+}
+
+/// The factors d for row sums A_i s_i = `wanted`.
+pub(super) fn factors(exchanges: &[Exchange], wanted: &[f64]) -> Vec<f64> {
+    let mut d = vec![1.0; wanted.len()];
+    for _ in 0..TURNS {
+        let sums = row_sums(exchanges, &d);
+        let mut worst: f64 = 0.0;
+        for ((d, sum), wanted) in d.iter_mut().zip(&sums).zip(wanted) {
+            if *sum > 0.0 && *wanted > 0.0 {
+                worst = worst.max((wanted / sum - 1.0).abs());
+                *d = (*d * (wanted / sum).sqrt()).clamp(FACTORS[0], FACTORS[1]);
+            }
+        }
+        if worst <= SETTLED {
+            break;
+        }
+    }
+    d
+}
+
+/// Σ_j d_i (A_i F_ij) d_j.
+pub(super) fn row_sums(exchanges: &[Exchange], d: &[f64]) -> Vec<f64> {
+    let mut sums = vec![0.0; d.len()];
+    for Exchange { row, column, amount } in exchanges {
+        let (i, j) = (*row as usize, *column as usize);
+        let exchanged = d[i] * amount * d[j];
+        sums[i] += exchanged;
+        if i != j {
+            sums[j] += exchanged;
+        }
+    }
+    sums
+}

@@ -1,0 +1,171 @@
+//! Sums over hits, by pairs of elements.
+//!
+//! ```text
+//! S_ij^kl = Σ w φ_k(x) φ_l(y) over the rays i → j and j → i, x on i and y on j ,
+//! ```
+//!
+//! for i ≤ j, the two halves of the rays apart. A ray from an element to itself counts in both directions.
+
+use rayon::prelude::*;
+use smallvec::{SmallVec, smallvec};
+
+use crate::elements::Element;
+use crate::transport::sampled::hit::Hit;
+
+/// Sums over hits, by pairs of elements.
+#[derive(Debug)]
+pub(super) struct Tally {
+    rows: Vec<Row>,
+}
+
+/// The pairs of one element with itself and with those after it.
+#[derive(Clone, Debug, Default)]
+struct Row {
+    pairs: Vec<Pair>,
+    /// For each pair the sums of one half, then of the other, row-major.
+    sums: Vec<f64>,
+}
+
+/// One pair of a row.
+#[derive(Clone, Copy, Debug)]
+struct Pair {
+    column: u32,
+    /// Where its sums start.
+    start: usize,
+}
+
+/// What is known of one pair.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sums<'a> {
+    /// The element that comes first.
+    pub row: usize,
+    /// The other one.
+    pub column: usize,
+    /// S of the one and of the other half of the rays, row-major.
+    pub halves: [&'a [f64]; 2],
+}
+
+impl Tally {
+    /// No hits yet, between so many elements.
+    pub(super) fn new(elements: usize) -> Self {
+        Self { rows: vec![Row::default(); elements] }
+    }
+
+    /// Adds `hits`; the sums are the same however they are spread over calls, but for rounding.
+    pub(super) fn take(&mut self, list: &[Element], hits: &[Hit]) {
+        let mut order: Vec<(u64, u32)> =
+            hits.par_iter().enumerate().map(|(place, hit)| (key(hit), place as u32)).collect();
+        order.par_sort_unstable();
+        let of_rows: Vec<&[(u64, u32)]> = order.chunk_by(|(a, _), (b, _)| a >> 32 == b >> 32).collect();
+        let mut fresh: Vec<Option<Row>> = vec![None; self.rows.len()];
+        let made: Vec<(usize, Row)> = of_rows
+            .par_iter()
+            .map(|own| {
+                let row = (own[0].0 >> 32) as usize;
+                (row, Row::of(list, row, own, hits))
+            })
+            .collect();
+        made.into_iter().for_each(|(row, made)| fresh[row] = Some(made));
+        self.rows.par_iter_mut().zip(fresh).for_each(|(row, fresh)| {
+            if let Some(fresh) = fresh {
+                *row = row.with(&fresh);
+            }
+        });
+    }
+
+    /// What is known of all pairs between which a ray went, by rows and columns ascending.
+    pub(super) fn iter(&self) -> impl Iterator<Item = Sums<'_>> {
+        self.rows.iter().enumerate().flat_map(|(index, row)| {
+            row.pairs.iter().enumerate().map(move |(place, pair)| {
+                let (even, odd) = row.sums_of(place).split_at(row.sums_of(place).len() / 2);
+                Sums { row: index, column: pair.column as usize, halves: [even, odd] }
+            })
+        })
+    }
+}
+
+/// The pair of a hit: the element that comes first in the upper half.
+fn key(hit: &Hit) -> u64 {
+    let (row, column) = (hit.source.min(hit.target), hit.source.max(hit.target));
+    u64::from(row) << 32 | u64::from(column)
+}
+
+impl Row {
+    /// The sums over `hits` in `order`, all of them of element `row` and those after it.
+    fn of(list: &[Element], row: usize, order: &[(u64, u32)], hits: &[Hit]) -> Self {
+        let mut made = Self::default();
+        for own in order.chunk_by(|(a, _), (b, _)| a == b) {
+            let column = own[0].0 as u32;
+            let size = list[row].basis.len() * list[column as usize].basis.len();
+            let start = made.sums.len();
+            made.pairs.push(Pair { column, start });
+            made.sums.resize(start + 2 * size, 0.0);
+            for (_, place) in own {
+                let hit = &hits[*place as usize];
+                let sums = &mut made.sums[start + hit.half as usize * size..][..size];
+                add(list, [row, column as usize], hit, sums);
+            }
+        }
+        made
+    }
+
+    fn sums_of(&self, place: usize) -> &[f64] {
+        let end = self.pairs.get(place + 1).map_or(self.sums.len(), |next| next.start);
+        &self.sums[self.pairs[place].start..end]
+    }
+
+    /// The sums of both.
+    fn with(&self, other: &Self) -> Self {
+        let mut both = Self {
+            pairs: Vec::with_capacity(self.pairs.len().max(other.pairs.len())),
+            sums: Vec::with_capacity(self.sums.len().max(other.sums.len())),
+        };
+        let (mut i, mut j) = (0, 0);
+        while i < self.pairs.len() || j < other.pairs.len() {
+            let column = |row: &Self, place: usize| row.pairs.get(place).map_or(u32::MAX, |pair| pair.column);
+            let next = column(self, i).min(column(other, j));
+            let start = both.sums.len();
+            for (row, place) in [(self, &mut i), (other, &mut j)] {
+                if column(row, *place) != next {
+                    continue;
+                }
+                if both.sums.len() == start {
+                    both.sums.extend_from_slice(row.sums_of(*place));
+                } else {
+                    let sums = both.sums[start..].iter_mut().zip(row.sums_of(*place));
+                    sums.for_each(|(sum, more)| *sum += more);
+                }
+                *place += 1;
+            }
+            both.pairs.push(Pair { column: next, start });
+        }
+        both
+    }
+}
+
+/// Adds w φ_k(x) φ_l(y) of one hit to the sums of elements `row` and `column`.
+fn add(list: &[Element], [row, column]: [usize; 2], hit: &Hit, sums: &mut [f64]) {
+    let ends = if hit.source as usize == row { [hit.from, hit.to] } else { [hit.to, hit.from] };
+    let [x, y] = [functions(&list[row], ends[0]), functions(&list[column], ends[1])];
+    let mut line = |x: &[f64], y: &[f64]| {
+        for (sums, x) in sums.chunks_exact_mut(y.len()).zip(x) {
+            sums.iter_mut().zip(y).for_each(|(sum, y)| *sum += hit.weight * x * y);
+        }
+    };
+    line(&x, &y);
+    if row == column {
+        line(&y, &x);
+    }
+}
+
+/// φ_k at the coordinates of an element's frame.
+fn functions(element: &Element, coordinates: [f64; 2]) -> SmallVec<[f64; 10]> {
+    let count = element.basis.len();
+    if count == 1 {
+        return smallvec![element.area.sqrt().recip()];
+    }
+    let mut raw: SmallVec<[f64; 10]> = smallvec![0.0; count];
+    element.basis.raw(coordinates, &mut raw);
+    let value = |row: &[f64]| row.iter().zip(&raw).map(|(t, r)| t * r).sum();
+    element.basis.transform().chunks_exact(count).map(value).collect()
+}
