@@ -47,11 +47,12 @@ pub struct Masking {
 /// What a mask is at its nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Average {
-    /// The part of the emitter's area that is seen, by rays: the paper's.
-    Plain,
-    /// The part of the emitter's light that arrives: exact for what is flat.
+    /// The part of the emitter's light that arrives.
     Weighted,
+    /// The part of the emitter's area that is seen, as in Zatz 1993.
+    Plain,
 }
 
 /// Direct light with masks.
