@@ -47,7 +47,7 @@ mod shared;
 pub mod shapes;
 
 pub use aabb::Aabb;
-pub use adjacency::{Adjacency, Seam, Tee};
+pub use adjacency::Adjacency;
 pub use bvh::Bvh;
 pub use clip::{
     clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area, polygon_width, sides,
