@@ -50,7 +50,8 @@ pub use aabb::Aabb;
 pub use adjacency::Adjacency;
 pub use bvh::Bvh;
 pub use clip::{
-    clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area, polygon_width, sides,
+    clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area,
+    polygon_width, sides,
 };
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};

@@ -12,7 +12,7 @@
 
 use core::iter;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, clip_by_heights};
 use smallvec::SmallVec;
 
 use crate::visibility::bounding_ball::Ball;
@@ -81,17 +81,7 @@ pub(crate) fn reach(polygon: &[DVec3]) -> f64 {
 /// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
 fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
     let mut kept = Corners::new();
-    let last = polygon.len() - 1;
-    let (mut previous, mut height) = (polygon[last], heights[last]);
-    for (a, h) in polygon.iter().zip(heights) {
-        if height * h < 0.0 {
-            kept.push(previous.lerp(*a, height / (height - h)));
-        }
-        if *h >= 0.0 {
-            kept.push(*a);
-        }
-        (previous, height) = (*a, *h);
-    }
+    clip_by_heights(polygon, heights, |a| kept.push(a));
     kept
 }
 

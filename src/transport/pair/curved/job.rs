@@ -17,7 +17,7 @@ use crate::visibility::Visibility;
 
 use crate::transport::pair::curved::budget::Budget;
 use crate::transport::pair::curved::points::Points;
-use crate::transport::pair::curved::size::{area, longest};
+use crate::transport::pair::curved::size::area;
 
 /// Points closer than this part of the pair's size coincide.
 pub(super) const COINCIDENT: f64 = 1e-9;
@@ -201,7 +201,7 @@ impl<'a> Job<'a> {
             }
             _ => {}
         }
-        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
         if extent_p >= extent_q {
             self.product(&p.halves(direction_p), std::slice::from_ref(q), state);
         } else {
