@@ -14,8 +14,6 @@ pub enum RuleError {
     TooSmall,
     /// A node lies so near an end, an exponent being near −1 or n above 10⁴, that its weight would lose digits.
     NearEnd,
-    /// The QL iteration did not settle.
-    NoConvergence,
 }
 
 impl fmt::Display for RuleError {
@@ -27,7 +25,6 @@ impl fmt::Display for RuleError {
             RuleError::NearEnd => {
                 "an exponent is too near −1 for this many points: a node would merge with the end"
             }
-            RuleError::NoConvergence => "the QL iteration of the Jacobi matrix did not settle",
         })
     }
 }
