@@ -67,7 +67,6 @@ pub struct MaskedLight {
 /// An emitter as a receiver sees it.
 #[derive(Debug)]
 struct MaskedEmitter {
-    element: usize,
     /// Exitance per band (W m⁻²).
     exitance: Vec<f64>,
     mask: Mask,
@@ -112,7 +111,6 @@ impl MaskedLight {
             for (receiver, masks) in masks.iter().enumerate() {
                 match masks.iter().find(|(other, _)| *other == emitter) {
                     Some((_, mask)) => light.masked[receiver].push(MaskedEmitter {
-                        element: emitter,
                         exitance: exitance.clone(),
                         mask: mask.clone(),
                         unshadowed: unshadowed[receiver].clone(),
@@ -136,6 +134,11 @@ impl MaskedLight {
         }
     }
 
+    /// Whether no light is masked.
+    pub fn is_plain(&self) -> bool {
+        self.masked.iter().all(Vec::is_empty)
+    }
+
     /// Irradiance (W m⁻²) of a band at a point of element `receiver`; `position` matters on flat elements, `parameters` on
     /// curved ones.
     pub fn at(
@@ -154,15 +157,6 @@ impl MaskedLight {
             emitter.exitance[band] * emitter.mask.at(coordinates) * value(&emitter.unshadowed)
         });
         value(&self.plain[band][receiver]) + lit.sum::<f64>()
-    }
-
-    /// The masked pairs: receiver, emitter, and the nodes of their mask.
-    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
-        let of = |(receiver, emitters): (usize, &'_ Vec<MaskedEmitter>)| {
-            let pair = move |emitter: &MaskedEmitter| (receiver, emitter.element, emitter.mask.samples());
-            emitters.iter().map(pair).collect::<Vec<_>>()
-        };
-        self.masked.iter().enumerate().flat_map(of)
     }
 }
 
