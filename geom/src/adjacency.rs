@@ -4,11 +4,9 @@
 //! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
 //! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
 
-use crate::{Aabb, Border, Patch, PlanarRegion, Ray, intersection, polygon_area, sides};
+use crate::{Aabb, Border, LOOSE, Patch, PlanarRegion, Ray, intersection, polygon_area, sides};
 use glam::DVec3;
 
-/// Below this multiple of the smaller extent lengths count as zero.
-const TOUCH: f64 = 1e-6;
 /// Where along a border it is compared with another.
 const PLACES: [f64; 5] = [-1.0, -0.55, 0.05, 0.6, 1.0];
 
@@ -36,7 +34,7 @@ impl Adjacency {
     /// [`Adjacency`].
     pub fn of(first: &Patch, second: &Patch) -> Option<Adjacency> {
         let extents = [first, second].map(|patch| patch.bounds().diagonal());
-        let tolerance = TOUCH * extents[0].min(extents[1]);
+        let tolerance = LOOSE * extents[0].min(extents[1]);
         let boxes = [first, second].map(|patch| patch.bounds().inflate(tolerance));
         if !boxes[0].overlaps(&boxes[1]) {
             return None;

@@ -4,11 +4,7 @@
 use glam::DVec3;
 use smallvec::SmallVec;
 
-use crate::Aabb;
-
-/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on
-/// it.
-const ON_PLANE: f64 = 1e-12;
+use crate::{Aabb, ROUNDING};
 
 /// The part of a convex `polygon` with (x − `point`) · `normal` ≥ 0, vertices in the same order.
 ///
@@ -17,7 +13,7 @@ const ON_PLANE: f64 = 1e-12;
 /// need not be a unit vector.
 pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3> {
     let reach = polygon.iter().map(|x| (*x - point).length_squared()).fold(0.0, f64::max).sqrt();
-    let tolerance = ON_PLANE * reach * normal.length();
+    let tolerance = ROUNDING * reach * normal.length();
     let height = |x: DVec3| {
         let h = (x - point).dot(normal);
         if h.abs() <= tolerance { 0.0 } else { h }

@@ -66,4 +66,4 @@ pub use rounding::coordinate_rounding;
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
-pub use touch::touching;
+pub use touch::{COINCIDENT, LOOSE, ROUNDING, touching};

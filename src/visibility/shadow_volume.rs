@@ -12,16 +12,10 @@
 
 use core::iter;
 
-use radiosity_geom::{DVec3, clip_by_heights};
+use radiosity_geom::{COINCIDENT, DVec3, ROUNDING, clip_by_heights};
 use smallvec::SmallVec;
 
 use crate::visibility::bounding_ball::Ball;
-
-/// Points within this part of their distance from a bounding plane count as touching it.
-const TOUCHING: f64 = 1e-9;
-
-/// Points within this part of their distance from a plane that cuts a polygon count as lying on it.
-const ON_PLANE: f64 = 1e-12;
 
 /// Planes of most shadows, of a block as a whole among them.
 const PLANES: usize = 10;
@@ -49,7 +43,7 @@ impl Plane {
     fn heights(&self, polygon: &[DVec3], reach: f64) -> Heights {
         let height = |a: &DVec3| {
             let h = self.height(*a);
-            if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
+            if h.abs() <= ROUNDING * reach { 0.0 } else { h }
         };
         polygon.iter().map(height).collect()
     }
@@ -205,7 +199,7 @@ impl Pyramid {
     /// Whether it hides a quadrilateral within `radius` of its middle; what merely touches a bounding plane lies outside it.
     pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
         let middle = quad.middle - self.eye;
-        let tolerance = TOUCHING * (middle.abs().element_sum() + radius);
+        let tolerance = COINCIDENT * (middle.abs().element_sum() + radius);
         let mut cover = Cover::Hidden;
         for plane in &self.planes {
             let height = plane.height(middle);
@@ -296,7 +290,7 @@ impl Pyramid {
 
 /// How the convex hull of points no farther from the eye than `reach` stands to the half-spaces of some planes together.
 fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
-    let tolerance = TOUCHING * reach;
+    let tolerance = COINCIDENT * reach;
     let mut cover = Cover::Hidden;
     for plane in planes {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

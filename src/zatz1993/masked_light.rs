@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
-use radiosity_geom::{DVec2, DVec3, Surface};
+use radiosity_geom::{COINCIDENT, DVec2, DVec3, Surface};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -31,9 +31,6 @@ use crate::zatz1993::mask::Mask;
 
 /// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
 const RAYS: usize = 16;
-
-/// Distance from a patch within which a node of a mask counts as on it, in multiples of the element's extent.
-const RIM: f64 = 1e-9;
 
 /// How masks are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -280,7 +277,7 @@ impl<'a> Receiver<'a> {
                 let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
-                element.covers(position, RIM * extent).then_some((position, normal))
+                element.covers(position, COINCIDENT * extent).then_some((position, normal))
             }
             (Frame::Parameters { center, half }, _) => {
                 let parameters = *center + *half * DVec2::new(a, b);

@@ -2,6 +2,8 @@
 //!
 //! Together, because their sum is smooth where a horizon passes from one into the next.
 
+use radiosity_geom::COINCIDENT;
+
 use std::collections::VecDeque;
 
 use crate::elements::patch::Patch;
@@ -14,7 +16,7 @@ use crate::transport::rules::horizon;
 use crate::transport::rules::horizon::Side;
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State, Task};
+use crate::transport::pair::curved::job::{Job, SMALL_PART, State, Task};
 use crate::transport::pair::curved::points::quartered;
 
 /// Part of the block's error that the horizons of one outer part may make.

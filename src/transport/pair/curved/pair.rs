@@ -1,5 +1,7 @@
 //! Two parts of curved elements, wherever they lie.
 
+use radiosity_geom::COINCIDENT;
+
 use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
 use crate::transport::blocks::block::Kind;
@@ -12,7 +14,7 @@ use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::{common_edge, common_vertex};
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State};
+use crate::transport::pair::curved::job::{Job, SMALL_PART, State};
 use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
 
 impl Job<'_> {
