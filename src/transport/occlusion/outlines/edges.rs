@@ -59,7 +59,8 @@ impl Edges {
         &self,
         cell: &Patch,
         blockers: &[usize],
-        [points, accuracy]: [f64; 2],
+        points: f64,
+        accuracy: f64,
     ) -> bool {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
