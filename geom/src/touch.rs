@@ -1,4 +1,4 @@
-//! The one tolerance of touching: what is nearer than this is no distance.
+//! The tolerances of lengths, and the one of touching: what is nearer than this is no distance.
 //!
 //! Scenes come with corners and planes that agree to rounding where they are meant to touch; what is left are the roundings of
 //! their coordinates and of what is computed from them. It goes by the extent of the smaller of two things, for a small thing
