@@ -11,7 +11,7 @@ pub mod contact;
 mod front;
 mod gap;
 
-pub use contact::{Contact, Touch};
+pub use contact::Contact;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 

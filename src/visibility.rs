@@ -23,11 +23,13 @@ use crate::scene::Scene;
 use bounding_ball::Ball;
 use convex_bodies::{Bodies, Face};
 pub use mode::{Hiding, Shadows};
-use obstacle::{Bend, END, Obstacle};
+use obstacle::{Bend, Obstacle};
+
+pub(crate) use obstacle::END;
 use silhouette_mesh::SilhouetteMesh;
 
 /// A segment may touch the surfaces that its ends lie on within this part of its length.
-const OWN_END: f64 = 1e-6;
+pub(crate) const OWN_END: f64 = 1e-6;
 
 /// The surfaces of a scene as obstacles.
 #[derive(Debug)]

@@ -42,34 +42,15 @@ fn legendre_in_time(criterion: &mut Criterion) {
     });
 }
 
-fn legendre_of_many_points(criterion: &mut Criterion) {
-    let mut group = group(criterion, "Gauss-Legendre, asymptotic");
-    for n in [101, 1000, 100_000] {
-        let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
-        group.bench_function(BenchmarkId::new("ours", n), |b| {
-            b.iter(|| gauss::legendre_asymptotic(black_box(&mut x), &mut w));
-        });
-        group.bench_function(BenchmarkId::new("bilby", n), |b| {
-            b.iter(|| bilby::GaussLegendre::new(black_box(n)));
-        });
-        group.bench_function(BenchmarkId::new("gauss-quad", n), |b| {
-            b.iter(|| GaussLegendre::new(black_box(size(n))));
-        });
-    }
-}
-
 fn jacobi_in_time(criterion: &mut Criterion) {
     let exponent = |v| FiniteAboveNegOneF64::new(v).expect("above −1");
     for (alpha, beta) in [(0.0, 2.0), (2.0, 2.0), (0.3, -0.6)] {
         let weight = Weight::new(alpha, beta).expect("above −1");
         let mut group = group(criterion, &format!("Gauss-Jacobi ({alpha}, {beta})"));
         for n in [5, 20, 100, 1000] {
-            let (mut x, mut w, mut scratch) = (vec![0.0; n], vec![0.0; n], vec![0.0; n]);
+            let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
             group.bench_function(BenchmarkId::new("ours", n), |b| {
                 b.iter(|| gauss::jacobi(black_box(weight), &mut x, &mut w));
-            });
-            group.bench_function(BenchmarkId::new("ours, Golub-Welsch", n), |b| {
-                b.iter(|| gauss::golub_welsch(black_box(weight), &mut x, &mut w, &mut scratch));
             });
             group.bench_function(BenchmarkId::new("bilby", n), |b| {
                 b.iter(|| bilby::GaussJacobi::new(black_box(n), alpha, beta));
@@ -84,5 +65,5 @@ fn jacobi_in_time(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, legendre_in_time, legendre_of_many_points, jacobi_in_time);
+criterion_group!(benches, legendre_in_time, jacobi_in_time);
 criterion_main!(benches);

@@ -6,9 +6,6 @@
 //! | [`tensor`] | square [−1, 1]² | p_i(s) p_j(t), i, j ≤ N | by i, then j |
 //! | [`triangle`] | (−1, −1), (1, −1), (−1, 1) | Dubiner's, i + j ≤ N | as [`total`] |
 
-mod factors;
 pub mod tensor;
 pub mod total;
 pub mod triangle;
-
-pub use self::factors::LARGEST;

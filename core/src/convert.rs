@@ -12,10 +12,8 @@
 //! ```
 //!
 //! which multiplies forwards (Legendre to Jacobi) and is solved downwards (Jacobi to Legendre): O(n) per unit of α or β,
-//! in place ([`to_legendre`], [`from_legendre`]). [`Connection`] holds the whole matrix, made from the same steps in
-//! double-double and rounded once: exact entries, O(n²) to apply, and the better choice for α, β > 0 together, where
-//! the steps lose a digit for (2, 2) by n = 30, five for (10, 10), and all in the end. Converting through powers of x, as Zatz
-//! (1993) suggests, loses nine.
+//! in place. The steps lose a digit for (2, 2) by n = 30, five for (10, 10); for α = 0 or β = 0 they lose none. Converting
+//! through powers of x, as Zatz (1993) suggests, loses nine.
 //!
 //! ```text
 //! ‖P_n^(α,β)‖² = 2^(α+β+1)/(2n + α + β + 1) · Π_{j=1…β} (n + j)/(n + α + j)
@@ -23,13 +21,40 @@
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.5 and table 18.3.1.
 
-mod connection;
-mod steps;
-
-pub use self::connection::Connection;
-pub use self::steps::{from_legendre, to_legendre};
-
 use crate::double::Double;
+use crate::math::sqrt;
+
+/// Orthonormal Jacobi coefficients of the weight (1 − x)^a (1 + x)^b → orthonormal Legendre coefficients, in place.
+pub fn to_legendre(a: u8, b: u8, coefficients: &mut [f64]) {
+    for (n, c) in coefficients.iter_mut().enumerate() {
+        *c /= sqrt(squared_norm(a, b, n).hi);
+    }
+    for beta in (0..b as usize).rev() {
+        solve(coefficients, a as usize + beta, a as usize, -1.0);
+    }
+    for alpha in (0..a as usize).rev() {
+        solve(coefficients, alpha, 0, 1.0);
+    }
+    for (n, c) in coefficients.iter_mut().enumerate() {
+        *c *= sqrt(squared_norm(0, 0, n).hi);
+    }
+}
+
+/// Orthonormal Legendre coefficients → orthonormal Jacobi coefficients of the weight (1 − x)^a (1 + x)^b, in place.
+pub fn from_legendre(a: u8, b: u8, coefficients: &mut [f64]) {
+    for (n, c) in coefficients.iter_mut().enumerate() {
+        *c /= sqrt(squared_norm(0, 0, n).hi);
+    }
+    for alpha in 0..a as usize {
+        multiply(coefficients, alpha, 0, -1.0);
+    }
+    for beta in 0..b as usize {
+        multiply(coefficients, a as usize + beta, a as usize, 1.0);
+    }
+    for (n, c) in coefficients.iter_mut().enumerate() {
+        *c *= sqrt(squared_norm(a, b, n).hi);
+    }
+}
 
 /// ‖P_n^(a,b)‖².
 const fn squared_norm(a: u8, b: u8, n: usize) -> Double {
@@ -43,4 +68,23 @@ const fn squared_norm(a: u8, b: u8, n: usize) -> Double {
         j += 1;
     }
     norm
+}
+
+/// One unit down: `sum` is α + β after it, `other` the exponent that stays, `sign` −1 for β and +1 for α.
+fn solve(coefficients: &mut [f64], sum: usize, other: usize, sign: f64) {
+    let mut above = 0.0;
+    for (n, c) in coefficients.iter_mut().enumerate().rev() {
+        let back = sign * (n + 1 + other) as f64 / (2 * n + sum + 3) as f64;
+        above = (*c + above * back) * (2 * n + sum + 1) as f64 / (n + sum + 1) as f64;
+        *c = above;
+    }
+}
+
+/// One unit up: `sum` is α + β before it, `other` the exponent that stays, `sign` +1 for β and −1 for α.
+fn multiply(coefficients: &mut [f64], sum: usize, other: usize, sign: f64) {
+    for n in 0..coefficients.len() {
+        let above = coefficients.get(n + 1).copied().unwrap_or(0.0);
+        let own = coefficients[n] * (n + sum + 1) as f64 / (2 * n + sum + 1) as f64;
+        coefficients[n] = own + sign * above * (n + 1 + other) as f64 / (2 * n + sum + 3) as f64;
+    }
 }

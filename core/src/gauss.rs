@@ -4,13 +4,9 @@
 //! | --- | --- | --- | --- | --- |
 //! | [`Legendre`], [`Jacobi`], [`Rule`] | any | none at run time | correctly rounded | `const` |
 //! | [`legendre`] | 1 | O(n²) | correctly rounded | `const fn` |
-//! | [`legendre_asymptotic`] | 1, n > 100 | O(n) | 3 ulp, 4 ulp | |
 //! | [`jacobi`](jacobi()) | (1 − x)^α (1 + x)^β | O(n²) | correctly rounded | `const fn` |
-//! | [`golub_welsch`] | (1 − x)^α (1 + x)^β | O(n²) | 10⁻¹⁵, 2 to 4 digits lost | the classical route |
 
 mod error;
-mod asymptotic;
-mod golub_welsch;
 mod polish;
 mod symmetric;
 mod legendre;
@@ -19,9 +15,7 @@ mod laguerre;
 mod jacobi;
 mod rule;
 
-pub use self::asymptotic::legendre_asymptotic;
 pub use self::error::RuleError;
-pub use self::golub_welsch::golub_welsch;
 pub use self::jacobi::jacobi;
 pub use self::legendre::legendre;
 pub use self::rule::{Jacobi, Legendre, Rule};

@@ -5,7 +5,7 @@
 
 use crate::double::Double;
 
-pub(crate) use libm::{hypot, sqrt};
+pub(crate) use libm::sqrt;
 
 /// √v for v = 0 or positive and normal, within 0.51 ulp; a dozen times slower than [`sqrt`], and `const`.
 pub(crate) const fn const_sqrt(v: f64) -> f64 {

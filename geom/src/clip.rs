@@ -2,12 +2,9 @@
 //! 1974).
 
 use glam::DVec3;
+use smallvec::SmallVec;
 
-use crate::Aabb;
-
-/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on
-/// it.
-const ON_PLANE: f64 = 1e-12;
+use crate::{Aabb, ROUNDING};
 
 /// The part of a convex `polygon` with (x − `point`) · `normal` ≥ 0, vertices in the same order.
 ///
@@ -16,31 +13,34 @@ const ON_PLANE: f64 = 1e-12;
 /// need not be a unit vector.
 pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3> {
     let reach = polygon.iter().map(|x| (*x - point).length_squared()).fold(0.0, f64::max).sqrt();
-    let tolerance = ON_PLANE * reach * normal.length();
+    let tolerance = ROUNDING * reach * normal.length();
     let height = |x: DVec3| {
         let h = (x - point).dot(normal);
         if h.abs() <= tolerance { 0.0 } else { h }
     };
+    let heights: SmallVec<[f64; 8]> = polygon.iter().map(|x| height(*x)).collect();
     let mut kept = Vec::with_capacity(polygon.len() + 1);
-    let mut inside = false;
-    let mut previous = polygon.last().map(|x| (*x, height(*x)));
-    for &x in polygon {
-        let h = height(x);
-        if let Some((p, hp)) = previous
-            && hp * h < 0.0
-        {
-            kept.push(p.lerp(x, hp / (hp - h)));
-        }
-        if h >= 0.0 {
-            kept.push(x);
-            inside |= h > 0.0;
-        }
-        previous = Some((x, h));
-    }
+    clip_by_heights(polygon, &heights, |x| kept.push(x));
+    let inside = heights.iter().any(|h| *h > 0.0);
     // Coplanar polygons lie in the closed half-space as a whole; what merely touches the plane from behind
     // has no area.
     let coplanar = kept.len() == polygon.len();
     if inside || coplanar { kept } else { Vec::new() }
+}
+
+/// Hands the vertices of the part of a convex `polygon` where heights are not negative to `keep`, in the same order; those of
+/// its vertices are given, and linear in between.
+pub fn clip_by_heights(polygon: &[DVec3], heights: &[f64], mut keep: impl FnMut(DVec3)) {
+    let (Some(mut previous), Some(mut before)) = (polygon.last(), heights.last()) else { return };
+    for (x, h) in polygon.iter().zip(heights) {
+        if before * h < 0.0 {
+            keep(previous.lerp(*x, before / (before - h)));
+        }
+        if *h >= 0.0 {
+            keep(*x);
+        }
+        (previous, before) = (x, h);
+    }
 }
 
 /// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs counter-clockwise. Fewer than
@@ -72,7 +72,7 @@ pub fn sides(polygon: &[DVec3]) -> impl Iterator<Item = [DVec3; 2]> + Clone {
 /// Distance of a point from the segment between two others (length).
 pub fn distance_to_segment(x: DVec3, [a, b]: [DVec3; 2]) -> f64 {
     let along = ((x - a).dot(b - a) / a.distance_squared(b)).clamp(0.0, 1.0);
-    x.distance(a.lerp(b, along))
+    x.distance(a + (b - a) * along)
 }
 
 /// Area of a planar polygon over the diagonal of the box around it: about its breadth (length).

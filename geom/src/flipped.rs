@@ -25,13 +25,6 @@ impl Surface for Flipped {
         Jet { normal: -jet.normal, ..jet }
     }
 
-    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
-        self.base.jets(at, out);
-        for jet in out {
-            jet.normal = -jet.normal;
-        }
-    }
-
     fn bounds(&self, rect: &Rect) -> Aabb {
         self.base.bounds(rect)
     }

@@ -47,10 +47,11 @@ mod shared;
 pub mod shapes;
 
 pub use aabb::Aabb;
-pub use adjacency::{Adjacency, Seam, Tee};
+pub use adjacency::Adjacency;
 pub use bvh::Bvh;
 pub use clip::{
-    clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area, polygon_width, sides,
+    clip_by_heights, clip_polygon, difference, distance_to_segment, intersection, overhang, polygon_area,
+    polygon_width, sides,
 };
 pub use flipped::Flipped;
 pub use glam::{DVec2, DVec3};
@@ -65,4 +66,4 @@ pub use rounding::coordinate_rounding;
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};
-pub use touch::touching;
+pub use touch::{COINCIDENT, LOOSE, ROUNDING, touching};

@@ -36,14 +36,6 @@ impl<'a> Patch<'a> {
         }
     }
 
-    /// Points whose convex hull holds the patch, for [`crate::separated`].
-    pub fn hull(&self) -> Vec<DVec3> {
-        match self {
-            Patch::Flat(region) => region.outer().to_vec(),
-            Patch::Curved(surface, rect) => surface.hull(rect),
-        }
-    }
-
     /// The curves around the patch, collapsed ones included. Flat: the edges of the outline, then those of
     /// each hole. Curved: v lowest, u highest, v highest, u lowest.
     pub fn borders(&self) -> Vec<Border<'a>> {

@@ -43,13 +43,6 @@ impl Surface for Placed {
         self.jet_forth(self.base.jet(u, v))
     }
 
-    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
-        self.base.jets(at, out);
-        for jet in out {
-            *jet = self.jet_forth(*jet);
-        }
-    }
-
     /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of what is in it, the less so the
     /// smaller it is.
     fn bounds(&self, rect: &Rect) -> Aabb {

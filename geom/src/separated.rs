@@ -11,6 +11,8 @@
 use glam::DVec3;
 use smallvec::SmallVec;
 
+use crate::clip_by_heights;
+
 /// Directions: a convex polygon on a face of the cube.
 type Cone = SmallVec<[DVec3; 12]>;
 
@@ -49,7 +51,9 @@ fn direction_on(face: usize, [a, b, c]: [&[DVec3]; 3], tolerance: f64) -> Option
         if top + bottom <= tolerance {
             return Some(d);
         }
-        clip_cone(&cone, y - x, tolerance, &mut next);
+        let heights: SmallVec<[f64; 12]> = cone.iter().map(|d| d.dot(y - x) + tolerance).collect();
+        next.clear();
+        clip_by_heights(&cone, &heights, |d| next.push(d));
         std::mem::swap(&mut cone, &mut next);
         if cone.is_empty() {
             return None;
@@ -80,23 +84,6 @@ fn cube_face(face: usize) -> Cone {
         d
     };
     [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner).into_iter().collect()
-}
-
-/// The part of the convex polygon `cone` with d · w ≥ −tolerance, into `out`.
-fn clip_cone(cone: &[DVec3], w: DVec3, tolerance: f64, out: &mut Cone) {
-    out.clear();
-    let Some(&last) = cone.last() else { return };
-    let mut previous = (last, last.dot(w) + tolerance);
-    for &d in cone {
-        let height = d.dot(w) + tolerance;
-        if previous.1 * height < 0.0 {
-            out.push(previous.0.lerp(d, previous.1 / (previous.1 - height)));
-        }
-        if height >= 0.0 {
-            out.push(d);
-        }
-        previous = (d, height);
-    }
 }
 
 #[cfg(test)]

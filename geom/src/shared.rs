@@ -38,10 +38,6 @@ impl<S: Surface + ?Sized> Surface for Arc<S> {
         (**self).with_corners(place)
     }
 
-    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
-        (**self).jets(at, out);
-    }
-
     fn occludes(&self, ray: &Ray) -> bool {
         (**self).occludes(ray)
     }

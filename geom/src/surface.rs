@@ -89,14 +89,6 @@ pub trait Surface: Debug + Send + Sync {
         None
     }
 
-    /// The jets at every parameter pair of `at`, written to `out` (as many as pairs).
-    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
-        assert_eq!(at.len(), out.len(), "one jet per parameter pair");
-        for ([u, v], jet) in at.iter().zip(out) {
-            *jet = self.jet(*u, *v);
-        }
-    }
-
     /// Whether the ray meets the surface at all.
     fn occludes(&self, ray: &Ray) -> bool {
         self.intersect(ray).is_some()

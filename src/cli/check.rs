@@ -7,7 +7,8 @@ use std::{
 
 use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
-use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Touch};
+use radiosity::geom::Adjacency;
+use radiosity::inspection::{Contact, Fronts, Inspection, Shell};
 use radiosity::scene::{Camera, Lying, Scene, SceneSurface};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
@@ -115,13 +116,13 @@ fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table<3> {
     table
 }
 
-fn way(touch: Touch) -> &'static str {
+fn way(touch: Adjacency) -> &'static str {
     match touch {
-        Touch::Edge => "edge",
-        Touch::Tee => "side or face",
-        Touch::Vertex => "corner",
-        Touch::Crossing { .. } => "inside",
-        Touch::Overlap => "area",
+        Adjacency::Edge => "edge",
+        Adjacency::Tee => "side or face",
+        Adjacency::Vertex => "corner",
+        Adjacency::Crossing { .. } => "inside",
+        Adjacency::Overlap => "area",
     }
 }
 
@@ -158,7 +159,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {
-        let at = if let Touch::Crossing { at } = contact.touch { Some((at + scene.middle).to_array()) } else { None };
+        let at = if let Adjacency::Crossing { at } = contact.touch { Some((at + scene.middle).to_array()) } else { None };
         json!({ "surfaces": contact.surfaces.each_ref().map(name), "touch": touch_key(contact.touch), "at": at })
     });
     let shells = inspection.shells.iter().map(|shell| {
@@ -183,13 +184,13 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     })
 }
 
-fn touch_key(touch: Touch) -> &'static str {
+fn touch_key(touch: Adjacency) -> &'static str {
     match touch {
-        Touch::Edge => "edge",
-        Touch::Tee => "tee",
-        Touch::Vertex => "vertex",
-        Touch::Crossing { .. } => "crossing",
-        Touch::Overlap => "overlap",
+        Adjacency::Edge => "edge",
+        Adjacency::Tee => "tee",
+        Adjacency::Vertex => "vertex",
+        Adjacency::Crossing { .. } => "crossing",
+        Adjacency::Overlap => "overlap",
     }
 }
 

@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use clap::Args;
+use serde::Serialize;
 
 use crate::cli::{
     destination::Destination,
@@ -53,14 +54,18 @@ pub(crate) struct Data {
 
 impl Data {
     /// Writes the form that was asked for.
-    pub(crate) fn write(
+    pub(crate) fn write<D: Serialize>(
         &self,
         csv: impl FnOnce() -> io::Result<Vec<u8>>,
-        json: impl FnOnce() -> io::Result<Vec<u8>>,
+        json: impl FnOnce() -> D,
     ) -> Result<(), CliError> {
         let table = match self.format {
             Format::Csv => csv()?,
-            Format::Json => json()?,
+            Format::Json => {
+                let mut text = serde_json::to_vec_pretty(&json()).map_err(io::Error::from)?;
+                text.push(b'\n');
+                text
+            }
         };
         self.destination.write(|writer| writer.write_all(&table))
     }

@@ -65,7 +65,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
         let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);
         grid(&reader, sides, rates, &observe)
     })?;
-    data.write(|| csv(scene, &cells), || json(scene, &cells))?;
+    data.write(|| csv(scene, &cells), || Document::new(scene, &cells))?;
     run.finish(progress, data.written())
 }
 
@@ -90,6 +90,13 @@ struct Document<'a> {
     cells: Vec<Row<'a>>,
 }
 
+impl<'a> Document<'a> {
+    fn new(scene: &'a Scene, cells: &'a [Cell]) -> Self {
+        let cells = cells.iter().map(|cell| Row::new(scene, cell)).collect();
+        Self { bands: &scene.bands, cells }
+    }
+}
+
 /// A cell; bands in the order of the document's.
 #[derive(Serialize)]
 struct Row<'a> {
@@ -107,12 +114,4 @@ impl<'a> Row<'a> {
         let surface = &scene.surfaces[cell.surface].name;
         Self { surface, i, j, irradiance: &cell.irradiance, radiosity: &cell.radiosity, area: cell.area }
     }
-}
-
-fn json(scene: &Scene, cells: &[Cell]) -> io::Result<Vec<u8>> {
-    let rows = cells.iter().map(|cell| Row::new(scene, cell));
-    let document = Document { bands: &scene.bands, cells: rows.collect() };
-    let mut text = serde_json::to_vec_pretty(&document)?;
-    text.push(b'\n');
-    Ok(text)
 }

@@ -2,7 +2,7 @@
 
 use std::num::NonZeroUsize;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// How masks are made.
@@ -14,28 +14,13 @@ pub(crate) struct MaskArgs {
 
     /// What a mask tells
     #[arg(long, value_name = "MODE", default_value = "weighted")]
-    pub(crate) mask_average: MaskAverage,
-}
-
-/// `--mask-average`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum MaskAverage {
-    /// The part of the emitter's light that arrives
-    Weighted,
-    /// The part of the emitter's area that is seen, as in Zatz 1993
-    Plain,
+    pub(crate) mask_average: Average,
 }
 
 impl MaskArgs {
     /// As the library has it.
     pub(crate) fn masking(&self) -> Masking {
-        Masking {
-            cells: self.mask_cells,
-            average: match self.mask_average {
-                MaskAverage::Weighted => Average::Weighted,
-                MaskAverage::Plain => Average::Plain,
-            },
-        }
+        Masking { cells: self.mask_cells, average: self.mask_average }
     }
 }
 

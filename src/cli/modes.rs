@@ -6,9 +6,7 @@ use clap::{
     ValueEnum,
     builder::{PossibleValuesParser, TypedValueParser},
 };
-use radiosity::output::quality::Quality;
 use radiosity::scene::MAX_ORDER;
-use radiosity::solve::Direct;
 use radiosity::visibility::Hiding;
 use radiosity::zatz1993::transfers::{Reading, Rules};
 
@@ -31,14 +29,9 @@ impl FromStr for Order {
     }
 }
 
-/// `--subdivide`.
+/// `--subdivide`: elements along u and along v; None, written `auto`, is as the scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Subdivide {
-    /// As the scene needs.
-    Auto,
-    /// This many elements along u and along v.
-    Parts(usize),
-}
+pub(crate) struct Subdivide(pub(crate) Option<usize>);
 
 /// `--shadows`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -67,51 +60,6 @@ impl Shadows {
     }
 }
 
-/// `--quality`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum QualityMode {
-    /// A draft
-    Quick,
-    /// What most need
-    Default,
-    /// A higher order, gathered more accurately
-    Fine,
-    /// Light gathered twice
-    Finest,
-}
-
-impl From<QualityMode> for Quality {
-    fn from(mode: QualityMode) -> Self {
-        match mode {
-            QualityMode::Quick => Self::Quick,
-            QualityMode::Default => Self::Default,
-            QualityMode::Fine => Self::Fine,
-            QualityMode::Finest => Self::Finest,
-        }
-    }
-}
-
-/// `--direct`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DirectMode {
-    /// Split where flat emitters cast shadows of flat surfaces, else projected
-    Auto,
-    /// An exact source at every point, with its shadows
-    Split,
-    /// Carried by the polynomials like all other light
-    Projected,
-}
-
-impl From<DirectMode> for Direct {
-    fn from(mode: DirectMode) -> Self {
-        match mode {
-            DirectMode::Auto => Self::Auto,
-            DirectMode::Split => Self::Split,
-            DirectMode::Projected => Self::Projected,
-        }
-    }
-}
-
 /// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Kernel {
@@ -136,6 +84,5 @@ impl Kernel {
 
 /// `auto`, or elements along u and v.
 pub(crate) fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
-    PossibleValuesParser::new(["auto", "1", "2", "4"])
-        .map(|text| text.parse().map_or(Subdivide::Auto, Subdivide::Parts))
+    PossibleValuesParser::new(["auto", "1", "2", "4"]).map(|text| Subdivide(text.parse().ok()))
 }

@@ -7,15 +7,17 @@ use clap::{
     builder::{PossibleValue, PossibleValuesParser, RangedU64ValueParser, TypedValueParser},
     parser::ValueSource,
 };
+use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{Scene, SceneError, Source};
+use radiosity::solve::Direct;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{
     error::CliError,
     masks::MaskArgs,
     memory,
-    modes::{DirectMode, Kernel, Order, QualityMode, Shadows, Subdivide, subdivide},
+    modes::{Kernel, Order, Shadows, Subdivide, subdivide},
     numbers::{at_least_one, fraction, not_negative, positive, threads},
     output_file::OutputFile,
 };
@@ -87,7 +89,7 @@ fn setting(text: &str) -> Result<(String, f64), String> {
 pub(crate) struct MethodArgs {
     /// Preset of order, accuracies and points read; single options go before it
     #[arg(long, value_name = "Q", default_value = "default")]
-    pub(crate) quality: QualityMode,
+    pub(crate) quality: Quality,
 
     /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as --quality
     /// says]
@@ -140,7 +142,7 @@ pub(crate) struct MethodArgs {
 
     /// How light straight from emitters enters the solution
     #[arg(long, value_name = "MODE", default_value = "auto")]
-    pub(crate) direct: DirectMode,
+    pub(crate) direct: Direct,
 
     /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default: 3e-3; as
     /// --quality says]

@@ -85,7 +85,7 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
         probe(&reader, &points.probes, scene.middle, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;
-    data.write(|| csv(scene, &readings), || json(scene, &readings))?;
+    data.write(|| csv(scene, &readings), || Document::new(scene, &readings))?;
     run.finish(progress, data.written())
 }
 
@@ -128,6 +128,13 @@ struct Document<'a> {
     points: Vec<Row<'a>>,
 }
 
+impl<'a> Document<'a> {
+    fn new(scene: &'a Scene, readings: &'a [Reading]) -> Self {
+        let points = readings.iter().map(|reading| Row::new(scene, reading)).collect();
+        Self { bands: &scene.bands, points }
+    }
+}
+
 /// A reading; bands in the order of the document's.
 #[derive(Serialize)]
 struct Row<'a> {
@@ -151,12 +158,4 @@ impl<'a> Row<'a> {
             radiosity: on.map(|on| on.radiosity.as_slice()),
         }
     }
-}
-
-fn json(scene: &Scene, readings: &[Reading]) -> io::Result<Vec<u8>> {
-    let rows = readings.iter().map(|reading| Row::new(scene, reading));
-    let document = Document { bands: &scene.bands, points: rows.collect() };
-    let mut text = serde_json::to_vec_pretty(&document)?;
-    text.push(b'\n');
-    Ok(text)
 }

@@ -2,12 +2,11 @@
 
 use std::str::FromStr;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use radiosity::output::grid::Rates;
 use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::Read;
 
-use crate::cli::modes::QualityMode;
 use crate::cli::numbers::fraction;
 
 /// `--read` and the accuracy of it.
@@ -15,7 +14,7 @@ use crate::cli::numbers::fraction;
 pub(crate) struct ReadArgs {
     /// What is read [default: gather; with --quality finest gather-twice]
     #[arg(long, value_name = "MODE")]
-    pub(crate) read: Option<ReadMode>,
+    pub(crate) read: Option<Read>,
 
     /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3; as --quality says]
     #[arg(long, value_name = "E", value_parser = fraction)]
@@ -24,36 +23,12 @@ pub(crate) struct ReadArgs {
 
 impl ReadArgs {
     /// As typed, the rest as `quality` says.
-    pub(crate) fn reading(&self, quality: QualityMode) -> Reading {
-        let usual = Quality::from(quality).reading();
+    pub(crate) fn reading(&self, quality: Quality) -> Reading {
+        let usual = quality.reading();
         Reading {
-            read: self.read.map_or(usual.read, Read::from),
+            read: self.read.unwrap_or(usual.read),
             eps: self.read_eps.unwrap_or(usual.eps),
             rates: usual.rates,
-        }
-    }
-}
-
-/// `--read`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ReadMode {
-    /// The polynomials of the elements alone
-    Basis,
-    /// Direct light and its shadows exact at every point, the rest from the polynomials
-    Direct,
-    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point, with shadows
-    Gather,
-    /// The same, with the light of those surfaces gathered as well: slower, for the last digit
-    GatherTwice,
-}
-
-impl From<ReadMode> for Read {
-    fn from(mode: ReadMode) -> Read {
-        match mode {
-            ReadMode::Basis => Read::Basis,
-            ReadMode::Direct => Read::Direct,
-            ReadMode::Gather => Read::Gather,
-            ReadMode::GatherTwice => Read::GatherTwice,
         }
     }
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity::output::exr_file::write_exr;
+use radiosity::output::reader::Read;
 use radiosity::output::render::{render, white_balance};
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
@@ -16,7 +17,6 @@ use crate::cli::{
     numbers::Counts,
     options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
-    read::ReadMode,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
@@ -42,7 +42,7 @@ pub(crate) struct RenderArgs {
 
     /// What the picture is read from
     #[arg(long, value_name = "MODE", default_value = "direct")]
-    pub(crate) read: ReadMode,
+    pub(crate) read: Read,
 
     #[command(flatten)]
     pub(crate) style: StyleArgs,
@@ -67,7 +67,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.solved.outcome.solution;
     let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read.into(), &rows)
+        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read, &rows)
     };
     let (raster, borders) = run.in_threads(|| {
         style.take_other(|other| take(other, other.visibility()));

@@ -6,7 +6,6 @@ use std::time::Instant;
 
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
-use radiosity::output::quality::Quality;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::Scene;
@@ -17,7 +16,7 @@ use radiosity::studies::adaptation::{Achieved, Goal};
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
-use crate::cli::modes::{Order, Shadows, Subdivide};
+use crate::cli::modes::{Order, Shadows};
 use crate::cli::options::{MethodArgs, ReportArgs, SceneArg};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
@@ -243,7 +242,7 @@ impl Run {
 
 /// The library's options of a method as typed.
 pub(crate) fn options(method: &MethodArgs) -> Options {
-    let defaults = Quality::from(method.quality).options();
+    let defaults = method.quality.options();
     Options {
         order: match method.order {
             Some(Order::Degree(order)) => order,
@@ -251,17 +250,14 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
             Some(Order::Auto) | None => 0,
         },
         space: if method.tensor { Space::Tensor } else { Space::Total },
-        subdivide: match method.subdivide {
-            Subdivide::Auto => None,
-            Subdivide::Parts(parts) => Some(parts),
-        },
+        subdivide: method.subdivide.0,
         layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps.unwrap_or(defaults.eps),
         kernel: method.kernel.rules(),
         shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
         shadows: method.shadows.hiding(),
         masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
-        direct: method.direct.into(),
+        direct: method.direct,
         method: method.solver,
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,

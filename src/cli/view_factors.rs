@@ -158,10 +158,7 @@ impl ViewFactorsArgs {
 
     fn options(&self) -> Options {
         Options {
-            subdivide: match self.subdivide {
-                Subdivide::Auto => None,
-                Subdivide::Parts(parts) => Some(parts),
-            },
+            subdivide: self.subdivide.0,
             accuracy: Accuracy { eps: self.eps, shadow_eps: self.shadow_eps },
             shadows: self.shadows.hiding(),
             threads: self.threads.unwrap_or(solve::Options::default().threads),

@@ -170,6 +170,12 @@ impl Patch {
         [a.distance(b).max(d.distance(c)), a.distance(d).max(b.distance(c))]
     }
 
+    /// The direction of the larger extent, and that extent.
+    pub fn longest(&self) -> (Direction, f64) {
+        let [along, across] = self.extents();
+        if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
+    }
+
     /// About how far the patch lies from the plane of its corners: its middle from theirs, and their twist.
     /// Zero for flat patches.
     pub fn sagitta(&self) -> f64 {

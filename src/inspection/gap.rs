@@ -2,10 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{Adjacency, DVec3};
 
 use crate::inspection::{
-    contact::{Contact, Touch},
+    contact::Contact,
     rim::{Meeting, Rim},
     sheet::Sheets,
     warning::{Warning, place},
@@ -15,7 +15,7 @@ use crate::scene::Scene;
 /// Borders that nearly reach another sheet, once for each pair, where the gap is widest; surfaces that pass through each
 /// other have other worries.
 pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
-    let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Touch::Crossing { .. }));
+    let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Adjacency::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
     let cross = |pair: [usize; 2]| crossing.contains(&pair.map(|k| sheets.list[k].surface));
     let mut widest: Vec<([usize; 2], f64, DVec3)> = Vec::new();

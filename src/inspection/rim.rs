@@ -1,9 +1,9 @@
 //! Rims: what the borders of sheets meet, tried at places along them.
 
-use radiosity_geom::{Aabb, Border, DVec3};
+use radiosity_geom::{Aabb, Border, DVec3, LOOSE};
 use rayon::prelude::*;
 
-use crate::inspection::sheet::{GAP, Sheet, Sheets, TOUCH};
+use crate::inspection::sheet::{GAP, Sheet, Sheets};
 
 /// Where along a border it is tried, w ∈ (−1, 1); off the middles and ends at which others may begin.
 const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 0.77, 0.94];
@@ -139,7 +139,7 @@ impl Place<'_> {
         let (distance, size) = (offset.length(), self.size(sheet));
         let is_sideways = offset.dot(self.direction).abs() <= 0.5 * distance;
         let is_gap = is_sideways && (grows || is_across(offset, self.normal));
-        let reach = Reach { sheet, distance, touches: distance <= TOUCH * size, is_gap, cosine: 0.0 };
+        let reach = Reach { sheet, distance, touches: distance <= LOOSE * size, is_gap, cosine: 0.0 };
         (distance <= GAP * size).then_some(reach)
     }
 

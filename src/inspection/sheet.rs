@@ -2,15 +2,12 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::{Aabb, Border, Bvh, DVec3, Patch, Surface};
+use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Surface};
 
 use crate::scene::{Scene, SceneSurface};
 
 /// Borders closer than this part of the smaller extent, but not touching, leave a gap.
 pub(super) const GAP: f64 = 1e-2;
-
-/// Below this part of the smaller extent lengths count as zero.
-pub(super) const TOUCH: f64 = 1e-6;
 
 /// A surface as a sheet in space.
 #[derive(Debug)]
@@ -68,10 +65,10 @@ fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
 /// Whether one surface lies all over the other; of two such the fronts are opposite, no others are in a scene.
 fn covers(front: &SceneSurface, back: &SceneSurface) -> bool {
     let [front, back] = [front, back].map(|surface| Sheet::new(0, surface, None));
-    let room = TOUCH * front.extent;
+    let room = LOOSE * front.extent;
     let lies_on = |point: DVec3| front.drop(point).is_some_and(|foot| foot.distance(point) <= room);
     let [own, other] = [&front, &back].map(|sheet| sheet.shape.area());
-    (own - other).abs() <= TOUCH * own && back.samples().iter().all(|(point, _)| lies_on(*point))
+    (own - other).abs() <= LOOSE * own && back.samples().iter().all(|(point, _)| lies_on(*point))
 }
 
 impl Sheet {
@@ -101,7 +98,7 @@ impl Sheet {
         let against = self.shape.region().is_none() && middle.du.cross(middle.dv).dot(middle.normal) < 0.0;
         let long = |border: &Border<'_>| {
             let points = [-1.0, -0.5, 0.0, 0.5, 1.0].map(|w| border.point(w));
-            points.iter().any(|point| point.distance(points[0]) > TOUCH * self.extent)
+            points.iter().any(|point| point.distance(points[0]) > LOOSE * self.extent)
         };
         let sign = if against { -1.0 } else { 1.0 };
         self.patch().borders().into_iter().filter(long).map(|border| (border, sign)).collect()

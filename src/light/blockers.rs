@@ -11,12 +11,8 @@ use crate::light::lines::hidden_spans::HiddenSpans;
 use crate::light::lines::projection::ProjectionPlane;
 use crate::light::occluders::Occluders;
 use crate::light::receiver_point::ReceiverPoint;
-use crate::visibility::Visibility;
 use crate::visibility::shadow_volume::{Cover, Pyramid};
-
-/// Ends of a segment that other surfaces may touch, in parts of its length, and those that the surface of an end may.
-const ENDS: f64 = 1e-9;
-const OWN_ENDS: f64 = 1e-6;
+use crate::visibility::{END, OWN_END, Visibility};
 
 /// The obstacles around a vantage point, as it sees them.
 pub(crate) struct Shadows<'a> {
@@ -149,7 +145,7 @@ impl<'a> Shadows<'a> {
         places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
             let faces = self.visibility.faces(surface);
             let blocks = |face: &usize| {
-                let margin = if self.vantage.surface == Some(*face) { OWN_ENDS } else { ENDS };
+                let margin = if self.vantage.surface == Some(*face) { OWN_END } else { END };
                 self.visibility.blocks(*face, x, lamp.center, margin)
             };
             !self.visibility.is_apart(*surface, x, lamp.center, 0.0)
@@ -225,7 +221,7 @@ impl<'a> Shadows<'a> {
         self.of(before).any(|blocker| match blocker {
             Blocker::Flat(pyramid) => pyramid.hides(y),
             Blocker::Curved(other) => {
-                let margin = if own.contains(&Some(*other)) { OWN_ENDS } else { ENDS };
+                let margin = if own.contains(&Some(*other)) { OWN_END } else { END };
                 self.visibility.blocks(*other, self.vantage.position, y, margin)
             }
         })

@@ -174,6 +174,6 @@ impl<'a> DirectLight<'a> {
         }
         let level =
             |factors: &[f64]| factors.iter().zip(&self.trees).map(|(f, tree)| f / tree.scale()[0]).sum();
-        walk.within_share(&self.trees, [PER_CELL * self.eps, other], add, level).into()
+        walk.within_share(&self.trees, PER_CELL * self.eps, other, add, level).into()
     }
 }

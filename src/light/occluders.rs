@@ -3,14 +3,11 @@
 //! An obstacle hides nothing of an element from the site if it does not reach into the box around both, lies below the
 //! site's horizon as a whole, or lies behind the element's plane. What is left is tested cell after cell.
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
 use crate::elements::Element;
 use crate::light::hierarchy::tree::Tree;
 use crate::visibility::Visibility;
-
-/// Heights below this part of the distance count as none.
-const FLAT: f64 = 1e-9;
 
 /// A point or a small piece of surface that receives light.
 #[derive(Clone, Copy, Debug)]
@@ -126,5 +123,5 @@ fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
 /// Whether `x` stands over the plane through `point` with that unit normal by more than a trifle of its distance.
 fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
     let offset = x - point;
-    offset.dot(normal) > FLAT * offset.length()
+    offset.dot(normal) > COINCIDENT * offset.length()
 }

@@ -1,13 +1,10 @@
 //! A point that receives light from one side.
 
-use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
 
 use crate::irradiance::visible_polygon::visible_irradiance;
 use crate::light::occluders::Site;
 use crate::visibility::shadow_volume::Pyramid;
-
-/// Heights below this part of the distance count as on the horizon.
-const ON_HORIZON: f64 = 1e-12;
 
 /// A point that receives light along a normal, and the surface that bounds what it sees.
 #[derive(Clone, Copy, Debug)]
@@ -72,6 +69,6 @@ impl ReceiverPoint {
     fn height(&self, y: DVec3, horizon: DVec3) -> f64 {
         let offset = y - self.position;
         let height = offset.dot(horizon);
-        if height * height <= ON_HORIZON * ON_HORIZON * offset.length_squared() { 0.0 } else { height }
+        if height * height <= ROUNDING * ROUNDING * offset.length_squared() { 0.0 } else { height }
     }
 }

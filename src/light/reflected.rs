@@ -77,11 +77,12 @@ impl<'a> Reflection<'a> {
     /// judged against both.
     pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
         let mut walk = Traversal::new(vantage, self.visibility, surroundings);
-        let shares = [PER_CELL * self.eps, self.relative(other)];
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
             walk.add(index, &self.trees[index], tolerance, out);
         };
-        let parts = walk.within_share(&self.trees, shares, add, |parts| self.relative(&self.sum(parts)));
+        let (share, other) = (PER_CELL * self.eps, self.relative(other));
+        let level = |parts: &[f64]| self.relative(&self.sum(parts));
+        let parts = walk.within_share(&self.trees, share, other, add, level);
         self.sum(&parts)
     }
 

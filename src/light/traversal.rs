@@ -93,7 +93,8 @@ impl<'a> Traversal<'a> {
     pub(crate) fn within_share(
         &mut self,
         trees: &[Tree],
-        [share, other]: [f64; 2],
+        share: f64,
+        other: f64,
         add: impl Fn(&mut Self, usize, f64, &mut [f64]),
         level: impl Fn(&[f64]) -> f64,
     ) -> Vec<f64> {

@@ -17,13 +17,14 @@ use crate::solve::Options;
 
 /// A preset.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Quality {
     /// A draft.
     Quick,
     /// What most need.
     #[default]
     Default,
-    /// Half the error of the draft.
+    /// A higher order, gathered more accurately.
     Fine,
     /// Light gathered twice.
     Finest,

@@ -10,14 +10,15 @@ use crate::visibility::Visibility;
 
 /// What irradiance is read from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Read {
-    /// The polynomials alone.
+    /// The polynomials of the elements alone.
     Basis,
-    /// Direct light recomputed at every point, with its shadows; the rest from the polynomials.
+    /// Direct light and its shadows exact at every point, the rest from the polynomials.
     Direct,
-    /// Direct light recomputed at every point, and the reflected light gathered there from all surfaces.
+    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point, with shadows.
     Gather,
-    /// The same, with the light of those surfaces gathered as well.
+    /// The same, with the light of those surfaces gathered as well: slower, for the last digit.
     GatherTwice,
 }
 

@@ -8,10 +8,9 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DVec3, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width, touching};
-
-/// Distance, relative to the smaller extent, below which points of curved surfaces are the same.
-const SAME: f64 = 1e-9;
+use radiosity_geom::{
+    Aabb, COINCIDENT, DVec3, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width, touching,
+};
 
 /// Sine of the angle between planes that are the same.
 const PARALLEL: f64 = 1e-6;
@@ -43,7 +42,7 @@ impl Occupied {
             None => shape.bounds(&Rect::FULL),
         };
         let extent = bounds.diagonal();
-        Occupied { shape: Arc::clone(shape), bounds: bounds.inflate(SAME * extent), extent }
+        Occupied { shape: Arc::clone(shape), bounds: bounds.inflate(COINCIDENT * extent), extent }
     }
 
     /// A box around it, with room for rounding.
@@ -120,7 +119,7 @@ fn normal_there(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f
     let reach = 1e-4 * size * normal;
     let hit = surface.intersect(&Ray::segment(point - reach, point + reach))?;
     let there = surface.jet(hit.u, hit.v);
-    (there.position.distance(point) <= SAME * size).then_some(there.normal)
+    (there.position.distance(point) <= COINCIDENT * size).then_some(there.normal)
 }
 
 /// Whether the normals are opposite wherever a place of `a` lies in `b`, which some do.

@@ -15,12 +15,13 @@ const LARGE: f64 = 0.25;
 /// How light that comes straight from emitters enters the solution.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split off where flat emitters cast shadows of flat obstacles, which are exact and cheap; projected elsewhere.
+    /// Split where flat emitters cast shadows of flat surfaces, else projected.
     Auto,
-    /// An exact source at every point, with its shadows (`light::first_bounce`).
+    /// An exact source at every point, with its shadows.
     Split,
-    /// Transported by the polynomials like all other light, as in the papers.
+    /// Carried by the polynomials like all other light.
     Projected,
 }
 

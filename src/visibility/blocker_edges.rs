@@ -4,11 +4,8 @@
 //! lie between a face with x before it and one with x behind: where all points of a convex set lie before both, or behind both,
 //! the edge bounds nothing for any of them.
 
-use radiosity_geom::{DVec3, sides};
+use radiosity_geom::{COINCIDENT, DVec3, sides};
 use smallvec::SmallVec;
-
-/// Heights below this part of the distance count as none.
-const FLAT: f64 = 1e-9;
 
 /// An edge of a blocker.
 #[derive(Debug)]
@@ -50,7 +47,7 @@ impl Rim {
         let normals = cell.iter().map(|x| (x - a).cross(b - a));
         let (mut above, mut below) = (false, false);
         for normal in normals {
-            let margin = FLAT * normal.length();
+            let margin = COINCIDENT * normal.length();
             for y in polygon {
                 let height = (y - a).dot(normal);
                 above |= height > margin * y.distance(a);
@@ -64,9 +61,9 @@ impl Rim {
 /// The side of a plane that points lie on, but for rounding.
 fn side(points: &[DVec3], point: DVec3, outward: DVec3) -> Side {
     let height = |x: &DVec3| (x - point).dot(outward) / (x - point).length().max(f64::MIN_POSITIVE);
-    if points.iter().all(|x| height(x) >= -FLAT) {
+    if points.iter().all(|x| height(x) >= -COINCIDENT) {
         Side::Before
-    } else if points.iter().all(|x| height(x) <= FLAT) {
+    } else if points.iter().all(|x| height(x) <= COINCIDENT) {
         Side::Behind
     } else {
         Side::Both

@@ -1,9 +1,6 @@
 //! Balls around points: what is far from a segment, or from the hull of two other balls, is told at once.
 
-use radiosity_geom::{Aabb, DVec3, sides};
-
-/// Distances are taken for smaller by this part of the lengths they are computed from, against rounding.
-const ROUNDING: f64 = 1e-12;
+use radiosity_geom::{Aabb, DVec3, ROUNDING, sides};
 
 /// A ball around points, and thereby around their convex hull.
 #[derive(Clone, Copy, Debug)]

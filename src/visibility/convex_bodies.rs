@@ -15,15 +15,12 @@
 
 use std::collections::HashMap;
 
-use radiosity_geom::{Aabb, DVec3, sides, touching};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3, sides, touching};
 use smallvec::SmallVec;
 
 use crate::visibility::blocker_edges::Rim;
 use crate::visibility::bounding_ball::Ball;
 use crate::visibility::shadow_volume::Pyramid;
-
-/// Heights below this part of the distance count as none.
-const FLAT: f64 = 1e-9;
 
 /// Fewest faces of a body, the missing one not counted.
 const FEWEST: usize = 3;
@@ -197,7 +194,7 @@ impl Body {
 
     /// What it hides from `x`; None where x does not lie outside of it, and its faces hide each for itself.
     pub(super) fn pyramid(&self, x: DVec3) -> Option<Pyramid> {
-        let margin = FLAT * x.distance(self.middle);
+        let margin = COINCIDENT * x.distance(self.middle);
         let heights: SmallVec<[f64; 8]> = self.planes.iter().map(|plane| plane.height(x)).collect();
         let is_front = |face: usize| heights[face] > margin;
         if (self.is_open && is_front(heights.len() - 1)) || !(0..heights.len()).any(is_front) {

@@ -8,7 +8,7 @@ use crate::visibility::bounding_ball::Ball;
 use crate::visibility::silhouette_mesh::SilhouetteMesh;
 
 /// A segment may touch surfaces within this part of its length at both ends.
-pub(super) const END: f64 = 1e-9;
+pub(crate) const END: f64 = 1e-9;
 
 /// Points in each parameter at which a curved surface is looked at.
 const LOOKS: usize = 5;

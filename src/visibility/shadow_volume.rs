@@ -12,16 +12,10 @@
 
 use core::iter;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{COINCIDENT, DVec3, ROUNDING, clip_by_heights};
 use smallvec::SmallVec;
 
 use crate::visibility::bounding_ball::Ball;
-
-/// Points within this part of their distance from a bounding plane count as touching it.
-const TOUCHING: f64 = 1e-9;
-
-/// Points within this part of their distance from a plane that cuts a polygon count as lying on it.
-const ON_PLANE: f64 = 1e-12;
 
 /// Planes of most shadows, of a block as a whole among them.
 const PLANES: usize = 10;
@@ -49,7 +43,7 @@ impl Plane {
     fn heights(&self, polygon: &[DVec3], reach: f64) -> Heights {
         let height = |a: &DVec3| {
             let h = self.height(*a);
-            if h.abs() <= ON_PLANE * reach { 0.0 } else { h }
+            if h.abs() <= ROUNDING * reach { 0.0 } else { h }
         };
         polygon.iter().map(height).collect()
     }
@@ -81,17 +75,7 @@ pub(crate) fn reach(polygon: &[DVec3]) -> f64 {
 /// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
 fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
     let mut kept = Corners::new();
-    let last = polygon.len() - 1;
-    let (mut previous, mut height) = (polygon[last], heights[last]);
-    for (a, h) in polygon.iter().zip(heights) {
-        if height * h < 0.0 {
-            kept.push(previous.lerp(*a, height / (height - h)));
-        }
-        if *h >= 0.0 {
-            kept.push(*a);
-        }
-        (previous, height) = (*a, *h);
-    }
+    clip_by_heights(polygon, heights, |a| kept.push(a));
     kept
 }
 
@@ -215,7 +199,7 @@ impl Pyramid {
     /// Whether it hides a quadrilateral within `radius` of its middle; what merely touches a bounding plane lies outside it.
     pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
         let middle = quad.middle - self.eye;
-        let tolerance = TOUCHING * (middle.abs().element_sum() + radius);
+        let tolerance = COINCIDENT * (middle.abs().element_sum() + radius);
         let mut cover = Cover::Hidden;
         for plane in &self.planes {
             let height = plane.height(middle);
@@ -306,7 +290,7 @@ impl Pyramid {
 
 /// How the convex hull of points no farther from the eye than `reach` stands to the half-spaces of some planes together.
 fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
-    let tolerance = TOUCHING * reach;
+    let tolerance = COINCIDENT * reach;
     let mut cover = Cover::Hidden;
     for plane in planes {
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);

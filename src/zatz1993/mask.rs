@@ -50,11 +50,6 @@ impl Mask {
         let corners = [node(i, j), node(i, j + 1), node(i + 1, j), node(i + 1, j + 1)];
         bilinear(corners, [scaled[0] - i as f64, scaled[1] - j as f64])
     }
-
-    /// Nodes that were sampled.
-    pub fn samples(&self) -> usize {
-        self.values.len()
-    }
 }
 
 /// The bilinear interpolant of the corners (0, 0), (0, 1), (1, 0), (1, 1).

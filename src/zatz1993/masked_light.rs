@@ -16,7 +16,7 @@ use std::cell::RefCell;
 use std::collections::BTreeMap;
 use std::num::NonZeroUsize;
 
-use radiosity_geom::{DVec2, DVec3, Surface};
+use radiosity_geom::{COINCIDENT, DVec2, DVec3, Surface};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -32,9 +32,6 @@ use crate::zatz1993::mask::Mask;
 /// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
 const RAYS: usize = 16;
 
-/// Distance from a patch within which a node of a mask counts as on it, in multiples of the element's extent.
-const RIM: f64 = 1e-9;
-
 /// How masks are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Masking {
@@ -47,11 +44,12 @@ pub struct Masking {
 /// What a mask is at its nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Average {
-    /// The part of the emitter's area that is seen, by rays: the paper's.
-    Plain,
-    /// The part of the emitter's light that arrives: exact for what is flat.
+    /// The part of the emitter's light that arrives.
     Weighted,
+    /// The part of the emitter's area that is seen, as in Zatz 1993.
+    Plain,
 }
 
 /// Direct light with masks.
@@ -66,7 +64,6 @@ pub struct MaskedLight {
 /// An emitter as a receiver sees it.
 #[derive(Debug)]
 struct MaskedEmitter {
-    element: usize,
     /// Exitance per band (W m⁻²).
     exitance: Vec<f64>,
     mask: Mask,
@@ -111,7 +108,6 @@ impl MaskedLight {
             for (receiver, masks) in masks.iter().enumerate() {
                 match masks.iter().find(|(other, _)| *other == emitter) {
                     Some((_, mask)) => light.masked[receiver].push(MaskedEmitter {
-                        element: emitter,
                         exitance: exitance.clone(),
                         mask: mask.clone(),
                         unshadowed: unshadowed[receiver].clone(),
@@ -135,6 +131,11 @@ impl MaskedLight {
         }
     }
 
+    /// Whether no light is masked.
+    pub fn is_plain(&self) -> bool {
+        self.masked.iter().all(Vec::is_empty)
+    }
+
     /// Irradiance (W m⁻²) of a band at a point of element `receiver`; `position` matters on flat elements, `parameters` on
     /// curved ones.
     pub fn at(
@@ -153,15 +154,6 @@ impl MaskedLight {
             emitter.exitance[band] * emitter.mask.at(coordinates) * value(&emitter.unshadowed)
         });
         value(&self.plain[band][receiver]) + lit.sum::<f64>()
-    }
-
-    /// The masked pairs: receiver, emitter, and the nodes of their mask.
-    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize, usize)> {
-        let of = |(receiver, emitters): (usize, &'_ Vec<MaskedEmitter>)| {
-            let pair = move |emitter: &MaskedEmitter| (receiver, emitter.element, emitter.mask.samples());
-            emitters.iter().map(pair).collect::<Vec<_>>()
-        };
-        self.masked.iter().enumerate().flat_map(of)
     }
 }
 
@@ -285,7 +277,7 @@ impl<'a> Receiver<'a> {
                 let [along, across] = duals([*first, *second]);
                 let position = origin + a * along + b * across;
                 let extent = along.length().max(across.length());
-                element.covers(position, RIM * extent).then_some((position, normal))
+                element.covers(position, COINCIDENT * extent).then_some((position, normal))
             }
             (Frame::Parameters { center, half }, _) => {
                 let parameters = *center + *half * DVec2::new(a, b);

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 use std::process::Command;
 
-use radiosity::inspection::{Fronts, Inspection, Touch};
+use radiosity::geom::Adjacency;
+use radiosity::inspection::{Fronts, Inspection};
 use radiosity::scene::Scene;
 
 /// A scene of these surfaces, each `name | options and shape`, all of a material that emits.
@@ -106,7 +107,7 @@ fn open_rooms_are_not_closed() {
 fn the_cube_has_twelve_edges() {
     let found = inspect(&CUBE);
     assert_eq!(found.contacts.len(), 12);
-    assert!(found.contacts.iter().all(|contact| contact.touch == Touch::Edge));
+    assert!(found.contacts.iter().all(|contact| contact.touch == Adjacency::Edge));
     assert_eq!(codes(&found), [""; 0]);
     assert_eq!(found.areas, [1.0; 6]);
 }
@@ -115,9 +116,9 @@ fn the_cube_has_twelve_edges() {
 fn ways_of_touching_are_told_apart() {
     let floor = "floor | quad = { vertices = [[0,0,0],[4,0,0],[4,4,0],[0,4,0]] }";
     let touch = |other: &str| inspect(&[floor, other]).contacts.iter().map(|c| c.touch).collect::<Vec<_>>();
-    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[4,0,0],[4,0,4],[0,0,4]] }"), [Touch::Edge]);
-    assert_eq!(touch("a | quad = { vertices = [[1,2,0],[3,2,0],[3,2,2],[1,2,2]] }"), [Touch::Tee]);
-    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[-4,0,0],[-4,-4,1],[0,-4,1]] }"), [Touch::Vertex]);
+    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[4,0,0],[4,0,4],[0,0,4]] }"), [Adjacency::Edge]);
+    assert_eq!(touch("a | quad = { vertices = [[1,2,0],[3,2,0],[3,2,2],[1,2,2]] }"), [Adjacency::Tee]);
+    assert_eq!(touch("a | quad = { vertices = [[0,0,0],[-4,0,0],[-4,-4,1],[0,-4,1]] }"), [Adjacency::Vertex]);
     assert_eq!(touch("a | disk = { center = [2,2,1], normal = [0,0,-1], radius = 1 }"), []);
 }
 
@@ -134,7 +135,7 @@ fn surfaces_that_pass_through_each_other_are_named_with_a_place() {
         "{}",
         crossing.message
     );
-    let Touch::Crossing { at } = found.contacts[0].touch else { panic!("{:?}", found.contacts) };
+    let Adjacency::Crossing { at } = found.contacts[0].touch else { panic!("{:?}", found.contacts) };
     assert!(at.z.abs() < 1e-2 && ((at.x - 2.0).hypot(at.y - 2.0) - 0.5).abs() < 1e-2, "{at}");
 }
 

@@ -55,27 +55,28 @@ fn sums(surface: &str, cells: &[Cell]) -> [[f64; 2]; 3] {
     })
 }
 
-fn assert_below(surface: &str, order: usize, subdivide: usize, bound: f64) {
+/// All bands within `least` and `most` %: less than the best fit leaves is as wrong as more.
+fn assert_between(surface: &str, order: usize, subdivide: usize, [least, most]: [f64; 2]) {
     let cells = cells(order, subdivide, surface);
     assert_eq!(cells.len(), 256);
     let errors = errors(surface, &cells);
     println!("{surface}, order {order}, subdivide {subdivide}: {errors:.3?} %");
-    assert!(errors.iter().all(|error| *error <= bound), "{surface}: {errors:?} % above {bound} %");
+    assert!(errors.iter().all(|error| (least..=most).contains(error)), "{surface}: {errors:?} %");
 }
 
 #[test]
 fn back_wall_at_order_8() {
-    assert_below("back_wall", 8, 1, 3.5);
+    assert_between("back_wall", 8, 1, [2.0, 3.0]);
 }
 
 #[test]
 fn floor_in_sixteen_parts_at_order_4() {
-    assert_below("floor", 4, 4, 3.0);
+    assert_between("floor", 4, 4, [1.2, 2.0]);
 }
 
 #[test]
 fn undivided_floor_at_order_8_is_limited_by_its_shadows() {
-    assert_below("floor", 8, 1, 19.0);
+    assert_between("floor", 8, 1, [5.0, 9.0]);
 }
 
 /// Floor and back wall, all bands: a draft, and what most need.

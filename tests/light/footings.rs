@@ -6,47 +6,20 @@ use radiosity::footings::footings;
 use radiosity::inspection::Inspection;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, solve};
-use radiosity_geom::{DVec2, DVec3};
+use radiosity_geom::DVec2;
 
-/// The name and vertices of a quad.
-type Quad = (String, [DVec3; 4]);
-
-fn quad(name: &str, vertices: [[f64; 3]; 4]) -> Quad {
-    (name.to_owned(), vertices.map(DVec3::from_array))
-}
+use crate::shapes::{Quad, quad, room, upright};
 
 /// A scene of grey quads; those named `lamp` shine.
 fn scene(quads: &[Quad]) -> Scene {
     let mut text = "bands = [\"grey\"]\n[materials.grey]\nreflectance = 0.5\n[materials.lamp]\nreflectance = 0\nemission = 1\n".to_owned();
     for (name, vertices) in quads {
         let material = if name.starts_with("lamp") { "lamp" } else { "grey" };
-        let vertices = vertices.map(|x| x.to_array());
         text += &format!(
             "[[surfaces]]\nname = {name:?}\nmaterial = {material:?}\nquad = {{ vertices = {vertices:?} }}\n"
         );
     }
     Scene::from_toml(&text, "scene").unwrap_or_else(|error| panic!("{error}\n{text}"))
-}
-
-/// The six walls of a room, fronts inside.
-fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
-    vec![
-        quad("floor", [[0., 0., 0.], [a, 0., 0.], [a, b, 0.], [0., b, 0.]]),
-        quad("ceiling", [[0., 0., c], [0., b, c], [a, b, c], [a, 0., c]]),
-        quad("x0", [[0., 0., 0.], [0., b, 0.], [0., b, c], [0., 0., c]]),
-        quad("x1", [[a, 0., 0.], [a, 0., c], [a, b, c], [a, b, 0.]]),
-        quad("y0", [[0., 0., 0.], [0., 0., c], [a, 0., c], [a, 0., 0.]]),
-        quad("y1", [[0., b, 0.], [a, b, 0.], [a, b, c], [0., b, c]]),
-    ]
-}
-
-/// Sides and top of an upright box over the counter-clockwise `base`, fronts outside.
-fn upright(name: &str, base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
-    let at = |k: usize, z: f64| [base[k % 4][0], base[k % 4][1], z];
-    let side =
-        |k: usize| quad(&format!("{name}-{k}"), [at(k, low), at(k + 1, low), at(k + 1, high), at(k, high)]);
-    let top = quad(&format!("{name}-top"), [at(0, high), at(1, high), at(2, high), at(3, high)]);
-    (0..4).map(side).chain([top]).collect()
 }
 
 fn rectangle([x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> [[f64; 2]; 4] {
@@ -102,7 +75,9 @@ fn a_box_that_leans_on_walls_covers_part_of_each() {
     // In the corner of x = 0 and y = 0, without the sides and with its fronts to the room only.
     let mut quads = room([4.0, 4.0, 3.0]);
     let corner = upright("box", rectangle([0.0, 1.0], [0.0, 2.0]), [0.0, 0.5]);
-    quads.extend(corner.into_iter().filter(|(name, _)| !["box-0", "box-3"].contains(&name.as_str())));
+    quads.extend(
+        corner.into_iter().filter(|(name, _)| !["box-side-0", "box-side-3"].contains(&name.as_str())),
+    );
     assert_found(&quads, &[("floor", 2.0), ("x0", 1.0), ("y0", 0.5)]);
 }
 
@@ -112,10 +87,10 @@ fn boxes_that_touch_cover_each_other() {
     let mut quads = room([4.0, 4.0, 3.0]);
     quads.extend(upright("high", rectangle([1.0, 2.0], [1.0, 3.0]), [0.0, 2.0]));
     let low = upright("low", rectangle([2.0, 3.0], [1.5, 2.0]), [0.0, 1.0]);
-    quads.extend(low.into_iter().filter(|(name, _)| name != "low-3"));
+    quads.extend(low.into_iter().filter(|(name, _)| name != "low-side-3"));
     let mut footings = found(&quads);
     footings.sort_by(|a, b| (&a.0, a.1).partial_cmp(&(&b.0, b.1)).expect("areas are numbers"));
-    let expected = [("floor", 0.5), ("floor", 2.0), ("high-1", 0.5)];
+    let expected = [("floor", 0.5), ("floor", 2.0), ("high-side-1", 0.5)];
     assert_eq!(footings.len(), 3, "{footings:?}");
     for ((name, area), (own, exact)) in footings.iter().zip(expected) {
         assert!(name == own && (area - exact).abs() < 1e-12, "{footings:?}");

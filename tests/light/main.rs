@@ -8,5 +8,6 @@ mod gather;
 mod hard_cases;
 mod masks;
 mod occlusion;
+mod shapes;
 mod slits;
 mod split;

@@ -12,41 +12,7 @@ use radiosity::view_factors::{Options, ViewFactors};
 use radiosity::visibility::{Hiding, Shadows, Visibility};
 use radiosity_geom::DVec3;
 
-pub(crate) type Quad = (String, [[f64; 3]; 4]);
-
-pub(crate) fn quad(name: &str, vertices: [[f64; 3]; 4]) -> Quad {
-    (name.to_owned(), vertices)
-}
-
-/// The upright rectangle x0..x1 × y0..y1 at height z, its front up or down.
-fn level(name: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2], z: f64, up: bool) -> Quad {
-    let mut vertices = [[x0, y0, z], [x1, y0, z], [x1, y1, z], [x0, y1, z]];
-    if !up {
-        vertices.reverse();
-    }
-    quad(name, vertices)
-}
-
-pub(crate) fn room([a, b, c]: [f64; 3]) -> Vec<Quad> {
-    vec![
-        level("floor", [0.0, a], [0.0, b], 0.0, true),
-        level("ceiling", [0.0, a], [0.0, b], c, false),
-        quad("x0", [[0., 0., 0.], [0., b, 0.], [0., b, c], [0., 0., c]]),
-        quad("x1", [[a, 0., 0.], [a, 0., c], [a, b, c], [a, b, 0.]]),
-        quad("y0", [[0., 0., 0.], [0., 0., c], [a, 0., c], [a, 0., 0.]]),
-        quad("y1", [[0., b, 0.], [a, b, 0.], [a, b, c], [0., b, c]]),
-    ]
-}
-
-/// Sides, top and, where it hovers, bottom of an upright box over a counter-clockwise base, fronts outside.
-pub(crate) fn upright(base: [[f64; 2]; 4], [low, high]: [f64; 2]) -> Vec<Quad> {
-    let at = |k: usize, z: f64| [base[k % 4][0], base[k % 4][1], z];
-    let side =
-        |k: usize| quad(&format!("side-{k}"), [at(k, low), at(k + 1, low), at(k + 1, high), at(k, high)]);
-    let top = quad("top", [at(0, high), at(1, high), at(2, high), at(3, high)]);
-    let bottom = (low > 0.0).then(|| quad("bottom", [at(3, low), at(2, low), at(1, low), at(0, low)]));
-    (0..4).map(side).chain([top]).chain(bottom).collect()
-}
+use crate::shapes::{Quad, level, quad, room, upright};
 
 pub(crate) fn factors(quads: &[Quad], hiding: Hiding, eps: f64) -> ViewFactors {
     let mut text = String::new();
@@ -181,9 +147,9 @@ fn closed_rooms_keep_all_light() {
         level("lamp:back", [1.5, 2.0], [1.5, 2.0], 1.001, true),
     ];
     let contents = [
-        ("box", upright(base, [0.0, 1.1])),
-        ("square box", upright(square, [0.0, 2.0])),
-        ("hovering box", upright(base, [1e-3, 1.1])),
+        ("box", upright("box", base, [0.0, 1.1])),
+        ("square box", upright("box", square, [0.0, 2.0])),
+        ("hovering box", upright("box", base, [1e-3, 1.1])),
         ("thin wall", wall),
         ("lamp on a table", table),
     ];
@@ -192,8 +158,11 @@ fn closed_rooms_keep_all_light() {
         let usual = closure(&factors(&quads, Hiding::Auto, 1e-3));
         assert!(usual <= 1e-3, "{name}: {usual:e}");
     }
-    let exact =
-        closure(&factors(&[room([4.0, 3.5, 3.0]), upright(base, [0.0, 1.1])].concat(), Hiding::Exact, 1e-7));
+    let exact = closure(&factors(
+        &[room([4.0, 3.5, 3.0]), upright("box", base, [0.0, 1.1])].concat(),
+        Hiding::Exact,
+        1e-7,
+    ));
     assert!(exact <= 1e-5, "{exact:e}");
 }
 
@@ -212,7 +181,7 @@ fn a_bent_wall_keeps_all_light() {
     }
     let base = [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]];
     let before = [[2.5, 1.5], [3.5, 1.7], [3.4, 3.0], [2.2, 2.5]];
-    for content in [Vec::new(), upright(base, [0.0, 1.1]), upright(before, [0.3, 2.0])] {
+    for content in [Vec::new(), upright("box", base, [0.0, 1.1]), upright("box", before, [0.3, 2.0])] {
         let found = closure(&factors(&[quads.clone(), content].concat(), Hiding::Auto, 1e-3));
         assert!(found <= 1e-3, "{found:e}");
     }
@@ -237,7 +206,7 @@ fn flush_lamps_leak_nothing() {
     ];
     let hung = [room([4.0, 3.5, 3.0]), below.to_vec()].concat();
     for (name, quads) in [("flush", flush), ("hung", hung)] {
-        let chest = upright([[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]], [0.0, 1.1]);
+        let chest = upright("box", [[0.9, 0.8], [2.1, 1.2], [1.7, 2.4], [0.5, 2.0]], [0.0, 1.1]);
         let found = closure(&factors(&[quads, chest].concat(), Hiding::Auto, 1e-3));
         assert!(found <= 1e-3, "{name}: {found:e}");
     }
@@ -247,12 +216,8 @@ fn flush_lamps_leak_nothing() {
 #[test]
 fn nothing_leaks_between_touching_boxes() {
     let square = |x: f64, y: f64| [[x, y], [x + 1.0, y], [x + 1.0, y + 1.0], [x, y + 1.0]];
-    let named = |name: &str, base, height| {
-        let mut sides = upright(base, [0.0, height]);
-        sides.iter_mut().for_each(|(own, _)| own.insert_str(0, name));
-        sides
-    };
-    let pair = |base| [named("low-", square(1.0, 1.0), 1.0), named("high-", base, 1.5)].concat();
+    let pair =
+        |base| [upright("low", square(1.0, 1.0), [0.0, 1.0]), upright("high", base, [0.0, 1.5])].concat();
     let mut joined = pair(square(2.0, 1.0));
     joined.retain(|(name, _)| name != "low-side-1" && name != "high-side-3");
     joined.push(quad("step", [[2., 2., 1.], [2., 1., 1.], [2., 1., 1.5], [2., 2., 1.5]]));
@@ -337,7 +302,7 @@ proptest! {
             [at.0 + cos * x - sin * y, at.1 + sin * x + cos * y]
         };
         let base = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]].map(corner);
-        let quads = [room([4.0, 3.5, 3.0]), upright(base, [low, low + height])].concat();
+        let quads = [room([4.0, 3.5, 3.0]), upright("box", base, [low, low + height])].concat();
         let found = factors(&quads, Hiding::Auto, 1e-3);
         let free = factors(&quads, Hiding::Off, 1e-3);
         for i in 0..quads.len() {

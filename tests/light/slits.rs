@@ -2,7 +2,8 @@
 
 use radiosity::visibility::Hiding;
 
-use crate::occlusion::{Quad, closure, factors, quad, room, upright};
+use crate::occlusion::{closure, factors};
+use crate::shapes::{Quad, quad, room, upright};
 
 /// Two boxes on the floor of a room.
 struct Boxes {
@@ -26,13 +27,8 @@ impl Boxes {
         let half = 0.5 * self.width;
         let base =
             |from: f64, to: f64| [place(from, -half), place(to, -half), place(to, half), place(from, half)];
-        let named = |name: &str, base, height| {
-            let mut sides = upright(base, [0.0, height]);
-            sides.iter_mut().for_each(|(own, _)| own.insert_str(0, name));
-            sides
-        };
-        let low = named("low-", base(-self.lengths[0] - self.slit, -self.slit), self.heights[0]);
-        let high = named("high-", base(0.0, self.lengths[1]), self.heights[1]);
+        let low = upright("low", base(-self.lengths[0] - self.slit, -self.slit), [0.0, self.heights[0]]);
+        let high = upright("high", base(0.0, self.lengths[1]), [0.0, self.heights[1]]);
         let mut quads = [room([4.0, 3.5, 3.0]), low, high].concat();
         if self.slit == 0.0 {
             quads.retain(|(name, _)| name != "low-side-1" && name != "high-side-3");

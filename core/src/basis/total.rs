@@ -7,8 +7,13 @@
 //! Order: total degree d = i + j ascending, within d: j ascending, i = d − j. Hence k = d (d + 1)/2 + j, and the
 //! functions of a lower order are the first ones of a higher.
 
-use super::factors::{self, LARGEST, Row};
 use crate::legendre;
+
+/// The largest order of the bases on the square.
+pub const LARGEST: usize = 63;
+
+/// p_0 … p_63 at one coordinate; only the first entries are filled.
+type Row = [f64; LARGEST + 1];
 
 /// The number of products of total degree ≤ `order`: (N + 1)(N + 2)/2.
 pub const fn count(order: usize) -> usize {
@@ -34,7 +39,7 @@ pub const fn degrees(k: usize) -> (usize, usize) {
 /// If `out.len() != count(order)` or `order > `[`LARGEST`].
 pub fn values(order: usize, s: f64, t: f64, out: &mut [f64]) {
     check(order, out.len());
-    let [p, q] = factors::values(order, s, t);
+    let [p, q] = factors(order, s, t);
     products(order, &p, &q, out);
 }
 
@@ -46,7 +51,7 @@ pub fn gradients(order: usize, s: f64, t: f64, out: &mut [f64], by_s: &mut [f64]
     check(order, out.len());
     check(order, by_s.len());
     check(order, by_t.len());
-    let [[p, dp], [q, dq]] = factors::derivatives(order, s, t);
+    let [[p, dp], [q, dq]] = factors_with_derivatives(order, s, t);
     products(order, &p, &q, out);
     products(order, &dp, &q, by_s);
     products(order, &p, &dq, by_t);
@@ -84,4 +89,22 @@ fn products(order: usize, p: &Row, q: &Row, out: &mut [f64]) {
             out[index(degree - j, j)] = p[degree - j] * q[j];
         }
     }
+}
+
+/// p_i(s) and p_j(t) for i, j ≤ `order`.
+fn factors(order: usize, s: f64, t: f64) -> [Row; 2] {
+    [s, t].map(|x| {
+        let mut p = [0.0; LARGEST + 1];
+        legendre::orthonormal(x, &mut p[..=order]);
+        p
+    })
+}
+
+/// [p_i(s), p_i′(s)] and [p_j(t), p_j′(t)] for i, j ≤ `order`.
+fn factors_with_derivatives(order: usize, s: f64, t: f64) -> [[Row; 2]; 2] {
+    [s, t].map(|x| {
+        let (mut p, mut d) = ([0.0; LARGEST + 1], [0.0; LARGEST + 1]);
+        legendre::orthonormal_with_derivatives(x, &mut p[..=order], &mut d[..=order]);
+        [p, d]
+    })
 }

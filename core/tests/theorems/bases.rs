@@ -39,7 +39,6 @@ fn assert_orthonormal(points: &Points, count: usize, values: impl Fn(f64, f64, &
 #[test]
 fn bases_are_orthonormal_on_their_domain() {
     assert_orthonormal(&square::<11>(), total::count(10), |s, t, v| total::values(10, s, t, v));
-    assert_orthonormal(&square::<7>(), tensor::count(6), |s, t, v| tensor::values(6, s, t, v));
     let points = Collapsed::<11>::new().points().collect();
     assert_orthonormal(&points, total::count(10), |s, t, v| triangle::values(10, s, t, v));
 }
@@ -110,17 +109,14 @@ fn the_collapsed_rule_is_exact_to_2n_minus_1_and_not_to_2n() {
 fn tiles_hold_the_values_of_single_points() {
     let s = [-0.9, -0.5, 0.0, 0.3, -0.2, 0.7, -0.99, 0.1];
     let t = [0.8, -0.5, -0.1, -0.4, 0.1, -0.8, 0.98, -0.2];
-    let (mut of_total, mut of_tensor, mut of_triangle) = ([[0.0; 8]; 28], [[0.0; 8]; 49], [[0.0; 8]; 28]);
+    let (mut of_total, mut of_triangle) = ([[0.0; 8]; 28], [[0.0; 8]; 28]);
     total::tile::<7, 8>(&s, &t, &mut of_total);
-    tensor::tile::<7, 8>(&s, &t, &mut of_tensor);
     triangle::tile(6, &s, &t, &mut of_triangle);
-    let (mut v, mut u, mut w) = ([0.0; 28], [0.0; 49], [0.0; 28]);
+    let (mut v, mut w) = ([0.0; 28], [0.0; 28]);
     for l in 0..8 {
         total::values(6, s[l], t[l], &mut v);
-        tensor::values(6, s[l], t[l], &mut u);
         triangle::values(6, s[l], t[l], &mut w);
         assert!((0..28).all(|k| (of_total[k][l] - v[k]).abs() < 1e-13));
-        assert!((0..49).all(|k| (of_tensor[k][l] - u[k]).abs() < 1e-13));
         assert!((0..28).all(|k| of_triangle[k][l] == w[k]));
     }
 }
@@ -153,9 +149,8 @@ proptest! {
     #[test]
     fn gradients_are_slopes(s in -0.9..0.9f64, t in -0.9..0.9f64) {
         let order = 6;
-        let bases: [(usize, Gradients); 3] = [
+        let bases: [(usize, Gradients); 2] = [
             (total::count(order), total::gradients),
-            (tensor::count(order), tensor::gradients),
             (total::count(order), triangle::gradients),
         ];
         for (count, gradients) in bases {

@@ -2,7 +2,6 @@
 
 mod bases;
 mod conversion;
-mod matrices;
 mod oracle;
 mod rules;
 mod tables;

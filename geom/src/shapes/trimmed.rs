@@ -31,10 +31,6 @@ impl Surface for Trimmed {
         self.base.jet(u, v)
     }
 
-    fn jets(&self, at: &[[f64; 2]], out: &mut [Jet]) {
-        self.base.jets(at, out);
-    }
-
     fn bounds(&self, rect: &Rect) -> Aabb {
         self.base.bounds(rect)
     }

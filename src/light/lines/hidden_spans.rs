@@ -7,16 +7,13 @@
 
 use std::borrow::Cow;
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 use smallvec::{SmallVec, smallvec};
 
-use crate::light::lines::projection::{ProjectionPlane, TOUCHING};
+use crate::light::lines::projection::ProjectionPlane;
 use crate::light::lines::silhouette::{Crossing, outline};
 use crate::visibility::shadow_volume::Pyramid;
 use crate::visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
-
-/// Gaps and overlaps of this part of the screen are none.
-const NONE: f64 = 1e-9;
 
 /// Ends so near each other, in parts of the screen, are both corrected, and the farther counts.
 const CLOSE: f64 = 0.02;
@@ -168,7 +165,7 @@ impl<'a> HiddenSpans<'a> {
         let mut last = Place { s: low, within: None };
         for hidden in self.hidden(t, [low - outside, high + outside]) {
             let from = self.corrected(t, hidden.low, -1.0);
-            if from.s > last.s + NONE && !last.is_crack(&from) {
+            if from.s > last.s + COINCIDENT && !last.is_crack(&from) {
                 out.push([last.s, from.s.min(high)]);
             }
             let end = self.corrected(t, hidden.high, 1.0);
@@ -198,7 +195,7 @@ impl<'a> HiddenSpans<'a> {
         let mut apart: Vec<Hidden> = Vec::new();
         for part in parts {
             match apart.last_mut() {
-                Some(last) if part.low.s <= last.high.s + NONE => last.join(&part),
+                Some(last) if part.low.s <= last.high.s + COINCIDENT => last.join(&part),
                 _ => apart.push(part),
             }
         }
@@ -268,7 +265,7 @@ impl Facet<'_> {
 
 /// Lowest and highest t at which a quad is seen.
 fn height(seen: &[DVec3; 4]) -> [f64; 2] {
-    if seen.iter().any(|p| p.z <= TOUCHING) {
+    if seen.iter().any(|p| p.z <= COINCIDENT) {
         return [f64::NEG_INFINITY, f64::INFINITY];
     }
     let t = seen.map(|p| p.y / p.z);
@@ -277,7 +274,7 @@ fn height(seen: &[DVec3; 4]) -> [f64; 2] {
 
 /// What a segment before the screen hides of its line.
 fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
-    let (near, far) = (TOUCHING, 1.0 - TOUCHING);
+    let (near, far) = (COINCIDENT, 1.0 - COINCIDENT);
     let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));
     if high <= near || low >= far {
         return None;
@@ -303,7 +300,7 @@ impl Hidden {
         if other.low.s <= self.low.s + CLOSE {
             self.low.causes[1] = self.low.causes[1].or(other.low.causes[0]);
         }
-        let (far, near) = match other.high.s > self.high.s + NONE {
+        let (far, near) = match other.high.s > self.high.s + COINCIDENT {
             true => (other.high, self.high),
             false => (self.high, other.high),
         };

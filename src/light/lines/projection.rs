@@ -9,10 +9,7 @@
 //! so it is seen at (s, t) = (S, T)/λ, and it lies before the screen if 0 < λ < 1. The plane through x and the line t of the
 //! screen is T − t λ = 0, linear in P.
 
-use radiosity_geom::{Aabb, DVec3};
-
-/// What comes nearer to the screen than this part of the distance to it is taken to touch it.
-pub(crate) const TOUCHING: f64 = 1e-9;
+use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
 /// The plane of a convex polygon with at least three corners, seen from a point.
 #[derive(Clone, Debug)]
@@ -95,7 +92,7 @@ impl ProjectionPlane {
         let (low, high) = (bounds.min - self.eye, bounds.max - self.eye);
         let top = |n: DVec3| (low * n).max(high * n).element_sum();
         let bottom = |n: DVec3| (low * n).min(high * n).element_sum();
-        bottom(self.dual[2]) < self.depth - TOUCHING
+        bottom(self.dual[2]) < self.depth - COINCIDENT
             && top(self.dual[2]) > 0.0
             && self.sides.iter().all(|(side, low)| top(*side) > *low)
     }

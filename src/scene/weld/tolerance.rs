@@ -6,7 +6,7 @@
 //! this uncertainty nobody knows which of two sheets is in front. Beside it, a corner is taken to touch a sheet within a
 //! millionth of the extent of the smaller.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, LOOSE};
 
 /// Unit roundoff of double precision.
 const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
@@ -24,9 +24,6 @@ const ROUNDINGS: f64 = 8.0;
 /// a sheet believes other sheets of, as much as a flat shape may be off its plane.
 const UNEVEN: f64 = 4.0;
 const MOST_UNEVEN: f64 = 2e-5;
-
-/// Part of its extent within which a sheet touches others.
-const TOUCH: f64 = 1e-6;
 
 /// Largest part of the shortest side, and of the breadth, of a sheet that its corners may move by.
 const SHORTEST: f64 = 0.1;
@@ -78,7 +75,7 @@ impl Tolerance {
         Self {
             rounding: ROUNDINGS * measures.rounding.max(evidence.decimal),
             noise: UNEVEN * evidence.unevenness.min(MOST_UNEVEN * measures.extent).max(measures.unevenness),
-            touch: TOUCH * measures.extent,
+            touch: LOOSE * measures.extent,
             most: measures.most(),
         }
     }

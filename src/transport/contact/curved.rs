@@ -11,7 +11,7 @@ use radiosity_geom::{Border, DVec3};
 
 use crate::elements::patch::{Direction, Patch};
 
-use crate::transport::contact::flat::gap;
+use crate::transport::contact::flat::{gap, neighbours, shared_corners};
 
 /// How two patches touch. Patches inside are re-oriented for the rule.
 #[derive(Clone, Debug)]
@@ -45,10 +45,7 @@ pub(in crate::transport) fn touch(p: &Patch, q: &Patch, tolerance: f64) -> Touch
         return Touch::Apart(gap);
     }
     let (corners_p, corners_q) = (p.polygon(), q.polygon());
-    let shared: Vec<(usize, usize)> = (0..corners_p.len())
-        .flat_map(|i| (0..corners_q.len()).map(move |j| (i, j)))
-        .filter(|(i, j)| corners_p[*i].distance(corners_q[*j]) <= tolerance)
-        .collect();
+    let shared = shared_corners(&corners_p, &corners_q, tolerance);
     let tips = [tip(p, shared.iter().map(|s| s.0)), tip(q, shared.iter().map(|s| s.1))];
     if tips.iter().any(Option::is_some) {
         return Touch::Tip(tips);
@@ -179,8 +176,4 @@ fn edge(p: Patch, q: Patch, tolerance: f64) -> Option<Touch> {
         lies_on(&first[0], &second[0]) && lies_on(&second[0], &first[0])
     };
     one_curve.then_some(Touch::Edge { p, q, matched })
-}
-
-fn neighbours(i: usize, j: usize, count: usize) -> bool {
-    (i + 1) % count == j || (j + 1) % count == i
 }

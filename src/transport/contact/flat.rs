@@ -3,7 +3,7 @@
 //! The rule is chosen by this alone. Flat pairs arrive cut so that contacts are whole edges or
 //! corners ([`crate::transport::contact::clip`]); for pairs with a curved patch see [`crate::transport::contact::curved`].
 
-use radiosity_geom::{DVec3, sides};
+use radiosity_geom::{DVec3, distance_to_segment, sides};
 
 use crate::elements::patch::Patch;
 
@@ -21,14 +21,7 @@ pub(in crate::transport) enum Contact {
 /// Classifies two patches; points closer than `tolerance` coincide.
 pub(in crate::transport) fn classify(p: &Patch, q: &Patch, tolerance: f64) -> Contact {
     let (corners_p, corners_q) = (p.polygon(), q.polygon());
-    let shared: Vec<(usize, usize)> = corners_p
-        .iter()
-        .enumerate()
-        .flat_map(|(i, x)| corners_q.iter().enumerate().map(move |(j, y)| (i, j, x.distance(*y))))
-        .filter(|(_, _, distance)| *distance <= tolerance)
-        .map(|(i, j, _)| (i, j))
-        .collect();
-    match shared[..] {
+    match shared_corners(&corners_p, &corners_q, tolerance)[..] {
         [] => Contact::Apart(gap(p, q)),
         [(i, j)] if !overlapping_sides(&corners_p, i, &corners_q, j, tolerance) => Contact::Vertex(
             p.oriented(i, (i + 1) % corners_p.len()),
@@ -41,7 +34,14 @@ pub(in crate::transport) fn classify(p: &Patch, q: &Patch, tolerance: f64) -> Co
     }
 }
 
-fn neighbours(i: usize, j: usize, count: usize) -> bool {
+/// The pairs of corners of two polygons that coincide, by their indices.
+pub(in crate::transport) fn shared_corners(p: &[DVec3], q: &[DVec3], tolerance: f64) -> Vec<(usize, usize)> {
+    let pairs = (0..p.len()).flat_map(|i| (0..q.len()).map(move |j| (i, j)));
+    pairs.filter(|(i, j)| p[*i].distance(q[*j]) <= tolerance).collect()
+}
+
+/// Whether two of `count` corners are the ends of one side.
+pub(in crate::transport) fn neighbours(i: usize, j: usize, count: usize) -> bool {
     (i + 1) % count == j || (j + 1) % count == i
 }
 
@@ -55,7 +55,8 @@ fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f6
     let (sides_p, sides_q) = (around(p, i), around(q, j));
     sides_p.iter().any(|a| {
         sides_q.iter().any(|b| {
-            point_to_segment(*a, corner, *b) <= tolerance || point_to_segment(*b, corner, *a) <= tolerance
+            distance_to_segment(*a, [corner, *b]) <= tolerance
+                || distance_to_segment(*b, [corner, *a]) <= tolerance
         })
     })
 }
@@ -124,13 +125,7 @@ pub(in crate::transport) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64
     if inside {
         return (x - polygon[0]).dot(normal).abs();
     }
-    sides(polygon).map(|[a, b]| point_to_segment(x, a, b)).fold(f64::INFINITY, f64::min)
-}
-
-fn point_to_segment(x: DVec3, a: DVec3, b: DVec3) -> f64 {
-    let d = b - a;
-    let along = ((x - a).dot(d) / d.length_squared()).clamp(0.0, 1.0);
-    x.distance(a + d * along)
+    sides(polygon).map(|side| distance_to_segment(x, side)).fold(f64::INFINITY, f64::min)
 }
 
 /// Distance of two segments (Ericson, *Real-Time Collision Detection*, 5.1.9, as a fact: minimise over

@@ -106,7 +106,7 @@ impl Occlusion {
         let blockers = visibility.by_place(blockers);
         let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility);
         let bodies = visibility.one_of_each_body(&blockers);
-        let task = Task::new(pair, side, &inner, (&bodies, visibility), limit);
+        let task = Task::new(pair, side, &inner, &bodies, visibility, limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
         let whole: f64 = outer.iter().map(area).sum();
         let add = |work: &mut Work, patch: &Patch| {
@@ -208,7 +208,8 @@ impl<'a> Task<'a> {
         pair: [&'a Element; 2],
         side: Side,
         inner: &[Facet],
-        (blockers, visibility): (&[usize], &'a Visibility),
+        blockers: &[usize],
+        visibility: &'a Visibility,
         limit: Limit,
     ) -> Self {
         let [outer, other] = match side {
@@ -321,11 +322,7 @@ impl<'a> Work<'a> {
     /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
     fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
         CARRIED * self.most(cell) > self.task.limit.error
-            && self.task.edges.may_be_passed_over(
-                cell,
-                blockers,
-                [self.task.points as f64, self.task.accuracy],
-            )
+            && self.task.edges.may_be_passed_over(cell, blockers, self.task.points as f64, self.task.accuracy)
     }
 
     /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.

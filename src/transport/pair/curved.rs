@@ -29,6 +29,8 @@ mod own;
 mod pair;
 mod shaded;
 
+use radiosity_geom::COINCIDENT;
+
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
@@ -42,7 +44,7 @@ use crate::transport::estimates::coarse::scale;
 use crate::transport::rules::horizon::Front;
 use attempt::DOUBT;
 use constant::constant;
-use job::{COINCIDENT, Job, Task};
+use job::{Job, Task};
 
 /// Samples, about, of all that is left then, and points a direction of each part of it.
 const LEFT_SAMPLES: f64 = 2e5;

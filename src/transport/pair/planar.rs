@@ -295,7 +295,7 @@ impl<'a> Job<'a> {
     /// A near pair that is halved no more: summed roughly.
     fn leave(&mut self, p: &Patch, q: &Patch) {
         self.note(true, p, q);
-        self.tensor(p, q, SMALLEST_RATIO * longest(p).1.max(longest(q).1));
+        self.tensor(p, q, SMALLEST_RATIO * p.longest().1.max(q.longest().1));
     }
 
     /// Counts a part that misses its accuracy: what it carries at the most is its error.
@@ -312,11 +312,11 @@ impl<'a> Job<'a> {
     }
 
     fn is_near(&self, p: &Patch, q: &Patch, gap: f64) -> bool {
-        gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1)
+        gap < SMALLEST_RATIO * p.longest().1.max(q.longest().1)
     }
 
     fn is_divisible(&self, p: &Patch, q: &Patch) -> bool {
-        longest(p).1.max(longest(q).1) > SMALLEST_PART * self.size
+        p.longest().1.max(q.longest().1) > SMALLEST_PART * self.size
     }
 
     /// Halves a pair where it is longest; both sides together along a common edge.
@@ -328,7 +328,7 @@ impl<'a> Job<'a> {
             }
         }
         state.touching &= !matches!(contact, Contact::Apart(gap) if *gap > 0.0);
-        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
         if extent_p >= extent_q {
             self.product(&p.halves(direction_p), std::slice::from_ref(q), &state);
         } else {
@@ -355,9 +355,4 @@ fn facet(patch: &Patch) -> Option<Facet> {
         Patch::Flat { normal, .. } => Some(Facet { corners: patch.polygon(), normal: *normal }),
         Patch::Curved { .. } => None,
     }
-}
-
-fn longest(patch: &Patch) -> (Direction, f64) {
-    let [along, across] = patch.extents();
-    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
 }

@@ -30,7 +30,7 @@ mod unequal;
 use core::f64::consts::FRAC_1_PI;
 use std::borrow::Cow;
 
-use radiosity_geom::{DVec3, clip_polygon};
+use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
 
 use crate::elements::patch::Patch;
 use distant::{Ball, Plan};
@@ -38,9 +38,6 @@ use segment::{Segment, segments};
 
 /// Largest ratio of the radii of polygons that go edge by edge.
 const LARGEST_RATIO: f64 = 4.0;
-/// Heights below this part of the distance count as lying in a plane.
-const COPLANAR: f64 = 1e-12;
-
 /// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij, length².
 ///
 /// Either is clipped by the plane of the other, heights below 1e-12 of the distance passed over, and nothing else
@@ -97,7 +94,7 @@ fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [D
         let height = offset.dot(normal);
         (low, high, reach2) = (height.min(low), height.max(high), offset.length_squared().max(reach2));
     }
-    let tolerance = COPLANAR * f64::sqrt(reach2);
+    let tolerance = ROUNDING * f64::sqrt(reach2);
     if high <= tolerance {
         return None;
     }

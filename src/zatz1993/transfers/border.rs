@@ -1,12 +1,9 @@
 //! The common edge of two patches.
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{COINCIDENT, DVec3};
 
 use crate::elements::patch::Patch;
 use crate::zatz1993::transfers::axis::Axis;
-
-/// Points closer than this part of the pair's size coincide.
-const COINCIDENT: f64 = 1e-9;
 
 /// One side of the parameter square.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -13,7 +13,7 @@
 //! rules found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner
 //! element, and where it reaches between the two.
 
-use radiosity_geom::{DVec3, extreme_points, separated};
+use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
 
 use crate::elements::patch::Patch;
 use crate::transport::contact::flat::segment_distance;
@@ -28,9 +28,6 @@ const NARROW: f64 = 2.0;
 const COARSE: f64 = 2.0;
 /// Relative accuracy below which the half-shadows seen from a cell's corners count: of slits that it sees edge on.
 const TIGHT: f64 = 1e-4;
-/// Overlap below this part of the size of a cell counts as touching.
-const TOUCHING: f64 = 1e-9;
-
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
@@ -62,7 +59,8 @@ impl Edges {
         &self,
         cell: &Patch,
         blockers: &[usize],
-        [points, accuracy]: [f64; 2],
+        points: f64,
+        accuracy: f64,
     ) -> bool {
         let (corners, hull) = (cell.polygon(), cell.hull());
         let [along, across] = cell.extents();
@@ -78,7 +76,7 @@ impl Edges {
             (is_tight || points <= COARSE) && breadth() * points < NARROW
         };
         let is_near = |rim: &Rim| segment_distance(&corners, rim.ends) * points * points < NEAR * extent;
-        let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, TOUCHING * extent);
+        let reaches_between = |rim: &Rim| !separated(&hull, &self.inner, &rim.ends, COINCIDENT * extent);
         let near = self.rims.iter().filter(|(blocker, _)| blockers.contains(blocker));
         near.flat_map(|(_, rims)| rims).any(|rim| {
             rim.may_part(&hull, &self.inner) && (is_near(rim) || is_narrow(rim)) && reaches_between(rim)

@@ -11,7 +11,6 @@ use crate::transport::rules::horizon::Front;
 use crate::transport::rules::{common_edge, common_vertex};
 
 use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
-use crate::transport::pair::curved::size::longest;
 
 /// Points a direction of attempts on parts that no rule covers, for degree 0.
 const FEWEST_POINTS: usize = 4;
@@ -53,7 +52,7 @@ impl<'a> Job<'a> {
         if kept {
             // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
-            let reach = SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+            let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
             let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
             self.error += doubt.max(if is_near { PEAKED * error } else { error });
             self.unresolved |= !enough;

@@ -2,6 +2,8 @@
 //!
 //! Together, because their sum is smooth where a horizon passes from one into the next.
 
+use radiosity_geom::COINCIDENT;
+
 use std::collections::VecDeque;
 
 use crate::elements::patch::Patch;
@@ -14,9 +16,8 @@ use crate::transport::rules::horizon;
 use crate::transport::rules::horizon::Side;
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State, Task};
+use crate::transport::pair::curved::job::{Job, SMALL_PART, State, Task};
 use crate::transport::pair::curved::points::quartered;
-use crate::transport::pair::curved::size::longest;
 
 /// Part of the block's error that the horizons of one outer part may make.
 const HORIZON_SHARE: f64 = 0.3;
@@ -25,7 +26,7 @@ impl Job<'_> {
     /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
     /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
     pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
-        let reach = longest(outer).1;
+        let reach = outer.longest().1;
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
@@ -50,7 +51,7 @@ impl Job<'_> {
                 self.tasks.push_back(Task::Pair(p.clone(), q.clone(), state));
                 continue;
             }
-            let close = gap < SMALLEST_RATIO * reach.max(longest(&part).1);
+            let close = gap < SMALLEST_RATIO * reach.max(part.longest().1);
             if close || facing != Facing::Wholly {
                 let state = State { touching: false, levels: 0, blockers: blockers.clone() };
                 let spent = if close { self.spent() } else { self.budget.horizons_spent() };
@@ -62,10 +63,10 @@ impl Job<'_> {
             }
             if close {
                 self.kind = self.kind.max(Kind::Split);
-                if reach > longest(&part).1 {
+                if reach > part.longest().1 {
                     near.push(part);
                 } else {
-                    open.extend(part.halves(longest(&part).0));
+                    open.extend(part.halves(part.longest().0));
                 }
             } else if facing == Facing::Wholly && blockers.is_empty() {
                 whole.push((part, gap));
@@ -82,7 +83,7 @@ impl Job<'_> {
             return self.horizon(outer, &clipped);
         }
         near.extend(clipped.into_iter().map(|(part, _)| part));
-        let halves = outer.halves(longest(outer).0);
+        let halves = outer.halves(outer.longest().0);
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
     }
 

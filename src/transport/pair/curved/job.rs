@@ -1,5 +1,7 @@
 //! One block of curved elements under way: its parts still to come, and what was found so far.
 
+use radiosity_geom::COINCIDENT;
+
 use std::collections::VecDeque;
 
 use crate::elements::Element;
@@ -17,10 +19,8 @@ use crate::visibility::Visibility;
 
 use crate::transport::pair::curved::budget::Budget;
 use crate::transport::pair::curved::points::Points;
-use crate::transport::pair::curved::size::{area, longest};
+use crate::transport::pair::curved::size::area;
 
-/// Points closer than this part of the pair's size coincide.
-pub(super) const COINCIDENT: f64 = 1e-9;
 /// Parts up to this size are attempted before they are halved for nearness, or cut at their horizons.
 pub(super) const SMALL_PART: f64 = 0.02;
 /// By how much more than by a rough rule a block may carry.
@@ -201,7 +201,7 @@ impl<'a> Job<'a> {
             }
             _ => {}
         }
-        let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+        let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
         if extent_p >= extent_q {
             self.product(&p.halves(direction_p), std::slice::from_ref(q), state);
         } else {

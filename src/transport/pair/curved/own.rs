@@ -11,7 +11,7 @@ use crate::transport::rules::identical;
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{Job, State, Task};
 use crate::transport::pair::curved::points::contact_chart;
-use crate::transport::pair::curved::size::{area, longest};
+use crate::transport::pair::curved::size::area;
 
 impl Job<'_> {
     pub(super) fn same(&mut self, patch: &Patch, mut state: State) {
@@ -47,7 +47,9 @@ impl Job<'_> {
         let tips = collapsed(patch);
         let direction = match tips.first() {
             Some(side) => Some(if side % 2 == 0 { Direction::Across } else { Direction::Along }),
-            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => Some(longest(patch).0),
+            _ if along.max(across) > LARGEST_ASPECT * along.min(across) || doubtful => {
+                Some(patch.longest().0)
+            }
             _ => None,
         };
         match direction {

@@ -1,5 +1,7 @@
 //! Two parts of curved elements, wherever they lie.
 
+use radiosity_geom::COINCIDENT;
+
 use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
 use crate::transport::blocks::block::Kind;
@@ -12,9 +14,8 @@ use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::{common_edge, common_vertex};
 
 use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State};
+use crate::transport::pair::curved::job::{Job, SMALL_PART, State};
 use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
-use crate::transport::pair::curved::size::longest;
 
 impl Job<'_> {
     pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
@@ -39,7 +40,7 @@ impl Job<'_> {
             return;
         }
         let is_small = share <= SMALL_PART * self.budget.scale;
-        let is_near = gap < SMALLEST_RATIO * longest(p).1.max(longest(q).1);
+        let is_near = gap < SMALLEST_RATIO * p.longest().1.max(q.longest().1);
         if !state.blockers.is_empty() {
             let spent = self.budget.shadows_spent(&self.moments);
             // Rules of horizons leave out what a ball hides: its shadow must not be taken off beside them.
@@ -75,7 +76,7 @@ impl Job<'_> {
 
     /// A pair through which a horizon may run.
     fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
-        let longest = longest(p).1.max(longest(q).1);
+        let longest = p.longest().1.max(q.longest().1);
         if gap >= SMALLEST_RATIO * longest {
             if self.budget.horizons_spent() && self.attempt(p, q, Some(contact), state) {
                 return;
@@ -120,7 +121,7 @@ impl Job<'_> {
                     sees,
                 );
             }
-            Touch::Apart(_) if gap >= SMALLEST_RATIO * longest(p).1.max(longest(q).1) => {
+            Touch::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
                 let points = self.points(p, q).apart(p, q, gap);
                 self.moments.tensor(p, q, points, sees);
             }

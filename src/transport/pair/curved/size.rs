@@ -1,15 +1,9 @@
 //! About how large a patch is.
 
-use crate::elements::patch::{Direction, Patch};
+use crate::elements::patch::Patch;
 
 /// About the area of a patch.
 pub(super) fn area(patch: &Patch) -> f64 {
     let nodes = patch.cell_nodes(2);
     nodes.iter().map(|x| x.area).sum::<f64>() / nodes.len() as f64
-}
-
-/// The direction of the larger extent, and that extent.
-pub(super) fn longest(patch: &Patch) -> (Direction, f64) {
-    let [along, across] = patch.extents();
-    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
 }

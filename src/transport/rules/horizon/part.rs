@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ROUNDING};
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Node, Patch};
@@ -18,8 +18,6 @@ use crate::transport::rules::horizon::view::{HEIGHTS, Heights, View};
 
 /// Nodes a direction by which a patch and its quarters are judged.
 const GRID: usize = 6;
-/// Bends below this part of a height are none.
-const LEVEL: f64 = 1e-12;
 /// Most often that an inner patch is quartered.
 pub(in crate::transport) const DEEPEST: usize = 5;
 
@@ -192,7 +190,7 @@ fn straight(grid: &[Heights], which: usize, direction: Direction) -> bool {
             at(k - 1) - 2.0 * at(k) + at(k + 1)
         })
     });
-    bends.map(f64::abs).fold(0.0, f64::max) <= LEVEL * size
+    bends.map(f64::abs).fold(0.0, f64::max) <= ROUNDING * size
 }
 
 /// The sum over both directions of the grid of the largest second difference, as `second` takes its size from three places

@@ -7,7 +7,7 @@
 use radiosity_geom::{DVec3, clip_polygon};
 
 use crate::elements::basis::AreaBasis;
-use crate::elements::patch::{Direction, Patch};
+use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 use crate::transport::contact::flat::gap;
 use crate::transport::rules::far;
@@ -72,7 +72,7 @@ impl<'a> Planner<'a> {
 
     /// Plans the flat pair of an outer and an inner patch.
     pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
-        self.floor = SHARPEST * longest(outer).1.max(longest(inner).1);
+        self.floor = SHARPEST * outer.longest().1.max(inner.longest().1);
         let edges = edges(inner);
         let parts = cut_along(outer, &edges);
         // Errors of the inner integral count against its mean, the transfer; where that is small they are so
@@ -92,7 +92,7 @@ impl<'a> Planner<'a> {
         let tensor = self.tensor(cell, emitter);
         let reached = emitter.reached(cell, self.inner, self.eps);
         if tensor.is_none() && !reached {
-            let ((direction, extent), (inner, reach)) = (longest(cell), longest(&emitter.patch));
+            let ((direction, extent), (inner, reach)) = (cell.longest(), emitter.patch.longest());
             if extent >= reach {
                 cell.halves(direction).iter().for_each(|half| self.cell(half, emitter, depth + 1));
             } else {
@@ -164,11 +164,6 @@ fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
     sum / area
 }
 
-fn longest(patch: &Patch) -> (Direction, f64) {
-    let [along, across] = patch.extents();
-    if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
-}
-
 /// The two parts of a flat cell cut at `place` of direction 0 or 1.
 fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
     let ([a, b, c, d], normal) = (cell.corners(), cell.node(0.5, 0.5).normal);
@@ -219,7 +214,7 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
 
 /// Tensor samples that halving the longest extent takes until every part is far enough; above `limit` no exact count.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
-    let ((direction_p, extent_p), (direction_q, extent_q)) = (longest(p), longest(q));
+    let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
     let gap = gap(p, q);
     if gap == 0.0 {
         return f64::INFINITY;
