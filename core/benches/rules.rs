@@ -42,6 +42,22 @@ fn legendre_in_time(criterion: &mut Criterion) {
     });
 }
 
+fn legendre_of_many_points(criterion: &mut Criterion) {
+    let mut group = group(criterion, "Gauss-Legendre, asymptotic");
+    for n in [101, 1000, 100_000] {
+        let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
+        group.bench_function(BenchmarkId::new("ours", n), |b| {
+            b.iter(|| gauss::legendre_asymptotic(black_box(&mut x), &mut w));
+        });
+        group.bench_function(BenchmarkId::new("bilby", n), |b| {
+            b.iter(|| bilby::GaussLegendre::new(black_box(n)));
+        });
+        group.bench_function(BenchmarkId::new("gauss-quad", n), |b| {
+            b.iter(|| GaussLegendre::new(black_box(size(n))));
+        });
+    }
+}
+
 fn jacobi_in_time(criterion: &mut Criterion) {
     let exponent = |v| FiniteAboveNegOneF64::new(v).expect("above −1");
     for (alpha, beta) in [(0.0, 2.0), (2.0, 2.0), (0.3, -0.6)] {
@@ -65,5 +81,5 @@ fn jacobi_in_time(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, legendre_in_time, jacobi_in_time);
+criterion_group!(benches, legendre_in_time, legendre_of_many_points, jacobi_in_time);
 criterion_main!(benches);

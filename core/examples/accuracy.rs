@@ -70,6 +70,7 @@ fn values(alpha: f64, beta: f64) -> f64 {
 fn main() -> io::Result<()> {
     let mut out = io::stdout().lock();
     let gl = |_: Weight, x: &mut [f64], w: &mut [f64]| gauss::legendre(x, w).expect("equal slices");
+    let fast = |_: Weight, x: &mut [f64], w: &mut [f64]| gauss::legendre_asymptotic(x, w).expect("n > 100");
     let gj =
         |weight: Weight, x: &mut [f64], w: &mut [f64]| gauss::jacobi(weight, x, w).expect("equal slices");
     let plain = [(0.0, 0.0)];
@@ -96,6 +97,7 @@ fn main() -> io::Result<()> {
         rules(&plain, &[256, 513, 1000], gl),
         "gauss-quad 572, 2.2 · bilby 215, 2.2 · scipy 99, 8e7 · GSL 4, 2e9",
     )?;
+    line("Legendre asymptotic, n = 101 … 1000", rules(&plain, &[101, 256, 513, 1000], fast), "the same")?;
     line(
         "Jacobi, whole exponents, n ≤ 100",
         rules(&whole, &[1, 2, 3, 5, 8, 20, 33, 64, 100], gj),

@@ -4,9 +4,11 @@
 //! | --- | --- | --- | --- | --- |
 //! | [`Legendre`], [`Jacobi`], [`Rule`] | any | none at run time | correctly rounded | `const` |
 //! | [`legendre`] | 1 | O(n²) | correctly rounded | `const fn` |
+//! | [`legendre_asymptotic`] | 1, n > 100 | O(n) | 3 ulp, 4 ulp | |
 //! | [`jacobi`](jacobi()) | (1 − x)^α (1 + x)^β | O(n²) | correctly rounded | `const fn` |
 
 mod error;
+mod asymptotic;
 mod polish;
 mod symmetric;
 mod legendre;
@@ -15,6 +17,7 @@ mod laguerre;
 mod jacobi;
 mod rule;
 
+pub use self::asymptotic::legendre_asymptotic;
 pub use self::error::RuleError;
 pub use self::jacobi::jacobi;
 pub use self::legendre::legendre;

@@ -143,6 +143,20 @@ fn constant_rules_are_the_run_time_rules_bit_for_bit() {
 }
 
 #[test]
+fn asymptotic_rules_agree_with_correctly_rounded_ones() {
+    let ulps = |a: f64, b: f64| (a - b).abs() / (b.abs().next_up() - b.abs());
+    for n in (101..140).chain([256, 513, 777, 1000, 2001]) {
+        let (exact_x, exact_w) = legendre(n);
+        let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
+        gauss::legendre_asymptotic(&mut x, &mut w).expect("n > 100");
+        for i in 0..n {
+            assert!(x[i] == exact_x[i] || ulps(x[i], exact_x[i]) <= 3.0, "node {i} of {n}");
+            assert!(ulps(w[i], exact_w[i]) <= 4.0, "weight {i} of {n}");
+        }
+    }
+}
+
+#[test]
 fn rules_are_the_eigenvalues_of_the_jacobi_matrix() {
     // The matrix of the weight (1 + x)², from the entries of the orthonormal recurrence.
     let n = 12;
@@ -173,10 +187,12 @@ fn bad_arguments_are_refused_and_nothing_is_written() {
         assert_eq!(Weight::new(alpha, beta), Err(WeightError::Alpha));
         assert_eq!(Weight::new(beta, alpha), Err(WeightError::Beta));
     }
-    let (mut x, mut w) = ([7.0; 3], [7.0; 2]);
+    let (mut x, mut w, mut s) = ([7.0; 3], [7.0; 2], [7.0; 3]);
     assert_eq!(gauss::legendre(&mut x, &mut w), Err(RuleError::Lengths));
     assert_eq!(gauss::jacobi(Weight::LEGENDRE, &mut x, &mut w), Err(RuleError::Lengths));
-    assert_eq!((x, w), ([7.0; 3], [7.0; 2]));
+    assert_eq!(gauss::legendre_asymptotic(&mut x, &mut w), Err(RuleError::Lengths));
+    assert_eq!(gauss::legendre_asymptotic(&mut x, &mut s), Err(RuleError::TooSmall));
+    assert_eq!((x, w, s), ([7.0; 3], [7.0; 2], [7.0; 3]));
     assert_eq!(gauss::legendre(&mut [], &mut []), Err(RuleError::Empty));
     assert_eq!(gauss::jacobi(Weight::LEGENDRE, &mut [], &mut []), Err(RuleError::Empty));
 }
