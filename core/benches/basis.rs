@@ -57,6 +57,23 @@ fn tiles_with_derivatives<const W: usize>(x: &[f64]) -> [f64; W] {
     sum
 }
 
+fn tiles_anchored<const W: usize>(x: &[f64]) -> [f64; W] {
+    let (mut sum, mut out) = ([0.0; W], [[0.0; W]; N]);
+    for x in x.as_chunks().0 {
+        legendre::tile_anchored(x, &mut out);
+        consume(&out, &mut sum);
+    }
+    sum
+}
+
+fn sums<const W: usize>(f: &[f64; N], x: &[f64]) -> [f64; W] {
+    let mut sum = [0.0; W];
+    for x in x.as_chunks().0 {
+        consume(&[legendre::sum_tile(f, x)], &mut sum);
+    }
+    sum
+}
+
 fn singly(x: &[f64], evaluate: impl Fn(f64, &mut [f64; N])) -> [f64; 1] {
     let (mut sum, mut out) = ([0.0], [0.0; N]);
     for &x in x {
@@ -70,11 +87,14 @@ fn order_8_in_one_variable(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("Legendre to order 8, 1024 points");
     group.warm_up_time(Duration::from_millis(300)).measurement_time(Duration::from_secs(1));
     let x = points();
+    let f = [0.5; N];
     group.bench_function("tiles of 8", |b| b.iter(|| tiles::<8>(black_box(&x))));
     group.bench_function("tiles of 16", |b| b.iter(|| tiles::<16>(black_box(&x))));
     group.bench_function("tiles of 8 with derivatives", |b| {
         b.iter(|| tiles_with_derivatives::<8>(black_box(&x)))
     });
+    group.bench_function("anchored tiles of 16", |b| b.iter(|| tiles_anchored::<16>(black_box(&x))));
+    group.bench_function("Clenshaw sums, 16 lanes", |b| b.iter(|| sums::<16>(black_box(&f), black_box(&x))));
     group.bench_function("single points, anchored", |b| {
         b.iter(|| singly(black_box(&x), |x, out| legendre::orthonormal(x, out)));
     });

@@ -13,11 +13,21 @@
 //! p_{k+1} = a_k x p_k − c_k p_{k−1},   a_k = √((2k + 1)(2k + 3))/(k + 1),   c_k = k/(k + 1) · √((2k + 3)/(2k − 1)),
 //! ```
 //!
+//! or, where points lie near ±1, the differences in lanes.
+//!
 //! Reference: NIST Digital Library of Mathematical Functions, 18.9.1; the differences as in module `jacobi`.
 
 use crate::jacobi::{Polynomials, Weight};
 use crate::math;
 use crate::recurrence::{Differences, Recurrence, Step};
+
+mod derivative;
+mod mass;
+mod two_scale;
+
+pub use self::derivative::derivative;
+pub use self::mass::mass;
+pub use self::two_scale::{Half, two_scale};
 
 /// √(n + ½) = p_n(1) for the degrees in common use.
 const ENDS: [f64; 64] = {
@@ -69,6 +79,17 @@ const fn step(k: usize) -> Step {
     Step { keep: 1.0, kappa: 1.0 / next, sigma: (2 * k + 1) as f64 / next }
 }
 
+/// Σ f_n p_n(x) for x ∈ [−1, 1] by Clenshaw's recurrence; 0 for no coefficients.
+pub fn sum(f: &[f64], x: f64) -> f64 {
+    // b_n = f_n √(n + ½) + (2n + 1)/(n + 1) x b_{n+1} − (n + 1)/(n + 2) b_{n+2} for the classical P_n.
+    let (mut above, mut last) = (0.0, 0.0);
+    for (n, coefficient) in f.iter().enumerate().rev() {
+        let (a, back) = (step(n).sigma, 1.0 - step(n + 1).kappa);
+        (above, last) = (last, coefficient * end(n) + (a * x * last - back * above));
+    }
+    last
+}
+
 /// The first N Legendre polynomials in tables made by the compiler, for tiles.
 pub struct Table<const N: usize>;
 
@@ -94,4 +115,29 @@ pub fn tile_with_derivatives<const N: usize, const W: usize>(
     slopes: &mut [[f64; W]; N],
 ) {
     const { &Table::<N>::RECURRENCE }.tile_with_derivatives(x, out, slopes);
+}
+
+/// Σ f_n `p_n(x[l])` at every lane, by Clenshaw's recurrence.
+#[inline]
+pub fn sum_tile<const N: usize, const W: usize>(f: &[f64; N], x: &[f64; W]) -> [f64; W] {
+    const { &Table::<N>::RECURRENCE }.sum_tile(f, x)
+}
+
+/// `out[n][l]` = `p_n(x[l])`, anchored at the ends: twice the cost of [`tile`], exact at ±1 and near-exact around them.
+#[inline]
+pub fn tile_anchored<const N: usize, const W: usize>(x: &[f64; W], out: &mut [[f64; W]; N]) {
+    let (y, turn) = (x.map(|x| 1.0 - x.abs()), x.map(|x| 1.0f64.copysign(x)));
+    let (mut value, mut difference) = ([1.0; W], [0.0; W]);
+    for (k, row) in out.iter_mut().enumerate() {
+        let Step { kappa, sigma, .. } = step(k);
+        let end = end(k);
+        for l in 0..W {
+            row[l] = end * value[l];
+            if k % 2 == 1 {
+                row[l] *= turn[l];
+            }
+            difference[l] -= kappa * difference[l] + sigma * y[l] * value[l];
+            value[l] += difference[l];
+        }
+    }
 }

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! From below upwards: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and orthonormal polynomials),
-//! [`gauss`] (rules), [`legendre`] (the case α = β = 0 and its tiles), [`basis`] (squares and triangles),
+//! [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`] (squares and triangles),
 //! [`convert`] (Jacobi coefficients to Legendre).
 #![no_std]
 

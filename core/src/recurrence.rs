@@ -9,6 +9,8 @@
 //! lie near ±1 and digits matter, the forms anchored at the ends are better (`legendre::orthonormal`,
 //! `jacobi::Polynomials::values`).
 //!
+//! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2}, downwards, Σ = first · b₀.
+//!
 //! A tile is a block of W points treated side by side, W = 8 or 16: `out[k][l] = p_k(x[l])`. Its loops run over
 //! lanes innermost and vectorise on every target; a tile of 16 fills from the first-level cache, so consume it
 //! before making the next.
@@ -38,6 +40,11 @@ impl<const N: usize> Recurrence<N> {
             *p = last;
             (before, last) = (last, self.factor(k, x) * last - self.c[k] * before);
         }
+    }
+
+    /// Σ f_k p_k(x), k = 0 … N − 1.
+    pub fn sum(&self, f: &[f64; N], x: f64) -> f64 {
+        self.sum_tile(f, &[x])[0]
     }
 
     /// `out[k][l]` = `p_k(x[l])`.
@@ -75,6 +82,21 @@ impl<const N: usize> Recurrence<N> {
             (before, last) = (last, next);
             (slope_before, slope) = (slope, slope_next);
         }
+    }
+
+    /// Σ f_k `p_k(x[l])`, k = 0 … N − 1, at every lane.
+    #[inline]
+    pub fn sum_tile<const W: usize>(&self, f: &[f64; N], x: &[f64; W]) -> [f64; W] {
+        let (mut above, mut last) = ([0.0; W], [0.0; W]);
+        for k in (0..N).rev() {
+            let back = if k + 1 < N { self.c[k + 1] } else { 0.0 };
+            let mut next = [0.0; W];
+            for l in 0..W {
+                next[l] = f[k] + (self.factor(k, x[l]) * last[l] - back * above[l]);
+            }
+            (above, last) = (last, next);
+        }
+        last.map(|sum| self.first * sum)
     }
 
     /// a_k x + b_k.

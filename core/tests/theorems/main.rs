@@ -2,6 +2,7 @@
 
 mod bases;
 mod conversion;
+mod matrices;
 mod oracle;
 mod rules;
 mod tables;

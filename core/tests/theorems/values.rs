@@ -91,8 +91,9 @@ fn norms_of_large_degree_and_exponent_do_not_overflow() {
 #[test]
 fn tiles_hold_the_values_of_single_points() {
     let x = [-1.0, -0.9, -0.3, 0.0, 0.1, 0.5, 0.99, 1.0];
-    let (mut tile, mut slopes) = ([[0.0; 8]; 12], [[0.0; 8]; 12]);
+    let (mut tile, mut slopes, mut anchored) = ([[0.0; 8]; 12], [[0.0; 8]; 12], [[0.0; 8]; 12]);
     legendre::tile(&x, &mut tile);
+    legendre::tile_anchored(&x, &mut anchored);
     let mut again = [[0.0; 8]; 12];
     legendre::tile_with_derivatives(&x, &mut again, &mut slopes);
     assert_eq!(tile, again);
@@ -100,6 +101,7 @@ fn tiles_hold_the_values_of_single_points() {
         let [p, d] = values(Weight::LEGENDRE, x);
         for n in 0..12 {
             assert!((tile[n][l] - p[n]).abs() < 2e-14, "degree {n} at {x}");
+            assert!((anchored[n][l] - p[n]).abs() < 2e-15, "degree {n} at {x}");
             assert!((slopes[n][l] - d[n]).abs() < 1e-12, "derivative {n} at {x}");
         }
     }
@@ -163,5 +165,15 @@ proptest! {
         for n in 0..20 {
             prop_assert!((plain[n] - anchored[n]).abs() <= 1e-11 * size);
         }
+    }
+
+    #[test]
+    fn sums_are_sums(f in prop::array::uniform13(-1.0..1.0f64), x in -1.0..=1.0f64) {
+        let mut p = [0.0; 13];
+        legendre::orthonormal(x, &mut p);
+        let plain: f64 = f.iter().zip(&p).map(|(f, p)| f * p).sum();
+        prop_assert!((legendre::sum(&f, x) - plain).abs() < 1e-13);
+        prop_assert!((legendre::sum_tile(&f, &[x; 8])[3] - plain).abs() < 1e-13);
+        prop_assert!((legendre::Table::<13>::RECURRENCE.sum(&f, x) - plain).abs() < 1e-13);
     }
 }
