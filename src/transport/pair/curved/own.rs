@@ -1,4 +1,4 @@
-//! Parts of a curved element with themselves.
+//! A part of a curved element with itself.
 
 use crate::elements::patch::{Direction, Patch};
 use crate::transport::contact::curved::collapsed;
