@@ -1,17 +1,17 @@
-//! Cells under way, of which the worst comes first.
+//! The open cells, the worst first.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::transport::rules::horizon::cell::Cell;
 
-/// Cells by their errors.
+/// Cells by error.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     heap: BinaryHeap<Entry>,
     /// Sum of the errors.
     error: f64,
-    /// Cells that ever came.
+    /// Number of cells ever added.
     came: usize,
 }
 
@@ -34,7 +34,7 @@ impl Queue {
     /// Takes the worst cell out.
     pub(super) fn pop(&mut self) -> Option<Cell> {
         let Entry { error, cell, .. } = self.heap.pop()?;
-        // What rounding leaves of the sum goes with the last of them.
+        // The last cell takes the rounding error of the sum with it.
         self.error = if self.heap.is_empty() { 0.0 } else { self.error - error };
         Some(cell)
     }
@@ -56,7 +56,7 @@ impl Queue {
 }
 
 impl Ord for Entry {
-    /// Equal errors by age, so that the order does not depend on the heap.
+    /// Of equal errors the older cell comes first: the order does not depend on the heap.
     fn cmp(&self, other: &Self) -> Ordering {
         self.error.total_cmp(&other.error).then(other.place.cmp(&self.place))
     }
