@@ -11,11 +11,11 @@
 //! (2n + α + β + 1) P_n^(α,β) = (n + α + β + 1) P_n^(α+1,β) − (n + β) P_{n−1}^(α+1,β)
 //! ```
 //!
-//! which multiplies forwards (Legendre to Jacobi) and is solved downwards (Jacobi to Legendre): O(n) per unit of α or β,
-//! in place ([`to_legendre`], [`from_legendre`]). [`Connection`] holds the whole matrix, made from the same steps in
-//! double-double and rounded once: exact entries, O(n²) to apply, and the better choice for α, β > 0 together, where
-//! the steps lose a digit for (2, 2) by n = 30, five for (10, 10), and all in the end. Converting through powers of x, as Zatz
-//! (1993) suggests, loses nine.
+//! which multiplies forwards (Legendre to Jacobi) and is solved downwards (Jacobi to Legendre): O(n) per unit of α or
+//! β, in place ([`to_legendre`], [`from_legendre`]). [`Connection`] holds the whole matrix, made from the same steps in
+//! double-double and rounded once: exact entries, O(n²) to apply. It is the better choice where both α, β > 0: there
+//! the steps lose a digit for (2, 2) by n = 30, five for (10, 10), and all in the end. Converting through powers of x,
+//! as Zatz (1993) suggests, loses nine.
 //!
 //! ```text
 //! ‖P_n^(α,β)‖² = 2^(α+β+1)/(2n + α + β + 1) · Π_{j=1…β} (n + j)/(n + α + j)

@@ -17,7 +17,8 @@ use crate::settings::Settings;
 /// Name in the list of methods.
 pub(crate) const NAME: &str = "lu";
 
-/// Dimension below which threads cost more than they bring.
+/// Dimension from which threads are used. Measured with two threads: 2 times slower at 500 unknowns, no gain at 1500,
+/// 1.4 times faster at 3000, 1.6 times at 6000.
 const THREADED: usize = 2000;
 
 /// LU with partial pivoting and refinement; see the [module](self).

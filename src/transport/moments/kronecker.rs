@@ -4,7 +4,7 @@
 //! z_m = fract(½ + m a) ,     a_d = g⁻ᵈ ,   g⁵ = g + 1 .
 //! ```
 //!
-//! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018), the generalised golden ratio.
+//! Reference: M. Roberts, *The unreasonable effectiveness of quasirandom sequences* (2018): generalised golden ratio.
 
 use crate::elements::patch::{Node, Patch};
 

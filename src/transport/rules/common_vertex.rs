@@ -1,7 +1,7 @@
 //! Two patches with one common corner: regularising coordinates on four subdomains, or two for triangles.
 //!
-//! With the corner as origin, two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, two triangles s (p₁ + t (p₂ − p₁)) and
-//! u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
+//! With the corner as origin, points of two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, of two triangles s (p₁ + t
+//! (p₂ − p₁)) and u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
 //!
 //! ```text
 //! parallelograms: (s, t, u, v) = x · (1, a, b, c)  and the other three places of the 1 ,   dV = x³ dx da db dc
