@@ -21,7 +21,6 @@ use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "auto";
 
 /// Unknowns per right-hand side up to which a direct method comes first. Chosen; not tuned.

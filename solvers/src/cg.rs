@@ -25,7 +25,6 @@ use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, dot, norm};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "cg";
 
 /// Fall of the recurred residual after which it is recomputed: some 50 rounding errors. Chosen; not tuned.
@@ -81,7 +80,6 @@ struct Direction {
     rz: f64,
 }
 
-/// The method at work.
 struct Descent<'p> {
     problem: &'p Problem<'p>,
     blocks: Vec<Cholesky<f64, Dyn>>,

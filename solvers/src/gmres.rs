@@ -23,7 +23,6 @@ use crate::settings::{Granularity, Settings};
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, dot, norm};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "gmres";
 
 /// Relative length below which the remainder of orthogonalisation is rounding: some five rounding errors. Chosen; not
@@ -71,7 +70,6 @@ fn pivot(a: &dyn Operator, block: usize) -> Result<Option<Pivot>, SolveError> {
     }
 }
 
-/// The method at work.
 struct Arnoldi<'p> {
     problem: &'p Problem<'p>,
     pivots: Vec<Option<Pivot>>,

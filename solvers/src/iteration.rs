@@ -146,7 +146,6 @@ impl Run<'_> {
         Ok(proven)
     }
 
-    /// Iterations done.
     fn done(&self) -> usize {
         self.history.len().saturating_sub(1)
     }

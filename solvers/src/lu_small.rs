@@ -11,7 +11,6 @@ use crate::error::SolveError;
 use crate::factors::Factors;
 use crate::settings::Settings;
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "lu-small";
 
 /// Unblocked LU with refinement; see the [module](self).

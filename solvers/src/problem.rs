@@ -35,7 +35,6 @@ impl<'a> Problem<'a> {
         Ok(Self { a, b, norm: norm(b) })
     }
 
-    /// Number of unknowns.
     pub(crate) fn dim(&self) -> usize {
         self.b.len()
     }

@@ -32,7 +32,6 @@ use crate::ranking::Ranking;
 use crate::settings::{Granularity, Settings};
 use crate::solver::{Report, Solver, Step};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "southwell";
 
 /// Greedy shooting, by block or by coefficient; see the [module](self).
@@ -64,7 +63,6 @@ impl Solver for Southwell {
     }
 }
 
-/// The method at work.
 struct Shots<'p> {
     problem: &'p Problem<'p>,
     granularity: Granularity,

@@ -28,9 +28,7 @@ use crate::transport::moments::tensor::{Grid, Line};
 /// One of the two elements of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::transport) enum Side {
-    /// The first.
     Receiver,
-    /// The second.
     Emitter,
 }
 
@@ -52,7 +50,6 @@ pub(in crate::transport) struct Moments<'a> {
 /// Moments of one pair of patches, in the products of their charts.
 #[derive(Debug)]
 pub(in crate::transport) struct PatchMoments<'p> {
-    /// Receiver and emitter.
     pub patches: [&'p Patch; 2],
     /// The products on either patch.
     pub charts: [Chart; 2],
@@ -76,7 +73,6 @@ impl PatchMoments<'_> {
 }
 
 impl<'a> Moments<'a> {
-    /// Zero moments.
     pub(in crate::transport) fn new(receiver: &'a AreaBasis, emitter: &'a AreaBasis) -> Self {
         let (rows, columns) = (receiver.len(), emitter.len());
         Self { receiver, emitter, values: vec![0.0; rows * columns], samples: 0, distinct: 0, rays: 0 }
@@ -145,7 +141,6 @@ impl<'a> Moments<'a> {
         self.rays += other.rays;
     }
 
-    /// Multiplies the moments.
     pub(in crate::transport) fn scale(&mut self, factor: f64) {
         self.values.iter_mut().for_each(|value| *value *= factor);
     }

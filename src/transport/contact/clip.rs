@@ -12,7 +12,6 @@ use radiosity_geom::{DVec3, clip_polygon};
 pub(in crate::transport) struct Facet {
     /// Corners in order.
     pub corners: Vec<DVec3>,
-    /// Unit normal.
     pub normal: DVec3,
 }
 

@@ -18,9 +18,7 @@ use crate::transport::contact::flat::gap;
 pub(in crate::transport) enum Touch {
     /// A whole common edge: t = 0 in both charts, in the same sense, and if `matched` at equal speed.
     Edge {
-        /// The receiver.
         p: Patch,
-        /// The emitter.
         q: Patch,
         /// Whether s = u is the same point of the edge.
         matched: bool,
@@ -140,6 +138,7 @@ fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
     let triangle = patch.is_triangle();
     let on = |(k, side): (usize, &Border)| {
         let ends = [-1.0, 1.0].map(|w| side.point(w));
+        // A side turns little: its points lie within twice its chord from both ends.
         let reach = 2.0 * ends[0].distance(ends[1]) + tolerance;
         corners.iter().find_map(|corner| {
             let apart = ends.iter().map(|end| end.distance(*corner));

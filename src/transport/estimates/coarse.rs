@@ -30,7 +30,6 @@ pub(in crate::transport) struct CoarseEstimate {
 }
 
 impl CoarseEstimate {
-    /// For one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let parts = sectors(element);
         let points = if parts.len() > MANY_PARTS { FEWER_POINTS } else { POINTS };

@@ -35,7 +35,6 @@ pub(in crate::transport) struct EntryBounds {
 }
 
 impl EntryBounds {
-    /// For one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let bounds = element.bounds();
         let center = 0.5 * (bounds.min + bounds.max);
@@ -54,6 +53,7 @@ impl EntryBounds {
     pub(in crate::transport) fn entries(&self, other: &Self) -> [f64; 2] {
         let d = other.center - self.center;
         let (distance, sum) = (d.length(), self.radius + other.radius);
+        // Balls that (nearly) touch: no upper bound. The 1 % is chosen, not tuned.
         if distance <= 1.01 * sum {
             return [0.0, f64::INFINITY];
         }

@@ -36,7 +36,6 @@ pub(in crate::transport) struct ProbingRays {
 pub(in crate::transport) enum Hidden {
     /// None, or there were no rays.
     None,
-    /// Some.
     Some,
     /// All, and there was at least one.
     All,

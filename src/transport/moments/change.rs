@@ -21,7 +21,6 @@ pub(in crate::transport) enum Change {
     Signed(Vec<(usize, f64)>),
     /// Row-major, element's functions by patch's.
     Dense {
-        /// Entries.
         matrix: Vec<f64>,
         /// Number of the patch's functions.
         own: usize,

@@ -45,7 +45,6 @@ impl Chart {
         Self::aligned(patch, basis).unwrap_or_else(|| Self::own(patch, basis))
     }
 
-    /// The patch's own polynomials.
     pub(in crate::transport) fn own(patch: &Patch, basis: &AreaBasis) -> Self {
         let degree = basis.total_degree();
         let degrees: Vec<(usize, usize)> = if patch.is_parallelogram() {
@@ -57,7 +56,6 @@ impl Chart {
         Self { degree, degrees, axes: [OWN; 2], change: Some(change) }
     }
 
-    /// Number of functions.
     pub(in crate::transport) fn len(&self) -> usize {
         self.degrees.len()
     }

@@ -75,7 +75,6 @@ impl<'a> Grid<'a> {
         Self { chart, counts, nodes, weights, tables, flat: patch.is_flat() }
     }
 
-    /// Number of points.
     pub(in crate::transport) fn len(&self) -> usize {
         self.nodes.len()
     }

@@ -159,7 +159,6 @@ pub(in crate::transport) fn occluded_block(
 
 /// The correction from one cell of the outer element.
 struct Sum {
-    /// Its moments.
     values: Vec<f64>,
     /// What all points of the rule see.
     shadow: Shadow,
@@ -201,7 +200,6 @@ struct Task<'a> {
     points: usize,
     /// Relative accuracy of the inner integrals: 0.3 of the block's. Chosen; not tuned.
     accuracy: f64,
-    /// The accuracy asked of the whole correction.
     limit: Limit,
 }
 

@@ -56,9 +56,7 @@ pub(in crate::transport) struct SampledVisibility {
     /// Estimated error of `values` (a standard deviation, see the module's header) where it exceeds the limit; else
     /// zero.
     pub error: f64,
-    /// Points.
     pub samples: u64,
-    /// Segments tested.
     pub rays: u64,
 }
 

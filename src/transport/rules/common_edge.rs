@@ -65,6 +65,7 @@ impl Wedge {
     pub(in crate::transport) fn of(p: &Patch, q: &Patch) -> Self {
         let [along, depth_p] = p.extents();
         let depths = [depth_p, q.extents()[1]];
+        // The direction away from the edge, by a difference quotient.
         let inward = |patch: &Patch| patch.node(0.5, 1e-3).position - patch.node(0.5, 0.0).position;
         let edge = (p.node(1.0, 0.0).position - p.node(0.0, 0.0).position).normalize();
         let upright = |v: DVec3| (v - edge * v.dot(edge)).normalize_or_zero();

@@ -13,7 +13,6 @@ use crate::elements::rule::UnitRule;
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::moments::Moments;
 
-/// The block of two elements that lie on each other.
 pub(in crate::transport) fn block(receiver: &Element, emitter: &Element) -> Block {
     let (rows, columns) = (receiver.basis.len(), emitter.basis.len());
     let rule = UnitRule::of((receiver.basis.total_degree() + emitter.basis.total_degree()) / 2 + 2);

@@ -79,7 +79,6 @@ pub(in crate::transport) struct Cut {
 
 /// An outer patch.
 pub(in crate::transport) struct Side<'a> {
-    /// The patch.
     pub patch: &'a Patch,
     /// The polynomials of its element.
     pub basis: &'a AreaBasis,

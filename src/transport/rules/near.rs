@@ -94,7 +94,6 @@ impl Plan {
         Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
     }
 
-    /// Adds the moments of the pair.
     pub(in crate::transport) fn integrate(&self, moments: &mut Moments) {
         let [receiver, emitter] = moments.bases();
         let inner = match self.outer {

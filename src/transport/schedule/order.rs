@@ -39,7 +39,6 @@ enum Class {
 }
 
 impl Rank {
-    /// The rank of an element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let class = match (element.plane, plane_of(&element.patches)) {
             (Some(_), _) => Class::Polygon,

@@ -19,14 +19,12 @@ pub(super) struct Scene<'a> {
     pub(super) roughs: Vec<CoarseEstimate>,
     /// Whether coarse estimates are needed: planar elements need them for shadows only.
     pub(super) is_estimated: bool,
-    /// The sectors of each element.
     pub(super) parts: Vec<Vec<Patch>>,
     pub(super) visibility: &'a Visibility,
     pub(super) accuracy: Accuracy,
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 
-/// A pair to integrate.
 pub(super) struct Task {
     pub(super) row: u32,
     pub(super) column: u32,

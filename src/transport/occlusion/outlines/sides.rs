@@ -28,7 +28,6 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// For a pair with planar `blockers`.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility) -> Self {
         match pair.map(|element| element.plane.is_none()) {
             [true, _] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: facets(pair[1]) },

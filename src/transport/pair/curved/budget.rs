@@ -25,7 +25,6 @@ const NEGLIGIBLE: f64 = 1e-3;
 
 /// The error allowed for a block, and the samples it may take.
 pub(super) struct Budget {
-    /// The accuracy asked of the block.
     pub accuracy: Accuracy,
     /// Standard deviation allowed in an entry from sampled shadows.
     pub shadow_error: f64,

@@ -146,7 +146,6 @@ impl<'a> Job<'a> {
         Points { degrees: self.degrees, eps: self.budget.part_eps(p, q) }
     }
 
-    /// Whether contacts are refined no more.
     pub(super) fn spent(&self) -> bool {
         self.budget.spent(&self.moments)
     }

@@ -17,7 +17,6 @@ pub(super) const MOST_CORNER_POINTS: usize = 20;
 pub(super) struct Points {
     /// Degrees of receiver and emitter.
     pub degrees: [usize; 2],
-    /// ε of the part.
     pub eps: f64,
 }
 

@@ -24,7 +24,6 @@ use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::triangles::DEEPEST;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
-/// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct ParallelogramPair {
     edge: DVec3,

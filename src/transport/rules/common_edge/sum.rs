@@ -23,7 +23,6 @@ pub(in crate::transport) struct EdgeSum<'p> {
 }
 
 impl<'p> EdgeSum<'p> {
-    /// Sums of zero.
     pub(in crate::transport) fn new(pair: PatchMoments<'p>) -> Self {
         let [rows, width] = [0, 1].map(|side| pair.charts[side].width());
         Self {

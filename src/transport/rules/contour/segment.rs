@@ -5,13 +5,10 @@ use radiosity_geom::DVec3;
 /// The points `start` + s `direction`, 0 ≤ s ≤ `length`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment {
-    /// Where it starts.
     pub start: DVec3,
-    /// Where it ends.
     pub end: DVec3,
     /// Unit vector from start to end.
     pub direction: DVec3,
-    /// Its length.
     pub length: f64,
 }
 

@@ -21,13 +21,10 @@ pub(super) const DIRECTIONS: [Direction; 2] = [Direction::Along, Direction::Acro
 /// A patch with its moments by one rule.
 #[derive(Debug)]
 pub(super) struct Whole {
-    /// The patch.
     pub patch: Patch,
     /// Points along and across of the rule.
     pub points: [usize; 2],
-    /// Moments in the raw polynomials.
     pub moments: Vec<f64>,
-    /// Whether no point of the rule sees anything.
     pub is_dark: bool,
 }
 
@@ -103,7 +100,6 @@ impl Cell {
         self.whole.is_dark && self.halves.iter().flatten().flatten().all(|half| half.is_dark)
     }
 
-    /// Its patch.
     pub(super) fn patch(&self) -> &Patch {
         &self.whole.patch
     }

@@ -34,7 +34,6 @@ pub(in crate::transport) struct Front {
 /// Points with weights in area, and the evaluations that found them.
 #[derive(Debug, Default)]
 pub(in crate::transport) struct Nodes {
-    /// Points and weights.
     pub nodes: Vec<(Node, f64)>,
     /// Evaluations of heights and points besides `nodes`.
     pub evaluations: u64,
@@ -54,12 +53,10 @@ impl Nodes {
 }
 
 impl Front {
-    /// Before the given plane.
     pub(in crate::transport) fn of(plane: Plane) -> Self {
         Self { plane }
     }
 
-    /// Height of a point over the plane.
     pub(super) fn height(&self, x: &Node) -> f64 {
         (x.position - self.plane.0).dot(self.plane.1)
     }

@@ -60,7 +60,6 @@ impl<'a> Part<'a> {
         Self { patch, basis, points, depth, grid, center, bends, nodes, rows, quarters }
     }
 
-    /// The patch.
     pub(super) fn patch(&self) -> &Patch {
         &self.patch
     }

@@ -23,7 +23,6 @@ struct Entry {
 }
 
 impl Queue {
-    /// Adds a cell.
     pub(super) fn push(&mut self, cell: Cell) {
         let error = cell.error();
         self.error += error;
@@ -31,7 +30,6 @@ impl Queue {
         self.came += 1;
     }
 
-    /// Takes the worst cell out.
     pub(super) fn pop(&mut self) -> Option<Cell> {
         let Entry { error, cell, .. } = self.heap.pop()?;
         // The last cell takes the rounding error of the sum with it.
@@ -39,17 +37,14 @@ impl Queue {
         Some(cell)
     }
 
-    /// Sum of the cells' errors.
     pub(super) fn error(&self) -> f64 {
         self.error
     }
 
-    /// How many cells there are.
     pub(super) fn len(&self) -> usize {
         self.heap.len()
     }
 
-    /// All of them.
     pub(super) fn into_cells(self) -> impl Iterator<Item = Cell> {
         self.heap.into_iter().map(|entry| entry.cell)
     }

@@ -18,9 +18,7 @@ use crate::elements::patch::Node;
 /// A ball that may stand between two patches.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct Ball {
-    /// Its centre.
     pub center: DVec3,
-    /// Its radius.
     pub radius: f64,
 }
 
@@ -31,9 +29,7 @@ pub(super) type Heights = [f64; HEIGHTS];
 
 /// An outer point, with what may stand between it and the inner patches.
 pub(super) struct View {
-    /// The point.
     pub node: Node,
-    /// The ball.
     pub ball: Option<Ball>,
 }
 

@@ -24,7 +24,6 @@ impl Complex {
         (self.re * self.re + self.im * self.im).sqrt()
     }
 
-    /// self / other.
     pub(super) fn over(self, other: Self) -> Self {
         let square = other.re * other.re + other.im * other.im;
         (self * Self::new(other.re, -other.im)).scale(1.0 / square)

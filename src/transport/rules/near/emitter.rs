@@ -31,7 +31,6 @@ const ALIKE: f64 = 0.02;
 /// Parameters of the lines on which singularities are looked for. Chosen; not tuned.
 const LINES: [f64; 7] = [0.0, 0.02, 0.25, 0.5, 0.75, 0.98, 1.0];
 
-/// The inner patch.
 pub(super) struct Emitter<'a> {
     pub patch: Patch,
     edges: Vec<Edge>,
@@ -53,6 +52,7 @@ impl<'a> Emitter<'a> {
             let a = place[0].abs().max(place[1].abs()).max(1.0);
             (a + (a * a - 1.0).sqrt()).powi(basis.order() as i32)
         };
+        // 1e-15 is the rounding error of values; no accuracy beyond 1e-12 is asked.
         cell.polygon().iter().map(growth).fold(0.0, f64::max) * 1e-15 < eps.max(1e-12)
     }
 
@@ -114,6 +114,7 @@ fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
 /// Adds the singularities on the line `start` + s `step` that belong to `edge`.
 fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex>) {
     let from = start - edge.start;
+    // A line parallel to the edge, to rounding, keeps its distance.
     roots.push(root(from, step));
     let across = |v: DVec3| v - edge.along * v.dot(edge.along);
     let (w, x) = (across(from), across(step));

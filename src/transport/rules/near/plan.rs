@@ -40,7 +40,6 @@ pub(super) struct Leaf {
     pub rule: Rule,
 }
 
-/// The rule of a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
     /// Points along and across, each with a polar integral over the emitter.
@@ -71,7 +70,6 @@ impl<'a> Planner<'a> {
         Self { outer, inner, eps, floor: 0.0, limit, cells: MOST_CELLS, leaves: Vec::new(), cost: 0.0 }
     }
 
-    /// Plans a flat pair.
     pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
         self.floor = SHARPEST * longest(outer).1.max(longest(inner).1);
         let edges = edges(inner);
@@ -192,6 +190,7 @@ fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
     for edge in edges {
         let steepness = edge.along.dot(normal);
         let side = edge.along.cross(normal);
+        // An edge steeper than 30° is near in one point only. Chosen; not tuned.
         if steepness.abs() > 0.5 {
             continue;
         }
@@ -208,6 +207,7 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
     let [h0, h1] = [edge.start, end].map(|x| (x - part[0]).dot(normal).abs());
     let near = h0.min(h1);
     let reaches = |sign: f64| part.iter().map(|x| sign * (*x - edge.start).dot(side)).fold(0.0, f64::max);
+    // No cut nearer to the border than half the edge's height. Chosen; not tuned.
     if near > HOT * size || reaches(1.0).min(reaches(-1.0)) < 0.5 * near.max(1e-9 * size) {
         return vec![part];
     }

@@ -32,14 +32,11 @@ const FEW: usize = 6;
 /// p|/D below which an edge carries nothing: rounding.
 const NO_WEIGHT: f64 = 1e-16;
 
-/// An edge of a polygon.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    /// Where it starts.
     pub start: DVec3,
     /// Unit vector along it.
     pub along: DVec3,
-    /// Length.
     pub length: f64,
 }
 
@@ -125,6 +122,7 @@ impl<'a> Polar<'a> {
         let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
         let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
         let most = height.abs().max((height + slope).abs()) / size;
+        // A parallel line does not meet the plane; a term below 0.1 ε counts as none. Chosen; not tuned.
         if slope.abs() < 1e-14 * step.length() || most * most < 0.1 * eps {
             return None;
         }
@@ -191,7 +189,6 @@ struct Rays {
     ends: [f64; 2],
 }
 
-/// A part of an edge.
 #[derive(Clone, Copy)]
 struct Piece {
     stretch: Stretch,

@@ -120,6 +120,7 @@ impl Radial {
             return;
         }
         let growth = z.ellipse().ln();
+        // Any small value starts Miller's recurrence; the results are scaled to Q₀.
         let start = n + 1 + (self.digits / (2.0 * growth)) as usize;
         let (mut high, mut low) = (Complex::new(0.0, 0.0), Complex::new(1e-100, 0.0));
         for i in (1..=start).rev() {

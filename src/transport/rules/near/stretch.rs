@@ -35,7 +35,6 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
-    /// The identity.
     pub(super) const PLAIN: Self = Self { center: 0.0, scale: f64::INFINITY, low: 0.0, high: 1.0 };
 
     /// Concentrated near `center`, with the scale `scale` > 0.

@@ -34,7 +34,6 @@ pub(in crate::transport) struct Part<const D: usize> {
 }
 
 impl<const D: usize> Part<D> {
-    /// All of [0, 1]^D.
     pub(in crate::transport) const WHOLE: Self = Self { low: [0.0; D], size: [1.0; D] };
 
     /// The coordinate of a position in [0, 1] within the part.
@@ -59,7 +58,6 @@ pub(in crate::transport) struct Multilinear<'a, const D: usize> {
     pub degree: usize,
     /// Accuracy relative to the integrand's largest value.
     pub eps: f64,
-    /// Most halvings one inside the other.
     pub deepest: u32,
 }
 
