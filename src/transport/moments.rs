@@ -19,7 +19,6 @@ use std::borrow::Cow;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::change::Change;
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::{Sees, visible_kernel};

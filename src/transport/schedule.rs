@@ -18,8 +18,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::elements::Elements;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Accuracy, Block};
 use crate::transport::blocks::pair_counts::PairCounts;
@@ -35,6 +33,7 @@ use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
 use crate::transport::schedule::order::Rank;
+use crate::visibility::Visibility;
 use goal::Goal;
 use task::{Scene, Task};
 

@@ -10,7 +10,6 @@ use std::sync::Arc;
 use radiosity_geom::{Border, DVec3};
 
 use crate::elements::patch::{Direction, Patch};
-
 use crate::transport::contact::flat::gap;
 
 /// How two patches touch. The patches inside are oriented as the rule needs them.

@@ -9,7 +9,6 @@
 
 use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::contact::sectors::sectors;
 use crate::transport::moments::integrand::{Sees, kernel};
 

@@ -8,10 +8,9 @@
 //! The rays then end early.
 
 use crate::elements::patch::Patch;
-use crate::visibility::Visibility;
-
 use crate::transport::moments::integrand::kernel;
 use crate::transport::moments::kronecker::node_pair;
+use crate::visibility::Visibility;
 
 /// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face each other.
 /// Chosen; not tuned.

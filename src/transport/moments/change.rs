@@ -11,7 +11,6 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 use crate::elements::space::Space;
-
 use crate::transport::moments::legendre_values::polynomials;
 
 /// The matrix C of one patch.

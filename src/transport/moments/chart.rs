@@ -14,7 +14,6 @@ use radiosity_core::basis::total;
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
-
 use crate::transport::moments::change::Change;
 use crate::transport::moments::legendre_values::polynomials;
 

@@ -22,7 +22,6 @@ use core::f64::consts::FRAC_1_PI;
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::Sees;
 

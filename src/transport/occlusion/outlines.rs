@@ -30,16 +30,15 @@ use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
-use crate::visibility::Visibility;
-use crate::visibility::bounding_ball::Ball;
-use crate::visibility::shadow_volume::Corners;
-
 use crate::transport::blocks::block::Block;
 use crate::transport::contact::clip::Facet;
 use crate::transport::contact::flat::point_to_polygon;
 use crate::transport::moments::{Moments, Side};
 use crate::transport::rules::far;
 use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::visibility::Visibility;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::Corners;
 use edges::Edges;
 use sides::Sides;
 

@@ -16,7 +16,6 @@
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, kernel};
 use crate::transport::moments::kronecker::node_pair;

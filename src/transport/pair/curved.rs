@@ -34,14 +34,13 @@ mod shaded;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::curved::Touch;
 use crate::transport::contact::planes::plane_of;
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::scale;
 use crate::transport::rules::horizon::Front;
+use crate::visibility::Visibility;
 use attempt::DOUBT;
 use constant::constant;
 use job::{COINCIDENT, Job, Task};

@@ -23,8 +23,6 @@ use radiosity_geom::{polygon_area, touching};
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::clip::{Facet, match_contact};
 use crate::transport::contact::flat::{Contact, classify, gap};
@@ -35,6 +33,7 @@ use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge};
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::near::Plan;
 use crate::transport::rules::{common_edge, common_vertex, contour, far};
+use crate::visibility::Visibility;
 
 /// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;

@@ -37,7 +37,6 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::rules::common_edge::parallelograms::ParallelogramPair;

@@ -17,7 +17,6 @@
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::integrand::Sees;
 use crate::transport::moments::tensor::Line;
 use crate::transport::moments::{Moments, PatchMoments};

@@ -9,7 +9,6 @@
 
 use crate::elements::Element;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::moments::Moments;
 

@@ -27,7 +27,6 @@ use std::sync::Arc;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::MOST_POINTS;
-
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::contact::planes::plane_of;
 use crate::transport::estimates::entry_norm::EntryNorm;

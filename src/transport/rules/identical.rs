@@ -22,7 +22,6 @@
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
 use crate::transport::rules::far;

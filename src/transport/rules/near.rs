@@ -21,7 +21,6 @@ mod plan;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::space::Space;
-
 use crate::transport::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule, split_cost};
 use polar::Polar;

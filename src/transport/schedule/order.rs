@@ -16,7 +16,6 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
-
 use crate::transport::contact::planes::plane_of;
 
 /// Parameters of the compared point on each patch, off its symmetry lines, so that mirror images differ.

@@ -5,13 +5,12 @@ use crate::transport::contact::curved::Touch;
 use crate::transport::estimates::coarse::scale;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::moments::{Moments, Side};
+use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
+use crate::transport::pair::curved::size::longest;
 use crate::transport::rules::common_edge::Wedge;
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::horizon::Front;
 use crate::transport::rules::{common_edge, common_vertex};
-
-use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
-use crate::transport::pair::curved::size::longest;
 
 /// Points per direction for degree 0. Chosen; not tuned.
 const FEWEST_POINTS: usize = 4;

@@ -3,7 +3,6 @@
 use crate::elements::patch::Patch;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::moments::Moments;
-
 use crate::transport::pair::curved::size::area;
 
 /// Samples of a block after which contacts are refined no more, per squared digit of 1/ε. Chosen; not tuned.

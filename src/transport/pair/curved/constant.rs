@@ -8,9 +8,8 @@ use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::integrand::kernel;
-use crate::transport::rules::orders::chart_orders;
-
 use crate::transport::pair::curved::job::Job;
+use crate::transport::rules::orders::chart_orders;
 
 impl Job<'_> {
     /// Adds a pair of patches with a constant kernel: the product of their own moments.

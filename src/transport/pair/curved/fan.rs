@@ -9,14 +9,13 @@ use crate::transport::blocks::block::Kind;
 use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
 use crate::transport::contact::orientation::{Facing, facing};
-use crate::transport::rules::far::SMALLEST_RATIO;
-use crate::transport::rules::horizon;
-use crate::transport::rules::horizon::Side;
-
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State, Task};
 use crate::transport::pair::curved::points::quartered;
 use crate::transport::pair::curved::size::longest;
+use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::horizon;
+use crate::transport::rules::horizon::Side;
 
 /// Share of the block's error for the horizons of one outer part. Chosen; not tuned.
 const HORIZON_SHARE: f64 = 0.3;

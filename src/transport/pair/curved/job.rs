@@ -11,13 +11,12 @@ use crate::transport::estimates::coarse::largest_kernel;
 use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
 use crate::transport::estimates::entry_norm::EntryNorm;
 use crate::transport::moments::Moments;
-use crate::transport::rules::common_edge::Wedge;
-use crate::transport::rules::horizon::{Ball, Front};
-use crate::visibility::Visibility;
-
 use crate::transport::pair::curved::budget::Budget;
 use crate::transport::pair::curved::points::Points;
 use crate::transport::pair::curved::size::{area, longest};
+use crate::transport::rules::common_edge::Wedge;
+use crate::transport::rules::horizon::{Ball, Front};
+use crate::visibility::Visibility;
 
 /// Points closer than this part of the pair's size coincide. Chosen; not tuned.
 pub(super) const COINCIDENT: f64 = 1e-9;

@@ -7,14 +7,13 @@ use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::moments::integrand::Sees;
-use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
-use crate::transport::rules::far::SMALLEST_RATIO;
-use crate::transport::rules::{common_edge, common_vertex};
-
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{COINCIDENT, Job, SMALL_PART, State};
 use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
 use crate::transport::pair::curved::size::longest;
+use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
+use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::{common_edge, common_vertex};
 
 impl Job<'_> {
     pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {

@@ -3,7 +3,6 @@
 use crate::elements::patch::Patch;
 use crate::transport::contact::orientation::Facing;
 use crate::transport::occlusion::sampled::{Choice, SampledVisibility};
-
 use crate::transport::pair::curved::job::Job;
 use crate::transport::pair::curved::size::area;
 

@@ -19,7 +19,6 @@ use radiosity_geom::DVec3;
 use crate::elements::columns::add_scaled;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::triangles::DEEPEST;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};

@@ -5,7 +5,6 @@
 //! ```
 
 use crate::elements::columns::add_scaled;
-
 use crate::transport::moments::PatchMoments;
 
 /// The sums S, Q and M of one pair of patches.

@@ -23,7 +23,6 @@ use radiosity_core::basis::total;
 
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::parallelograms::Angular;
 use crate::transport::rules::far;

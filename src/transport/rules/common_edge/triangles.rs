@@ -26,7 +26,6 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::far;

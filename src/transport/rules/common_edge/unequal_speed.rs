@@ -13,7 +13,6 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::contact::curved::sides;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;

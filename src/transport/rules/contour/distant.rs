@@ -25,7 +25,6 @@
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::contour::segment::edges;
 
 /// Largest k: eight terms of the series, with |w| ≤ 1/9, then leave 3e-17.

@@ -21,7 +21,6 @@
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::contour::segment::Segment;
 
 /// ln(1/ε) of the outer rule: ε = 6e-16, rounding.

@@ -14,7 +14,6 @@
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::contour::pair;
 use crate::transport::rules::contour::segment::Segment;
 

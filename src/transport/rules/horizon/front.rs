@@ -13,7 +13,6 @@
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::contact::planes::Plane;
-
 use crate::transport::rules::horizon::line::{Lines, seen};
 
 /// Points per direction at which heights over the plane are evaluated. Chosen; not tuned.

@@ -4,7 +4,6 @@
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::horizon::view::{HEIGHTS, Heights};
 
 /// Points between which roots are bracketed. Chosen; not tuned.

@@ -12,7 +12,6 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::integrand::kernel;
-
 use crate::transport::rules::horizon::line::{Lines, seen};
 use crate::transport::rules::horizon::view::{HEIGHTS, Heights, View};
 

@@ -13,7 +13,6 @@
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::{MOST_POINTS, UnitRule};
-
 use crate::transport::moments::integrand::kernel;
 
 /// Accuracy ε from which on trials are made. Chosen; not tuned.

@@ -6,7 +6,6 @@ use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
 use crate::elements::rule::MOST_POINTS;
-
 use crate::transport::rules::orders::analyticity;
 
 /// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where peaks lie;
