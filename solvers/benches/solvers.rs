@@ -21,7 +21,7 @@ use systems::{Random, enclosure};
 /// Unknowns of the systems.
 const SIZES: [usize; 4] = [100, 500, 1000, 2000];
 
-/// Unknowns up to which unblocked elimination is worth waiting for.
+/// Unknowns up to which unblocked elimination is run.
 const SMALL: usize = 1000;
 
 /// Blocks of ten unknowns, half to nine tenths of what arrives sent on, symmetrised.
@@ -59,7 +59,7 @@ fn timed(run: impl FnOnce()) -> Duration {
     started.elapsed()
 }
 
-/// Shortest time of either of two rivals that take turns, so that both meet the same disturbances.
+/// Shortest times of two functions that take turns, so that both meet the same disturbances.
 fn duel(rounds: usize, mut one: impl FnMut(), mut other: impl FnMut()) -> (Duration, Duration) {
     let mut best = (Duration::MAX, Duration::MAX);
     for _ in 0..rounds {

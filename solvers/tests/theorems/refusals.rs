@@ -29,7 +29,7 @@ enum Lie {
     Short,
     /// Says it holds all entries, and holds fewer.
     Size,
-    /// Products are those of another matrix than the columns.
+    /// Products and columns belong to different matrices.
     Inconsistent,
 }
 

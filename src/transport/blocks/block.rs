@@ -13,7 +13,8 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Multiplied by `factor` where that is above 1: for a block whose shadows are small compared with its row.
+    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where that is above 1, up to
+    /// √ε_shadow; ε_shadow times its square.
     pub(crate) fn loosened(&self, factor: f64) -> Self {
         let eps = (self.eps * factor).min(self.shadow_eps.sqrt()).max(self.eps);
         Self { eps, shadow_eps: self.shadow_eps * factor.max(1.0).powi(2) }

@@ -1,6 +1,6 @@
 //! Blocks of elements of which at least one is curved.
 //!
-//! The receiver is the outer element, as ordered by [`crate::transport::schedule::order`].
+//! The receiver is the outer element, as ordered by `schedule/order.rs`.
 //!
 //! Elements are cut into sectors, which turn by a quarter circle at most ([`crate::transport::contact::sectors`]).
 //! Then, part by part, breadth first:

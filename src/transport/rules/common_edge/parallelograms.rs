@@ -33,7 +33,7 @@ pub(in crate::transport) struct ParallelogramPair {
     upright: bool,
 }
 
-/// κ_rc of one region, r-major, combined over the two signs of ζ.
+/// κ_rc of one subdomain, r-major, combined over the two signs of ζ.
 #[derive(Clone, Debug)]
 pub(in crate::transport) struct Angular {
     /// κ⁺ + κ⁻.
