@@ -8,7 +8,7 @@
 use crate::factors::Factors;
 use crate::vector::dot;
 
-/// Most steps of the ascent, as in the reference; two are usual.
+/// Most steps of the ascent, as in LAPACK's `dlacn2`; two are usual.
 const STEPS: usize = 5;
 
 /// Lower bound of ‖A⁻¹‖₁ for a matrix of dimension `dim`; infinite if the factors are singular.

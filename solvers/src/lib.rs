@@ -49,7 +49,7 @@
 //! | [`lu_small`] `lu-small` | a cross-check; a build without `faer`; up to 1000 unknowns | as `lu` |
 //! | [`cg`] | symmetric positive definite, large or never stored | A = Aᵀ, xᵀAx > 0; in O(√κ) steps |
 //! | [`gmres`] | unsymmetric, large or never stored | A invertible, if not restarted |
-//! | [`gauss_seidel`] `gauss-seidel` | rows at hand one by one; little memory | A = Aᵀ, xᵀAx > 0; or A dominant by rows |
+//! | [`gauss_seidel`] `gauss-seidel` | rows one by one; little memory | A = Aᵀ, xᵀAx > 0; or A dominant by rows |
 //! | [`jacobi`] | the plainest method: Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; or A dominant by rows |
 //! | [`southwell`] | expensive columns, few of which matter | A = Aᵀ, xᵀAx > 0; or A dominant by columns |
 //!

@@ -13,7 +13,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where that is above 1, up to
+    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where above 1, up to
     /// √ε_shadow; ε_shadow times its square.
     pub(crate) fn loosened(&self, factor: f64) -> Self {
         let eps = (self.eps * factor).min(self.shadow_eps.sqrt()).max(self.eps);

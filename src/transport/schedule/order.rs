@@ -18,7 +18,7 @@ use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::transport::contact::planes::plane_of;
 
-/// Parameters of the compared point on each patch, off its symmetry lines, so that mirror images differ.
+/// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images differ.
 const PLACE: (f64, f64) = (0.375, 0.4375);
 
 /// What orders an element among others.

@@ -94,6 +94,7 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
 /// ϱ of the angular variables at a common corner of patches that lean over each other: that of a common edge with the
 /// least angle φ between their directions, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ); sin(φ/2) ≥ 0.01 keeps ϱ above 1.
 fn corner_rate(p: &Patch, q: &Patch) -> f64 {
+    // Steps of a quarter circle of directions. Chosen; not tuned.
     const STEPS: usize = 8;
     let directions = |patch: &Patch| -> Vec<DVec3> {
         let corner = patch.node(0.0, 0.0).position;

@@ -4,7 +4,7 @@ use crate::elements::rule::MOST_POINTS;
 use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::stretch::Stretch;
 
-/// Points for which no better rule is sought.
+/// Points for which no better rule is sought. Chosen; not tuned.
 const FEW: usize = 2;
 
 /// The integrand along one direction of a cell: part of the element's frame, degree, and accuracy.
