@@ -7,9 +7,9 @@
 //! Reflectance enters afterwards, per band. G has no scale: it is invariant under similarity. In a
 //! closed scene G maps the coefficients c of the constant 1 to themselves, and ‖G‖ ≤ 1 always.
 //!
-//! The submodules, each standing on those before it: sums over points (`moments`); how two patches lie to each other (`contact`);
-//! sizes known beforehand (`estimates`); the blocks as a matrix (`blocks`); quadrature for each case of contact (`rules`);
-//! what is hidden (`occlusion`); one pair of elements (`pair`); and all pairs (`schedule`).
+//! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
+//! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
+//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements) and `schedule` (all pairs).
 
 pub(crate) mod moments;
 pub(crate) mod contact;

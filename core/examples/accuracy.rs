@@ -1,9 +1,9 @@
-//! Prints how many digits this crate keeps, beside the figures measured for others.
+//! Prints how many digits this crate keeps, next to figures measured for other libraries.
 //!
 //!     cargo run --release -p radiosity-core --example accuracy
 //!
-//! Ours are measured now, against big integers. Those of others were measured once, over the same sizes: nodes in ulp,
-//! weights relative in ε, which is between half an ulp and one.
+//! Ours are measured by this program, against big integers. Those of others were measured once, over the same sizes:
+//! nodes in ulp, weights relative in ε, which is between half an ulp and one.
 
 #[path = "../tests/theorems/oracle.rs"]
 #[expect(dead_code, reason = "the tests use the rest")]

@@ -81,7 +81,6 @@ impl Double {
         Double { hi: s, lo: lo - (s - hi) }
     }
 
-    /// self + b.
     #[inline(always)]
     pub(crate) const fn add(self, b: Double) -> Double {
         let (s, e) = two_sum(self.hi, b.hi);
@@ -90,19 +89,16 @@ impl Double {
         Double::renormalised(c.hi, c.lo + f)
     }
 
-    /// self − b.
     #[inline(always)]
     pub(crate) const fn sub(self, b: Double) -> Double {
         self.add(b.neg())
     }
 
-    /// −self.
     #[inline(always)]
     pub(crate) const fn neg(self) -> Double {
         Double { hi: -self.hi, lo: -self.lo }
     }
 
-    /// self · b.
     #[inline(always)]
     pub(crate) const fn mul(self, b: Double) -> Double {
         let p = Double::product(self.hi, b.hi);
@@ -115,7 +111,6 @@ impl Double {
         Double { hi: self.hi * b, lo: self.lo * b }
     }
 
-    /// self / b.
     #[inline(always)]
     pub(crate) const fn div(self, b: Double) -> Double {
         let q = self.hi / b.hi;

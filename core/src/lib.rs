@@ -11,9 +11,9 @@
 //! assert!((integral - 0.4).abs() < 1e-15);
 //! ```
 //!
-//! From below upwards: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and orthonormal polynomials),
-//! [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`] (squares and triangles),
-//! [`convert`] (Jacobi coefficients to Legendre).
+//! Each module uses those before it: [`recurrence`] (three-term tables, tiles, sums), [`jacobi`] (weights and
+//! orthonormal polynomials), [`gauss`] (rules), [`legendre`] (the case α = β = 0, its tiles and matrices), [`basis`]
+//! (squares and triangles), [`convert`] (Jacobi coefficients to Legendre).
 #![no_std]
 
 #[cfg(test)]

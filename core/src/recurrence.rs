@@ -4,10 +4,9 @@
 //! p₀ = first,   p_{k+1}(x) = (a_k x + b_k) p_k(x) − c_k p_{k−1}(x)
 //! ```
 //!
-//! Each polynomial system is a table of a, b, c. Evaluation in the direction of growing k is stable on [−1, 1]; the
-//! error grows like k² ulp towards the ends and like k ulp inside, and is that of the plain recurrence. Where points
-//! lie near ±1 and digits matter, the forms anchored at the ends are better (`legendre::orthonormal`,
-//! `jacobi::Polynomials::values`).
+//! Each polynomial system is a table of a, b, c. Evaluation for growing k is stable on [−1, 1]; its error grows like k²
+//! ulp towards the ends and like k ulp inside. Near ±1 the forms anchored at the ends are more accurate
+//! (`legendre::orthonormal`, `jacobi::Polynomials::values`).
 //!
 //! Sums Σ f_k p_k follow Clenshaw: b_k = f_k + (a_k x + b_k) b_{k+1} − c_{k+1} b_{k+2}, downwards, Σ = first · b₀.
 //!

@@ -47,7 +47,7 @@ fn timed(run: impl FnOnce()) -> Duration {
     started.elapsed()
 }
 
-/// Shortest time of either of two rivals that take turns, so that both meet the same disturbances.
+/// Shortest times of two functions that take turns, so that both meet the same disturbances.
 fn duel(rounds: usize, mut one: impl FnMut(), mut other: impl FnMut()) -> (Duration, Duration) {
     let mut best = (Duration::MAX, Duration::MAX);
     for _ in 0..rounds {

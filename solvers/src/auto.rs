@@ -1,10 +1,10 @@
-//! The method that fits the matrix, its size, and what is asked.
+//! Chooses the method by the matrix, its size and the tolerance.
 //!
 //! A small system goes to Cholesky or LU, whose n³/6 or n³/3 multiplications in cache then cost less than a
 //! few products with a matrix from memory. A larger one goes to cg or gmres, which need 10 products where a
 //! factorisation takes the time of 30 or more; where they have not finished in about that time, a direct
-//! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is affordable:
-//! the largest systems are iterated whatever is asked. Symmetric matrices are tried as positive definite first.
+//! method takes over. A tolerance near the rounding floor asks for a direct method wherever one is affordable; the
+//! largest systems are always iterated. Symmetric matrices are tried as positive definite first.
 
 use std::time::Instant;
 
@@ -17,16 +17,16 @@ use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "auto";
 
-/// Unknowns per right-hand side up to which a direct method comes first.
+/// Unknowns per right-hand side up to which a direct method comes first. Chosen; not tuned.
 const DIRECT: usize = 500;
 
-/// Unknowns from which a direct method is not even tried: the copy of the matrix alone takes 7 GB.
+/// Unknowns from which no direct method is tried: the copy of the matrix would take 7 GB.
 const HUGE: usize = 30_000;
 
-/// Tolerance below which iterations may fail where a refined direct method does not.
+/// Tolerance below which a direct method comes first: some 500 rounding errors, which iterations may not reach. Chosen;
+/// not tuned.
 const STRICT: f64 = 1e-13;
 
 /// Chooses among the other methods; see the [module](self).
@@ -63,7 +63,7 @@ impl Solver for Auto {
 struct Plan {
     first: Vec<&'static dyn Solver>,
     last: &'static dyn Solver,
-    /// Iterations of the first ones after which the last is the better choice.
+    /// Most iterations before the last method is tried: they cost about as much as a factorisation.
     patience: usize,
 }
 
@@ -88,7 +88,7 @@ impl Plan {
         Self { first, last: &Lu, patience: 50 + dim / 40 }
     }
 
-    /// Tries one method after the other, each in the time the earlier ones left.
+    /// Tries one method after the other, each in the time that the earlier ones left.
     fn run<T>(
         self,
         settings: &Settings<'_>,

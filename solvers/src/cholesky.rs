@@ -17,7 +17,6 @@ use crate::operator::Operator;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "cholesky";
 
 /// Cholesky with refinement, LU where that fails; see the [module](self).

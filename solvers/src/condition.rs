@@ -2,14 +2,13 @@
 //!
 //! ‖A⁻¹‖₁ = max ‖A⁻¹ x‖₁ over ‖x‖₁ ≤ 1 is sought by steepest ascent: with y = A⁻¹ x and z = A⁻ᵀ sign(y), z is
 //! a subgradient at x, and the next x is the unit vector of its largest entry; it ends when |z_j| ≤ zᵀx.
-//! Beside this the vector x_i = (−1)ⁱ (1 + i/(n−1)) gives 2 ‖A⁻¹x‖₁ / 3n, which catches what cancellation
-//! hides. The result is a lower bound, seldom wrong by more than 3. Reference: N. J. Higham, *ACM TOMS* 14
-//! (1988) 381-396.
+//! Besides, the vector x_i = (−1)ⁱ (1 + i/(n−1)) gives 2 ‖A⁻¹x‖₁ / 3n, which catches what cancellation hides. The
+//! result is a lower bound, seldom wrong by more than 3. Reference: N. J. Higham, *ACM TOMS* 14 (1988) 381-396.
 
 use crate::factors::Factors;
 use crate::vector::dot;
 
-/// Steps of the ascent; it mostly ends after two.
+/// Most steps of the ascent, as in LAPACK's `dlacn2`; two are usual.
 const STEPS: usize = 5;
 
 /// Lower bound of ‖A⁻¹‖₁ for a matrix of dimension `dim`; infinite if the factors are singular.

@@ -1,4 +1,4 @@
-//! Direct methods: factor once, then distrust.
+//! Direct methods: factor once, solve, then check and refine.
 //!
 //! After each solve the residual is recomputed through the operator, not through the factors, and
 //!
@@ -20,13 +20,13 @@ use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step, check_columns, column_by_column};
 use crate::vector::{add_scaled, all_finite};
 
-/// Refinement goes on until the residual is below this, however little is asked for.
+/// Refinement goes on until the residual is below this, even if the tolerance is looser. Chosen; not tuned.
 const AIM: f64 = 1e-10;
 
-/// Most refinement steps.
+/// Most refinement steps. Chosen; not tuned.
 const REFINEMENTS: usize = 10;
 
-/// A direct method says how it factors; the rest is the same for all.
+/// How a direct method factors; all else is the same for all.
 pub(crate) trait Direct: Sync {
     /// Its name in the list of methods.
     const NAME: &'static str;
@@ -105,8 +105,8 @@ fn lower_triangle(a: &dyn Operator) -> Vec<f64> {
     values
 }
 
-/// `error`, unless the matrix is not even finite. Asked only after a failure: a residual that passes proves
-/// as much.
+/// `error`, or [`SolveError::NonFinite`] if the matrix is not finite: checked only after a failure, since a small
+/// residual proves that it is.
 fn blame(a: &dyn Operator, error: SolveError) -> SolveError {
     finite(&matrix(a)).err().unwrap_or(error)
 }
@@ -119,7 +119,7 @@ fn condition(a: &dyn Operator, factors: &dyn Factors) -> f64 {
     one_norm * inverse_norm(factors, dim)
 }
 
-/// A factored matrix that solves and then looks at what is left.
+/// A factored matrix that solves, recomputes the residual and refines.
 struct Factored<'f> {
     method: &'static str,
     /// Work of the factorisation.
@@ -155,7 +155,7 @@ impl<'f> Factored<'f> {
         Ok(Self { method: D::NAME, cost, a, factors, settings, observer, started, condition })
     }
 
-    /// Solves and refines; `x` then holds what came of it, unless that is not finite.
+    /// Solves and refines; `x` then holds the result, unless that is not finite.
     fn solve(&mut self, problem: &Problem<'_>, x: &mut [f64]) -> Result<Report, SolveError> {
         if problem.norm == 0.0 {
             x.fill(0.0);
@@ -215,7 +215,7 @@ impl<'f> Factored<'f> {
             add_scaled(1.0, r, &mut next);
             let refined = match problem.residual(&next, r) {
                 Ok(refined) if refined < residual => refined,
-                // A correction without meaning: x stays as it is.
+                // A correction that does not help: x stays as it was.
                 _ => break,
             };
             x.copy_from_slice(&next);
@@ -228,7 +228,7 @@ impl<'f> Factored<'f> {
         Ok(Stop::Stagnation)
     }
 
-    /// Multiplications so far: the factorisation, then per step two triangles and one product.
+    /// Matrix entries multiplied, over dim²: the factorisation, then two triangles and one product per step.
     fn work(&self, steps: usize) -> f64 {
         self.cost + 2.0 * steps as f64
     }

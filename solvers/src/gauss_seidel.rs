@@ -21,7 +21,6 @@ use crate::settings::{Settings, Sweep};
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, norm};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "gauss-seidel";
 
 /// Gauss–Seidel and successive overrelaxation, by block or by coefficient; see the [module](self).
@@ -51,7 +50,6 @@ impl Solver for GaussSeidel {
     }
 }
 
-/// The method at work.
 struct Sweeps<'p> {
     problem: &'p Problem<'p>,
     pivots: Vec<Pivot>,

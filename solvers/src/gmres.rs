@@ -6,9 +6,8 @@
 //!   A M⁻¹ V_j = V_{j+1} H_j,   H_j of j+1 rows, upper Hessenberg,
 //!
 //! by modified Gram–Schmidt, done twice. Givens rotations keep H_j triangular, and the last entry of the
-//! rotated ‖r‖ e₁ is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps
-//! x is brought up to date, the residual recomputed, and all starts anew. A block without inverse is not
-//! preconditioned.
+//! rotated ‖r‖ e₁ is the residual of the best x + M⁻¹ V_j y, y minimising ‖ ‖r‖ e₁ − H_j y ‖₂. After m steps x is
+//! updated, the residual recomputed, and the process restarts. A block without inverse is not preconditioned.
 //!
 //! The residual never rises. Without restart it vanishes after at most n steps for every invertible A; with
 //! restarts it is certain to only if the symmetric part of A M⁻¹ is positive definite, and may stand still
@@ -24,10 +23,10 @@ use crate::settings::{Granularity, Settings};
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, dot, norm};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "gmres";
 
-/// What orthogonalisation leaves of a vector, relative to its length, that is nothing but rounding.
+/// Relative length below which the remainder of orthogonalisation is rounding: some five rounding errors. Chosen; not
+/// tuned.
 const VANISHED: f64 = 1e-15;
 
 /// Restarted GMRES with a block-Jacobi preconditioner; see the [module](self).
@@ -71,7 +70,6 @@ fn pivot(a: &dyn Operator, block: usize) -> Result<Option<Pivot>, SolveError> {
     }
 }
 
-/// The method at work.
 struct Arnoldi<'p> {
     problem: &'p Problem<'p>,
     pivots: Vec<Option<Pivot>>,
@@ -116,7 +114,7 @@ impl Arnoldi<'_> {
         correction
     }
 
-    /// Starts anew from r.
+    /// Restarts from r.
     fn restart(&mut self) {
         let size = norm(&self.r);
         self.basis = vec![self.r.iter().map(|r| r / size).collect()];
@@ -173,7 +171,7 @@ impl Iteration for Arnoldi<'_> {
         let mut r = vec![0.0; x.len()];
         let residual = self.problem.residual(&next, &mut r)?;
         self.products += 1.0;
-        // Rounding may spoil what exact arithmetic could not: then x stays as it was.
+        // Rounding may have made x worse: it then stays as it was.
         if !pending || residual < self.residual {
             x.copy_from_slice(&next);
             self.r = r;

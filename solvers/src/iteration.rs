@@ -1,11 +1,10 @@
-//! The loop around every iterative method: budgets, observer, honest end.
+//! The loop around all iterative methods: budgets, observer, and a recomputed residual at the end.
 //!
-//! A method only has to say how it advances and what it believes its residual to be. Nothing is believed
-//! here: before success is reported the residual is recomputed from A, b and x, and the method starts anew
-//! from there if it was too optimistic. An iteration is stuck when its residual has set no new record for one
-//! and a half times `patience` and does not fall on average either: after a first half of a patience, left to
-//! those that rise first, each half must sum to less than the half before. At the rounding floor neither lasts, so
-//! that every tolerance ends, even 0.
+//! A method says how it advances and what it estimates its residual to be. Before success is reported the residual is
+//! recomputed from A, b and x; if the estimate was too low the method restarts from there. An iteration is stuck when
+//! its residual has set no new record for one and a half times `patience` and does not fall on average either: after
+//! the first half of a patience, in which residuals may rise, each half must sum to less than the one before. At the
+//! rounding floor neither holds, so that every tolerance ends, even 0.
 
 use std::sync::atomic::Ordering;
 use std::time::Instant;
@@ -16,19 +15,19 @@ use crate::settings::Settings;
 use crate::solver::{Report, Step};
 use crate::vector::all_finite;
 
-/// Growth of the residual after which an iteration is given up.
+/// Growth of the residual after which an iteration is given up. Chosen; not tuned.
 const DIVERGED: f64 = 1e12;
 
-/// Optimistic claims in a row, without a new record of the recomputed residual, after which a method is
-/// stuck.
+/// Estimates in a row that were too low, without a new record of the recomputed residual, after which a method is
+/// stuck. Chosen; not tuned.
 const CLAIMS: usize = 5;
 
-/// One iterative method at work.
+/// The iteration of one method.
 pub(crate) trait Iteration {
     /// Brings `x` up to date, recomputes its relative residual and goes on from there.
     fn renew(&mut self, x: &mut [f64]) -> Result<f64, SolveError>;
 
-    /// Advances by one iteration; returns the relative residual as the method believes it to be.
+    /// Advances by one iteration; returns the method's estimate of the relative residual.
     fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError>;
 
     /// Matrix entries multiplied, divided by dim².
@@ -50,7 +49,7 @@ pub(crate) struct Watch {
     pub(crate) limit: usize,
     /// Iterations without a new record after which the method may be stuck.
     pub(crate) patience: usize,
-    /// Iterations between two looks at whether `x` is worth keeping.
+    /// Iterations between two checks whether `x` should be kept.
     pub(crate) keep_every: usize,
 }
 
@@ -79,11 +78,11 @@ struct Run<'r> {
     settings: &'r Settings<'r>,
     observer: &'r mut dyn FnMut(&Step<'_>),
     start: Instant,
-    /// Residuals as believed, from before the first iteration on.
+    /// The estimated residuals, from before the first iteration on.
     history: Vec<f64>,
     /// Iteration of the lowest entry of `history`.
     record: usize,
-    /// The best x that was kept, its believed residual and its iteration.
+    /// The best x kept, its estimated residual and its iteration.
     best: Vec<f64>,
     best_residual: f64,
     best_iteration: usize,
@@ -147,12 +146,11 @@ impl Run<'_> {
         Ok(proven)
     }
 
-    /// Iterations done.
     fn done(&self) -> usize {
         self.history.len().saturating_sub(1)
     }
 
-    /// Enters the residual of one more iteration and tells the observer.
+    /// Appends the residual of one more iteration and calls the observer.
     fn note(&mut self, iteration: &dyn Iteration, x: &[f64], residual: f64) {
         self.history.push(residual);
         let done = self.done();
@@ -196,7 +194,7 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// Whether neither records nor the sums over half a patience fall; asked once after each iteration.
+    /// Whether neither the record nor the sums over half a patience fall; called once after each iteration.
     fn stuck(&self) -> bool {
         let half = self.watch.patience / 2;
         let since = &self.history[self.record + 1..];
@@ -207,7 +205,7 @@ impl Run<'_> {
         last.iter().sum::<f64>() >= before.iter().sum()
     }
 
-    /// Leaves the best iterate in `x` and says honestly how good it is.
+    /// Leaves the best iterate in `x`, with its recomputed residual.
     fn give_up(self, iteration: &mut dyn Iteration, x: &mut [f64], end: End) -> Result<Report, SolveError> {
         let exploded = exploded(x);
         let residual = self.settle(iteration, x);

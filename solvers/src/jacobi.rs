@@ -19,7 +19,6 @@ use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 use crate::vector::add_scaled;
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "jacobi";
 
 /// Jacobi, by block or by coefficient, damped or not; see the [module](self).
@@ -48,7 +47,6 @@ impl Solver for Jacobi {
     }
 }
 
-/// The method at work.
 struct Sweeps<'p> {
     problem: &'p Problem<'p>,
     pivots: Vec<Pivot>,

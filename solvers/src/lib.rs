@@ -41,18 +41,18 @@
 //!
 //! # Which method when
 //!
-//! | method | when | converges | reference |
-//! | --- | --- | --- | --- |
-//! | [`auto`] | not sure | where one of its choices does | – |
-//! | [`cholesky`] | symmetric positive definite, up to some thousand unknowns, or many right-hand sides | A = Aᵀ, xᵀAx > 0, ε κ(A) < 1 | Higham 2002, ch. 10 |
-//! | [`lu`] | anything else of that size | A invertible, ε κ(A) < 1 | Golub, Van Loan 2013, § 3.4 |
-//! | [`cg`] | symmetric positive definite, large or never stored | A = Aᵀ, xᵀAx > 0; in O(√κ) steps | Saad 2003, § 6.7 |
-//! | [`gmres`] | unsymmetric, large or never stored | A invertible, if never restarted; symmetric part of A M⁻¹ positive definite, if so | Saad 2003, § 6.5 |
-//! | [`gauss_seidel`] `gauss-seidel` | rows at hand one by one; smooth progress; a bound on memory | A symmetric positive definite and 0 < ω < 2, or ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
-//! | [`jacobi`] | the plainest yardstick; Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; ω = 1 and A strictly diagonally dominant | Saad 2003, § 4.2 |
-//! | [`southwell`] | columns are dear and few of them matter; a picture after every shot | as `gauss-seidel`, dominant by columns | Southwell 1940; Gortler, Cohen, Slusallek 1994 |
+//! | method | when | converges |
+//! | --- | --- | --- |
+//! | [`auto`] | not sure | where one of its choices does |
+//! | [`cholesky`] | symmetric positive definite, up to some thousand unknowns | A = Aᵀ, xᵀAx > 0, ε κ(A) < 1 |
+//! | [`lu`] | anything else of that size | A invertible, ε κ(A) < 1 |
+//! | [`cg`] | symmetric positive definite, large or never stored | A = Aᵀ, xᵀAx > 0; in O(√κ) steps |
+//! | [`gmres`] | unsymmetric, large or never stored | A invertible, if not restarted |
+//! | [`gauss_seidel`] `gauss-seidel` | rows one by one; little memory | A = Aᵀ, xᵀAx > 0; or A dominant by rows |
+//! | [`jacobi`] | the plainest method: Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; or A dominant by rows |
+//! | [`southwell`] | expensive columns, few of which matter | A = Aᵀ, xᵀAx > 0; or A dominant by columns |
 //!
-//! Full references stand at the head of each module.
+//! The exact conditions and the references stand in each module's header.
 
 mod partition;
 

@@ -10,7 +10,6 @@ use crate::factors::Factors;
 use crate::lu_factors::LuFactors;
 use crate::settings::Settings;
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "lu";
 
 /// LU with partial pivoting and refinement; see the [module](self).

@@ -1,4 +1,4 @@
-//! The only list of methods: name, what each needs, costs and stores.
+//! The list of methods: their names, conditions, cost and memory.
 
 use std::fmt;
 
@@ -46,7 +46,7 @@ pub struct Method {
     pub needs: Needs,
     /// Multiplications for n unknowns.
     pub cost: &'static str,
-    /// Numbers stored beside the operator's own.
+    /// Numbers stored besides the operator's own.
     pub storage: &'static str,
     /// The method itself.
     pub solver: &'static dyn Solver,
@@ -147,7 +147,7 @@ pub struct UnknownMethod {
 }
 
 impl UnknownMethod {
-    /// Similarity from which a name is worth suggesting.
+    /// Jaro–Winkler similarity above which a name is suggested. Chosen; not tuned.
     const CLOSE: f64 = 0.7;
 
     fn new(name: &str) -> Self {

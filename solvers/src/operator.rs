@@ -1,23 +1,22 @@
-//! What a solver may ask of a matrix.
+//! The matrix as solvers use it.
 
 use crate::partition::Partition;
 
-/// A real square matrix A, cut into blocks, known by what it does to vectors.
+/// A real square matrix A, cut into blocks, known by its products with vectors.
 ///
 /// Every vector is a plain slice; a whole one has `partition().dim()` entries, a block one
 /// `partition().size(block)`. Several right-hand sides lie one after the other: entry `i` of column `c` is
-/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: what it
-/// leaves untouched is found and refused as [`NonFinite`](crate::SolveError::NonFinite).
+/// `x[c·dim + i]`. An implementation must write every entry of a product, a row or a diagonal block: entries left out
+/// are found and refused as [`NonFinite`](crate::SolveError::NonFinite).
 pub trait Operator: Sync {
-    /// The blocks of rows, which are those of the columns too.
+    /// The blocks of rows, and of columns.
     fn partition(&self) -> &Partition;
 
     /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block.
     fn gather(&self, row: usize, x: &[f64], y: &mut [f64]);
 
-    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. The only access to the matrix,
-    /// beside [`diagonal`](Self::diagonal), that a greedy solver makes: an implementation may compute the
-    /// column when it is first shot.
+    /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. A greedy solver uses the matrix only through
+    /// this and [`diagonal`](Self::diagonal): an implementation may compute the column when it is first shot.
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]);
 
     /// y = A x; provided by shooting every column.

@@ -1,4 +1,4 @@
-//! A x = b with everything checked that can be checked beforehand.
+//! A x = b, its inputs checked.
 
 use crate::error::SolveError;
 use crate::operator::Operator;
@@ -35,7 +35,6 @@ impl<'a> Problem<'a> {
         Ok(Self { a, b, norm: norm(b) })
     }
 
-    /// Number of unknowns.
     pub(crate) fn dim(&self) -> usize {
         self.b.len()
     }
@@ -75,14 +74,13 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// Whether `x` is so large, or no number any more, that a product with it says nothing about the matrix when
-/// it is not finite.
+/// Whether `x` is not a number or above 1e150: a product with it that is not finite is then no fault of the matrix.
 pub(crate) fn exploded(x: &[f64]) -> bool {
     let size = norm(x);
     size.is_nan() || size > 1e150
 }
 
-/// Refuses what an operator wrote, or failed to write.
+/// Refuses a product that is not finite, or was not written.
 pub(crate) fn finite(y: &[f64]) -> Result<(), SolveError> {
     if all_finite(y) { Ok(()) } else { Err(SolveError::NonFinite { what: "the product with the matrix" }) }
 }

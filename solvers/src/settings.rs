@@ -1,4 +1,4 @@
-//! What a caller may ask of a solver.
+//! Settings of a solver.
 
 use std::sync::atomic::AtomicBool;
 use std::time::{Duration, Instant};
@@ -25,7 +25,7 @@ pub enum Sweep {
     Symmetric,
 }
 
-/// What a caller may ask of a solver; a method ignores what does not concern it.
+/// Settings of a solver; a method ignores those that do not concern it.
 #[derive(Clone, Debug)]
 pub struct Settings<'a> {
     /// Wanted ‖b − A x‖₂ / ‖b‖₂, at least 0. Rounding leaves about ε ‖A‖ ‖x‖ / ‖b‖: less is never reached.
@@ -33,7 +33,7 @@ pub struct Settings<'a> {
     /// Most iterations: sweeps of jacobi and gauss-seidel, matrix products of cg and gmres; for southwell
     /// sweeps' worth of shots, one sweep being as many shots as there are blocks (or coefficients).
     pub max_iterations: usize,
-    /// Most shots of southwell, beside `max_iterations`.
+    /// Most shots of southwell, besides `max_iterations`.
     pub max_shots: Option<usize>,
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
@@ -45,7 +45,7 @@ pub struct Settings<'a> {
     /// southwell: weight w_l > 0 of each unknown; the one with the largest w_l |r_l|, or the block with the
     /// largest sum of them, is shot next. All ones when absent.
     pub measure: Option<&'a [f64]>,
-    /// jacobi, gauss-seidel, southwell: what is relaxed at a time.
+    /// jacobi, gauss-seidel, southwell: whether blocks or single unknowns are relaxed.
     pub granularity: Granularity,
     /// gauss-seidel: the order of visits.
     pub sweep: Sweep,
@@ -77,7 +77,7 @@ impl Default for Settings<'_> {
 }
 
 impl Settings<'_> {
-    /// The same, with what is left of the time budget by now.
+    /// The same settings with the time budget that is left.
     pub(crate) fn since(&self, started: Instant) -> Self {
         Self {
             time_budget: self.time_budget.map(|budget| budget.saturating_sub(started.elapsed())),
@@ -85,7 +85,7 @@ impl Settings<'_> {
         }
     }
 
-    /// Refuses what is outside its range, for a system of `dim` unknowns.
+    /// Refuses settings outside their range, for a system of `dim` unknowns.
     pub(crate) fn check(&self, dim: usize) -> Result<(), SolveError> {
         let wrong = |name, wanted| Err(SolveError::Setting { name, wanted });
         if self.tolerance.is_nan() || self.tolerance < 0.0 {

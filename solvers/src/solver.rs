@@ -1,4 +1,4 @@
-//! The contract that all backends keep.
+//! The contract of all solvers.
 
 use std::time::Instant;
 
@@ -6,12 +6,12 @@ use crate::error::SolveError;
 use crate::operator::Operator;
 use crate::settings::Settings;
 
-/// Where a solver stands, told to an observer after each iteration.
+/// The state of a solver, passed to the observer after each iteration.
 #[derive(Clone, Debug)]
 pub struct Step<'a> {
     /// Iterations done: sweeps, products, shots, or refinements.
     pub iteration: usize,
-    /// ‖r‖₂ / ‖b‖₂ as the method knows it at this point; recomputed only at the end.
+    /// ‖r‖₂ / ‖b‖₂ as the method estimates it; recomputed only at the end.
     pub residual: f64,
     /// Matrix entries multiplied so far, divided by dim²: one for a product with the whole matrix.
     pub work: f64,
@@ -23,10 +23,10 @@ pub struct Step<'a> {
     pub x: &'a [f64],
 }
 
-/// What a successful solve has to tell.
+/// The result of a successful solve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
-    /// The method that found x: what `auto` chose, or what another fell back to.
+    /// The method that found x: the choice of `auto`, or the one that another fell back to.
     pub method: &'static str,
     /// Iterations done, counted as in [`Step::iteration`].
     pub iterations: usize,
@@ -51,7 +51,7 @@ pub trait Solver: Sync {
     /// holds the best iterate there was, or stays as it was.
     ///
     /// # Errors
-    /// As [`SolveError`] says; which of them can occur depends on the method.
+    /// See [`SolveError`]; which of them can occur depends on the method.
     fn solve(
         &self,
         a: &dyn Operator,

@@ -1,27 +1,25 @@
-//! Southwell: always relax where the residual weighs most.
+//! Southwell: always relax where the residual is largest.
 //!
-//! Unshot is the residual r = b − A x. With weights w_l > 0 the measure of an unknown is M_l = w_l |r_l|,
-//! that of a block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure
+//! The residual r = b − A x is what has not been shot. With weights w_l > 0 the measure of an unknown is M_l = w_l
+//! |r_l|, that of a block the sum over its unknowns. Each shot takes the block B (or the unknown) of largest measure
 //! and sets
 //!
 //!   δ = ω D_B⁻¹ r_B,   x_B ← x_B + δ,   r ← r − A[:, B] δ,
 //!
 //! which needs one block column and no other: an operator may compute columns when they are first shot. From
-//! x = 0 only shot columns are ever touched, the final check of the residual included. ω > 1 overshoots: it
-//! shoots ahead what later shots would send back.
+//! x = 0 only shot columns are ever used, also for the final residual. ω > 1 overshoots: it shoots what later shots
+//! would send back.
 //!
 //! With A = I − K and r, x in the coefficients of an orthonormal basis T_l on elements of area element A, the
 //! weights w_l = ∬ |T_l| A du dv are those of eq. 25 of H. Zatz, *Galerkin radiosity*, SIGGRAPH 1993. A shot
 //! of measure m that leaves the total Σ M_l at T' instead of T sent back T' − (T − m); q, the ratio of all
-//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) what is still
-//! to come (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988): good for display, used
-//! for nothing else.
+//! sent back to all shot, estimates how much each further shot will return, and Σ M_l / (1 − q) the remaining measure
+//! (the ambient term of Cohen, Chen, Wallace and Greenberg, SIGGRAPH 1988), for display only.
 //!
 //! Converges for every first guess if A is symmetric positive definite and 0 < ω < 2, since every shot lowers
 //! (x − x*)ᵀ A (x − x*); with ω = 1 also if Σ_{i≠l} w_i |a_il| < w_l |a_ll| for every l, since every shot then
-//! lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in
-//! Engineering Science*, Oxford 1940; S. Gortler, M. Cohen, P. Slusallek, *Radiosity and relaxation methods*,
-//! IEEE CG&A 14(6), 1994.
+//! lowers Σ M_l. References: R. V. Southwell, *Relaxation Methods in Engineering Science*, Oxford 1940; S. Gortler, M.
+//! Cohen, P. Slusallek, *Radiosity and relaxation methods*, IEEE CG&A 14(6), 1994.
 
 use std::ops::Range;
 
@@ -34,7 +32,6 @@ use crate::ranking::Ranking;
 use crate::settings::{Granularity, Settings};
 use crate::solver::{Report, Solver, Step};
 
-/// Name in the list of methods.
 pub(crate) const NAME: &str = "southwell";
 
 /// Greedy shooting, by block or by coefficient; see the [module](self).
@@ -66,7 +63,6 @@ impl Solver for Southwell {
     }
 }
 
-/// The method at work.
 struct Shots<'p> {
     problem: &'p Problem<'p>,
     granularity: Granularity,
@@ -127,7 +123,7 @@ impl<'p> Shots<'p> {
         }
     }
 
-    /// Measures all items anew; returns the sum of their measures.
+    /// Measures all items again; returns the sum of their measures.
     fn measure(&mut self) -> f64 {
         for item in 0..self.ranking.keys().len() {
             let range = self.unknowns(item);

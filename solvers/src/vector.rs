@@ -1,6 +1,6 @@
 //! Sums over slices in a fixed order, so that they give the same bits everywhere.
 
-/// Partial sums kept side by side, so that the compiler can use vector registers.
+/// Partial sums, so that the compiler can use vector registers.
 const LANES: usize = 8;
 
 /// xᵀ y; both of the same length.

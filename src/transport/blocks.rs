@@ -1,4 +1,4 @@
-//! All blocks of G, one triangle where G is symmetric, zero blocks left out.
+//! The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 
 pub(crate) mod block;
 pub(crate) mod pair_counts;
@@ -10,7 +10,7 @@ use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use reciprocity::Reciprocity;
 
-/// All blocks of G, one triangle where G is symmetric, zero blocks left out.
+/// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
 pub struct Blocks {
     starts: Vec<usize>,
@@ -20,22 +20,23 @@ pub struct Blocks {
     values: Vec<f64>,
     /// Whether all blocks of an element's row were computed.
     complete: Vec<bool>,
-    /// How many pairs went which way.
+    /// Numbers of pairs by contact and by reason of being skipped.
     pub pairs: PairCounts,
-    /// Terms of the rules, logarithms where contours were integrated; those of pairs that are copies of others included.
+    /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they were copied
+    /// from.
     pub samples: u64,
-    /// Kernel evaluations, less than the terms where the kernel is known to repeat, and logarithms.
+    /// Kernel evaluations or logarithms: fewer than the terms where kernel values repeat.
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// What a sample of pairs that were integrated both ways tells.
+    /// Reciprocity, from a sample of pairs that were integrated both ways.
     pub reciprocity: Reciprocity,
-    /// Estimate of the largest error that parts left unresolved make in a block, relative to the larger of the
-    /// block's largest entry and a hundredth of its row's, or to 1e-8 where both are smaller; zero where every part was resolved.
+    /// Estimate of the largest error of an entry from unresolved parts; zero if there were none. It is relative to the
+    /// largest of: the block's largest entry, a hundredth of its row's, and 1e-8.
     pub accuracy_reached: f64,
 }
 
-/// The block of receiver `row` and emitter `column`, `row ≤ column` where G is symmetric, row-major from `start` on.
+/// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
 #[derive(Debug)]
 struct Stored {
     row: u32,
@@ -44,8 +45,8 @@ struct Stored {
 }
 
 impl Blocks {
-    /// No blocks yet between elements whose coefficients start at `starts`, the dimension at the end. If G is to be
-    /// `symmetric`, each block will stand for its transpose as well.
+    /// No blocks yet. `starts` are the first coefficients of the elements, and the dimension at the end. If G is
+    /// `symmetric`, each block also stands for its transpose.
     pub(crate) fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
@@ -62,7 +63,7 @@ impl Blocks {
         }
     }
 
-    /// Stores a block behind those stored before, unless it is zero.
+    /// Appends a block, unless it is zero.
     pub(crate) fn push(&mut self, row: usize, column: usize, values: &[f64]) {
         if values.iter().any(|value| *value != 0.0) {
             let start = self.values.len();
@@ -71,7 +72,7 @@ impl Blocks {
         }
     }
 
-    /// Notes that not all blocks of an element's row were computed.
+    /// Records that some blocks of an element's row were left out.
     pub(crate) fn leave_open(&mut self, element: usize) {
         self.complete[element] = false;
     }
@@ -81,12 +82,12 @@ impl Blocks {
         self.complete[element]
     }
 
-    /// Whether G is symmetric: it is unless it was assembled by the rules of 1993 ([`paper`](crate::zatz1993::transfers)).
+    /// Whether G is symmetric; it is, except by the rules of 1993 ([`crate::zatz1993::transfers`]).
     pub fn symmetric(&self) -> bool {
         self.symmetric
     }
 
-    /// The largest of (row, column, absolute error) relative to the scale of its block.
+    /// The largest error of `errors`, (row, column, absolute error), relative to the scale of its block.
     pub(crate) fn largest_error(&self, errors: &[(usize, usize, f64)]) -> f64 {
         if errors.is_empty() {
             return 0.0;
@@ -112,7 +113,7 @@ impl Blocks {
         self.starts[self.starts.len() - 1]
     }
 
-    /// Where the coefficients of each element start; one more entry, the dimension, at the end.
+    /// The first coefficient of each element, and the dimension at the end.
     pub fn starts(&self) -> &[usize] {
         &self.starts
     }
@@ -150,8 +151,8 @@ impl Blocks {
         }
     }
 
-    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and the
-    /// transpose of each stands for the opposite direction.
+    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
+    /// block stands for its transpose too.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
         self.stored.iter().map(|stored| {
             let (row, column) = (stored.row as usize, stored.column as usize);

@@ -1,4 +1,4 @@
-//! How two patches or elements lie to each other: in one plane, before or behind, touching along an edge, at a corner, or apart.
+//! How two patches or elements meet: along an edge, at a corner, not at all; and which side they turn to each other.
 
 pub(in crate::transport) mod clip;
 pub(in crate::transport) mod sectors;

@@ -1,4 +1,4 @@
-//! Sizes of blocks that are known before they are integrated: bounds of entries, coarse sums, and what a few rays meet.
+//! Sizes of blocks before integration: bounds of entries, coarse sums, probing rays, and the norm of an entry.
 
 pub(in crate::transport) mod entry_norm;
 pub(in crate::transport) mod entry_bounds;

@@ -4,8 +4,8 @@
 //! M_kl += Σ_ab  w_a A_a w_b A_b κ(x_a, y_b) V(x_a, y_b) L_k(x_a) L_l(y_b) ,      G = T_i M T_jᵀ .
 //! ```
 //!
-//! Each pair of patches is summed in products along its charts ([`crate::transport::moments::chart`]), which lets the sums factorise, and
-//! brought to the elements' functions once.
+//! Each pair of patches is summed in products along its charts ([`crate::transport::moments::chart`]), so that the sums
+//! factorise, and then changed to the elements' functions once.
 
 pub(in crate::transport) mod kronecker;
 pub(in crate::transport) mod integrand;
@@ -19,7 +19,6 @@ use std::borrow::Cow;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::change::Change;
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
@@ -28,33 +27,30 @@ use crate::transport::moments::tensor::{Grid, Line};
 /// One of the two elements of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::transport) enum Side {
-    /// The first.
     Receiver,
-    /// The second.
     Emitter,
 }
 
-/// Moments of one pair of elements under way.
+/// Moments of one pair of elements, while they are summed.
 #[derive(Debug)]
 pub(in crate::transport) struct Moments<'a> {
     receiver: &'a AreaBasis,
     emitter: &'a AreaBasis,
     /// M, row-major, receiver functions by emitter functions.
     values: Vec<f64>,
-    /// Terms of the rules so far.
+    /// Terms of the rules.
     pub samples: u64,
-    /// Kernel evaluations so far: less than the terms where the kernel is known to repeat.
+    /// Kernel evaluations: fewer than the terms where kernel values repeat.
     pub distinct: u64,
-    /// Segments tested for visibility so far.
+    /// Segments tested for visibility.
     pub rays: u64,
 }
 
-/// Moments of one pair of patches under way, in the products of their charts.
+/// Moments of one pair of patches, in the products of their charts.
 #[derive(Debug)]
 pub(in crate::transport) struct PatchMoments<'p> {
-    /// Receiver and emitter.
     pub patches: [&'p Patch; 2],
-    /// Their products.
+    /// The products on either patch.
     pub charts: [Chart; 2],
     /// Row-major, receiver's products by emitter's.
     pub values: Vec<f64>,
@@ -76,13 +72,12 @@ impl PatchMoments<'_> {
 }
 
 impl<'a> Moments<'a> {
-    /// No moments yet.
     pub(in crate::transport) fn new(receiver: &'a AreaBasis, emitter: &'a AreaBasis) -> Self {
         let (rows, columns) = (receiver.len(), emitter.len());
         Self { receiver, emitter, values: vec![0.0; rows * columns], samples: 0, distinct: 0, rays: 0 }
     }
 
-    /// No moments yet of two patches of the elements.
+    /// Zero moments of two patches of the elements.
     pub(in crate::transport) fn patches<'p>(&self, p: &'p Patch, q: &'p Patch) -> PatchMoments<'p> {
         let charts = [Chart::of(p, self.receiver), Chart::of(q, self.emitter)];
         let values = vec![0.0; charts[0].len() * charts[1].len()];
@@ -98,7 +93,7 @@ impl<'a> Moments<'a> {
         self.changed(&pair.values, receiver.as_ref(), emitter.as_ref());
     }
 
-    /// Adds the tensor Gauss rule with `points` = [along, across] of the receiver, then the emitter.
+    /// Adds the tensor Gauss rule with `points` [along, across] of the receiver, then of the emitter.
     pub(in crate::transport) fn tensor(
         &mut self,
         p: &Patch,
@@ -111,7 +106,7 @@ impl<'a> Moments<'a> {
         self.add(pair);
     }
 
-    /// Adds one pair of points with a weight for the two charts.
+    /// Adds one pair of points, `weight` being that of the parameters of both charts.
     pub(in crate::transport) fn scattered(&mut self, x: &Node, y: &Node, weight: f64, sees: Option<Sees>) {
         self.samples += 1;
         self.distinct += 1;
@@ -123,7 +118,7 @@ impl<'a> Moments<'a> {
         }
     }
 
-    /// Adds moments in the raw polynomials that took `samples` evaluations.
+    /// Adds moments in the raw polynomials that took `samples` kernel evaluations.
     pub(in crate::transport) fn add_raw(&mut self, moments: &[f64], samples: u64) {
         self.values.iter_mut().zip(moments).for_each(|(value, moment)| *value += moment);
         self.samples += samples;
@@ -135,7 +130,7 @@ impl<'a> Moments<'a> {
         &self.values
     }
 
-    /// Adds another sum of the same elements, if `kept`; its cost in any case.
+    /// Adds another sum of the same elements if `kept`, and its cost in any case.
     pub(in crate::transport) fn merge(&mut self, other: &Self, kept: bool) {
         if kept {
             self.values.iter_mut().zip(&other.values).for_each(|(value, moment)| *value += moment);
@@ -145,7 +140,6 @@ impl<'a> Moments<'a> {
         self.rays += other.rays;
     }
 
-    /// Multiplies what was added.
     pub(in crate::transport) fn scale(&mut self, factor: f64) {
         self.values.iter_mut().for_each(|value| *value *= factor);
     }
@@ -155,8 +149,8 @@ impl<'a> Moments<'a> {
         [self.receiver, self.emitter]
     }
 
-    /// Adds one point x of the element `side`, given `inner` = ∫ κ(x, y) L(y) dA_y over the other element's part, which
-    /// took so many `samples`.
+    /// Adds one point x of the element `side`. `inner` = ∫ κ(x, y) L(y) dA_y over a part of the other element, which
+    /// took `samples` evaluations.
     pub(in crate::transport) fn outer(
         &mut self,
         side: Side,
@@ -179,12 +173,12 @@ impl<'a> Moments<'a> {
         }
     }
 
-    /// Adds moments given in the own polynomials of two parallelograms, receiver's index first.
+    /// Adds moments in the own polynomials of two parallelograms, receiver's index first.
     pub(in crate::transport) fn own(&mut self, p: &Patch, q: &Patch, own: &[f64]) {
         self.changed(own, Some(&Change::new(p, self.receiver)), Some(&Change::new(q, self.emitter)));
     }
 
-    /// Adds C_i X C_jᵀ; no change counts as the unit matrix.
+    /// Adds C_i X C_jᵀ, where a missing change is the unit matrix.
     fn changed(&mut self, values: &[f64], receiver: Option<&Change>, emitter: Option<&Change>) {
         let (rows, columns) = (self.receiver.len(), self.emitter.len());
         let inner = values.len() / receiver.map_or(rows, Change::own);
@@ -220,7 +214,7 @@ impl<'a> Moments<'a> {
     }
 }
 
-/// A row-major matrix of `columns` columns, turned over.
+/// The transpose of a row-major matrix of `columns` columns.
 fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
     (0..columns).flat_map(|l| matrix.iter().skip(l).step_by(columns).copied()).collect()
 }

@@ -1,6 +1,6 @@
-//! Quadrature rules, one for each case of contact (the four of Sauter and Schwab, *Boundary Element Methods*, chapter 5, and those
-//! that curved surfaces add): identical, common edge, common vertex, far; near without contact, contours of constants, patches
-//! whose horizons cut each other, and flat elements that cover each other.
+//! Quadrature rules, one for each kind of contact. Identical, common edge, common vertex and far are the four cases of
+//! Sauter and Schwab (*Boundary Element Methods*, chapter 5). The others: near pairs, contour integrals of constants,
+//! curved patches cut by each other's horizon, and flat elements that lie on each other.
 
 pub(in crate::transport) mod orders;
 pub(in crate::transport) mod far;

@@ -1,10 +1,10 @@
-//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each different one is integrated
+//! From elements to blocks: every unordered pair is sorted, equal pairs are found, and each distinct pair is integrated
 //! once.
 //!
-//! Sorting is cheap and tells most pairs apart: those behind each other, in one plane, hidden, or without a sender are dropped.
-//! Pairs that are equal up to similarity ([`crate::transport::schedule::congruent`]) share the block of the first of them, so the result does not
-//! depend on the order of the work. A block that is small beside the largest of its row is integrated with less accuracy
-//! ([`crate::transport::estimates::entry_bounds`]).
+//! Sorting drops the pairs behind each other, in one plane, wholly hidden, or without a sender. Pairs equal up to
+//! similarity ([`crate::transport::schedule::congruent`]) share the block of the first of them. A block that is small
+//! compared with its row is integrated to a lower relative accuracy ([`crate::transport::estimates::entry_bounds`]).
+//! The result does not depend on the order in which the threads work.
 
 mod order;
 mod congruent;
@@ -18,8 +18,6 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::elements::Elements;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Accuracy, Block};
 use crate::transport::blocks::pair_counts::PairCounts;
@@ -35,28 +33,30 @@ use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
 use crate::transport::schedule::order::Rank;
+use crate::visibility::Visibility;
 use goal::Goal;
 use task::{Scene, Task};
 
-/// What of a rough estimate of a curved pair counts as a lower bound.
+/// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
 const ESTIMATE_SHARE: f64 = 0.5;
 
-/// What part of a pair is taken to be visible where blockers may stand in between.
+/// Share of a pair assumed visible, for its lower bound, where blockers may hide some of it. Chosen; not tuned.
 const VISIBLE_SHARE: f64 = 0.1;
 
-/// Where none of n rays passes, less than this over n of what is between two elements is visible, at 95 %.
+/// Rule of three: if none of n independent rays passes, less than 3/n of the pair is visible at 95 %, as 0.05 = e⁻³.
 const UNSEEN: f64 = 3.0;
-/// Fewer rays tell nothing.
+/// Fewest rays that count as a probe: they bound the visible part by 3/16. Chosen; not tuned.
 const FEWEST_RAYS: u64 = 16;
-/// More rays than this are left to the block itself; so many then tell whether surfaces hide themselves.
+/// Most probing rays for the blockers of a pair; where more were needed the block samples them itself. And the number
+/// that finds whether surfaces hide themselves in that case. Chosen; not tuned.
 const MOST_RAYS: f64 = 2e4;
 const MOST_OWN_RAYS: f64 = 4e3;
 
-/// One of so many pairs is integrated both ways, and no fewer than so many.
+/// One pair in this many is integrated both ways, and at least this many pairs. Chosen; not tuned.
 const SAMPLED_SHARE: usize = 100;
 const FEWEST_SAMPLED: usize = 4;
 
-/// What sorting makes of a pair.
+/// What sorting decides about a pair.
 enum Sorted {
     Facing,
     Coplanar,
@@ -67,13 +67,13 @@ enum Sorted {
 
 /// Where the block of a task comes from.
 enum Source {
-    /// Integrated for it, the n-th of all.
+    /// Integrated for this task, at this place among all integrated blocks.
     Own(usize),
-    /// Equal to that of an earlier task, the n-th integrated.
+    /// Equal to the block of an earlier task: the task, and the place of its block.
     Copy(usize, usize),
 }
 
-/// The blocks of all pairs. `progress` hears (pairs done, pairs to do), from any thread.
+/// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
 pub fn assemble(
     elements: &Elements,
     visibility: &Visibility,
@@ -83,7 +83,7 @@ pub fn assemble(
     assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
 }
 
-/// The blocks of the pairs of which at least one element `sends` light; those between two others are left out.
+/// The blocks of all pairs of which at least one element `sends` light.
 pub fn assemble_senders(
     elements: &Elements,
     sends: &(dyn Fn(usize) -> bool + Sync),
@@ -94,7 +94,7 @@ pub fn assemble_senders(
     assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
 }
 
-/// The blocks of the pairs that are `wanted`; those of others are left out.
+/// The blocks of the pairs that are `wanted`.
 pub fn assemble_pairs(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
@@ -132,7 +132,7 @@ pub fn assemble_pairs(
     blocks
 }
 
-/// Sorts all pairs; counts those that need no block.
+/// Sorts all pairs and counts those that need no block.
 fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
     let rows: Vec<(Vec<Task>, PairCounts)> =
         (0..scene.list.len()).into_par_iter().map(|i| scene.sort_row(i)).collect();
@@ -208,7 +208,7 @@ impl Scene<'_> {
         task([least, most], self.pose_of(row, column).map(|pose| pose.hash()), blockers)
     }
 
-    /// About the first entry of the block of two elements, were nothing in between.
+    /// Coarse estimate of the first entry of the block of two elements, without blockers.
     fn rough(&self, row: usize, column: usize) -> f64 {
         let [first, other] = if self.comes_later(row, column) { [column, row] } else { [row, column] };
         self.roughs[first].entry(&self.roughs[other])
@@ -219,7 +219,7 @@ impl Scene<'_> {
         self.ranks[first].order(&self.ranks[other]).is_gt()
     }
 
-    /// Whether the plane of either element leaves nothing of the other in front of it.
+    /// Why the planes of the two elements leave nothing to exchange, if they do.
     fn planes_exchange_nothing(&self, row: usize, column: usize) -> Option<Sorted> {
         match planes::of(&self.list[row], &self.list[column]) {
             Planes::Exchanging => None,
@@ -236,7 +236,7 @@ impl Scene<'_> {
         self.pose_of(task.row as usize, task.column as usize)
     }
 
-    /// Stores the block of `task` and counts what it cost.
+    /// Stores the block of `task` and adds its cost.
     fn store<'b>(
         &self,
         blocks: &mut Blocks,
@@ -264,7 +264,7 @@ impl Scene<'_> {
         block
     }
 
-    /// The block of `task` from the `values` of the equal task `first`.
+    /// The block of `task`, from the `values` of the congruent task `first`.
     fn copied<'b>(&self, task: &Task, first: &Task, values: &'b [f64]) -> Cow<'b, [f64]> {
         // A single constant has neither sign nor order.
         if values.len() == 1 {
@@ -274,7 +274,7 @@ impl Scene<'_> {
         Cow::Owned(pose.block_from(&other, values))
     }
 
-    /// Finds the tasks that are equal to an earlier one and need the same accuracy.
+    /// Finds tasks that are congruent to an earlier one and need the same accuracy.
     fn share(&self, tasks: &[Task], goals: &[Goal]) -> Vec<Source> {
         let mut first: HashMap<(u64, u64), usize> = HashMap::new();
         let candidates: Vec<Option<usize>> = tasks
@@ -306,7 +306,7 @@ impl Scene<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// Integrates the tasks that are no copies, in their order.
+    /// Integrates the tasks that are not copies, in their order.
     fn integrate(
         &self,
         tasks: &[Task],
@@ -317,7 +317,7 @@ impl Scene<'_> {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
         let (done, total) = (AtomicUsize::new(0), own.len());
-        // A few pairs cost as much as all others: none is to wait behind another of them.
+        // A few pairs cost as much as all others together: each is scheduled by itself.
         own.par_iter()
             .with_max_len(1)
             .map(|index| {
@@ -332,7 +332,7 @@ impl Scene<'_> {
         self.block_from(self.is_turned(task), task, goal)
     }
 
-    /// The block of a task, the emitter's integral the outer one where it is `turned`.
+    /// The block of a task; where it is `turned`, the outer integral is over the emitter.
     fn block_from(&self, turned: bool, task: &Task, goal: Goal) -> Block {
         let places @ [row, column] = [task.row, task.column].map(|index| index as usize);
         if turned {
@@ -342,7 +342,8 @@ impl Scene<'_> {
         self.block_of(places, task, goal)
     }
 
-    /// Integrates a sample of the pairs again with the roles of their elements exchanged: a hundredth of them, and no dear ones.
+    /// Integrates a sample of the pairs, one in a hundred, with the roles of the elements exchanged; none above mean
+    /// cost.
     fn reciprocity(
         &self,
         tasks: &[Task],
@@ -374,8 +375,8 @@ impl Scene<'_> {
         told
     }
 
-    /// Whether a task is integrated from its emitter ([`crate::transport::schedule::order`]). What flat elements exchange freely is the same from
-    /// either side.
+    /// Whether the outer integral of a task is over its emitter ([`crate::transport::schedule::order`]). Flat elements
+    /// without blockers give the same block either way.
     fn is_turned(&self, task: &Task) -> bool {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let is_flat = [row, column].iter().all(|index| self.list[*index].plane.is_some());
@@ -401,8 +402,9 @@ impl Scene<'_> {
         }
     }
 
-    /// The block of two elements of which at least one is curved. Where a few rays meet nothing of what reaches between them all
-    /// of that is passed over, and so are their own surfaces if these rays do not meet them.
+    /// The block of two elements of which at least one is curved. If no probing ray is hidden, the blockers are
+    /// ignored; if all are, the block is zero. Of the elements' own surfaces only those that hide some probing ray
+    /// count as blockers.
     fn curved_block(&self, [row, column]: [usize; 2], task: &Task, blockers: &[usize], goal: Goal) -> Block {
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         let Goal { accuracy, bent, least, row: largest, unseen, sampled, .. } = goal;
@@ -435,8 +437,8 @@ impl Scene<'_> {
         block
     }
 
-    /// The zero block of two elements between which none of a few rays passes; None where one does, or where too few are
-    /// tried to tell what may pass beside them.
+    /// The zero block of two flat elements if all probing rays are hidden. None if one passes, or if there are too few
+    /// rays to bound what is visible.
     fn hidden_block(&self, [receiver, emitter]: [usize; 2], task: &Task, goal: Goal) -> Option<Block> {
         if task.blockers.is_empty() {
             return None;

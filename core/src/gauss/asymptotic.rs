@@ -25,7 +25,7 @@
 //! The first term neglected, f₄/ν⁸, is below 10⁻¹⁷.
 //!
 //! Reference: NIST Digital Library of Mathematical Functions, 10.18.17, 10.21.19; the expansion is the one of
-//! I. Bogaert, SIAM J. Sci. Comput. 36 (2014), A1008, derived anew in this form.
+//! I. Bogaert, SIAM J. Sci. Comput. 36 (2014), A1008, derived independently in this form.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -33,10 +33,10 @@ use super::RuleError;
 use super::error::points;
 use crate::math::{horner, sin_cos_octant};
 
-/// Nodes treated side by side.
+/// Nodes per group: one AVX-512 register of f64, two of AVX.
 const LANES: usize = 8;
 
-/// The largest n refused.
+/// The largest n refused: above it the neglected term f₄/ν⁸ is below 10⁻¹⁷.
 const TOO_SMALL: usize = 100;
 
 /// Writes the n-point Gauss–Legendre rule on [−1, 1], n = `nodes.len()` > 100, nodes ascending, in O(n).

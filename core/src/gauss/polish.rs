@@ -26,7 +26,7 @@
 use crate::double::{Double, split, two_sum};
 use crate::jacobi::monic::{CHUNK, Monic, Steps, on_grid};
 
-/// Nodes treated side by side.
+/// Nodes per group: one AVX-512 register of f64, two of AVX.
 pub(super) const LANES: usize = 8;
 
 /// One number per lane.
@@ -100,7 +100,7 @@ impl Polish {
         Polish { monic, n, mu_0 }
     }
 
-    /// Numbers near roots → where the roots are and what they weigh.
+    /// From numbers near roots to the distances of the roots from them, and the weights there.
     #[inline]
     pub(super) const fn refine(&self, x: &Doubles) -> Refined {
         let at = self.evaluate(x);
@@ -154,7 +154,7 @@ impl Polish {
     }
 }
 
-/// 2⁻⁶⁴ and 2⁶⁴.
+/// Bounds 2⁻⁶⁴ and 2⁶⁴ of the norm between rescalings: far from overflow, and exact powers. Chosen; not tuned.
 const LOW: f64 = 1.0 / HIGH;
 const HIGH: f64 = 18_446_744_073_709_551_616.0;
 

@@ -25,11 +25,11 @@ enum Lie {
     Symmetry,
     /// Writes NaN into products.
     Nan,
-    /// Leaves the last entry of what it should write as it was.
+    /// Does not write the last entry of its output.
     Short,
     /// Says it holds all entries, and holds fewer.
     Size,
-    /// Products are those of another matrix than the columns.
+    /// Products and columns belong to different matrices.
     Inconsistent,
 }
 

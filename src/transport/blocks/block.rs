@@ -1,46 +1,47 @@
-//! One block of G with what it cost, and the accuracy that is asked of it.
+//! One block of G with its cost, and the accuracy asked of blocks.
 
 use crate::transport::moments::Moments;
 
-/// What accuracy the blocks are asked to have.
+/// The accuracy asked of blocks.
 #[derive(Clone, Copy, Debug)]
 pub struct Accuracy {
-    /// Of the smooth rules, relative to the block's largest entry or a hundredth of its row's, whichever is larger; entries of
-    /// curved elements below 1e-8 count as that.
+    /// ε of the smooth rules, relative to the block's largest entry or to a hundredth of its row's, whichever is
+    /// larger. On curved elements an entry below 1e-8 counts as 1e-8.
     pub eps: f64,
-    /// Of visibility within a block.
+    /// ε of the visibility within a block.
     pub shadow_eps: f64,
 }
 
 impl Accuracy {
-    /// Looser by `factor`, where that is above 1: for a block whose shadows weigh little beside its row.
+    /// Loosened for a block whose shadows are small compared with its row: ε times `factor` where above 1, up to
+    /// √ε_shadow; ε_shadow times its square.
     pub(crate) fn loosened(&self, factor: f64) -> Self {
         let eps = (self.eps * factor).min(self.shadow_eps.sqrt()).max(self.eps);
         Self { eps, shadow_eps: self.shadow_eps * factor.max(1.0).powi(2) }
     }
 
-    /// How often a partly hidden pair is halved: ½ log₂(1/ε).
+    /// How often a partly hidden pair is halved: ½ log₂(1/ε), at most 12 times.
     ///
-    /// Each halving takes part of the pair out of doubt, and samples in what is left do the rest.
+    /// Each halving decides part of the pair; the rest is sampled. The half and the 12 are chosen, not tuned.
     pub(crate) fn shadow_levels(&self) -> u32 {
         (-0.5 * self.shadow_eps.log2()).clamp(0.0, 12.0) as u32
     }
 }
 
-/// The rule that a pair of elements needed most of.
+/// The hardest contact met between a pair of elements, from easy to hard.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Kind {
-    /// Constants on flat elements: by their contours, exact.
+    /// Constants on flat elements: contour integrals, exact.
     Contour,
-    /// Plain tensor rule.
+    /// Far apart: a plain tensor rule.
     Separated,
-    /// Split because it is near.
+    /// Near, therefore split.
     Split,
     /// A common corner.
     Vertex,
     /// A common edge.
     Edge,
-    /// Cut so that edges of contact match.
+    /// A contact that was cut into common edges and corners.
     Contact,
     /// A curved element with itself.
     Same,
@@ -51,15 +52,15 @@ pub enum Kind {
 pub(crate) struct Block {
     /// G_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,
-    /// Hardest kind of contact met.
+    /// Hardest contact met.
     pub kind: Kind,
-    /// Whether visibility had to be sampled.
+    /// Whether something hides a part of one element from the other.
     pub partly_hidden: bool,
-    /// Whether a near part was left at the smallest size allowed, its accuracy unknown.
+    /// Whether a near part was left at the smallest size, with unknown accuracy.
     pub unresolved: bool,
-    /// Estimate of the largest absolute error of `values` that comes from parts left unresolved.
+    /// Estimate of the largest absolute error of `values` from unresolved parts.
     pub error: f64,
-    /// Terms of the rules; logarithms where the contours were integrated.
+    /// Terms of the rules, or logarithms of contour integrals.
     pub samples: u64,
     /// Kernel evaluations, or logarithms.
     pub distinct: u64,
@@ -68,7 +69,7 @@ pub(crate) struct Block {
 }
 
 impl Block {
-    /// The block with these moments, of which no error is known.
+    /// The block with these moments and no known error.
     pub(in crate::transport) fn of(moments: Moments, kind: Kind, partly_hidden: bool) -> Self {
         Self {
             samples: moments.samples,
@@ -82,14 +83,14 @@ impl Block {
         }
     }
 
-    /// The block with receiver and emitter exchanged, of `rows` functions of the receiver.
+    /// The block with receiver and emitter exchanged; `rows` is the number of the receiver's functions before.
     pub(crate) fn turned(mut self, rows: usize) -> Self {
         let columns = self.values.len() / rows;
         self.values = (0..self.values.len()).map(|k| self.values[k % rows * columns + k / rows]).collect();
         self
     }
 
-    /// The zero block of so many entries, of elements between which none of so many `rays` passes.
+    /// The zero block of `size` entries of a pair of which all `rays` probing rays were blocked.
     pub(crate) fn hidden(size: usize, rays: u64) -> Self {
         Self {
             values: vec![0.0; size],

@@ -1,10 +1,10 @@
-//! How many pairs of elements went which way.
+//! Numbers of pairs by contact and by reason of being skipped.
 
 use serde::{Deserialize, Serialize};
 
 use crate::transport::blocks::block::{Block, Kind};
 
-/// How many pairs of elements went which way.
+/// Numbers of pairs by contact and by reason of being skipped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct PairCounts {
     /// Unordered pairs, curved elements with themselves included.
@@ -15,32 +15,32 @@ pub struct PairCounts {
     pub skipped_coplanar: usize,
     /// One blocker hides one from the other.
     pub skipped_hidden: usize,
-    /// Neither side ever sends light: both are black and emit nothing.
+    /// Neither side ever sends light: both are black and do not emit.
     pub skipped_black: usize,
-    /// Equal to an earlier pair up to similarity (counted below as well).
+    /// Equal to an earlier pair up to similarity (also counted by contact).
     pub repeated: usize,
     /// Curved elements with themselves.
     pub same: usize,
-    /// Hardest contact: a common edge.
+    /// Hardest contact a common edge.
     pub edge: usize,
-    /// Hardest contact: a common corner.
+    /// Hardest contact a common corner.
     pub vertex: usize,
-    /// Cut so that edges of contact match.
+    /// Contacts that were cut into common edges and corners.
     pub contact: usize,
     /// Near, therefore split.
     pub split: usize,
-    /// Apart.
+    /// Far apart.
     pub separated: usize,
-    /// Constants on flat elements: by their contours, exact.
+    /// Constants on flat elements: contour integrals, exact.
     pub contour: usize,
-    /// Pairs in which visibility was sampled (counted above as well).
+    /// Something hides a part (also counted by contact).
     pub partly_hidden: usize,
-    /// Pairs with a near part left at the smallest size, accuracy unknown (counted above as well).
+    /// A near part was left at the smallest size, with unknown accuracy (also counted by contact).
     pub unresolved: usize,
 }
 
 impl PairCounts {
-    /// Counts one more pair whose block was integrated, or is a copy of one that was.
+    /// Counts one more pair whose block was integrated or copied.
     pub(crate) fn take(&mut self, block: &Block) {
         let counter = match block.kind {
             Kind::Contour => &mut self.contour,

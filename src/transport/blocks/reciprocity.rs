@@ -1,22 +1,22 @@
-//! How well transfers keep reciprocity, A_i F_ij = A_j F_ji.
+//! Reciprocity A_i F_ij = A_j F_ji of the transfers, measured on a sample of pairs.
 //!
-//! Each pair is integrated once and stored once, so that the stored transfers keep it by construction. It says something of the
-//! rules only where a pair is integrated again with the roles of the two elements exchanged: the outer integral is then the inner
-//! one. A sample of the pairs tells.
+//! Each pair is integrated and stored once, so that the stored transfers are reciprocal by construction. The rules are
+//! tested only where a pair is integrated again with the roles of its elements exchanged, which makes the outer
+//! integral the inner one.
 
 use serde::{Deserialize, Serialize};
 
-/// What a sample of pairs that were integrated both ways tells.
+/// Reciprocity, from a sample of pairs that were integrated both ways.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Reciprocity {
     /// How many pairs of elements were integrated both ways.
     pub pairs: usize,
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j) of them.
+    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j) among them.
     pub largest: f64,
 }
 
 impl Reciprocity {
-    /// Counts a pair whose two view factors differ by that much, relative to the smaller area.
+    /// Counts a pair, given the difference of A_i F_ij and A_j F_ji relative to the smaller area.
     pub(crate) fn take(&mut self, difference: f64) {
         self.pairs += 1;
         self.largest = self.largest.max(difference);

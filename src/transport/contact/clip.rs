@@ -1,24 +1,22 @@
-//! Planar pairs, made ready for quadrature.
+//! Clips two polygons for quadrature, so that they touch in whole edges or corners.
 //!
-//! Each polygon is clipped once by the plane of the other: the plane is the same for all its points,
-//! and what lies behind it exchanges nothing. What is left can touch the other only on the line
-//! where the two planes meet, along edges or at corners. Both polygons are then cut across that line
-//! wherever either has a corner on it, so that every contact becomes one whole common edge or one
-//! common corner: a box that stands on a floor, or an edge that ends on another, needs no other rule.
+//! Each polygon is clipped once by the plane of the other: the plane is the same for all its points, and what lies
+//! behind it exchanges nothing. The rest can touch the other polygon only on the line where the planes meet. Both are
+//! then cut across that line wherever either has a corner on it, so that every contact is one whole common edge or one
+//! common corner. A box that stands on a floor needs no rule of its own.
 
 use radiosity_geom::{DVec3, clip_polygon};
 
-/// A planar convex polygon with the unit normal of its front.
+/// A convex planar polygon with the unit normal of its front.
 #[derive(Clone, Debug)]
 pub(in crate::transport) struct Facet {
     /// Corners in order.
     pub corners: Vec<DVec3>,
-    /// Unit normal.
     pub normal: DVec3,
 }
 
 impl Facet {
-    /// The part of the facet in front of the plane of `other`; None if nothing of it is.
+    /// The part of the facet in front of the plane of `other`; None if there is none.
     pub(in crate::transport) fn in_front_of(&self, other: &Self, tolerance: f64) -> Option<Self> {
         let heights = self.corners.iter().map(|c| (c - other.corners[0]).dot(other.normal));
         let (low, high) =
@@ -33,7 +31,7 @@ impl Facet {
         (corners.len() > 2).then_some(Self { corners, normal: self.normal })
     }
 
-    /// Cuts across the line through `point` along `direction` at the given positions on it.
+    /// Cuts the facet across a line along `direction`, at the given positions on it.
     fn cut_at(&self, direction: DVec3, positions: &[f64]) -> Vec<Self> {
         let mut parts = vec![self.clone()];
         for position in positions {
@@ -61,7 +59,8 @@ impl Facet {
 
 /// Cuts two facets, each in front of the other's plane, so that they touch in whole edges or corners.
 ///
-/// Returns the pairs of parts, which together are the product of the two; one pair if no cut is due.
+/// The pairs of parts make up the pair of facets; one pair if no cut is needed. Planes at an angle below 1e-9 count as
+/// parallel.
 pub(in crate::transport) fn match_contact(p: &Facet, q: &Facet, tolerance: f64) -> Vec<(Facet, Facet)> {
     let line = p.normal.cross(q.normal);
     if line.length() < 1e-9 {
@@ -90,7 +89,7 @@ pub(in crate::transport) fn match_contact(p: &Facet, q: &Facet, tolerance: f64) 
     parts_p.iter().flat_map(|a| parts_q.iter().map(move |b| (a.clone(), b.clone()))).collect()
 }
 
-/// Those of `positions` strictly inside the stretch that `own` spans.
+/// The `positions` strictly inside the interval that `own` spans.
 fn inner(positions: &[f64], own: &[f64], tolerance: f64) -> Vec<f64> {
     let (low, high) = (own[0] + tolerance, own[own.len() - 1] - tolerance);
     positions.iter().copied().filter(|x| *x > low && *x < high).collect()
@@ -122,7 +121,7 @@ mod tests {
 
     #[test]
     fn standing_wall_gets_whole_common_edges() {
-        // In front of x = 1 the floor's edge on the contact line runs from 0 to 4, the wall's from 1 to 3.
+        // In front of x = 1 the floor's edge on the common line runs from 0 to 4, the wall's from 1 to 3.
         let wall = facet(&[[1., 1., 0.], [1., 3., 0.], [1., 3., 2.], [1., 1., 2.]], DVec3::X);
         let seen = floor().in_front_of(&wall, 1e-12).expect("in front");
         let pairs = match_contact(&seen, &wall, 1e-12);

@@ -1,41 +1,38 @@
-//! How two patches touch of which at least one is curved.
+//! Contact of two patches of which at least one is curved.
 //!
-//! Rules exist for a whole common edge and for a common corner. Whatever touches otherwise is first brought there:
-//! a corner that lies on a side of the other patch cuts it, a contact at a tip (where a side of the chart is
-//! collapsed to a point: the apex of a cone, the pole of a sphere) is halved towards the tip until what is left
-//! carries nothing, and an edge that both patches run through at different speeds is matched by [`crate::transport::rules::common_edge::unequal_speed`].
+//! Rules exist for a whole common edge and for a common corner. Other contacts are reduced to these. A corner on a side
+//! of the other patch cuts that patch. A contact at a tip, a side of the chart that is one point (the apex of a cone,
+//! the pole of a sphere), is halved towards the tip until the rest carries nothing. An edge run through at different
+//! speeds goes by [`crate::transport::rules::common_edge::unequal_speed`].
 
 use std::sync::Arc;
 
 use radiosity_geom::{Border, DVec3};
 
 use crate::elements::patch::{Direction, Patch};
-
 use crate::transport::contact::flat::{gap, neighbours, shared_corners};
 
-/// How two patches touch. Patches inside are re-oriented for the rule.
+/// How two patches touch. The patches inside are oriented as the rule needs them.
 #[derive(Clone, Debug)]
 pub(in crate::transport) enum Touch {
-    /// A whole common edge, at t = 0 in both charts, run through in the same sense and, if `matched`, at equal speed.
+    /// A whole common edge: t = 0 in both charts, in the same sense, and if `matched` at equal speed.
     Edge {
-        /// The receiver.
         p: Patch,
-        /// The emitter.
         q: Patch,
         /// Whether s = u is the same point of the edge.
         matched: bool,
     },
     /// One common corner, at (0, 0) in both charts.
     Vertex(Patch, Patch),
-    /// A corner lies on a side: cut either patch where one is given.
+    /// A corner lies on a side: where to cut either patch.
     Cut([Option<Place>; 2]),
-    /// At a collapsed side of either patch, which has to be halved along the direction given.
+    /// At a collapsed side of either patch: the direction along which to halve it.
     Tip([Option<Direction>; 2]),
-    /// No common point, a gap in length; zero where no rule covers the contact.
+    /// No common point, with a lower bound of the distance; zero where no rule covers the contact.
     Apart(f64),
 }
 
-/// Where a patch is to be cut: across a direction, at a place strictly between 0 and 1.
+/// Where to cut a patch: the direction, and a parameter strictly between 0 and 1.
 pub(in crate::transport) type Place = (Direction, f64);
 
 /// How two patches touch; points closer than `tolerance` coincide.
@@ -65,7 +62,7 @@ pub(in crate::transport) fn touch(p: &Patch, q: &Patch, tolerance: f64) -> Touch
     }
 }
 
-/// The two parts of a patch cut at a place.
+/// The two parts of a patch, cut at a place.
 pub(in crate::transport) fn cut(patch: &Patch, (direction, at): Place) -> [Patch; 2] {
     match (patch, direction) {
         (Patch::Flat { corners: [a, b, c, d], normal }, Direction::Along) => {
@@ -110,8 +107,7 @@ pub(in crate::transport) fn sides(patch: &Patch) -> Vec<Border<'_>> {
     }
 }
 
-/// The direction along which to halve a curved patch that is touched, at one of `corners`, where a side of it is
-/// collapsed.
+/// The direction along which to halve a curved patch that is touched at one of `corners`, if a side there is collapsed.
 fn tip(patch: &Patch, corners: impl Iterator<Item = usize> + Clone) -> Option<Direction> {
     let collapsed = collapsed(patch);
     corners.clone().find_map(|corner| {
@@ -120,7 +116,7 @@ fn tip(patch: &Patch, corners: impl Iterator<Item = usize> + Clone) -> Option<Di
     })
 }
 
-/// The sides of a curved patch that are collapsed to a point.
+/// The sides of a curved patch that are single points, to 1e-12 of its extent.
 pub(in crate::transport) fn collapsed(patch: &Patch) -> Vec<usize> {
     if patch.is_flat() {
         return Vec::new();
@@ -133,11 +129,12 @@ pub(in crate::transport) fn collapsed(patch: &Patch) -> Vec<usize> {
     sides(patch).iter().enumerate().filter(|(_, side)| is_point(side)).map(|(k, _)| k).collect()
 }
 
-/// Where one of `corners` lies on a side of the patch, away from its ends.
+/// Where one of `corners` lies on a side of the patch, more than 1e-6 of the parameter away from its ends.
 fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
     let triangle = patch.is_triangle();
     let on = |(k, side): (usize, &Border)| {
         let ends = [-1.0, 1.0].map(|w| side.point(w));
+        // A side turns little: its points lie within twice its chord from both ends.
         let reach = 2.0 * ends[0].distance(ends[1]) + tolerance;
         corners.iter().find_map(|corner| {
             let apart = ends.iter().map(|end| end.distance(*corner));
@@ -149,7 +146,7 @@ fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
                 return None;
             }
             let at = 0.5 * (1.0 + w);
-            // The third side of a triangle is the fourth of its chart.
+            // Side 2 of a triangle is side 3 of its chart.
             let place = match if triangle && k == 2 { 3 } else { k } {
                 0 => (Direction::Along, at),
                 1 => (Direction::Across, at),
@@ -162,8 +159,9 @@ fn place_on(patch: &Patch, corners: &[DVec3], tolerance: f64) -> Option<Place> {
     sides(patch).iter().enumerate().find_map(on)
 }
 
-/// The contact of two patches oriented by the common ends of their sides t = 0, if these are one curve.
+/// The contact of two patches oriented by the common ends of their sides t = 0, if these sides are one curve.
 fn edge(p: Patch, q: Patch, tolerance: f64) -> Option<Touch> {
+    // Inner points at which two edges are compared. Chosen; not tuned.
     const PLACES: [f64; 3] = [0.25, 0.5, 0.75];
     let at = |s: f64| p.node(s, 0.0).position;
     let matched = PLACES.iter().all(|s| at(*s).distance(q.node(*s, 0.0).position) <= tolerance);

@@ -1,20 +1,20 @@
-//! How two patches meet: in a common edge, a common corner, or not at all.
+//! Contact of two patches: a common edge, a common corner, or none.
 //!
-//! The rule is chosen by this alone. Flat pairs arrive cut so that contacts are whole edges or
-//! corners ([`crate::transport::contact::clip`]); for pairs with a curved patch see [`crate::transport::contact::curved`].
+//! The contact alone decides the rule. Flat pairs come already cut, so that contacts are whole edges or corners
+//! ([`crate::transport::contact::clip`]); for pairs with a curved patch see [`crate::transport::contact::curved`].
 
 use radiosity_geom::{DVec3, distance_to_segment, sides};
 
 use crate::elements::patch::Patch;
 
-/// How two patches meet. The patches inside are re-oriented for the rule.
+/// How two patches meet. The patches inside are oriented as the rule needs them.
 #[derive(Clone, Debug)]
 pub(in crate::transport) enum Contact {
     /// A whole common edge: at t = 0 in both charts, run through in the same sense.
     Edge(Patch, Patch),
     /// One common corner: at (0, 0) in both charts.
     Vertex(Patch, Patch),
-    /// No common point, a gap in length; zero if they touch in a way that no rule covers.
+    /// No common point, and the distance; zero where no rule covers the contact.
     Apart(f64),
 }
 
@@ -45,7 +45,7 @@ pub(in crate::transport) fn neighbours(i: usize, j: usize, count: usize) -> bool
     (i + 1) % count == j || (j + 1) % count == i
 }
 
-/// Whether two sides that leave a common corner run along each other.
+/// Whether two sides that leave a common corner lie along each other.
 fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f64) -> bool {
     let around = |points: &[DVec3], k: usize| {
         let n = points.len();
@@ -63,8 +63,8 @@ fn overlapping_sides(p: &[DVec3], i: usize, q: &[DVec3], j: usize, tolerance: f6
 
 /// Distance between two patches: exact for flat ones, a lower bound where one is curved.
 ///
-/// Two bounds are tried: the distance of the corners' polygons less the sagittas, good for patches that are small or
-/// little bent; and that of points on uniform grids less half the diagonals of the grids' cells.
+/// The larger of two bounds: the distance of the corners' polygons less both sagittas, good for small or nearly flat
+/// patches; and the distance of points of uniform grids less half the diagonals of the grids' cells.
 pub(in crate::transport) fn gap(p: &Patch, q: &Patch) -> f64 {
     let by_corners = polygon_distance(&p.polygon(), &q.polygon()) - p.sagitta() - q.sagitta();
     if p.is_flat() && q.is_flat() || by_corners > 0.5 * (diagonal(p) + diagonal(q)) {
@@ -82,7 +82,7 @@ pub(in crate::transport) fn gap(p: &Patch, q: &Patch) -> f64 {
     by_corners.max(by_points).max(0.0)
 }
 
-/// Points a direction of the grids that distances are taken between.
+/// Points per direction of these grids. Chosen; not tuned.
 const GRID: usize = 7;
 
 fn grid(patch: &Patch) -> Vec<DVec3> {
@@ -90,7 +90,8 @@ fn grid(patch: &Patch) -> Vec<DVec3> {
     (0..GRID * GRID).map(|k| patch.node(place(k / GRID), place(k % GRID)).position).collect()
 }
 
-/// Half the diagonal of a cell of the grid, with a margin for arcs that are longer than their chords.
+/// Half the diagonal of a cell of the grid, times 1.2 since an arc is longer than its chord. The 1.2 is chosen, not
+/// tuned.
 fn cell(patch: &Patch) -> f64 {
     0.6 * diagonal(patch) / (GRID - 1) as f64
 }
@@ -104,14 +105,14 @@ fn to_polygon(points: &[DVec3], polygon: &[DVec3]) -> f64 {
     points.iter().map(|x| point_to_polygon(*x, polygon)).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance between two convex polygons that do not cross.
+/// Distance of two convex polygons that do not cross.
 pub(in crate::transport) fn polygon_distance(p: &[DVec3], q: &[DVec3]) -> f64 {
     let corners = p.iter().map(|x| point_to_polygon(*x, q)).chain(q.iter().map(|y| point_to_polygon(*y, p)));
     let sides = sides(p).flat_map(|a| sides(q).map(move |b| segment_to_segment(a, b)));
     corners.chain(sides).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance between a convex polygon and a segment that do not cross.
+/// Distance of a convex polygon and a segment that do not cross.
 pub(in crate::transport) fn segment_distance(p: &[DVec3], [a, b]: [DVec3; 2]) -> f64 {
     let ends = point_to_polygon(a, p).min(point_to_polygon(b, p));
     sides(p).map(|side| segment_to_segment(side, [a, b])).fold(ends, f64::min)
@@ -120,7 +121,7 @@ pub(in crate::transport) fn segment_distance(p: &[DVec3], [a, b]: [DVec3; 2]) ->
 pub(in crate::transport) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64 {
     let doubled: DVec3 = sides(polygon).map(|[a, b]| (a - polygon[0]).cross(b - polygon[0])).sum();
     let normal = doubled.normalize_or_zero();
-    // A polygon without area has no inside.
+    // A polygon without area has no interior.
     let inside = normal != DVec3::ZERO && sides(polygon).all(|[a, b]| normal.cross(b - a).dot(x - a) >= 0.0);
     if inside {
         return (x - polygon[0]).dot(normal).abs();
@@ -128,8 +129,8 @@ pub(in crate::transport) fn point_to_polygon(x: DVec3, polygon: &[DVec3]) -> f64
     sides(polygon).map(|side| distance_to_segment(x, side)).fold(f64::INFINITY, f64::min)
 }
 
-/// Distance of two segments (Ericson, *Real-Time Collision Detection*, 5.1.9, as a fact: minimise over
-/// the lines, clamp one parameter, then the other).
+/// Distance of two segments: minimises over the lines, clamps one parameter, then the other (C. Ericson, *Real-Time
+/// Collision Detection*, 5.1.9). Lines whose sin² is below 1e-14 count as parallel.
 fn segment_to_segment([a, b]: [DVec3; 2], [c, d]: [DVec3; 2]) -> f64 {
     let (u, v, w) = (b - a, d - c, a - c);
     let (uu, vv, uv) = (u.length_squared(), v.length_squared(), u.dot(v));

@@ -1,52 +1,52 @@
-//! Whether two patches face each other wholly, partly or not at all.
+//! Mutual orientation of two patches: whether they face each other wholly, partly or not at all.
 //!
-//! The kernel vanishes where either of
+//! The kernel vanishes where one of
 //!
 //! ```text
 //! f(x, y) = n_x·(y − x) ,   f(y, x) = n_y·(x − y)
 //! ```
 //!
 //! is negative, and is smooth only on patches where neither changes sign. f is sampled on uniform grids over both
-//! patches. Between the samples it differs from the multilinear interpolant by at most Σ_d h_d²/8 max|∂_d² f|; with
-//! second differences Δ for h²∂², C a point amid the other patch and R its distance from the farthest sample,
+//! patches. Between the samples it differs from the multilinear interpolant by at most Σ_d h_d²/8 max|∂_d² f|. With
+//! second differences Δ for h²∂², a point C amid the other patch, and R the distance of its farthest sample from C,
 //!
 //! ```text
 //! |f − interpolant| ≤ ⅛ Σ_d { |Δ_d n| R + |Δ_d n·(C − x)| + |Δ_d y| } ,
 //! ```
 //!
-//! of which twice is taken, since the differences are themselves sampled. A sign is certain only beyond that
-//! margin: everything else is `Partly`, for which the rules are right, though slower. Where patches touch f vanishes
-//! and no margin can be kept; there a denser grid decides alone.
+//! Twice this bound is used, because the differences are themselves sampled. A sign is certain only beyond it;
+//! everything else is `Partly`, for which the rules are right though slower. Where patches touch, f vanishes and no
+//! margin can be kept: there a denser grid decides alone.
 //!
-//! Of the most that two patches can exchange, about δ² comes at cosines below δ. Where no cosine is below −δ the points that do
-//! not see each other make up no more, as between a wall that is bent a little and a floor: such patches count as facing each
-//! other wholly if the accuracy asked allows it.
+//! About δ² of the most that two patches can exchange comes at cosines below δ. If no cosine is below −δ, the pairs of
+//! points that do not see each other matter as little; a slightly bent wall and its floor are such a pair. They count
+//! as facing each other wholly if δ² is below [`SLIGHT`] times the accuracy.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
 
-/// Samples a direction on curved patches that keep a margin, and on those that touch.
+/// Samples per direction on a curved patch: apart, with the margin, and touching, without. Chosen; not tuned.
 const APART: usize = 5;
 const TOUCHING: usize = 8;
-/// Square of the sine by which points may lie behind each other's planes, as a part of the accuracy.
+/// Largest δ² of points behind each other's tangent planes, as a share of ε. Chosen; not tuned.
 const SLIGHT: f64 = 0.05;
-/// Heights below this part of the samples' extent are zero.
+/// Heights up to this part of the samples' extent count as zero: rounding of positions. Chosen; not tuned.
 const LEVEL: f64 = 1e-11;
 
 /// How two patches face each other.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::transport) enum Facing {
-    /// Every point of either lies in front of every tangent plane of the other.
+    /// Every point of either lies in front of all tangent planes of the other.
     Wholly,
-    /// Perhaps some do not.
+    /// Perhaps some points do not.
     Partly,
     /// All of one lies behind all tangent planes of the other.
     Away,
 }
 
-/// How two different patches face each other; `touching` if they have a point in common. Relative errors up to `eps` are
-/// allowed.
+/// How two different patches face each other; `touching` if they have a point in common. Relative errors up to `eps`
+/// are allowed.
 pub(in crate::transport) fn facing(p: &Patch, q: &Patch, touching: bool, eps: f64) -> Facing {
     if p.is_flat() && q.is_flat() {
         return Facing::Wholly;
@@ -61,7 +61,7 @@ pub(in crate::transport) fn facing(p: &Patch, q: &Patch, touching: bool, eps: f6
     if verdict == Facing::Partly && is_slight() { Facing::Wholly } else { verdict }
 }
 
-/// How a patch faces itself: wholly where it is concave, away where it is convex or flat.
+/// How a patch faces itself: wholly if concave, away if convex or flat.
 pub(in crate::transport) fn own(patch: &Patch) -> Facing {
     if patch.is_flat() {
         return Facing::Away;
@@ -97,7 +97,7 @@ impl Samples {
         Self { nodes, count, flat: patch.is_flat() }
     }
 
-    /// Least and largest height of the other's samples over the tangent planes.
+    /// Least and largest height of the other's samples over all tangent planes.
     fn heights(&self, other: &Self) -> [f64; 2] {
         let planes = if self.flat { &self.nodes[..1] } else { &self.nodes[..] };
         let heights = planes
@@ -106,7 +106,8 @@ impl Samples {
         heights.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
     }
 
-    /// Whether the other's samples, even if `margin` lower, all stand over the tangent planes by at least the sine `least`.
+    /// Whether all samples of the other, lowered by `margin`, are at a sine of at least `least` above all tangent
+    /// planes.
     fn rises_above(&self, other: &Self, margin: f64, least: f64) -> bool {
         let planes = if self.flat { &self.nodes[..1] } else { &self.nodes[..] };
         planes.iter().all(|x| {
@@ -117,7 +118,8 @@ impl Samples {
         })
     }
 
-    /// How far heights of the other over the tangent planes may leave the range of the samples.
+    /// How far the heights of the other over the tangent planes may exceed the range of the samples: twice ⅛ of the
+    /// second differences.
     fn margin(&self, other: &Self) -> f64 {
         let (center, reach) = other.ball();
         let bend = |x: &Node| (x.normal, x.normal.dot(center - x.position));
@@ -130,7 +132,7 @@ impl Samples {
         0.25 * (own + theirs)
     }
 
-    /// The sum over both directions of the largest second difference.
+    /// The largest second difference in either direction, summed over both.
     fn second_differences(&self, difference: impl Fn(&Node, &Node, &Node) -> f64) -> f64 {
         let n = self.count;
         let at = |i: usize, j: usize| &self.nodes[i * n + j];
@@ -200,7 +202,7 @@ mod tests {
 
     #[test]
     fn a_bump_between_the_corners_is_noticed() {
-        // Flat at its rim, which a low observer sees from the front; the bump turns away from it in between.
+        // Flat at its border, which a low observer sees from the front; the bump faces away from the observer between.
         let height = |i: usize, j: usize| if (1..3).contains(&i) && (1..3).contains(&j) { 1.0 } else { 0.0 };
         let points = std::array::from_fn(|i| {
             std::array::from_fn(|j| DVec3::new(i as f64 / 3.0, j as f64 / 3.0, height(i, j)))

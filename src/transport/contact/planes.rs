@@ -1,17 +1,17 @@
-//! How the planes of two elements lie to each other.
+//! Relative position of the planes of two elements.
 
 use radiosity_geom::{DVec3, touching};
 
 use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
 
-/// Normals that differ by less are equal.
+/// Unit normals that differ by less are equal: rounding. Chosen; not tuned.
 const PARALLEL: f64 = 1e-12;
 
 /// A point of a plane, and its unit normal.
 pub(in crate::transport) type Plane = (DVec3, DVec3);
 
-/// The plane in which patches lie that all look the same way, if they do.
+/// The common plane of patches that all lie in one and face the same way.
 pub(in crate::transport) fn plane_of(patches: &[Patch]) -> Option<Plane> {
     let places =
         |patch: &Patch| if patch.is_flat() { vec![patch.node(0.0, 0.0)] } else { patch.cell_nodes(3) };
@@ -24,10 +24,10 @@ pub(in crate::transport) fn plane_of(patches: &[Patch]) -> Option<Plane> {
     all.all(is_level).then_some((first.position, first.normal))
 }
 
-/// What the planes of two elements tell of them.
+/// What the planes of two elements show about their exchange.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Planes {
-    /// Nothing.
+    /// They may exchange light.
     Exchanging,
     /// One lies behind the other.
     Facing,
@@ -35,7 +35,7 @@ pub(crate) enum Planes {
     Coplanar,
 }
 
-/// The planes of two elements. Elements of one planar surface lie in its plane, however it was rounded.
+/// Elements of one planar surface count as coplanar, however their planes were rounded.
 pub(crate) fn of(receiver: &Element, emitter: &Element) -> Planes {
     if receiver.surface == emitter.surface && receiver.plane.is_some() {
         return Planes::Coplanar;
@@ -51,8 +51,8 @@ pub(crate) fn of(receiver: &Element, emitter: &Element) -> Planes {
     Planes::Exchanging
 }
 
-/// The least and the largest height of an element over a plane (scene length); what counts as none, the smaller of the two being
-/// `extent` wide, is 0.
+/// Least and largest height of an element over a plane (scene length). Heights within rounding are 0, for elements of
+/// which the smaller is `extent` wide.
 fn heights((point, normal): (DVec3, DVec3), element: &Element, extent: f64) -> [f64; 2] {
     let height = |x: &DVec3| {
         let offset = x - point;

@@ -1,4 +1,5 @@
-//! The patches of an element, cut until neither their lines nor their normals turn far: closed surfaces become sectors.
+//! Sectors: the patches of an element, halved until their lines and normals turn by no more than about a quarter
+//! circle.
 
 use std::collections::VecDeque;
 
@@ -7,12 +8,14 @@ use radiosity_geom::DVec3;
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 
-/// Most that lines and normals of a part may turn, radians.
+/// Largest turn of the lines and normals of a sector, radians. A quarter circle is 1.571: the rest of 0.03 is a margin,
+/// so that exact quarters, whose turn is estimated from chords, are not cut.
 const LARGEST_TURN: f64 = 1.6;
-/// Most sectors: a crease turns by as much however short the line across it.
+/// Most sectors of an element, after which larger turns remain: a crease turns by the same angle however short the line
+/// across it. Chosen; not tuned.
 const MOST_SECTORS: usize = 256;
 
-/// The patches of an element, each cut until it turns by a quarter circle at the most.
+/// The patches of an element, each halved until it turns by [`LARGEST_TURN`] at most, or [`MOST_SECTORS`] are reached.
 pub(in crate::transport) fn sectors(element: &Element) -> Vec<Patch> {
     let mut open: VecDeque<Patch> = element.patches.iter().cloned().collect();
     let mut done = Vec::new();
@@ -28,7 +31,8 @@ pub(in crate::transport) fn sectors(element: &Element) -> Vec<Patch> {
     done
 }
 
-/// Largest angles by which lines and normals turn along s and along t.
+/// Largest turns of lines and normals along s and along t, in radians, from 8 chords of three lines; 0 along a side
+/// that is one point.
 fn turns(patch: &Patch) -> [f64; 2] {
     const STEPS: usize = 8;
     let place = |k: usize| k as f64 / STEPS as f64;

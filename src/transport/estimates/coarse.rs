@@ -1,51 +1,49 @@
-//! About what two elements exchange, by few points: how large blocks are is known before they are integrated.
+//! Coarse estimate of the transfer between two elements, by few points:
 //!
 //! ```text
 //! G_00 ≈ Σ_a Σ_b w_a w_b κ(x_a, y_b) / √(A_i A_j) ,
 //! ```
 //!
-//! with the nodes at the middles of the cells of uniform grids, other numbers of them on either side so that points of
-//! contact do not meet.
+//! with the nodes at the centres of the cells of uniform grids. The two sides have different numbers of nodes, so that
+//! nodes at a contact do not coincide.
 
 use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::contact::sectors::sectors;
 use crate::transport::moments::integrand::{Sees, kernel};
 
-/// Points a direction on either side.
+/// Points per direction of a part, for the receiver and the emitter. Chosen; not tuned.
 const POINTS: [usize; 2] = [4, 5];
-/// The same for elements of more than so many parts.
+/// The same for elements of more than four parts, which have enough points. Chosen; not tuned.
 const FEWER_POINTS: [usize; 2] = [2, 3];
 const MANY_PARTS: usize = 4;
-/// Points a direction of grids with points at the corners.
+/// Points per direction of the grids that reach the corners. Chosen; not tuned.
 const CORNERED: usize = 6;
 
-/// An element ready to be set against others.
+/// The nodes of an element.
 #[derive(Debug)]
 pub(in crate::transport) struct CoarseEstimate {
-    /// Nodes with weights for the part of the receiver and that of the emitter.
+    /// Nodes with weights, in the role of the receiver and of the emitter.
     nodes: [Vec<(Node, f64)>; 2],
     area: f64,
 }
 
 impl CoarseEstimate {
-    /// Of one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let parts = sectors(element);
         let points = if parts.len() > MANY_PARTS { FEWER_POINTS } else { POINTS };
         Self { nodes: points.map(|n| weighted(&parts, n)), area: element.area }
     }
 
-    /// About the first entry of the block of this receiver and another emitter, with nothing in between; no more than
-    /// ∫κ dA ≤ 1 on either side allows.
+    /// Coarse estimate of the first entry of the block of this receiver and an emitter, without blockers; capped by ∫κ
+    /// dA ≤ 1 on either side.
     pub(in crate::transport) fn entry(&self, emitter: &Self) -> f64 {
         let unit = (self.area * emitter.area).sqrt();
         let most = self.area.min(emitter.area) / unit;
         (sum(&self.nodes[0], &emitter.nodes[1]) / unit).min(most)
     }
 
-    /// The number of pairs of nodes that face each other, if all of them are hidden from each other.
+    /// The number of pairs of nodes that face each other, if all of them are hidden.
     pub(in crate::transport) fn hidden_rays(&self, emitter: &Self, sees: Sees) -> Option<u64> {
         let mut rays = 0;
         for (x, _) in &self.nodes[0] {
@@ -60,14 +58,14 @@ impl CoarseEstimate {
     }
 }
 
-/// About ∫∫κ over `unit`.
+/// Coarse estimate of ∫∫ κ dA dA / `unit`, at most 1.
 pub(in crate::transport) fn scale(receivers: &[Patch], emitters: &[Patch], unit: f64) -> f64 {
     let [few, more] = POINTS;
     (sum(&weighted(receivers, few), &weighted(emitters, more)) / unit).min(1.0)
 }
 
-/// The largest value of the kernel between the points of grids that reach to the corners, which may see each other though no
-/// other points do.
+/// The largest kernel value between grids that reach the corners of the patches: corners may see each other where
+/// nothing else does.
 pub(in crate::transport) fn largest_kernel(receivers: &[Patch], emitters: &[Patch]) -> f64 {
     let place = |k: usize| k as f64 / (CORNERED - 1) as f64;
     let grid = |patch: &Patch| -> Vec<Node> {
@@ -83,7 +81,7 @@ fn sum(receivers: &[(Node, f64)], emitters: &[(Node, f64)]) -> f64 {
     receivers.iter().map(|(x, wx)| wx * row(x)).sum()
 }
 
-/// n × n nodes a patch, each with the area of its cell.
+/// The n × n nodes of each patch, each with the area of its cell.
 fn weighted(patches: &[Patch], n: usize) -> Vec<(Node, f64)> {
     let cell = |x: Node| {
         let area = x.area / (n * n) as f64;

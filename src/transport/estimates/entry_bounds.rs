@@ -1,15 +1,15 @@
-//! How large the entries of a block can be, and must be, without integrating it.
+//! Bounds of the entries of a block from balls around its elements.
 //!
-//! With balls of radii R around two elements whose centres lie d apart, the kernel is bounded on both sides by its
-//! values at the ends of what the distance and the two cosines can be. With h_i the height of j's centre over the plane of i,
+//! With balls of radii R_i and R_j around two elements, d the distance of their centres and h_i the height of j's
+//! centre over the plane of i, the distance and both cosines of the kernel lie in known intervals:
 //!
 //! ```text
 //! |G_kl| ≤ sup κ √(A_i A_j) ,   sup κ ≤ (h_i + R_j)(h_j + R_i) / π(d − R_i − R_j)⁴ ,
 //!  G_00  ≥ inf κ √(A_i A_j) ,   inf κ ≥ (h_i − R_j)(h_j − R_i) / π(d + R_i + R_j)⁴ ,
 //! ```
 //!
-//! because ∫|φ_k| dA ≤ √A. So it is known beforehand which blocks are small beside the largest of their row, and may be
-//! integrated with less accuracy relative to themselves.
+//! because ∫|φ_k| dA ≤ √A. These bounds tell before integration which blocks are small compared with the largest of
+//! their row, and need a lower relative accuracy.
 
 use core::f64::consts::FRAC_1_PI;
 
@@ -17,11 +17,11 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 
-/// A block may be wrong by ε times this part of the largest entry of its row.
+/// A block's error may be ε times this share of the largest entry of its row. Chosen; not tuned.
 pub(in crate::transport) const ROW_SHARE: f64 = 1e-2;
-/// No block with a curved element is taken for smaller than this part of the largest there can be.
+/// Smallest scale of a block with a curved element; entries of G are at most 1. Chosen; not tuned.
 pub(in crate::transport) const SMALLEST_ENTRY: f64 = 1e-8;
-/// Largest relative error a block is ever allowed.
+/// Largest relative error ever allowed of a block. Chosen; not tuned.
 const LOOSEST: f64 = 0.5;
 
 /// The ball around an element, and its plane where it has one.
@@ -30,12 +30,11 @@ pub(in crate::transport) struct EntryBounds {
     center: DVec3,
     radius: f64,
     area: f64,
-    /// A point of its plane and the normal.
+    /// A point of its plane, and the normal.
     plane: Option<(DVec3, DVec3)>,
 }
 
 impl EntryBounds {
-    /// Of one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let bounds = element.bounds();
         let center = 0.5 * (bounds.min + bounds.max);
@@ -43,8 +42,8 @@ impl EntryBounds {
         Self { center, radius, area: element.area, plane: element.plane }
     }
 
-    /// Whether the balls are nearer than half the radius of the larger: the kernel may vary too much to be told by a few
-    /// points.
+    /// Whether the balls are nearer than half the larger radius: the kernel may then vary too much for a coarse
+    /// estimate.
     pub(in crate::transport) fn is_near(&self, other: &Self) -> bool {
         let gap = self.center.distance(other.center) - self.radius - other.radius;
         gap < 0.5 * self.radius.max(other.radius)
@@ -54,10 +53,11 @@ impl EntryBounds {
     pub(in crate::transport) fn entries(&self, other: &Self) -> [f64; 2] {
         let d = other.center - self.center;
         let (distance, sum) = (d.length(), self.radius + other.radius);
+        // Balls that (nearly) touch: no upper bound. The 1 % is chosen, not tuned.
         if distance <= 1.01 * sum {
             return [0.0, f64::INFINITY];
         }
-        // Of a ball over a plane; a curved element may turn any way.
+        // Range of heights of a ball over a plane; a curved element may face anywhere.
         let heights = |reach: &Self, ball: &Self| {
             reach.plane.map_or([0.0, distance + sum], |(point, normal)| {
                 let height = normal.dot(ball.center - point);
@@ -73,10 +73,11 @@ impl EntryBounds {
     }
 }
 
-/// The accuracy a block needs relative to its own largest entry, in steps of powers of two.
+/// ε of a block relative to its own largest entry, loosened in steps of powers of two, so that congruent pairs agree;
+/// at most by 2⁶⁰ and up to [`LOOSEST`].
 ///
-/// `least` is the part of the largest entry of both rows of the block, from below, that its error is measured against;
-/// `entry` an upper bound of its own.
+/// `least` is a lower bound of the scale of the error, [`ROW_SHARE`] times the largest entry of the weaker of both
+/// rows; `entry` is an upper bound of the block's own entries.
 pub(in crate::transport) fn relaxed(eps: f64, least: f64, entry: f64) -> f64 {
     let factor = least / entry;
     if factor >= 2.0 { (eps * factor.log2().floor().min(60.0).exp2()).min(LOOSEST).max(eps) } else { eps }
@@ -91,7 +92,7 @@ mod tests {
         EntryBounds { center, radius: 0.5f64.sqrt(), area: 1.0, plane: Some((center, DVec3::Z * up)) }
     }
 
-    /// Parallel unit squares three apart: F = 0.0316 by the closed form.
+    /// Parallel unit squares at distance 3: F = 0.0316 by the closed form.
     #[test]
     fn bounds_hold_the_factor_of_parallel_squares() {
         let z = 3.0f64;
@@ -105,7 +106,7 @@ mod tests {
         assert_eq!(square(0.0, 1.0).entries(&square(1.0, -1.0)), [0.0, f64::INFINITY]);
     }
 
-    /// The centre of a ball need not lie in the plane.
+    /// The centre of the ball need not lie in the element's plane.
     #[test]
     fn heights_are_measured_from_the_plane() {
         let mut raised = square(0.0, 1.0);

@@ -1,31 +1,31 @@
-//! How much moments in raw polynomials count as entries of a block.
+//! Norm of an error of moments, as an error of the block's entries:
 //!
 //! ```text
 //! G = T_i M T_jᵀ ,     |δM_ab| counts as max_k |T_ka| max_l |T_lb| |δM_ab| ,     G_00 = T_00 M_00 T_00
 //! ```
 //!
-//! Where the area element is constant T is diagonal, and so this is how much the entries change. Elsewhere each entry sums
-//! over several moments, of which the one that changes it most is taken.
+//! Where the area element is constant T is diagonal, and this is the exact change of an entry. Elsewhere an entry is a
+//! sum over several moments, of which the largest counts.
 
 use crate::elements::basis::AreaBasis;
 
-/// The measure of moments between two elements.
+/// The norm of moments between two elements.
 #[derive(Debug)]
 pub(in crate::transport) struct EntryNorm {
-    /// Largest factors of the raw polynomials of either.
+    /// Largest factors max_k |T_ka| of either basis.
     factors: [Vec<f64>; 2],
     /// T_00 T_00.
     first: f64,
 }
 
 impl EntryNorm {
-    /// Of moments whose rows are in the polynomials of the first basis, their columns in those of the second.
+    /// For moments with rows in the polynomials of the first basis, columns in those of the second.
     pub(in crate::transport) fn of(bases: [&AreaBasis; 2]) -> Self {
         let first = bases.map(|basis| basis.transform()[0]).iter().product();
         Self { factors: bases.map(factors), first }
     }
 
-    /// The first entry of the block for each unit of the first moment.
+    /// The block's first entry per unit of the first moment.
     pub(in crate::transport) fn first(&self) -> f64 {
         self.first
     }
@@ -35,7 +35,7 @@ impl EntryNorm {
         self.first * moments[0]
     }
 
-    /// What the largest difference of two sets of moments counts.
+    /// The norm of the difference of two sets of moments.
     pub(in crate::transport) fn difference(&self, a: &[f64], b: &[f64]) -> f64 {
         let [rows, columns] = &self.factors;
         let pairs = a.chunks_exact(columns.len()).zip(b.chunks_exact(columns.len()));

@@ -1,47 +1,48 @@
-//! What stands between two elements, as a few rays tell.
+//! Probing rays: which of the candidate blockers hide anything of one element from the other.
 //!
-//! Most surfaces that reach into the hull of two elements hide nothing of one from the other. Where none of n rays between
-//! points that face each other is hidden by a set of surfaces, these together hide less than 3/n of what passes between the
-//! elements, at 95 %; where all of them are hidden, less than 3/n passes. Where some are hidden nothing is passed over, however
-//! few rays a surface meets: many that hide a little each would be missed together, and always to one side.
+//! Most surfaces that reach into the hull of two elements hide nothing. n rays join points that face each other, evenly
+//! spread over the parameters of both sides. If none is hidden by a set of surfaces, these hide less than 3/n of all
+//! such rays at 95 % (the rule of three, which holds for independent rays; these are quasi-random). If all are hidden,
+//! less than 3/n pass. The share of rays is taken for the share of the light. If some are hidden, no blocker is
+//! dropped, not even one that no ray meets: many such blockers would be missed together, and always to the same side.
+//! The rays then end early.
 
 use crate::elements::patch::Patch;
-use crate::visibility::Visibility;
-
 use crate::transport::moments::integrand::kernel;
 use crate::transport::moments::kronecker::node_pair;
+use crate::visibility::Visibility;
 
-/// Pairs of points, about, by which the share is found that face each other, and the fewest in a pair of parts.
+/// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face each other.
+/// Chosen; not tuned.
 const LOOKS: u64 = 128;
 const FEWEST_LOOKS: u64 = 4;
-/// Most points in a pair of parts.
+/// Most points in a pair of parts. Chosen; not tuned.
 const MOST_POINTS: u64 = 1 << 16;
 
-/// What a few rays between two elements met.
+/// The outcome of probing rays.
 #[derive(Debug)]
 pub(in crate::transport) struct ProbingRays {
-    /// How many of them were hidden.
+    /// Whether none, some or all of them were hidden.
     pub hidden: Hidden,
-    /// Those surfaces of the elements themselves that hid any, ascending.
+    /// The elements' own surfaces that hid some ray, ascending.
     pub own: Vec<usize>,
-    /// Rays between points that face each other.
+    /// Number of rays between points that face each other.
     pub rays: u64,
 }
 
-/// How many of some rays are hidden.
+/// Whether none, some or all rays are hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::transport) enum Hidden {
-    /// None.
+    /// None, or there were no rays.
     None,
-    /// Some.
     Some,
-    /// All, and there are any.
+    /// All, and there was at least one.
     All,
 }
 
 impl ProbingRays {
-    /// What about `enough` rays or more between two elements, given by their parts and `surfaces`, meet of `blockers` and of
-    /// their `own` surfaces; fewer rays where these tell all.
+    /// Casts at least about `enough` rays between two elements, given by their parts and `surfaces`, against `blockers`
+    /// and their `own` surfaces; fewer once some rays passed, some did not and all `own` surfaces were met.
     pub(in crate::transport) fn between(
         [receivers, emitters]: [&[Patch]; 2],
         surfaces: [usize; 2],
@@ -63,7 +64,7 @@ impl ProbingRays {
             if let Some(place) = unmet.iter().position(meets) {
                 met.push(unmet.remove(place));
             } else if let Some(place) = others.iter().position(meets) {
-                // What was met is likely to be met again.
+                // The blocker just met is likely to be met again: it comes first.
                 others[..=place].rotate_right(1);
             } else if !met.iter().any(meets) {
                 passed += 1;
@@ -82,7 +83,7 @@ impl ProbingRays {
     }
 }
 
-/// Points in each pair of parts for `enough` pairs of points that face each other.
+/// Points in each pair of parts that yield `enough` pairs of points that face each other.
 fn points(pairs: &[[&Patch; 2]], enough: f64) -> u64 {
     let looks = (LOOKS / pairs.len() as u64).max(FEWEST_LOOKS);
     let looked = (0..looks).flat_map(|index| pairs.iter().map(move |pair| node_pair(*pair, index)));

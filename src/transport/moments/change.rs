@@ -1,8 +1,9 @@
-//! From the polynomials of a patch to those of its element.
+//! The matrix C that changes moments from the polynomials of a patch to those of its element.
 //!
-//! T_m(s, t) = p_i(2s − 1) p_j(2t − 1) are the patch's own, L_k the element's raw functions. On a flat patch L_k is a
-//! polynomial of the chart, so L_k = Σ_m C_km T_m exactly. Where an affine chart covers the whole box of the element's
-//! frame, C only permutes and changes signs; else it is the projection by an exact Gauss rule.
+//! T_m(s, t) = p_i(2s − 1) p_j(2t − 1) are the patch's own polynomials, L_k the element's raw functions. On a flat
+//! patch L_k is a polynomial of the chart, so that L_k = Σ_m C_km T_m exactly. Where an affine chart covers the whole
+//! box of the element's frame, C only permutes and changes signs; elsewhere it is the projection by an exact Gauss
+//! rule.
 
 use radiosity_core::basis::total;
 
@@ -10,7 +11,6 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 use crate::elements::space::Space;
-
 use crate::transport::moments::legendre_values::polynomials;
 
 /// The matrix C of one patch.
@@ -20,7 +20,6 @@ pub(in crate::transport) enum Change {
     Signed(Vec<(usize, f64)>),
     /// Row-major, element's functions by patch's.
     Dense {
-        /// Entries.
         matrix: Vec<f64>,
         /// Number of the patch's functions.
         own: usize,
@@ -28,7 +27,7 @@ pub(in crate::transport) enum Change {
 }
 
 impl Change {
-    /// The change from the own polynomials of total degree of a parallelogram `patch`.
+    /// The change from the polynomials of total degree of the parallelogram `patch`.
     pub(in crate::transport) fn new(patch: &Patch, basis: &AreaBasis) -> Self {
         Self::signed(patch, basis).unwrap_or_else(|| {
             let degrees: Vec<_> = (0..total::count(basis.total_degree())).map(total::degrees).collect();
@@ -36,7 +35,7 @@ impl Change {
         })
     }
 
-    /// The change from the patch's own polynomials of the given `degrees` (along, across), which span the element's.
+    /// The change from the patch's polynomials of the given `degrees` (along, across), which span the element's.
     pub(in crate::transport) fn projected(
         patch: &Patch,
         basis: &AreaBasis,
@@ -51,7 +50,7 @@ impl Change {
             for (pt, (t, wt)) in tables.iter().zip(rule.iter()) {
                 basis.raw(basis.frame().coordinates(&patch.node(s, t)), &mut theirs);
                 for (row, l) in matrix.chunks_exact_mut(own).zip(&theirs) {
-                    // Four: the measure of [−1, 1]² against that of the unit square.
+                    // Factor 4: the area of [−1, 1]² over that of the unit square.
                     let factor = 4.0 * ws * wt * l;
                     row.iter_mut().zip(degrees).for_each(|(c, (i, j))| *c += factor * ps[*i] * pt[*j]);
                 }
@@ -68,7 +67,7 @@ impl Change {
         }
     }
 
-    /// Σ_m C_km rows_m: from rows indexed by T to rows indexed by L; `width` entries a row.
+    /// Σ_m C_km rows_m: from rows indexed by T to rows indexed by L, each of `width` entries.
     pub(in crate::transport) fn rows(&self, rows: &[f64], width: usize) -> Vec<f64> {
         match self {
             Self::Signed(places) => places
@@ -96,7 +95,7 @@ impl Change {
         let at = |s: f64, t: f64| basis.frame().coordinates(&patch.node(s, t));
         let corners = [at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0)];
         let near = |x: f64, y: f64| (x - y).abs() <= 1e-13;
-        // Each coordinate runs from ∓1 to ±1 along one direction and stays along the other.
+        // Each coordinate runs from ∓1 to ±1 in one direction of the chart and is constant in the other.
         let direction = |axis: usize| {
             let [origin, along, across] = corners.map(|corner| corner[axis]);
             let sign = -origin;

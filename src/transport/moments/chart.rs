@@ -4,17 +4,16 @@
 //! T_m(s, t) = p_i(a₀ + a₁ s) p_j(b₀ + b₁ t)
 //! ```
 //!
-//! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's frame
-//! (every curved patch, and parallelograms cut parallel to their sides), these are the element's raw functions
-//! themselves. Elsewhere the patch has polynomials of its own, p_i(2s − 1) p_j(2t − 1): i + j ≤ D where the chart
-//! is affine, i, j ≤ D where it is bilinear, D the highest total degree of the element's functions, and the element's functions
-//! are combinations of them ([`Change`]).
+//! so that sums over tensor grids factorise. Where the chart runs along the coordinates of the element's frame (every
+//! curved patch; parallelograms cut parallel to their sides), these are the element's raw functions. Elsewhere the
+//! patch has its own polynomials p_i(2s − 1) p_j(2t − 1) and the element's functions are combinations of them
+//! ([`Change`]). With D the highest total degree of these functions, i + j ≤ D where the chart is affine, and i, j ≤ D
+//! where it is bilinear.
 
 use radiosity_core::basis::total;
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
-
 use crate::transport::moments::change::Change;
 use crate::transport::moments::legendre_values::polynomials;
 
@@ -25,7 +24,7 @@ pub(in crate::transport) struct Chart {
     /// (i, j) of each function.
     degrees: Vec<(usize, usize)>,
     axes: [Axis; 2],
-    /// To the element's raw functions; None where the products are these.
+    /// The change to the element's raw functions; None where the products are those.
     pub change: Option<Change>,
 }
 
@@ -45,7 +44,6 @@ impl Chart {
         Self::aligned(patch, basis).unwrap_or_else(|| Self::own(patch, basis))
     }
 
-    /// The patch's own polynomials.
     pub(in crate::transport) fn own(patch: &Patch, basis: &AreaBasis) -> Self {
         let degree = basis.total_degree();
         let degrees: Vec<(usize, usize)> = if patch.is_parallelogram() {
@@ -57,7 +55,6 @@ impl Chart {
         Self { degree, degrees, axes: [OWN; 2], change: Some(change) }
     }
 
-    /// Number of functions.
     pub(in crate::transport) fn len(&self) -> usize {
         self.degrees.len()
     }
@@ -72,7 +69,7 @@ impl Chart {
         &self.degrees
     }
 
-    /// p_n at the point s or t of one direction (0 along, 1 across), n = 0..[`Self::width`].
+    /// p_n at the parameter `place` of one direction (0 along, 1 across), n = 0..[`Self::width`].
     pub(in crate::transport) fn polynomials(&self, direction: usize, place: f64, out: &mut [f64]) {
         let Axis { origin, slope } = self.axes[direction];
         polynomials(origin + slope * place, &mut out[..self.degree + 1]);
@@ -85,7 +82,7 @@ impl Chart {
         }
         let at = |s: f64, t: f64| basis.frame().coordinates(&patch.node(s, t));
         let (origin, along, across) = (at(0.0, 0.0), at(1.0, 0.0), at(0.0, 1.0));
-        // Which coordinate of the frame changes along s, and which along t.
+        // Which coordinate of the frame changes along s, and which along t, to 1e-13.
         let still = |k: usize, end: [f64; 2]| (end[k] - origin[k]).abs() <= 1e-13;
         let swapped = match (still(1, along) && still(0, across), still(0, along) && still(1, across)) {
             (true, _) => false,

@@ -28,7 +28,7 @@ pub fn kernel(x: &Node, y: &Node) -> f64 {
     arriving * leaving * FRAC_1_PI / (r2 * r2)
 }
 
-/// κ V, with the ray cast only where κ does not vanish already.
+/// κV; the ray is cast only where κ > 0.
 #[inline]
 pub(in crate::transport) fn visible_kernel(x: &Node, y: &Node, sees: Option<Sees>, rays: &mut u64) -> f64 {
     let value = kernel(x, y);

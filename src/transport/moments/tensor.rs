@@ -8,28 +8,28 @@
 //! Z_βl(a)     = Σ_b p_β(t_b) W_l(ab) ,        M_kl    = Σ_a p_α(s_a) Z_βl(a) ,        k = (α, β) :
 //! ```
 //!
-//! N + 1 multiplications a sample instead of (N + 1)(N + 2)/2. Receiver points go in tiles of [`LANES`], so that every
-//! inner loop has a fixed length. Between two planes both cosines come out of the sums,
+//! This takes N + 1 multiplications a sample, not (N + 1)(N + 2)/2. Receiver points are processed in tiles of
+//! [`LANES`], so that every inner loop has a fixed length. Between two planes both cosines are factors of the sums,
 //!
 //! ```text
 //! κ = h(x) h(y) / (π r⁴) ,    h(y) = n_x·(y − x₀),  h(x) = n_y·(x − y₀) ,
 //! ```
 //!
-//! and a sample costs the square of a distance and a division.
+//! and a sample costs one squared distance and one division.
 
 use core::f64::consts::FRAC_1_PI;
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::Sees;
 
-/// Receiver points side by side.
+/// Receiver points in a tile: one AVX-512 register of f64, two of AVX.
 const LANES: usize = 8;
 
-/// Squares of distances below this count as this: points that coincide exchange nothing, and 0/0 is no number.
+/// Floor of squared distances: points that coincide exchange nothing, and 0/0 is avoided. r⁴ is then 1e-300, still a
+/// normal number.
 const COINCIDENT: f64 = 1e-150;
 
 type Lanes = [f64; LANES];
@@ -37,11 +37,11 @@ type Lanes = [f64; LANES];
 /// Nodes and weights along one direction.
 pub(in crate::transport) type Line<'a> = (&'a [f64], &'a [f64]);
 
-/// One side of a rule: points of a tensor grid on a patch, and the polynomials along either direction.
+/// One side of a tensor rule: its points on a patch, and the polynomials in either direction.
 pub(in crate::transport) struct Grid<'a> {
     chart: &'a Chart,
     counts: [usize; 2],
-    /// Points, those across fastest.
+    /// The points; the parameter across changes fastest.
     nodes: Vec<Node>,
     /// w_a w_b A of each point.
     weights: Vec<f64>,
@@ -74,7 +74,6 @@ impl<'a> Grid<'a> {
         Self { chart, counts, nodes, weights, tables, flat: patch.is_flat() }
     }
 
-    /// Number of points.
     pub(in crate::transport) fn len(&self) -> usize {
         self.nodes.len()
     }
@@ -84,7 +83,7 @@ impl<'a> Grid<'a> {
         &self.tables[direction][place * width..(place + 1) * width]
     }
 
-    /// h of every point over the plane of a node of the other side, times the point's weight.
+    /// Height of every point over the tangent plane of a node of the other side, times the point's weight.
     fn weighted_heights(&self, other: &Node) -> Vec<f64> {
         let height = |node: &Node| (node.position - other.position).dot(other.normal).max(0.0);
         self.nodes.iter().zip(&self.weights).map(|(node, weight)| weight * height(node)).collect()
@@ -93,7 +92,7 @@ impl<'a> Grid<'a> {
 
 /// Adds `factor` · M to `moments`, row-major, receiver's functions by emitter's.
 ///
-/// With `sees`, each sample is multiplied by its visibility; `rays` counts the segments tested.
+/// With `sees`, each sample is multiplied by its visibility; `rays` is increased by the segments tested.
 pub(in crate::transport) fn add(
     moments: &mut [f64],
     factor: f64,
@@ -116,7 +115,7 @@ pub(in crate::transport) fn add(
     scatter(moments, receiver, emitter.chart.len(), &gathered);
 }
 
-/// Receiver points of one tile; the last one repeated where there are fewer.
+/// Receiver points of one tile; the last is repeated where there are fewer.
 struct Tile {
     position: [Lanes; 3],
     normal: [Lanes; 3],
@@ -148,7 +147,7 @@ impl Tile {
     }
 }
 
-/// W, a row of the emitter's functions per receiver point, times the points' `weights` and `factor`.
+/// W: for each receiver point a row of the emitter's functions, times the point's weight and `factor`.
 fn gather(
     receiver: &Grid,
     emitter: &Grid,
@@ -210,7 +209,7 @@ fn add_scaled(out: &mut Lanes, factor: f64, values: &Lanes) {
     }
 }
 
-/// scale / r⁴; the scale vanishes where points can coincide.
+/// scale / r⁴; where points can coincide the scale is zero.
 #[inline(always)]
 fn flat(tile: &Tile, node: &Node, scale: f64) -> Lanes {
     core::array::from_fn(|lane| {

@@ -1,19 +1,21 @@
-//! What planar blockers take from the transfer between two elements of which at least one is flat.
+//! Occlusion correction by outlines: what planar blockers take away from the transfer between two elements of which at
+//! least one is flat.
 //!
 //! ```text
 //! G = G⁰ − S ,     S_kl = ∫ φ_k(x) ∫_{H(x)} φ_l(y) κ(x, y) dA_y dA_x ,
 //! ```
 //!
-//! with G⁰ the block were nothing in between, and H(x) the part of one element that is hidden from the point x of the other:
-//! polygons, by clipping ([`crate::irradiance::visible_polygon`]). What is hidden lies apart from x, behind a blocker, so that the
-//! inner integral is smooth where that over all y is singular. Constants are summed by Lambert's form, higher functions by
-//! Gauss rules over the polygons, halved while they are near ([`crate::transport::rules::far`]).
+//! where G⁰ is the unobstructed block and H(x) the part of the inner element that is hidden from the outer point x.
+//! H(x) consists of polygons, found by clipping ([`crate::irradiance::visible_polygon`]). It lies behind a blocker,
+//! away from x, so that the inner integral is smooth even where the one over all y is singular. Constants are
+//! integrated by Lambert's formula, higher functions by Gauss rules over the polygons, halved while they are near
+//! ([`crate::transport::rules::far`]).
 //!
-//! The outer integral is taken over the element that is farther from the blockers, measured by its size: the shadows on
-//! the other one then move smoothly with x. Where blockers stand on it the outer element is cut along their sides, where the
-//! inner integral jumps. Elsewhere that has kinks, where an edge of one blocker passes a corner of another or of the element:
-//! cells are halved until two levels agree. A curved element is always the outer one: what its points see of the flat one lies
-//! before their tangent planes.
+//! The outer element is the one farther from the blockers relative to its size: the shadows on the other then move
+//! smoothly with x. A curved element is always the outer one; its points see the part of the flat one above their
+//! tangent planes. The inner integral jumps along sides of blockers that stand on the outer element: it is cut along
+//! them. It has kinks where an edge of one blocker passes a corner of another or of the element: cells are halved until
+//! two levels agree.
 
 mod edges;
 mod sides;
@@ -28,75 +30,74 @@ use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
-use crate::visibility::Visibility;
-use crate::visibility::bounding_ball::Ball;
-use crate::visibility::shadow_volume::Corners;
-
 use crate::transport::blocks::block::Block;
 use crate::transport::contact::clip::Facet;
 use crate::transport::contact::flat::point_to_polygon;
 use crate::transport::moments::{Moments, Side};
 use crate::transport::rules::far;
 use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::visibility::Visibility;
+use crate::visibility::bounding_ball::Ball;
+use crate::visibility::shadow_volume::Corners;
 use edges::Edges;
 use sides::Sides;
 
-/// Sides of a cell of which one is longer by this are halved alone.
+/// Ratio of sides above which a cell is halved across the longer one only. Chosen; not tuned.
 const SLENDER: f64 = 1.5;
-/// Most halvings of a cell, and of a piece of the inner element.
+/// Most halvings of a cell, and of a piece of the inner element. Chosen; not tuned.
 const DEPTH: usize = 14;
 const INNER_DEPTH: usize = 40;
-/// Loosest relative accuracy of the rules, whatever little a block weighs beside its row.
+/// Largest relative error of the inner rules. Chosen; not tuned.
 const LOOSEST: f64 = 0.05;
-/// Cells that one patch of the outer element is cut into at the most: what is left then is the error of the block. The worst
-/// patches of the built-in scenes take a tenth of it, and the rooms of `stress` with their slits.
+/// Most cells of one patch of the outer element; what is left then counts as error. The worst patches of the built-in
+/// scenes, and of the rooms with slits in `tests/stress`, take a tenth of it.
 const MOST_CELLS: u64 = 1 << 16;
 
-/// Patches of the outer element from which on they are summed side by side.
+/// Number of outer patches from which they are summed in parallel. Chosen; not tuned.
 const MANY: usize = 8;
 
-/// Width over length of what is hidden below which it is rounding: shadows whose sides run along each other leave such slivers.
+/// Width over length below which a hidden polygon is a rounding error: collinear edges of shadows leave such slivers.
 const SLIVER: f64 = 1e-13;
 
-/// Differences of cells below this part of the entry are rounding.
+/// Differences of two levels below this part of the entry are rounding.
 const ROUNDING: f64 = 1e-15;
 
-/// By how much two levels may differ, in multiples of what the finer one may be wrong by.
+/// Allowed difference of two levels, as a multiple of the error allowed of the finer one. Chosen; not tuned.
 const AGREED: f64 = 2.5;
 
-/// Halvings after which cells count of whose points all see everything, or nothing: few points may pass by the edge of a shadow.
+/// Halvings before a cell counts as wholly visible or wholly hidden because all its points are: few points may miss the
+/// edge of a shadow. Chosen; not tuned.
 const SURE: usize = 2;
 
-/// Multiple of the most that a cell may add to an entry within which shadows count that its rule may pass over: what corners and
-/// middle see is not quite the most.
+/// Safety factor on a cell's maximal contribution, which is estimated from its corners and middle. Chosen; not tuned.
 const CARRIED: f64 = 1.2;
 
-/// What is asked of a block.
+/// The accuracy asked of an occlusion correction.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct Limit {
     /// Largest error of an entry.
     pub error: f64,
-    /// About the largest entry were nothing in between.
+    /// About the largest entry of the unobstructed block.
     pub entry: f64,
 }
 
-/// What blockers take from a block.
+/// An occlusion correction.
 #[derive(Debug)]
 pub(in crate::transport) struct Occlusion {
     /// S_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,
     /// Whether anything is hidden.
     pub hides: bool,
-    /// Whether all is hidden, as far as was looked.
+    /// Whether everything is hidden from every point of the rule.
     pub dark: bool,
-    /// Estimate of the largest error that cells left at the smallest size make.
+    /// Estimate of the largest error from cells left at the smallest size.
     pub error: f64,
     /// Terms of the rules.
     pub samples: u64,
 }
 
 impl Occlusion {
-    /// What `blockers`, all of them planar, take from the transfer between two elements of which at least one is flat.
+    /// The correction for `blockers`, all of them planar, between two elements of which at least one is flat.
     pub(in crate::transport) fn of(
         pair: [&Element; 2],
         blockers: &[usize],
@@ -118,7 +119,7 @@ impl Occlusion {
             outer.iter().for_each(|patch| add(&mut work, patch));
             return work.finish();
         }
-        // Sums of parts, in the order of the patches: the same on any number of threads.
+        // Partial sums are added in the order of the patches: the same result on any number of threads.
         let sum_of = |patch: &Patch| {
             let mut part = Work::new(&task);
             add(&mut part, patch);
@@ -130,8 +131,8 @@ impl Occlusion {
     }
 }
 
-/// The block between two elements with planar `blockers`, whose shade is found to `limit`; `unshaded` makes the block were
-/// nothing in between.
+/// The block between two elements with planar `blockers`, its correction accurate to `limit`. `unshaded` makes the
+/// unobstructed block.
 pub(in crate::transport) fn occluded_block(
     pair: [&Element; 2],
     blockers: &[usize],
@@ -155,15 +156,14 @@ pub(in crate::transport) fn occluded_block(
     block
 }
 
-/// What is hidden from a cell of the outer element.
+/// The correction from one cell of the outer element.
 struct Sum {
-    /// Moments.
     values: Vec<f64>,
-    /// What all its points have in common.
+    /// What all points of the rule see.
     shadow: Shadow,
 }
 
-/// How much is hidden.
+/// How much of the inner element is hidden.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Shadow {
     Nothing,
@@ -177,7 +177,7 @@ impl Shadow {
     }
 }
 
-/// The pair whose shade is wanted.
+/// The constants of one correction.
 struct Task<'a> {
     pair: [&'a Element; 2],
     visibility: &'a Visibility,
@@ -187,19 +187,18 @@ struct Task<'a> {
     inner: &'a Element,
     /// The parts of the inner element that face the outer one.
     polygons: Vec<Vec<DVec3>>,
-    /// A ball around each of them, and one around all.
+    /// A ball around each part, and one around all.
     balls: Vec<Ball>,
     ball: Ball,
     normal: DVec3,
-    /// About the largest φ_k φ_l of the raw functions.
+    /// About the largest φ_k φ_l, per unit of the raw functions.
     unit: f64,
-    /// The constant raw function of the inner element; and what an entry is of constants on both.
+    /// The constant raw function of the inner element, and the entry of G per unit of ∫∫κ.
     constant: f64,
     constants: f64,
     points: usize,
-    /// Relative accuracy of the inner integrals.
+    /// Relative accuracy of the inner integrals: 0.3 of the block's. Chosen; not tuned.
     accuracy: f64,
-    /// What is asked of the whole block.
     limit: Limit,
 }
 
@@ -241,11 +240,11 @@ impl<'a> Task<'a> {
     }
 }
 
-/// The shade of one pair under way.
+/// One correction, while it is summed.
 struct Work<'a> {
     task: &'a Task<'a>,
     moments: Moments<'a>,
-    /// Raw functions of the inner element at a point.
+    /// Raw functions of the inner element at one point.
     row: Vec<f64>,
     hides: bool,
     dark: bool,
@@ -282,7 +281,7 @@ impl<'a> Work<'a> {
         Occlusion { values: moments.into_block(), hides, dark: dark && hides, error, samples }
     }
 
-    /// Adds a cell of the outer element to an error below `limit`; `coarse` are its moments by one rule, where known.
+    /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
         let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
         if blockers.is_empty() {
@@ -295,7 +294,7 @@ impl<'a> Work<'a> {
         let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
         let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
         let difference = differences.fold(0.0, f64::max) * self.task.unit;
-        // The first two levels, of few points, may agree by chance.
+        // The first two levels, of few points, may agree by chance: they have to agree better.
         let agreed = if depth == DEPTH { limit } else { AGREED * limit };
         let agreed = agreed.max(ROUNDING * self.task.limit.entry);
         let shadow = sums.iter().map(|sum| sum.shadow).fold(coarse.shadow, Shadow::and);
@@ -319,13 +318,14 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// Whether what a rule says of a cell may be right by chance: it may pass over shadows there, and they may count.
+    /// Whether the rule on a cell may have missed shadows that matter.
     fn may_miss(&self, cell: &Patch, blockers: &[usize]) -> bool {
         CARRIED * self.most(cell) > self.task.limit.error
             && self.task.edges.may_be_passed_over(cell, blockers, self.task.points as f64, self.task.accuracy)
     }
 
-    /// About the most that a cell may add to an entry, by what its corners and its middle see with nothing in between.
+    /// Maximal contribution of a cell to an entry, estimated from the unobstructed irradiance at its corners and
+    /// middle.
     fn most(&self, cell: &Patch) -> f64 {
         let nodes =
             [[0.5, 0.5], [0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[s, t]| cell.node(s, t));
@@ -335,8 +335,9 @@ impl<'a> Work<'a> {
         nodes.iter().map(seen).fold(0.0, f64::max) * nodes[0].area * self.task.constants
     }
 
-    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. Behind them, where the outer functions are
-    /// constant, those with its two coordinates: one number may be the same on two levels by chance, three hardly are.
+    /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. If the outer element has constants
+    /// only, the moments with its two coordinates follow: one number may agree on two levels by chance, three hardly
+    /// do.
     fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Sum {
         let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
         let witnesses = if own == 1 { 2 * other } else { 0 };
@@ -369,7 +370,7 @@ impl<'a> Work<'a> {
         Sum { values: sum, shadow: shadow.unwrap_or(Shadow::Nothing) }
     }
 
-    /// ∫ κ(x, y) R_l(y) dA_y over what is hidden from x; how much that is.
+    /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
     fn hidden(&mut self, x: &Node, blockers: &[usize], out: &mut [f64]) -> Shadow {
         let pyramids = self.task.visibility.pyramids(blockers, x.position, &self.task.ball);
         let (mut any, mut everything) = (false, true);
@@ -389,7 +390,7 @@ impl<'a> Work<'a> {
         }
     }
 
-    /// The part of a polygon of the inner element that a point would see with nothing in between.
+    /// The part of a polygon of the inner element that a point sees without blockers.
     fn seen_from(&self, x: &Node, index: usize) -> Option<Cow<'_, [DVec3]>> {
         let polygon = &self.task.polygons[index];
         if self.task.outer.plane.is_some() {
@@ -400,7 +401,7 @@ impl<'a> Work<'a> {
         (is_before && above.len() > 2).then_some(Cow::Owned(above))
     }
 
-    /// Adds what comes from a polygon as seen from x.
+    /// Adds the integral over a hidden polygon, given by its corners relative to x.
     fn gather(&mut self, x: &Node, seen: Corners, out: &mut [f64]) {
         if out.len() == 1 {
             self.samples += seen.len() as u64;
@@ -452,8 +453,8 @@ impl<'a> Work<'a> {
     }
 }
 
-/// Points a direction of the outer rule: for functions of that degree times what is hidden, which is smooth but for its
-/// kinks.
+/// Points per direction of the outer rule, for functions of this degree times the inner integral, which is smooth
+/// except for kinks. One point more per three digits is chosen, not tuned.
 fn points(degree: usize, accuracy: f64) -> usize {
     (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
 }

@@ -1,68 +1,67 @@
-//! Visibility between two patches, sampled at scattered points.
+//! Visibility between two patches by quasi-Monte Carlo sampling.
 //!
 //! ```text
 //! S_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) [V(x, y) = v] dA_x dA_y ≈ 1/n Σ_m f(z_m)
 //! ```
 //!
-//! The integrand jumps at the edges of shadows, which no Gauss rule follows: a tensor rule makes errors of one sign wherever
-//! an edge runs along its grid. The points z_m of a Kronecker sequence ([`crate::transport::moments::kronecker`])
-//! lie on no grid. Of what is seen (v = 1) and what is hidden (v = 0) the rarer is summed; the other follows from a smooth
-//! rule over all.
+//! where v = 1 sums what is seen and v = 0 what is hidden: whichever is rarer; the other follows from a smooth rule
+//! over all. The integrand jumps at the edges of shadows, where a tensor rule makes errors of one sign wherever an edge
+//! runs along its grid. The points z_m of a Kronecker sequence ([`crate::transport::moments::kronecker`]) lie on no
+//! grid.
 //!
-//! The sequence is cut into [`BATCHES`] equal stretches, each of which is nearly equidistributed itself. The scatter of
-//! their sums bounds the error of the whole, as stretches that follow each other balance their errors. They may agree by
-//! chance where few points are of the kind that is summed: their count may always be off by a point.
+//! The sequence is cut into [`BATCHES`] equal batches, each nearly equidistributed. The error is estimated as half the
+//! standard deviation of the mean of their sums, as if these were independent: consecutive batches balance each other's
+//! errors. Batches with few points of the kind that is summed may agree by chance, so that the error is at least the
+//! contribution of one such point, or of three if none was met.
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, kernel};
 use crate::transport::moments::kronecker::node_pair;
 
-/// Stretches of the sequence, an even number.
+/// Batches of the sequence; an even number, since pairs of them are merged. Chosen; not tuned.
 const BATCHES: usize = 8;
-/// Points that tell which is rarer.
+/// Points that decide which kind is rarer. Chosen; not tuned.
 const PILOT: usize = 32;
-/// Fewest and most points of a stretch.
+/// Fewest and most points in a batch. Chosen; not tuned.
 const FEWEST: usize = 16;
 const MOST: usize = 1 << 14;
-/// Points that cost about as much as a rule over all there is where a horizon runs through.
+/// Points that cost about as much as a rule over all where a horizon cuts the patches. Chosen; not tuned.
 const DEAR: f64 = 3e3;
-/// By how many points the count of those that were met may be off, and where none was (at 95 %).
+/// Counting error of the points that are summed: one point, or three if none was met (rule of three: 0.05 = e⁻³).
 const OFF: f64 = 1.0;
 const UNMET: f64 = 3.0;
-/// By how much the scatter of stretches overstates the error of their sum, measured.
+/// Ratio of the standard deviation of the mean, as if batches were independent, to the error found: measured as about
+/// 2; no table was kept.
 const BALANCED: f64 = 2.0;
 
-/// Which of the two is summed.
+/// Which kind of points is summed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(in crate::transport) enum Choice {
-    /// What is seen or what is hidden, whichever is rarer: where a rule for both together is cheap.
+    /// What is seen or what is hidden, whichever is rarer: if a rule over all is cheap.
     Rarer,
-    /// What is seen unless that needs many points, else whichever is rarer: where a rule for both together is dear.
+    /// What is seen, unless that needs many points, else whichever is rarer: if a rule over all is expensive.
     Seen,
 }
 
-/// What is seen, or what is hidden, between two patches.
+/// The sampled integral of what is seen, or of what is hidden.
 #[derive(Debug)]
 pub(in crate::transport) struct SampledVisibility {
     /// In raw polynomials, row-major, receiver's functions by emitter's.
     pub values: Vec<f64>,
     /// Whether `values` are of what is hidden.
     pub hidden: bool,
-    /// Largest standard deviation of `values`, and no less than a point carries, or three where none was met, if that is above
-    /// what was asked for; zero elsewhere.
+    /// Estimated error of `values` (a standard deviation, see the module's header) where it exceeds the limit; else
+    /// zero.
     pub error: f64,
-    /// Points.
     pub samples: u64,
-    /// Segments tested.
     pub rays: u64,
 }
 
 impl SampledVisibility {
-    /// Of `patches`, each with the basis of its element, with a standard deviation below `limit` if the most points can reach
-    /// that.
+    /// For `patches`, each with the basis of its element, with an estimated error up to `limit` if [`MOST`] points
+    /// reach that.
     pub(in crate::transport) fn new(
         patches: [&Patch; 2],
         bases: [&AreaBasis; 2],
@@ -74,7 +73,7 @@ impl SampledVisibility {
         let mut work =
             Work { patches, bases, constants, sees, rays: 0, hidden: false, count: Count::default() };
         let of_seen = (choice == Choice::Seen).then(|| work.sum(limit, DEAR));
-        // Where no points face each other these tell nothing.
+        // If no points face each other, they decide nothing.
         let enough = of_seen.filter(|(_, error)| *error <= limit && work.count.facing > 0);
         let (values, error) = enough.unwrap_or_else(|| work.rarer(limit));
         let error = if error <= limit { 0.0 } else { error };
@@ -82,7 +81,7 @@ impl SampledVisibility {
         Self { values, hidden, error, samples, rays }
     }
 
-    /// Adds what is seen to the moments of the pair, or takes off what is hidden.
+    /// Adds what is seen to the moments of the pair, or subtracts what is hidden.
     pub(in crate::transport) fn add_to(&self, moments: &mut Moments) {
         let sign = if self.hidden { -1.0 } else { 1.0 };
         let values: Vec<f64> = self.values.iter().map(|value| sign * value).collect();
@@ -94,21 +93,21 @@ impl SampledVisibility {
 struct Work<'a> {
     patches: [&'a Patch; 2],
     bases: [&'a AreaBasis; 2],
-    /// Product of their constants.
+    /// Product of the constants of both bases.
     constants: f64,
     sees: Sees<'a>,
-    /// Segments tested, in all sums.
+    /// Segments tested, over all sums.
     rays: u64,
-    /// Whether what is hidden is summed, not what is seen.
+    /// Whether what is hidden is summed.
     hidden: bool,
     count: Count,
 }
 
-/// The points of a sum so far.
+/// The points of a sum.
 #[derive(Clone, Copy, Debug, Default)]
 struct Count {
     samples: u64,
-    /// Of these that face each other, and that see each other.
+    /// Of these: points that face each other, and that see each other.
     facing: u64,
     seen: u64,
     /// Sum of the kernel times both areas.
@@ -116,7 +115,7 @@ struct Count {
 }
 
 impl Work<'_> {
-    /// The integral of what is rarer, and its error.
+    /// The integral of what is rarer, and its estimated error.
     fn rarer(&mut self, limit: f64) -> (Vec<f64>, f64) {
         if self.count.samples == 0 {
             self.batch(PILOT);
@@ -126,14 +125,14 @@ impl Work<'_> {
         self.sum(limit, f64::INFINITY)
     }
 
-    /// The integral and its error, which is above `limit` where more points are needed than may be taken: that ends it as soon
-    /// as `most` are foreseen.
+    /// The integral and its estimated error. The latter exceeds `limit` if [`MOST`] points do not suffice, or as soon
+    /// as more than `most` points are predicted to be needed.
     fn sum(&mut self, limit: f64, most: f64) -> (Vec<f64>, f64) {
         let mut points = FEWEST;
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| self.batch(points)).collect();
         loop {
             let error = (deviation(&batches) / BALANCED).max(self.least_error());
-            // The error falls about as the number of points grows.
+            // The error falls about like 1/n.
             let is_hopeless = points >= MOST || self.count.samples as f64 * error > most * limit;
             if error <= limit || is_hopeless {
                 return (mean(&batches), error);
@@ -167,7 +166,7 @@ impl Work<'_> {
         sum
     }
 
-    /// What the points off the count carry: stretches may agree by chance where few of their points were met.
+    /// The contribution of [`OFF`] or [`UNMET`] points: batches with few points of the summed kind may agree by chance.
     fn least_error(&self) -> f64 {
         let Count { samples, facing, seen, weight } = self.count;
         if facing == 0 {
@@ -225,7 +224,8 @@ mod tests {
         AreaBasis::new(0, frame, patches).expect("a square has area")
     }
 
-    /// Of a square and one above it, that sees it from the part x < `to` only: the sum and the samples.
+    /// For two squares, one above the other, of which the lower one sees the upper one from x < `to` only: the result,
+    /// and the exact integral.
     fn found(to: f64, limit: f64) -> (SampledVisibility, f64) {
         found_of(to, limit, Choice::Rarer)
     }
@@ -252,7 +252,7 @@ mod tests {
             for limit in [3e-4, 3e-5] {
                 let (found, exact) = found(to, limit);
                 assert_eq!(found.hidden, hidden);
-                // The limit is one of a standard deviation.
+                // `limit` is a standard deviation.
                 let error = found.values[0] - exact;
                 assert!(error.abs() <= 2.0 * limit, "{to} {limit:e}: {error:e}");
             }

@@ -1,21 +1,23 @@
 //! Blocks of elements of which at least one is curved.
 //!
-//! The receiver is the outer one of two elements as [`crate::transport::schedule::order`] has them.
+//! The receiver is the outer element, as ordered by `schedule/order.rs`.
 //!
-//! A patch is first cut until neither its lines nor its normals turn by more than a quarter circle: closed surfaces
-//! become sectors. Then, part by part, breadth first:
+//! Elements are cut into sectors, which turn by a quarter circle at most ([`crate::transport::contact::sectors`]).
+//! Then, part by part, breadth first:
 //!
 //! * parts that face away from each other are dropped ([`crate::transport::contact::orientation`]);
-//! * a part with itself: convex → nothing, concave → [`crate::transport::rules::identical`], else halves with themselves and each other;
-//! * where the kernel is constant (two parts of the inside of one sphere) a plain product rule is right at once;
-//! * apart: a tensor rule, or [`crate::transport::rules::horizon`] where a horizon may run through;
-//! * touching: brought to a rule by cuts and halves ([`crate::transport::contact::curved`]), then [`crate::transport::rules::common_edge`], [`crate::transport::rules::common_edge::unequal_speed`] or
+//! * a part with itself: convex → nothing, concave → [`crate::transport::rules::identical`], else its halves with
+//!   themselves and with each other;
+//! * a constant kernel (two parts of the inside of one sphere) → a product of two area integrals, exact;
+//! * apart → a tensor rule, or [`crate::transport::rules::horizon`] where a horizon may cut the pair;
+//! * touching → cut or halved until a rule covers the contact ([`crate::transport::contact::curved`]), then
+//!   [`crate::transport::rules::common_edge`], [`crate::transport::rules::common_edge::unequal_speed`] or
 //!   [`crate::transport::rules::common_vertex`];
-//! * what blockers may cut is sampled: parts apart that carry much at scattered points, as of planar pairs ([`shaded`]), others
-//!   by the rules of their contacts, after a few halvings.
+//! * with blockers → sampled: large parts apart as for planar pairs ([`shaded`]), others by the rules of their contacts
+//!   after a few halvings.
 //!
-//! Contacts that no rule covers, and touching parts with a horizon, are halved until what is left carries nothing or
-//! the samples of the block are spent; the rest is summed roughly and counted into the block's error.
+//! Contacts without a rule, and touching parts cut by a horizon, are halved until the rest carries nothing or the
+//! samples of the block are spent. The rest is summed roughly and counted as error.
 
 mod before;
 mod points;
@@ -34,29 +36,28 @@ use radiosity_geom::COINCIDENT;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::curved::Touch;
 use crate::transport::contact::planes::plane_of;
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::scale;
 use crate::transport::rules::horizon::Front;
+use crate::visibility::Visibility;
 use attempt::DOUBT;
 use constant::constant;
 use job::{Job, Task};
 
-/// Samples, about, of all that is left then, and points a direction of each part of it.
+/// Samples, about, for all parts left when the samples are spent, and points per direction for each. Chosen; not tuned.
 const LEFT_SAMPLES: f64 = 2e5;
 const FEWEST_LEFT: usize = 1;
 const MOST_LEFT: usize = 4;
-/// What of the sum so far counts as a lower bound of the block's first entry.
+/// Factor that turns the sum so far into a lower bound of the block's first entry. Chosen; not tuned.
 const FOUND_SHARE: f64 = 0.5;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them, their own among them. Sampled
-/// shadows may make `shadow_error` in an entry, a standard deviation; the error of all else is measured against the block's
-/// first entry or `least`, whichever is larger; contacts and horizons are refined the less the smaller it is beside the largest
-/// entry of its `row`.
+/// The block between two elements. `blockers` are the surfaces that may stand between them, their own included. Sampled
+/// shadows may make a standard deviation of `shadow_error` in an entry. All other errors are measured against the
+/// block's first entry or `least`, whichever is larger. The smaller the block compared with the largest entry of its
+/// `row`, the less contacts and horizons are refined.
 pub(in crate::transport) fn block(
     receiver: &Element,
     emitter: &Element,
@@ -88,8 +89,8 @@ pub(in crate::transport) fn block(
     job.finish()
 }
 
-/// The block of a curved element with itself; `blockers` are the surfaces that may stand within its hull, `least`
-/// and `row` as for [`block`].
+/// The block of a curved element with itself. `blockers` are the surfaces within its hull; `least` and `row` as for
+/// [`block`].
 pub(in crate::transport) fn self_block(
     element: &Element,
     blockers: &[usize],
@@ -110,13 +111,13 @@ pub(in crate::transport) fn self_block(
     if job.ball.is_some() {
         job.tasks.extend(parts.iter().map(|part| Task::Fan(part.clone(), parts.clone())));
         job.run();
-        // The fans hold both orders of each pair.
+        // The fans hold both orders of each pair: half the sum of block and transpose.
         let mut block = job.finish();
         add_transpose(&mut block.values, element.basis.len());
         block.values.iter_mut().for_each(|value| *value *= 0.5);
         return block;
     }
-    // Half of all pairs are summed, and their sums on the diagonal taken twice.
+    // Half of all pairs are summed and then mirrored: entries on the diagonal double, the deviation grows by √2.
     job.budget.shadow_error *= FRAC_1_SQRT_2;
     for (index, part) in parts.iter().enumerate() {
         job.tasks.push_back(Task::Same(part.clone(), job.state(part, part, blockers)));
@@ -125,7 +126,7 @@ pub(in crate::transport) fn self_block(
     job.run();
     let mut block = job.finish();
     add_transpose(&mut block.values, element.basis.len());
-    // Both halves of the sum carry the error.
+    // The error stands in both halves.
     block.error *= 2.0;
     block
 }
@@ -152,12 +153,12 @@ impl Job<'_> {
                 Task::Pair(p, q, state) => self.pair(&p, &q, state),
                 Task::Fan(outer, inner) => self.fan(&outer, inner),
             }
-            // As κ ≥ 0, what was found so far bounds the first entry from below, but for its own error.
+            // As κ ≥ 0, the sum so far bounds the first entry from below, except for its own error.
             self.budget.scale = self.budget.scale.max(FOUND_SHARE * self.first_entry(&self.moments));
         }
     }
 
-    /// Sums all that is left by as few points as keep the whole affordable.
+    /// Sums all parts that are left, by as few points as the block can still afford.
     fn leave(&mut self) {
         let mut left = Vec::new();
         for task in std::mem::take(&mut self.tasks) {

@@ -1,31 +1,28 @@
-//! One block of G: the transfer between two planar elements ([`crate::transport::pair::curved`] has the others).
+//! The block of two flat elements ([`crate::transport::pair::curved`] has the others).
 //!
 //! ```text
 //! G_kl = ∫∫ φ_k(x) φ_l(y) κ(x, y) V(x, y) dA_x dA_y
 //! ```
 //!
-//! Constants on flat elements that see each other freely go by [`contour`], exactly. Otherwise every pair of
-//! flat patches is brought to a case that a rule covers: they are clipped and matched
-//! ([`clip`]), then
+//! Constants on elements without blockers go by [`contour`], exactly. All other pairs of flat patches are clipped and
+//! cut until a rule covers their contact ([`crate::transport::contact::clip`]):
 //!
-//! * a common edge → [`edge`], split while aspect > 2.5 where visibility is sampled;
-//! * a common corner → [`vertex`], likewise;
-//! * apart → [`separated`] where gap/extent ≥ ¼, else, where that is cheaper for flat patches, [`crate::transport::rules::near`];
-//!   else the longest extent is halved.
+//! * a common edge → [`common_edge`], and a common corner → [`common_vertex`]; where visibility is sampled, slender
+//!   patches (aspect > 2.5) are halved first;
+//! * far apart, gap/extent ≥ ¼ → [`far`];
+//! * near → [`crate::transport::rules::near`] where that is cheaper than halving the longest extent.
 //!
-//! What planar blockers hide is taken away afterwards, by its outline ([`crate::transport::occlusion::outlines`]). Where rays are asked for,
-//! a pair that a blocker may cut is halved a few times first: parts that are free again get the smooth
-//! rule, parts wholly hidden are dropped, and visibility in the rest is sampled at scattered points
-//! ([`crate::transport::occlusion::sampled`]) until it is known well enough. Only where patches touch every sample of the rule
-//! is multiplied by its own visibility.
+//! What planar blockers hide is subtracted afterwards by its outline ([`crate::transport::occlusion::outlines`]). Where
+//! rays are asked for, a pair that a blocker may cut is halved a few times first: free parts get the smooth rule and
+//! hidden parts are dropped. The rest is sampled until it is accurate enough
+//! ([`crate::transport::occlusion::sampled`]), except where patches touch: there every sample of the contact rule gets
+//! a ray.
 
 use radiosity_geom::{polygon_area, touching};
 
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
-use crate::visibility::Visibility;
-
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::clip::{Facet, match_contact};
 use crate::transport::contact::flat::{Contact, classify, gap};
@@ -36,17 +33,18 @@ use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge};
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::near::Plan;
 use crate::transport::rules::{common_edge, common_vertex, contour, far};
+use crate::visibility::Visibility;
 
-/// Pairs are not halved below this part of their size.
+/// Smallest extent of patches that may still be halved, relative to the larger element. Chosen; not tuned.
 const SMALLEST_PART: f64 = 1.0 / 64.0;
-/// A part that carries less than this times ε of the geometric mean of the two areas is left out.
+/// A part whose area is below this times ε √(A_i A_j) is left out; ∫κ dA ≤ 1 bounds what it carries. Chosen; not tuned.
 const NEGLIGIBLE: f64 = 1e-3;
-/// Most angular points for parts that may not be halved further although they are slender, and of the corner
-/// rule, which takes their third power.
+/// Most angular points of the corner rule, which takes their third power, and of slender parts at the smallest size.
+/// Chosen; not tuned.
 const MOST_SLIVER_POINTS: usize = 16;
 
-/// The block between two elements; `blockers` are the surfaces that may stand between them, and what is sampled of their
-/// shadows makes errors of about `error` in an entry.
+/// The block between two elements. `blockers` are the surfaces that may stand between them; sampling their shadows may
+/// make a standard deviation of `error` in an entry.
 pub(in crate::transport) fn block(
     receiver: &Element,
     emitter: &Element,
@@ -67,7 +65,7 @@ pub(in crate::transport) fn block(
     job.finish()
 }
 
-/// The block of constants on flat elements with nothing between them, exact; None for others.
+/// The block of constants on flat elements without blockers, exact; None for other pairs.
 fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> Option<Block> {
     let constant = receiver.basis.len() == 1 && emitter.basis.len() == 1;
     if !constant || receiver.plane.is_none() || emitter.plane.is_none() || !blockers.is_empty() {
@@ -101,9 +99,9 @@ struct Job<'a> {
     tolerance: f64,
     /// √(A_i A_j).
     unit: f64,
-    /// About the largest φ_k φ_l of the raw functions.
+    /// Factor from raw moments to entries: about the largest φ_k φ_l over raw functions.
     scale: f64,
-    /// Largest error of an entry that sampled shadows may make.
+    /// Standard deviation of an entry that sampled shadows may make.
     shadow_error: f64,
     moments: Moments<'a>,
     kind: Kind,
@@ -116,7 +114,7 @@ struct Job<'a> {
 struct State {
     /// Whether the patches may touch.
     touching: bool,
-    /// Halvings left for visibility.
+    /// Halvings left before visibility is sampled.
     levels: u32,
     blockers: Vec<usize>,
 }
@@ -151,7 +149,7 @@ impl<'a> Job<'a> {
         Block { unresolved: self.unresolved, error: self.error, ..block }
     }
 
-    /// A pair of whole patches: clips flat ones by each other's plane.
+    /// A pair of whole patches: flat ones are clipped by each other's plane.
     fn whole(&mut self, p: &Patch, q: &Patch, state: &State) {
         let (Some(facet_p), Some(facet_q)) = (facet(p), facet(q)) else {
             return self.visit(p, q, state.clone());
@@ -168,7 +166,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// A pair of facets in front of each other: matches their contact. Returns the number of pairs it took.
+    /// A pair of facets in front of each other, cut at their contact. Returns the number of pairs of parts.
     fn facets(&mut self, p: &Facet, q: &Facet, state: &State) -> usize {
         let pairs = match_contact(p, q, self.tolerance);
         let count = pairs.len();
@@ -182,7 +180,7 @@ impl<'a> Job<'a> {
         count
     }
 
-    /// A pair made ready: halves it or applies its rule.
+    /// A pair of parts: halves it or applies its rule.
     fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
         if !state.blockers.is_empty() {
             let (hull_p, hull_q) = (p.hull(), q.hull());
@@ -199,7 +197,7 @@ impl<'a> Job<'a> {
         self.apply(p, q, contact, state);
     }
 
-    /// Applies the rule of a contact, or halves the pair where the rule would be poor.
+    /// Applies the rule of a contact, or halves the pair where no rule is accurate.
     fn apply(&mut self, p: &Patch, q: &Patch, contact: Contact, state: State) {
         self.kind = self.kind.max(match &contact {
             Contact::Edge(..) => Kind::Edge,
@@ -215,7 +213,7 @@ impl<'a> Job<'a> {
         self.sampled(p, q, &contact, state, &|x, y| visibility.free(&blockers, x, y));
     }
 
-    /// A pair with nothing in between: rules that know the kernel's singularities.
+    /// A pair without blockers: rules that know the kernel's singularities.
     fn free(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State) {
         let (degrees, eps) = (self.degrees, self.accuracy.eps);
         let done = match contact {
@@ -243,7 +241,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// A pair whose visibility is sampled: plain rules that take any integrand.
+    /// A pair whose visibility is sampled: rules that take any integrand.
     fn sampled(&mut self, p: &Patch, q: &Patch, contact: &Contact, state: State, sees: Sees) {
         let eps = self.accuracy.eps;
         match contact {
@@ -273,8 +271,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// A pair apart: what is seen, or all of it less what is hidden. Errors of parts have either sign, so that their squares
-    /// add up.
+    /// A pair apart: adds what is seen, or all of it less what is hidden. Errors of parts have either sign, so that
+    /// their variances add.
     fn scatter(&mut self, p: &Patch, q: &Patch, contact: &Contact, sees: Sees) {
         let volume = polygon_area(&p.polygon()) * polygon_area(&q.polygon());
         let limit = self.shadow_error / self.scale * volume.sqrt() / self.unit;
@@ -292,13 +290,13 @@ impl<'a> Job<'a> {
         self.moments.tensor(p, q, points, None);
     }
 
-    /// A near pair that is halved no more: summed roughly.
+    /// A near pair at the smallest size: summed roughly.
     fn leave(&mut self, p: &Patch, q: &Patch) {
         self.note(true, p, q);
         self.tensor(p, q, SMALLEST_RATIO * p.longest().1.max(q.longest().1));
     }
 
-    /// Counts a part that misses its accuracy: what it carries at the most is its error.
+    /// Records that a part misses its accuracy: the most it can carry is its error.
     fn note(&mut self, missed: bool, p: &Patch, q: &Patch) {
         if missed {
             self.unresolved = true;
@@ -306,7 +304,7 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// ∫κ dA ≤ 1 on either side: what an area can carry, relative to √(A_i A_j).
+    /// Adds the most that an area can carry to the error: ∫κ dA ≤ 1 on either side, relative to √(A_i A_j).
     fn lose(&mut self, area: f64) {
         self.error += area / self.unit;
     }
@@ -319,7 +317,8 @@ impl<'a> Job<'a> {
         p.longest().1.max(q.longest().1) > SMALLEST_PART * self.size
     }
 
-    /// Halves a pair where it is longest; both sides together along a common edge.
+    /// Halves a pair across its longest extent; both sides together along a common edge if that is as long (0.999
+    /// allows for rounding).
     fn halve(&mut self, p: &Patch, q: &Patch, contact: &Contact, mut state: State) {
         if let Contact::Edge(a, b) = contact {
             let wedge = Wedge::of(a, b);

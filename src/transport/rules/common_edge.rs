@@ -1,26 +1,31 @@
-//! Patches with a common edge: six regularised subdomains.
+//! Two patches with a common edge: regularising coordinates on six subdomains.
 //!
-//! Both charts have the edge at zero: t = 0 on the receiver, v = 0 on the emitter, s and u running the
-//! same way along it. With z = |u − s| the kernel is homogeneous of degree −2 in (t, v, z). For each
-//! sign of u − s and each of
+//! The edge is t = 0 in the receiver's chart and v = 0 in the emitter's; s and u run along it in the same sense. With
+//! z = |u − s| the kernel κ is homogeneous of degree −2 in (t, v, z). The six subdomains are the two signs of u − s
+//! with each of
 //!
 //! ```text
 //! t = x,  v = xa, z = xb        t = xa, v = x,  z = xb        t = xa, v = xb, z = x
 //! base = (1 − z) y ,   (s, u) = (base, base + z) or (base + z, base) ,   dV = x² (1 − z) dx dy da db
 //! ```
 //!
-//! with x, y, a, b ∈ [0, 1], x²κ is analytic. For two parallelograms it does not depend on x or y at
-//! all: n_x = n_y = the exact rule of the polynomials, and only n_a carries the accuracy,
+//! x, y, a, b ∈ [0, 1]; x²κ is analytic there. For two parallelograms it depends on neither x nor y: n_x and n_y are
+//! those of the exact rule for the polynomials, and n_a alone decides the accuracy:
 //!
 //! ```text
-//! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ ,  ϱ = σ + √(σ² − 1)
+//! n_a = ⌈ N/2 + ln(1/(cε)) / (2 ln ϱ) ⌉ ,  ϱ = σ + √(σ² − 1) ,  c = min(1, 7.5 (1 − cos φ)) ,
 //! ```
 //!
-//! with dihedral angle φ, and for edge length l and depths h_P, h_Q with h the larger, σ is the least of
+//! where φ is the dihedral angle. With the edge length l, the depths h_P and h_Q and h = max(h_P, h_Q), σ is the least
+//! of
 //!
 //! * 1 + 2 sin(φ/2),
 //! * q + √(1 + q²), q = min(l/h, h/l), unless l = h,
-//! * q + √(1 + q² − 2q cos φ), q = smaller over larger depth, unless they are equal.
+//! * q + √(1 + q² − 2q cos φ), q = smaller/larger depth, unless they are equal.
+//!
+//! Patches that are no parallelograms take more points in x and y: n = n_exact + 1 + ⌈log₁₀(1/ε)/1.5⌉.
+//!
+//! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5; also `docs/theory/transport.md`, §5 and §6.
 
 pub(in crate::transport) mod sum;
 pub(in crate::transport) mod triangles;
@@ -32,7 +37,6 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::rules::common_edge::parallelograms::ParallelogramPair;
@@ -40,7 +44,8 @@ use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::common_edge::table::EdgeTable;
 use crate::transport::rules::far;
 
-/// Largest ratio of edge and depths for which the rule is used; beyond it the pair is split.
+/// Largest ratio among edge and depths for which the rule is used; beyond it the pair is split. At 2.5 a point gives 2
+/// log₁₀ ϱ = 0.8 digits, on equal extents at a right angle 1.3. Chosen; not tuned.
 pub(in crate::transport) const LARGEST_ASPECT: f64 = 2.5;
 
 /// Shape of a pair with a common edge.
@@ -48,17 +53,18 @@ pub(in crate::transport) const LARGEST_ASPECT: f64 = 2.5;
 pub(in crate::transport) struct Wedge {
     /// Length of the common edge.
     pub length: f64,
-    /// Depths of receiver and emitter away from it.
+    /// Extents of receiver and emitter across the edge.
     pub depths: [f64; 2],
     /// Cosine of the dihedral angle.
     pub cosine: f64,
 }
 
 impl Wedge {
-    /// Of two patches oriented with the common edge at t = 0.
+    /// The shape of two patches oriented with the common edge at t = 0.
     pub(in crate::transport) fn of(p: &Patch, q: &Patch) -> Self {
         let [along, depth_p] = p.extents();
         let depths = [depth_p, q.extents()[1]];
+        // The direction away from the edge, by a difference quotient.
         let inward = |patch: &Patch| patch.node(0.5, 1e-3).position - patch.node(0.5, 0.0).position;
         let edge = (p.node(1.0, 0.0).position - p.node(0.0, 0.0).position).normalize();
         let upright = |v: DVec3| (v - edge * v.dot(edge)).normalize_or_zero();
@@ -66,13 +72,13 @@ impl Wedge {
         Self { length, depths, cosine: upright(inward(p)).dot(upright(inward(q))).clamp(-1.0, 1.0) }
     }
 
-    /// Ratio of the largest to the smallest of edge and depths.
+    /// Largest over smallest of edge and depths.
     pub(in crate::transport) fn aspect(&self) -> f64 {
         let all = [self.length, self.depths[0], self.depths[1]];
         all.iter().copied().fold(0.0, f64::max) / all.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// ϱ of the angular variables.
+    /// Convergence rate ϱ in the angular variables a and b; σ is kept above 1 so that ln ϱ > 0.
     fn rate(&self) -> f64 {
         let deeper = self.depths[0].max(self.depths[1]);
         let by_angle = 1.0 + 2.0 * (0.5 * (1.0 - self.cosine)).sqrt();
@@ -98,21 +104,23 @@ pub(in crate::transport) fn counts(
     eps: f64,
 ) -> [usize; 3] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
-    // Where the chart is not affine, x and y see it as well.
+    // A chart that is not affine varies along x and y too. On triangles 4 points more were enough, on curved sheets 0,
+    // 2 and 4 for ε = 1e-2, 1e-4 and 1e-8; 1 + ⌈log₁₀(1/ε)/1.5⌉ gives 3, 4 and 7.
     let exact = far::exact(degrees);
     let extra = if affine { 0 } else { 1 + (-eps.log10() / 1.5).ceil() as usize };
-    // Below 30° the formula falls short: the kernel's peak grows as the angle closes.
+    // The kernel's peak grows as the angle closes: below 30° σ alone asks for too few points. 7.5 = 1/(1 − cos 30°), so
+    // that the factor is 1 from 30° on. The floor, reached at 0.003°, keeps ε above zero.
     let peak = (7.5 * (1.0 - wedge.cosine)).clamp(1e-8, 1.0);
     let angular = far::points(degrees[0].max(degrees[1]), eps * peak, wedge.rate());
     [exact + extra, exact + extra, angular]
 }
 
-/// Adds two flat patches oriented with their common edge at t = 0 that see each other freely, of any angle and
+/// Adds two flat patches that see each other wholly, oriented with their common edge at t = 0, at any angle and of any
 /// proportions.
 ///
-/// Parallelograms go by [`ParallelogramPair`]. Of others the triangles at the edge go by [`wedge`]; the other triangles of the two, which
-/// meet the edge in one corner at most, are returned as pairs still to be done. None, and nothing is added, where the kernel is
-/// too nearly singular.
+/// Two parallelograms go by [`ParallelogramPair`]. Other patches are cut in triangles: the two at the edge go by
+/// [`triangles`](mod@triangles), and the pairs of all others, which meet the edge in a corner at most, are returned for
+/// the caller to integrate. Returns None, and adds nothing, where the kernel is too nearly singular.
 pub(in crate::transport) fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
@@ -138,7 +146,7 @@ pub(in crate::transport) fn integrate_flat(
     Some(rest.into_iter().filter_map(|(a, b)| Some((a.clone()?, b.clone()?))).collect())
 }
 
-/// A flat patch with its edge at t = 0 as the triangle on that edge and what lies beyond it; cut by the shorter diagonal.
+/// Cuts a flat patch with its edge at t = 0 by the shorter diagonal: the triangle at that edge, and the other one.
 fn triangles(patch: &Patch) -> [Option<Patch>; 2] {
     let (polygon, Patch::Flat { normal, .. }) = (patch.polygon(), patch) else { return [None, None] };
     let triangle = |[a, b, c]: [usize; 3]| {
@@ -155,15 +163,15 @@ fn triangles(patch: &Patch) -> [Option<Patch>; 2] {
     }
 }
 
-/// The parallelogram of which a triangle is the half s + t ≤ 1.
+/// The parallelogram whose half s + t ≤ 1 is the triangle.
 fn doubled(triangle: &Patch) -> Patch {
     let (Patch::Flat { corners: [a, b, c, _], normal }, ..) = (triangle,) else { return triangle.clone() };
     Patch::Flat { corners: [*a, *b, b + (c - a), *c], normal: *normal }
 }
 
-/// Adds the pair of patches oriented with their common edge at t = 0, point by point, in an order that leaves t alone in the
-/// innermost loops: with t and v fixed, the sums over y, over the two signs and (in the first two regions) over b meet only the
-/// polynomials along the edge.
+/// Adds two patches oriented with their common edge at t = 0, point by point. The variable t changes in the outermost
+/// loops only: for fixed t and v, the sums over y, over the two signs and (in the first two subdomains) over b involve
+/// the polynomials along the edge alone.
 ///
 /// ```text
 /// S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)
@@ -206,7 +214,7 @@ pub(in crate::transport) fn integrate(
     moments.add(sum.pair);
 }
 
-/// S over all y and both signs of u − s.
+/// Adds to S the points of all y and of both signs of u − s.
 fn slide(sum: &mut EdgeSum, along: &UnitRule, [t, v, z]: [f64; 3], weight: f64, sees: Option<Sees>) {
     for (y, wy) in along.iter() {
         let base = (1.0 - z) * y;
@@ -227,7 +235,7 @@ mod tests {
     use super::*;
     use crate::elements::basis::{AreaBasis, Frame};
 
-    /// A skew wedge: the table, which knows that the kernel is homogeneous, against the plain sum.
+    /// A skew pair: the table, which uses that the kernel is homogeneous, and the plain sum agree.
     #[test]
     fn table_and_plain_sum_are_the_same_rule() {
         let edge = DVec3::new(1.0, 0.2, 0.0);
@@ -236,11 +244,11 @@ mod tests {
             Patch::Flat { corners, normal: edge.cross(depth).normalize() }
         };
         let p = flat(DVec3::new(0.3, 0.9, 0.0));
-        // The front of the second is turned to the first.
+        // The front of the second faces the first.
         let Patch::Flat { corners, normal } = flat(DVec3::new(-0.2, 0.1, 1.1)) else { unreachable!() };
         let q = Patch::Flat { corners, normal: -normal };
         let basis = |patch: &Patch, order| {
-            // A frame askew to the patch, so that the change of polynomials has work to do.
+            // A frame askew to the patch, so that the change of polynomials is not trivial.
             let [a, b, _, d] = patch.corners();
             let frame = Frame::bounding(&patch.corners(), [b - a, 0.2 * (b - a) + (d - a)]);
             AreaBasis::new(order, frame, std::slice::from_ref(patch)).expect("it has area")

@@ -1,33 +1,36 @@
-//! Flat patches with one common corner.
+//! Two patches with one common corner: regularising coordinates on four subdomains, or two for triangles.
 //!
-//! With the corner as origin, two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, two triangles s (p₁ + t (p₂ − p₁)) and
-//! u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
+//! With the corner as origin, points of two parallelograms are s p₁ + t p₂ and u q₁ + v q₂, of two triangles s (p₁ + t
+//! (p₂ − p₁)) and u (q₁ + v (q₂ − q₁)), all coordinates in [0, 1]. In each of the subdomains
 //!
 //! ```text
 //! parallelograms: (s, t, u, v) = x · (1, a, b, c)  and the other three places of the 1 ,   dV = x³ dx da db dc
 //! triangles:      (s, u) = x · (1, a) or x · (a, 1) ,  t = b, v = c ,                      dV = x dx da db dc
 //! ```
 //!
-//! x²κ does not depend on x, nor does it know any singularity but that of 1/r⁴ outside the cube of a, b, c: the sum over x is
-//! exact, and the number of points along a, b and c follows from where r² vanishes ([`crate::transport::rules::orders::subdivided_cube`]). The cube is halved as long
-//! as that takes fewer points, so angles and proportions of the patches do not matter.
+//! x²κ does not depend on x, and its only singularity is that of 1/r⁴, outside the cube of (a, b, c). The sum over x is
+//! therefore exact, and the zeros of r² give the numbers of points along a, b and c
+//! ([`crate::transport::rules::orders::subdivided_cube`]). The cube is halved as long as that saves points, so that
+//! angles and proportions of the patches do not matter.
+//!
+//! Reference: Sauter and Schwab, *Boundary Element Methods*, chapter 5.
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::integrand::Sees;
 use crate::transport::moments::tensor::Line;
 use crate::transport::moments::{Moments, PatchMoments};
 use crate::transport::rules::far;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part, Parts};
 
-/// Most halvings of the cube, one inside the other.
+/// Most halvings of a cube, one inside the other, in all three variables together. Chosen; not tuned.
 const DEEPEST: u32 = 60;
-/// What is asked of triangles, whose area elements are not constant in the subdomains.
+/// Factor of ε for triangles, whose area elements vary over the subdomains. Chosen; not tuned.
 const FAN_SHARE: f64 = 0.5;
 
-/// Numbers of points [x, angular] for degrees `[receiver, emitter]`, for patches whose visibility is sampled or whose charts are
-/// not affine.
+/// Numbers of points [x, angular] for degrees `[receiver, emitter]`, where visibility is sampled or a chart is not
+/// affine. ϱ ≤ 4.2 was found on perpendicular and tilted squares with one common corner, N = 4 and 8, ε = 1e-2 to 1e-8;
+/// more points in x as at a common edge ([`crate::transport::rules::common_edge::counts`]).
 pub(in crate::transport) fn counts(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64) -> [usize; 2] {
     let affine = p.is_parallelogram() && q.is_parallelogram();
     let extra = if affine { 0 } else { 1 + (-eps.log10() / 1.5).ceil() as usize };
@@ -43,7 +46,7 @@ pub(in crate::transport) fn aspect(p: &Patch, q: &Patch) -> f64 {
     extents.iter().copied().fold(0.0, f64::max) / extents.iter().copied().fold(f64::INFINITY, f64::min)
 }
 
-/// Adds the pair of patches oriented with their common corner at (0, 0), with `points` = [x, angular] of any charts.
+/// Adds two patches oriented with their common corner at (0, 0), with `points` = [x, angular]; any charts.
 pub(in crate::transport) fn integrate(
     moments: &mut Moments,
     p: &Patch,
@@ -58,9 +61,10 @@ pub(in crate::transport) fn integrate(
     moments.add(pair);
 }
 
-/// Adds two flat patches oriented with their common corner at (0, 0) that see each other freely.
+/// Adds two flat patches that see each other wholly, oriented with their common corner at (0, 0).
 ///
-/// False, and nothing is added, where this takes too many parts: they meet, or as good as meet, elsewhere too.
+/// Returns false, and adds nothing, where the cubes take too many parts because the patches (nearly) meet elsewhere
+/// too.
 pub(in crate::transport) fn integrate_flat(
     moments: &mut Moments,
     p: &Patch,
@@ -90,14 +94,14 @@ pub(in crate::transport) fn integrate_flat(
     true
 }
 
-/// Which coordinates run with x.
+/// The subdomain: which coordinates are proportional to x.
 #[derive(Clone, Copy, Debug)]
 enum Subdomain {
-    /// All four; the one named stands at x.
+    /// All four; the one with this index is x itself.
     Box(usize),
-    /// s and u; that of the receiver or of the emitter stands at x.
+    /// s and u; that of the receiver or of the emitter is x itself.
     Fan {
-        /// Which.
+        /// Whether s = x, not u.
         receiver: bool,
     },
 }
@@ -124,7 +128,7 @@ impl Subdomain {
     }
 }
 
-/// The rule of one pair in one subdomain, part by part.
+/// For two patches in one subdomain: the parts of the cube with their points.
 struct Plan {
     patches: [Patch; 2],
     subdomain: Subdomain,
@@ -144,7 +148,7 @@ impl Plan {
     }
 }
 
-/// For each x a subdomain is a tensor grid.
+/// Adds one part of a subdomain. For each x its points are a tensor grid.
 fn add(
     pair: &mut PatchMoments,
     subdomain: Subdomain,
@@ -180,7 +184,7 @@ fn add(
     }
 }
 
-/// A patch oriented with the corner at (0, 0) as triangles that collapse in it: s = 0 is the corner.
+/// A flat patch with the corner at (0, 0) as triangles with that corner at s = 0.
 fn fan(patch: &Patch) -> Vec<Patch> {
     let Patch::Flat { normal, .. } = patch else { return vec![patch.clone()] };
     let polygon = patch.polygon();

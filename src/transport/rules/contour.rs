@@ -1,4 +1,4 @@
-//! The exchange of two planar polygons with constant radiosity, from their contours.
+//! The exchange of two planar polygons of constant radiosity, as a double contour integral.
 //!
 //! Where both are wholly in front of each other, Stokes' theorem, applied twice, gives
 //!
@@ -6,18 +6,18 @@
 //! A_i F_ij = ∫∫ κ dA dA = 1/(2π) |∮∮ ln r dx·dy| = 1/(2π) |Σ_ab (d_a·d_b) ∫∫ ln r ds dt|
 //! ```
 //!
-//! over pairs of edges with the unit directions d (E. M. Sparrow, *A new and simpler formulation for radiative
-//! angle factors*, J. Heat Transfer 85, 1963). The polygons may touch in any way and need not be convex. Which
-//! form the integral takes depends on the place:
+//! over pairs of edges with unit directions d (E. M. Sparrow, *A new and simpler formulation for radiative angle
+//! factors*, J. Heat Transfer 85, 1963). The polygons may touch in any way and need not be convex. The form depends on
+//! their position:
 //!
-//! * far apart in relation to both sizes → [`distant`], in which nothing cancels;
+//! * far apart compared with both sizes → [`distant`], where nothing cancels;
 //! * near, one much larger than the other → [`unequal`], which cuts the long edges;
-//! * near → edge by edge ([`pair`]): at right angles nothing, [`parallel`] and [`crossing`] lines in closed form,
-//!   [`skew`] ones by a single quadrature.
+//! * else edge by edge ([`pair`]): nothing at right angles, [`parallel`] and [`crossing`] lines in closed form,
+//!   [`skew`] ones by one quadrature.
 //!
-//! Σ d_a = 0 around a polygon, so that the edge integrals may all be those of ln r + 3/2, which are the simplest.
-//! Their rounding errors are some 1e-16 of the square of the polygons' extent. Of polygons as wide as they are long
-//! that is some 1e-16 of their area; slender ones lose the digits of their aspect ratio.
+//! Σ d_a = 0 around a polygon, so that ln r may be replaced by ln r + 3/2 everywhere, which has the simplest integrals.
+//! Rounding errors are some 1e-16 of the square of the polygons' extent: some 1e-16 of their area unless they are
+//! slender, when the digits of their aspect ratio are lost.
 
 mod segment;
 mod crossing;
@@ -36,13 +36,13 @@ use crate::elements::patch::Patch;
 use distant::{Ball, Plan};
 use segment::{Segment, segments};
 
-/// Largest ratio of the radii of polygons that go edge by edge.
+/// Largest ratio of the polygons' radii for the sum edge by edge. Chosen; not tuned.
 const LARGEST_RATIO: f64 = 4.0;
 /// ∫∫ κ dA dA between two convex planar polygons, corners anticlockwise seen from the front: A_i F_ij, length².
 ///
-/// Either is clipped by the plane of the other, heights below 1e-12 of the distance passed over, and nothing else
-/// hides them from each other. The error is some 1e-15 of the square of the smaller extent, and also of the result
-/// where the two are apart. Polygons without area exchange nothing.
+/// Either is clipped by the plane of the other, heights below 1e-12 of the distance being ignored; nothing else hides
+/// them. The error is some 1e-15 of the square of the smaller extent, and if the two are apart also of the result.
+/// Polygons without area exchange nothing.
 ///
 /// ```
 /// use radiosity::transport::polygon_exchange;
@@ -65,8 +65,7 @@ fn normal(polygon: &[DVec3]) -> Option<DVec3> {
     fan.sum::<DVec3>().try_normalize()
 }
 
-/// The exchange of two convex polygons with the unit normals of their fronts (length²), and the number of
-/// logarithms it took.
+/// The exchange (length²) of two convex polygons with the unit normals of their fronts, and the number of logarithms.
 fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
     match (in_front(p, q[0], m), in_front(q, p[0], n)) {
         (Some(p), Some(q)) => exchange(&p, &q),
@@ -74,7 +73,7 @@ fn clipped((p, n): (&[DVec3], DVec3), (q, m): (&[DVec3], DVec3)) -> (f64, u64) {
     }
 }
 
-/// The exchange of two flat patches, likewise.
+/// The exchange (length²) of two flat patches, and the number of logarithms.
 pub(in crate::transport) fn patches(p: &Patch, q: &Patch) -> (f64, u64) {
     let (Patch::Flat { corners: c, normal: n }, Patch::Flat { corners: d, normal: m }) = (p, q) else {
         return (0.0, 0);
@@ -86,7 +85,7 @@ fn corner_count(patch: &Patch) -> usize {
     if patch.is_triangle() { 3 } else { 4 }
 }
 
-/// The part of a convex polygon in front of a plane; None if nothing of it is.
+/// The part of a convex polygon in front of a plane; None if there is none.
 fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [DVec3]>> {
     let (mut low, mut high, mut reach2) = (f64::INFINITY, f64::NEG_INFINITY, 0.0);
     for x in polygon {
@@ -105,8 +104,8 @@ fn in_front(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Option<Cow<'_, [D
     (corners.len() > 2).then_some(Cow::Owned(corners))
 }
 
-/// A_i F_ij of two polygons wholly in front of each other, each with three corners at least (length²), and the
-/// number of logarithms it took.
+/// A_i F_ij (length²) of two polygons wholly in front of each other, with three corners at least, and the number of
+/// logarithms.
 pub(in crate::transport) fn exchange(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     let (sum, terms) = contours(p, q);
     (0.5 * FRAC_1_PI * sum.abs(), terms)
@@ -136,13 +135,13 @@ fn contours(p: &[DVec3], q: &[DVec3]) -> (f64, u64) {
     (unit * unit * sum, count)
 }
 
-/// The edges of a polygon in units of `unit`, seen from `origin`.
+/// The edges of a polygon relative to `origin`, in units of `unit`.
 fn scaled(polygon: &[DVec3], origin: DVec3, unit: f64) -> Vec<Segment> {
     let corners: Vec<DVec3> = polygon.iter().map(|x| (x - origin) / unit).collect();
     segments(&corners)
 }
 
-/// The power of two below a length: dividing by it rounds nothing.
+/// The largest power of two up to a length: dividing by it is exact.
 fn power_of_two(length: f64) -> f64 {
     length.log2().floor().exp2()
 }
@@ -159,7 +158,7 @@ mod tests {
         contours: Vec<Case>,
     }
 
-    /// View factor of p to q, or exchange: one is empty.
+    /// View factor of p to q, or exchange; the other is empty.
     #[derive(Default, Deserialize)]
     #[serde(default)]
     struct Case {
@@ -181,7 +180,7 @@ mod tests {
             .expect("the file is valid")
     }
 
-    /// Errors are measured in the square of the smaller extent: the area, but for slender polygons.
+    /// Errors are relative to the square of the smaller extent: the area, unless polygons are slender.
     #[test]
     fn contours_agree_with_integrals_of_many_digits() {
         let cases = reference().contours;

@@ -1,18 +1,17 @@
-//! Two flat elements that cover each other ([`crate::covers`]): each point sees the one that it touches.
+//! Two flat elements that lie on each other ([`crate::covers`]): each point exchanges light with the one it touches.
 //!
 //! ```text
 //! κ(x, y) dA_y → δ(x − y) ,     G_kl = ∫ φ_k(x) φ_l(x) dA_x .
 //! ```
 //!
-//! Gauss rules are exact: n points integrate degree 2n − 1, of two polynomials and the area element of a quadrilateral.
+//! The Gauss rule is exact: n points integrate degree 2n − 1, the product of two polynomials and a bilinear area
+//! element.
 
 use crate::elements::Element;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::moments::Moments;
 
-/// The block of two elements that cover each other.
 pub(in crate::transport) fn block(receiver: &Element, emitter: &Element) -> Block {
     let (rows, columns) = (receiver.basis.len(), emitter.basis.len());
     let rule = UnitRule::of((receiver.basis.total_degree() + emitter.basis.total_degree()) / 2 + 2);

@@ -1,20 +1,19 @@
-//! Patches apart of which some points do not see each other for their own horizons.
+//! Disjoint patches with partial self-occlusion: integration over what lies above all tangent planes (horizons).
 //!
-//! The kernel is clipped where either of n_x·(y − x), n_y·(x − y) changes sign, and a tensor rule converges only like
-//! 1/n² or so. Instead the integral is iterated: for every outer point x,
+//! The kernel is clipped where n_x·(y − x) or n_y·(x − y) changes sign, and a tensor rule converges only about like
+//! 1/n². Instead the integral is iterated: for every outer point x,
 //!
 //! ```text
 //! W_l(x) = ∫_q κ(x, y) φ_l(y) dA_y
 //! ```
 //!
-//! is computed on exactly the part of q that x sees ([`part`]).
+//! is integrated over exactly the part of q that x sees ([`part`]). A ball between the two is cut away in the same way
+//! ([`view`]).
 //!
-//! A ball that stands between is cut away in the same manner ([`view`]).
-//!
-//! W itself loses smoothness where a horizon starts to leave q: of second order or about that, as ever more of q is seen. There
-//! the outer patch, without the parts of it that see nothing, is cut into cells ([`cell`]), the worst of all first ([`queue`]),
-//! until their errors together are small enough. But the points of a planar q have one horizon, which leaves all of it at once:
-//! W has a kink of first order there, and the outer patch is cut along it beforehand ([`front`]).
+//! W is less smooth where a horizon starts to leave q: it has a kink of about second order. There the outer patch,
+//! without the parts that see nothing, is cut into cells ([`cell`]), the worst first ([`queue`]), until the sum of
+//! their errors is small enough. If q is planar its points share one horizon, which leaves all of q at once: W then has
+//! a kink of first order, and the outer patch is cut along it beforehand ([`front`]).
 
 mod cell;
 mod queue;
@@ -28,7 +27,6 @@ use std::sync::Arc;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::MOST_POINTS;
-
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::contact::planes::plane_of;
 use crate::transport::estimates::entry_norm::EntryNorm;
@@ -41,56 +39,57 @@ use queue::Queue;
 pub(in crate::transport) use view::Ball;
 use view::View;
 
-/// Points of the rules that are tried on an outer patch, as parts of those that the kernel would take.
+/// Points of the rules tried on an outer patch, relative to those that the unclipped kernel needs. Chosen; not tuned.
 const RUNGS: [f64; 3] = [0.35, 0.55, 1.0];
-/// Fewest points of these rules, and by how many each has more than the one before: the kernel may take few where W, clipped,
-/// takes many, and a rule tells nothing beside itself.
+/// Fewest points of these rules, and how many each has at least more than the one before: W, clipped, may need many
+/// points where the kernel needs few, and no rule is compared with itself. Chosen; not tuned.
 const FEWEST: usize = 3;
 const STEP: usize = 2;
-/// Part of the tolerance within which two of them have to agree.
+/// Share of the tolerance within which two of these rules have to agree. Chosen; not tuned.
 const CLIMB_SHARE: f64 = 0.5;
-/// The error of the finer of two rules, as a part of their difference: r/(1 − r) with r = (3/5)³ at a kink of second order.
+/// Error of the finer of two rules, relative to their difference: r/(1 − r) = 0.28 with r = (3/5)³ at a kink of second
+/// order.
 const FINER_RULE: f64 = 0.3;
 
-/// Part of the tolerance that cells that are done with may miss together, each by its share of the patch.
+/// Share of the tolerance for settled cells, to each its share of the patch. Chosen; not tuned.
 const SETTLED: f64 = 0.25;
-/// Most numbers kept of cells under way, 64 MB of them; about how many sets of moments each cell has.
+/// Most numbers stored for open cells (64 MB), and about how many sets of moments each cell holds.
 const MOST_NUMBERS: usize = 8_000_000;
 const WHOLES: usize = 4;
 
-/// What a patch may carry of which corners alone see anything, as a part of what it would if all of it saw as much.
+/// Error of a patch of which only corners see anything, relative to what it would carry if all points saw as much.
+/// Chosen; not tuned.
 const CORNER: f64 = 0.05;
 const CORNERS: [(f64, f64); 4] = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
 
-/// Most halvings that take away what sees nothing.
+/// Most halvings that remove what sees nothing. Chosen; not tuned.
 const MOST_TRIMS: usize = 16;
 
-/// What a pair of patches gave.
+/// The result for a pair of patches.
 #[derive(Debug)]
 pub(in crate::transport) struct Cut {
     /// Moments in the raw polynomials, row-major, outer functions by inner functions.
     pub moments: Vec<f64>,
     /// Estimate of the largest error of the block's entries.
     pub error: f64,
-    /// Kernel and horizon evaluations.
+    /// Evaluations of the kernel and of heights.
     pub samples: u64,
 }
 
 /// An outer patch.
 pub(in crate::transport) struct Side<'a> {
-    /// The patch.
     pub patch: &'a Patch,
-    /// Its element's polynomials.
+    /// The polynomials of its element.
     pub basis: &'a AreaBasis,
     /// Points along and across.
     pub points: [usize; 2],
-    /// What may stand between it and the inner patches; both lie outside it.
+    /// A ball between it and the inner patches, if any; all patches lie outside it.
     pub ball: Option<Ball>,
 }
 
-/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about `budget`
-/// evaluations. Inner patches come with their points along and across, and those of their parts by how often these
-/// are quartered, which is done as often as points are given.
+/// The moments of an outer patch with inner ones apart from it, to `tolerance` in the block's entries, with about
+/// `budget` evaluations. Each inner patch comes with its points along and across by depth: of itself, of its quarters,
+/// and so on as deep as points are given.
 pub(in crate::transport) fn integrate(
     outer: &Side,
     basis: &AreaBasis,
@@ -112,7 +111,7 @@ pub(in crate::transport) fn integrate(
         cut: Cut { moments: vec![0.0; outer.basis.len() * basis.len()], error: 0.0, samples: 0 },
     };
     if let Some(patch) = job.seeing() {
-        // Where a corner sees nothing W ends within the patch, and two rules may well agree on what both miss.
+        // Where a corner sees nothing W ends within the patch, and two rules may miss the same.
         let (whole, agrees) = match job.has_dark_corner(&patch) {
             true => (job.whole(patch, rungs(outer.points)[1]), false),
             false => job.climb(patch),
@@ -128,7 +127,7 @@ pub(in crate::transport) fn integrate(
 
 struct Job<'a> {
     outer: &'a Side<'a>,
-    /// What of the outer patch the inner ones see, if they lie in one plane.
+    /// The plane of the inner patches, if they lie in one.
     front: Option<Front>,
     columns: usize,
     inner: Vec<Part<'a>>,
@@ -139,8 +138,8 @@ struct Job<'a> {
 }
 
 impl Job<'_> {
-    /// The outer patch without halves that see nothing: where only a corner sees, few points would pass it by. None if all is
-    /// dark.
+    /// The outer patch without halves that see nothing: if only a corner sees something, few points would miss it. None
+    /// if all is dark.
     fn seeing(&self) -> Option<Patch> {
         let mut patch = self.outer.patch.clone();
         let inner = |half: &Patch| {
@@ -162,7 +161,7 @@ impl Job<'_> {
 
     fn has_dark_corner(&self, patch: &Patch) -> bool {
         let corners = CORNERS.map(|(s, t)| patch.node(s, t));
-        // Where a plane is in the way no rule comes.
+        // What lies behind the plane gets no points of a rule.
         let mut views = corners
             .into_iter()
             .filter(|x| self.front.as_ref().is_none_or(|front| front.height(x) > 0.0))
@@ -170,8 +169,9 @@ impl Job<'_> {
         views.any(|x| !self.inner.iter().any(|part| part.may_be_seen_from(&x)))
     }
 
-    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel: the moments by the
-    /// first that agrees with the one before and true, or else by the last, which has all points at least.
+    /// Tries rules of few points on the outer patch, as W is often much smoother than the kernel. Returns the moments
+    /// by the first rule that agrees with the one before, and true; else those by the last, which has the full number
+    /// of points.
     fn climb(&mut self, patch: Patch) -> (Whole, bool) {
         let [first, others @ ..] = rungs(self.outer.points);
         let mut whole = self.whole(patch, first);
@@ -187,7 +187,7 @@ impl Job<'_> {
         (whole, false)
     }
 
-    /// Adds a part of the outer patch that one rule is not enough for.
+    /// Adds a part of the outer patch that needs more than one rule.
     fn refine(&mut self, whole: Whole) {
         let most_cells = MOST_NUMBERS / (WHOLES * whole.moments.len());
         let mut cell = Cell::new(whole);
@@ -204,7 +204,7 @@ impl Job<'_> {
         queue.into_cells().for_each(|cell| self.add(cell));
     }
 
-    /// Halves the worst cells until the errors of all are small enough, or may be taken for it.
+    /// Halves the worst cells until the sum of errors, partly inherited from larger cells, is small enough.
     fn halve(&mut self, queue: &mut Queue, most_cells: usize) {
         while !self.is_enough(queue) && self.cut.samples <= self.budget && queue.len() < most_cells {
             let Some(cell) = queue.pop() else { break };
@@ -225,7 +225,7 @@ impl Job<'_> {
         }
     }
 
-    /// Looks at cells in the directions of which only larger parts told; whether there are any.
+    /// Computes the errors that cells inherited from larger ones; whether there were any.
     fn look_again(&mut self, queue: &mut Queue) -> bool {
         let mut any = false;
         for mut cell in std::mem::take(queue).into_cells() {
@@ -251,7 +251,7 @@ impl Job<'_> {
         self.cut.moments.iter_mut().zip(cell.moments()).for_each(|(m, s)| *m += s);
     }
 
-    /// Looks at the halves of a cell.
+    /// Computes the halves of a cell in one direction.
     fn look(&mut self, cell: &mut Cell, direction: usize) {
         let halves = cell.halves(direction, FEWEST).map(|(patch, points)| self.whole(patch, points));
         cell.look(direction, halves, self.yardstick);
@@ -261,7 +261,7 @@ impl Job<'_> {
         }
     }
 
-    /// What counts of a patch the most of whose points saw as much as its corners.
+    /// The largest entry of a patch if all its points saw as much as its best corner.
     fn at_corners(&mut self, patch: &Patch) -> f64 {
         let zeros = vec![0.0; self.outer.basis.len() * self.columns];
         let corner = |(s, t)| {
@@ -278,7 +278,7 @@ impl Job<'_> {
         Whole { patch, points, moments, is_dark }
     }
 
-    /// Moments by a rule of points with their weights in area, and whether none of them sees anything.
+    /// Moments by a rule, given by points with weights in area; and whether no point sees anything.
     fn moments_of(&mut self, nodes: impl IntoIterator<Item = (Node, f64)>) -> (Vec<f64>, bool) {
         let mut is_dark = true;
         let (rows, columns) = (self.outer.basis.len(), self.columns);
@@ -298,8 +298,8 @@ impl Job<'_> {
         (moments, is_dark)
     }
 
-    /// Points of a part of the outer patch, with their weights in area: of a tensor rule, or of one on what is before the plane
-    /// of the inner patches.
+    /// Points with weights in area of a rule on a part of the outer patch: a tensor rule, or a rule on what lies before
+    /// the plane of the inner patches.
     fn nodes(&mut self, part: &Patch, points: [usize; 2]) -> Vec<(Node, f64)> {
         let Nodes { nodes, evaluations } = match &self.front {
             Some(front) => front.nodes(part, points),
@@ -310,7 +310,7 @@ impl Job<'_> {
     }
 }
 
-/// Points along and across of the rules that are tried, each with more than the one before.
+/// Points along and across of the rules tried, each with more than the one before.
 fn rungs(most: [usize; 2]) -> [[usize; 2]; RUNGS.len()] {
     std::array::from_fn(|k| {
         let points = |n: usize| ((RUNGS[k] * n as f64).ceil() as usize).max(FEWEST + STEP * k);

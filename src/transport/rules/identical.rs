@@ -1,33 +1,32 @@
-//! A concave patch with itself.
+//! A concave patch with itself: relative coordinates that regularise the kernel.
 //!
-//! The kernel of a smooth surface is bounded where the two points meet, but its value there depends on the direction
-//! from which they do, and at the very point it is 0/0. In the relative coordinates z = |u − s|, w = |v − t|, in
-//! polar form on the two triangles
+//! Where the two points of a smooth surface meet, the kernel is bounded, but its limit depends on the direction of
+//! approach and at the point itself it is 0/0. With z = |u − s| and w = |v − t| in polar form on two triangles,
 //!
 //! ```text
 //! (z, w) = (x, xa)   and   (xa, x) ,     dz dw = x dx da
-//! (s, u) = (1 − z) y + (0, z) ,   (t, v) = (1 − w) y' + (0, w) or (w, 0) ,     dV = x (1 − z)(1 − w) dx da dy dy'
+//! (s, u) = (1 − z) y + (0, z) ,   (t, v) = (1 − w) y' + (0, w) or (w, 0) ,     dV = x (1 − z)(1 − w) dx da dy dy' ,
 //! ```
 //!
-//! it is analytic in x, a, y, y' ∈ [0, 1]. The other two of the four signs of (u − s, v − t) follow by exchanging the
-//! two points: the block is H + Hᵀ, where H is what this rule sums. In a the nearest singularity is where both
-//! points meet along a complex direction, a = ±iq with q the smaller over the larger extent, so that
+//! it is analytic in x, a, y, y' ∈ [0, 1]. Two of the four signs of (u − s, v − t) follow by exchanging the points: the
+//! block is H + Hᵀ, and this rule sums H. The nearest singularity in a is a = ±iq, a complex direction in which both
+//! points meet, with q the smaller over the larger extent. Hence
 //!
 //! ```text
-//! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ ,  ϱ = σ + √(σ² − 1) ,  σ = q + √(1 + q²) .
+//! n_a = ⌈ N/2 + ln(1/ε) / (2 ln ϱ) ⌉ + 1 ,  ϱ = σ + √(σ² − 1) ,  σ = q + √(1 + q²) .
 //! ```
 //!
-//! Reference: notes of the identical-panel rule in boundary element methods (Sauter and Schwab, *Boundary Element
-//! Methods*, 5.2.1).
+//! and n_x = n_y = N + 1 plus the points of the chart. The + 1 is a margin.
+//!
+//! Reference: Sauter and Schwab, *Boundary Element Methods*, 5.2.1 (identical panels).
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
 use crate::transport::rules::far;
 
-/// Numbers of points [x, a, y] for degree `degree` on either side and a chart that takes `chart` points.
+/// Numbers of points [x, a, y] for polynomials of degree `degree` on a patch whose chart adds `chart` points.
 pub(in crate::transport) fn counts(patch: &Patch, degree: usize, chart: usize, eps: f64) -> [usize; 3] {
     let [along, across] = patch.extents();
     let q = along.min(across) / along.max(across);
@@ -36,7 +35,7 @@ pub(in crate::transport) fn counts(patch: &Patch, degree: usize, chart: usize, e
     [degree + 1 + chart, far::points(degree, eps, rho) + 1, degree + 1 + chart]
 }
 
-/// Adds half of a patch with itself: the other half is the transpose.
+/// Adds H, half of the moments of a patch with itself; the other half is the transpose.
 pub(in crate::transport) fn integrate(
     moments: &mut Moments,
     patch: &Patch,

@@ -1,12 +1,13 @@
-//! Flat patches that are near but do not touch: an iterated rule whose cost grows like a power of ln(1/gap).
+//! Near flat patches without contact: an iterated rule whose cost grows like a power of ln(1/gap).
 //!
 //! ```text
 //! M_kl = ∫_P L_k(x) I_l(x) dA_x ,      I_l(x) = ∫_Q κ(x, y) L_l(y) dA_y .
 //! ```
 //!
-//! The inner integral is taken in polar coordinates about the foot of x ([`polar`]): its rays are exact, so it
-//! does not feel how near x is, and one edge costs as much more as x comes nearer to that edge. The outer
-//! integral runs over cells of P that follow the edges of Q ([`plan`]). Both rules are known before a single kernel value is.
+//! The inner integral is taken in polar coordinates about the foot of x ([`polar`]). Its rays are exact, so that their
+//! cost does not depend on the distance of x from the plane of Q; each edge costs more the nearer x is to it. The outer
+//! integral runs over cells of P that follow the edges of Q ([`plan`]). Both are planned before any kernel value is
+//! known.
 
 mod complex;
 mod radial;
@@ -20,30 +21,29 @@ mod plan;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::space::Space;
-
 use crate::transport::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule, split_cost};
 use polar::Polar;
 
-/// By how much more is asked of the estimates than of the block.
+/// Factor of ε for the estimates of both rules. Chosen; not tuned.
 const SAFETY: f64 = 0.2;
 
-/// Samples of a split up to which a plan is not worth its own time.
+/// Samples of a split below which no plan is made: planning takes as long. Chosen; not tuned.
 const CHEAP_SPLIT: f64 = 3e4;
-/// Samples of a split up to which they are counted exactly.
+/// Samples up to which those of a split are counted, to compare it with a plan. Chosen; not tuned.
 const MOST_COUNTED: f64 = 1e6;
 
 /// The rule of one pair.
 pub(in crate::transport) struct Plan {
     outer: Side,
     leaves: Vec<Leaf>,
-    /// In samples of a tensor rule.
+    /// Cost, in samples of a tensor rule.
     pub cost: f64,
     eps: f64,
 }
 
 impl Plan {
-    /// As [`Plan::new`], or None where halving both patches until they are apart takes less.
+    /// As [`Plan::new`], or None where halving both patches until they are apart costs less.
     pub(in crate::transport) fn cheaper_than_split(
         moments: &Moments,
         p: &Patch,
@@ -59,17 +59,16 @@ impl Plan {
         (plan.cost < split).then_some(plan)
     }
 
-    /// For two flat convex patches in front of each other that see each other freely. They may touch: distances are
-    /// floored.
+    /// For two flat convex patches in front of each other that see each other wholly. They may touch: distances have a
+    /// floor.
     ///
-    /// None where it would take too many cells, and for bases whose raw functions are not the products of total degree
-    /// that the rays know.
+    /// None if it would take too many cells, and for bases whose raw functions are not products of total degree.
     pub(in crate::transport) fn new(moments: &Moments, p: &Patch, q: &Patch, eps: f64) -> Option<Self> {
         let known = |basis: &AreaBasis| basis.is_product() && basis.space() == Space::Total;
         if !moments.bases().into_iter().all(known) {
             return None;
         }
-        // The smaller patch is usually the better one outside.
+        // The smaller patch is usually the better outer one, and is tried first.
         let size = |patch: &Patch| patch.extents().iter().sum::<f64>();
         let [first, other] = if size(p) <= size(q) {
             [Side::Receiver, Side::Emitter]
@@ -82,7 +81,7 @@ impl Plan {
         plan.cost.is_finite().then_some(plan)
     }
 
-    /// With the outer integral over one given side; its cost is infinite if it passes `limit`.
+    /// With the outer integral over the side `outer`; the cost is infinite if it exceeds `limit`.
     fn outside(outer: Side, moments: &Moments, p: &Patch, q: &Patch, eps: f64, limit: f64) -> Self {
         let [receiver, emitter] = moments.bases();
         let eps = SAFETY * eps;
@@ -94,7 +93,6 @@ impl Plan {
         Self { outer, leaves: planner.leaves, cost: planner.cost, eps: planner.eps }
     }
 
-    /// Adds the pair.
     pub(in crate::transport) fn integrate(&self, moments: &mut Moments) {
         let [receiver, emitter] = moments.bases();
         let inner = match self.outer {

@@ -1,4 +1,4 @@
-//! How many points a rule needs for an accuracy: by analyticity, by charts, by trial, and by cutting the cube of integration.
+//! How many points a rule needs: from analyticity, from charts, by trial, and by subdividing the cube of integration.
 
 pub(in crate::transport) mod analyticity;
 pub(in crate::transport) mod subdivided_cube;

@@ -1,13 +1,13 @@
-//! Pairs that are equal up to similarity.
+//! Congruent pairs: parallelograms that are equal up to similarity, and therefore share one block.
 //!
-//! G has no scale and knows no directions: two pairs of parallelograms of the same relative pose have the same block.
-//! With centres c, half sides a and b (the coordinates of the basis run along them) and d = c_j − c_i the pose is
-//! the table of the scalar products of a_i, b_i, a_j, b_j and d over |d|², which no motion and no reflection changes, and
-//! the sides on which the fronts lie. Turning a half side round, or exchanging the two, only changes the signs or the order of
-//! the polynomials, and exchanging the elements transposes the block: each pair is brought to a standard form first.
+//! G has neither scale nor directions. With the centres c, the half sides a and b along which the basis runs, and
+//! d = c_j − c_i, the pose of a pair is the table of scalar products of a_i, b_i, a_j, b_j and d, divided by |d|²,
+//! together with the sides on which the fronts lie. Motions and reflections do not change it. Reversing a half side, or
+//! exchanging the two of an element, only changes signs or order of the polynomials; exchanging the elements transposes
+//! the block. Each pair is therefore brought to a standard form first.
 //!
-//! Poses are found by a hash of their rounded entries and compared entry by entry before they count as equal. Where the standard
-//! form is not unique for want of digits, equal pairs may be missed; unequal ones never pass.
+//! Poses are found by a hash of their rounded entries and compared entry by entry. Where rounding makes the standard
+//! form ambiguous, congruent pairs may be missed; pairs that are not congruent never pass.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -18,14 +18,16 @@ use crate::elements::Element;
 use crate::elements::basis::Frame;
 use crate::elements::space::Space;
 
-/// Poses whose entries differ by less are equal.
+/// Poses are equal if no entry differs by more, absolutely below 1 and relatively above: some hundred rounding errors.
 const EQUAL: f64 = 1e-13;
-/// Entries are rounded to multiples of this for the hash.
+/// Grid of the hash: entries are rounded to multiples of this. Far above rounding, far below differences between
+/// distinct pairs in practice. Chosen; not tuned.
 const GRID: f64 = 1e-8;
-/// Keeps entries such as 0 and ½, and their negatives, away from where truncation turns.
+/// Offset of the grid, so that frequent entries such as 0 and ½ do not lie where rounding changes. Any odd fraction
+/// serves.
 const OFFSET: f64 = 0.37;
 
-/// A parallelogram element: its centre and the half sides along which its polynomials run.
+/// A parallelogram element: centre and the half sides along which its polynomials run.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct Panel {
     center: DVec3,
@@ -35,7 +37,8 @@ pub(in crate::transport) struct Panel {
 }
 
 impl Panel {
-    /// The panel that fills the frame of an element with product polynomials of total degree.
+    /// The element as a panel, if it is a parallelogram that fills its frame and carries product polynomials of total
+    /// degree.
     pub(in crate::transport) fn of(element: &Element) -> Option<Self> {
         let (Some((_, normal)), [patch]) = (element.plane, &element.patches[..]) else { return None };
         let Frame::Plane { origin, first, second } = element.basis.frame() else { return None };
@@ -57,13 +60,13 @@ pub(in crate::transport) struct Pose {
     entries: [f64; 14],
     fronts: [bool; 2],
     orders: [usize; 2],
-    /// Whether the emitter stands first.
+    /// Whether the emitter comes first.
     transposed: bool,
-    /// How each of the two stands in the standard form.
+    /// How the sides of either panel were turned for the standard form.
     turns: [Turn; 2],
 }
 
-/// Which half sides were exchanged, then turned round.
+/// Which half sides were exchanged, then reversed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 struct Turn {
     exchanged: bool,
@@ -71,7 +74,8 @@ struct Turn {
 }
 
 impl Pose {
-    /// The standard form of a pair; None where the centre of one lies in the plane of the other.
+    /// The standard form of a pair. None where the centre of one lies in the plane of the other to 1e-6 of the
+    /// distance: the fronts are then not certain.
     pub(in crate::transport) fn of(receiver: &Panel, emitter: &Panel) -> Option<Self> {
         let d = emitter.center - receiver.center;
         let scale = d.length_squared();
@@ -120,7 +124,7 @@ impl Pose {
         })
     }
 
-    /// A number that equal poses share.
+    /// Equal for equal poses.
     pub(in crate::transport) fn hash(&self) -> u64 {
         let mut hasher = DefaultHasher::new();
         self.entries.map(rounded).hash(&mut hasher);
@@ -136,7 +140,7 @@ impl Pose {
             && self.entries.iter().zip(&other.entries).all(close)
     }
 
-    /// The block of this pair from the `block` of the equal pair `other`.
+    /// The block of this pair, from the `block` of the congruent pair `other`.
     pub(in crate::transport) fn block_from(&self, other: &Self, block: &[f64]) -> Vec<f64> {
         let own = [0, 1].map(|side| self.turns[side].places(self.orders[side]));
         let theirs = [0, 1].map(|side| other.turns[side].places(self.orders[side]));
@@ -155,7 +159,7 @@ impl Pose {
 }
 
 impl Turn {
-    /// For each polynomial of the standard form its place in the element's order, and its sign.
+    /// For each polynomial of the standard form its place in the element's order and its sign.
     fn places(self, order: usize) -> Vec<(usize, f64)> {
         let sign = |reversed: bool, degree: usize| if reversed && degree % 2 == 1 { -1.0 } else { 1.0 };
         let place = |k: usize| {
@@ -167,12 +171,12 @@ impl Turn {
     }
 }
 
-/// Brings two half sides into standard form: the longer first, then the one that points more along the first of the
-/// `others`; each turned so that its first product with one of them that is not zero is positive.
+/// Brings two half sides into standard form: the longer first, else the one with the larger product with the first of
+/// `others`. Each is reversed if needed so that its first nonzero product with one of `others` is positive.
 fn stand([a, b]: [DVec3; 2], others: &[DVec3; 3], scale: f64) -> ([DVec3; 2], Turn) {
     let rank = |side: DVec3| {
         let along = |other: &DVec3| rounded(side.dot(*other).abs() / scale);
-        // The two sides of the other are not in order yet: their sum of squares is.
+        // The two sides of the other panel are not ordered yet; their sum of squares is independent of their order.
         let both = others[1..].iter().map(|other| (side.dot(*other) / scale).powi(2)).sum::<f64>();
         [rounded(side.length_squared() / scale), along(&others[0]), rounded(both)]
     };

@@ -1,64 +1,66 @@
-//! What the block of each pair has to reach.
+//! The accuracy that each block has to reach.
 //!
-//! A block that is small beside the largest of its row needs few digits ([`crate::transport::estimates::entry_bounds`]). What its shadows may err
-//! is measured by its row likewise, and by the largest of the view factors F_ij = √(A_j/A_i) G_ij from either of its elements:
-//! a small error of a block is a large one of the view factors from a small element to a large one.
+//! A block that is small compared with the largest of its row needs few digits
+//! ([`crate::transport::estimates::entry_bounds`]). The error of its shadows is measured against its row too, and
+//! against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a block can be a
+//! large one of the view factors from a small element to a large one.
 
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use crate::transport::occlusion::outlines::Limit;
 use crate::transport::schedule::task::{Scene, Task};
 
-/// A block that something may stand in may be wrong by the accuracy of shadows times this part of the largest entry of
-/// its row: what samples of shadows miss has either sign and weighs little in the sum of many blocks.
+/// Error allowed for the shadows of a block, as a factor on ε_shadow times the largest entry of its row: errors of
+/// sampled shadows have either sign and weigh little in the sum over many blocks. Chosen; not tuned.
 const SHADOWED_ROW_SHARE: f64 = 0.25;
 
-/// A block whose shadows are found by outlines, or sampled between flat elements, may be wrong by their accuracy times this
-/// part of the largest view factor from either element: errors of few blocks of a row, or few parts of one, may add up.
+/// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the largest
+/// view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen; not tuned.
 const FACTOR_SHARE: f64 = 0.5;
 
-/// Part of the largest that an entry can be, 1 at the most since no view factor exceeds it, that shadows need not tell from
-/// nothing.
+/// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors, and hence
+/// the bound, are at most 1. Chosen; not tuned.
 const SLIGHT: f64 = 1e-3;
 
-/// By how much more than by a rough rule a near pair may exchange, and the most by which it is loosened for its shadows.
+/// Safety factor on the coarse estimate of a near pair, and the largest factor by which such a pair is loosened for its
+/// shadows. Chosen; not tuned.
 const NEAR_ROUGHNESS: f64 = 3.0;
 const LARGEST_NEAR_FACTOR: f64 = 8.0;
 
-/// What the block of a task has to reach.
+/// The accuracy that the block of a task has to reach.
 #[derive(Clone, Copy)]
 pub(super) struct Goal {
-    /// Relative to its own largest entry.
+    /// Relative to the block's largest entry.
     pub(super) accuracy: Accuracy,
-    /// The same where surfaces of the pair hide a part of it themselves.
+    /// The same where surfaces of the pair hide part of it themselves.
     pub(super) bent: Accuracy,
-    /// Lower bound of the part of its row's largest entry that counts instead of its own where that is smaller.
+    /// [`ROW_SHARE`] times a lower bound of the row's largest entry: the scale of the error where the block is smaller.
     pub(super) least: f64,
     /// About the largest entry of its row.
     pub(super) row: f64,
-    /// What may pass unseen between two elements if no ray of a few does.
+    /// Light (as an entry) that may pass unnoticed where all probing rays are hidden, or be hidden where none is.
     pub(super) unseen: f64,
-    /// What samples of shadows may err if both elements are flat, a standard deviation: such pairs are cut into fewer parts than
-    /// curved ones, whose errors balance each other.
+    /// Standard deviation allowed for sampled shadows if both elements are flat. Smaller than for curved ones, because
+    /// flat pairs have fewer parts, whose errors balance less.
     pub(super) flat: f64,
-    /// What samples of shadows may err if an element is curved, a standard deviation.
+    /// Standard deviation allowed for sampled shadows if an element is curved.
     pub(super) sampled: f64,
-    /// Where shadows are found by outlines.
+    /// The error of shadows by outlines, where these are used.
     pub(super) outlined: Option<Limit>,
 }
 
-/// The largest of all pairs in the row of each element.
+/// The largest entries in the row of each element.
 struct Largest {
-    /// Lower bounds of the largest entries.
+    /// Lower bounds of the entries.
     least: Vec<f64>,
-    /// First entries, about, were nothing in between.
+    /// Coarse estimates of the first entries, without blockers.
     rough: Vec<f64>,
-    /// View factors, likewise.
+    /// View factors from these estimates.
     factors: Vec<f64>,
 }
 
 impl Scene<'_> {
-    /// What each task has to reach.
+    /// The accuracy that each task has to reach.
     pub(super) fn goals(&self, tasks: &[Task]) -> Vec<Goal> {
         let largest = Largest {
             least: self.largest(tasks, |task, _| task.entries[0]),
@@ -80,7 +82,7 @@ impl Scene<'_> {
             return free;
         }
         let tolerable = self.tolerable(task, &largest.factors);
-        // A rough sum may pass by all that is seen of each other in a row: nothing is asked for no error at all.
+        // A coarse estimate may miss all that two elements of a row see of each other: the tolerance is never zero.
         let floor = SLIGHT * task.entries[1].min(1.0);
         let of_factors = |share: f64| accuracy.shadow_eps * row.min(share * tolerable).max(floor);
         let shadowed = SHADOWED_ROW_SHARE * row;
@@ -89,7 +91,7 @@ impl Scene<'_> {
             if is_near { [NEAR_ROUGHNESS, LARGEST_NEAR_FACTOR] } else { [1.0, f64::INFINITY] };
         let unseen = accuracy.shadow_eps * shadowed.max(task.rough).max(floor) / roughness;
         let error = of_factors(FACTOR_SHARE);
-        // What is sampled errs to either side, unlike what passes unseen.
+        // Sampled shadows err to either side, unlike what all probing rays miss.
         let shaded = Goal { unseen, flat: unseen.min(error), sampled: of_factors(1.0), ..free };
         if self.has_outlines(task) {
             return Goal { outlined: Some(Limit { error, entry: task.rough.max(floor) }), ..shaded };
@@ -99,8 +101,8 @@ impl Scene<'_> {
         Goal { accuracy, bent, ..shaded }
     }
 
-    /// Whether at least one element of a task and all its blockers are planar, and shadows found by outlines. Not where one hides
-    /// a part of itself: the light it takes must not be taken twice.
+    /// Whether shadows are found by outlines: all blockers and at least one element are planar, and neither hides part
+    /// of itself (its light would be taken off twice).
     fn has_outlines(&self, task: &Task) -> bool {
         let is_planar = |index: u32| self.list[index as usize].plane.is_some();
         (is_planar(task.row) || is_planar(task.column))
@@ -108,7 +110,7 @@ impl Scene<'_> {
             && self.visibility.has_outlines(&task.blockers)
     }
 
-    /// The largest `entry` of the tasks in each row, of a task and the pair (element of the row, other element).
+    /// For each row the largest `entry(task, [element of the row, other element])`.
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {
@@ -120,13 +122,13 @@ impl Scene<'_> {
         rows
     }
 
-    /// √(A_j / A_i): what an entry of G between constants counts in the view factor F_ij.
+    /// √(A_j / A_i): the factor from an entry of G between constants to the view factor F_ij.
     fn factor_scale(&self, [own, other]: [usize; 2]) -> f64 {
         (self.list[other].area / self.list[own].area).sqrt()
     }
 
-    /// The largest that the first entry of a task may be for no view factor in either row to exceed the largest of that row, as
-    /// `factors` has them: a small error of a block is a large one of the view factors from a small element to a large one.
+    /// The first entry at which a view factor of the task would reach the largest of its row in `factors`; the smaller
+    /// of the two rows.
     fn tolerable(&self, task: &Task, factors: &[f64]) -> f64 {
         let [row, column] = [task.row, task.column].map(|index| index as usize);
         let entry = |pair: [usize; 2]| factors[pair[0]] / self.factor_scale(pair);

@@ -1,14 +1,14 @@
-//! From which of two elements a pair is integrated: by their shapes and places, never by their order in the scene.
+//! Which element of a pair is the outer one: decided by shape and place, never by the order of the scene.
 //!
-//! A rule that takes one integral within the other errs differently as its sides are exchanged. So the element that comes first
-//! here is the outer one, whichever is the receiver, and A_i F_ij is the same however the scene lists its surfaces:
+//! A rule that takes one integral inside the other has another error when the two are exchanged. With this order A_i
+//! F_ij does not depend on how the scene lists its surfaces:
 //!
-//! 1. planar elements with curved sides, such as disks, because rules are refined over the outer element and polygons can be cut
-//!    at its plane beforehand;
+//! 1. planar elements with curved sides, such as disks: rules are refined over the outer element, and polygons can be
+//!    cut at its plane beforehand;
 //! 2. polygons;
-//! 3. the others, since the horizon of a plane depends on the other point only and is cut out of the other patch.
+//! 3. all others: the points of a planar outer element share one horizon, which is cut out of the inner patch.
 //!
-//! Of two alike the larger one comes first, else that of the lower coordinates.
+//! Of two in one class the larger comes first; of equal areas the one with the lower coordinates.
 
 use std::cmp::Ordering;
 
@@ -16,10 +16,9 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
-
 use crate::transport::contact::planes::plane_of;
 
-/// Where on each patch places are compared: away from its middle, so that a patch and its mirror image differ.
+/// Parameters of the compared point on each patch: arbitrary, but off symmetry lines, so that mirror images differ.
 const PLACE: (f64, f64) = (0.375, 0.4375);
 
 /// What orders an element among others.
@@ -27,7 +26,7 @@ const PLACE: (f64, f64) = (0.375, 0.4375);
 pub(in crate::transport) struct Rank {
     class: Class,
     area: f64,
-    /// A point of each patch, and its normal.
+    /// A point of each patch, and its normal there.
     places: Vec<[DVec3; 2]>,
 }
 
@@ -39,7 +38,6 @@ enum Class {
 }
 
 impl Rank {
-    /// Of one element.
     pub(in crate::transport) fn of(element: &Element) -> Self {
         let class = match (element.plane, plane_of(&element.patches)) {
             (Some(_), _) => Class::Polygon,
@@ -71,7 +69,7 @@ mod tests {
     use crate::elements::{Discretization, Elements};
     use crate::scene::Scene;
 
-    /// Names of surfaces as their elements come in order.
+    /// Names of surfaces in the order of their elements.
     fn sorted(surfaces: &[(&str, &str)]) -> Vec<String> {
         let text = surfaces.iter().map(|(name, shape)| format!("[[surfaces]]\nname = {name:?}\n{shape}\n"));
         let scene = Scene::from_toml(&text.collect::<String>(), "scene").expect("it is valid");

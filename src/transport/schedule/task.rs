@@ -1,4 +1,4 @@
-//! The elements of a scene with what sorting needs of them, and the pairs that are left to integrate.
+//! The elements with the data that sorting needs, and the pairs that are left to integrate.
 
 use crate::elements::Element;
 use crate::elements::patch::Patch;
@@ -10,40 +10,38 @@ use crate::visibility::Visibility;
 use super::congruent::Panel;
 use super::order::Rank;
 
-/// Elements with what sorting needs of them.
+/// The elements with the data that sorting needs.
 pub(super) struct Scene<'a> {
     pub(super) list: &'a [Element],
     pub(super) panels: Vec<Option<Panel>>,
     pub(super) reaches: Vec<EntryBounds>,
     pub(super) ranks: Vec<Rank>,
     pub(super) roughs: Vec<CoarseEstimate>,
-    /// Whether blocks are estimated: what is planar needs it for its shadows only.
+    /// Whether coarse estimates are needed: planar elements need them for shadows only.
     pub(super) is_estimated: bool,
-    /// The sectors of each.
     pub(super) parts: Vec<Vec<Patch>>,
     pub(super) visibility: &'a Visibility,
     pub(super) accuracy: Accuracy,
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 
-/// A pair to integrate.
 pub(super) struct Task {
     pub(super) row: u32,
     pub(super) column: u32,
-    /// Bounds of its entries: the largest from below (an estimate for curved elements), all from above.
+    /// Bounds: the largest entry from below (an estimate for curved elements), all entries from above.
     pub(super) entries: [f64; 2],
-    /// About its first entry, were nothing in between; 0 where nothing is estimated.
+    /// Coarse estimate of the first entry, without blockers; 0 where none was made.
     pub(super) rough: f64,
-    /// Hash of its pose where it may be equal to others.
+    /// Hash of the pose, where the pair may be congruent to others.
     pub(super) hash: Option<u64>,
-    /// Surfaces that may stand between.
+    /// Surfaces that may stand between the two.
     pub(super) blockers: Vec<usize>,
-    /// Those of the pair that may hide a part of it themselves, if enough rays meet them.
+    /// The pair's own surfaces that may hide a part of it; whether they do is found by probing rays.
     pub(super) own: Vec<usize>,
 }
 
 impl Task {
-    /// Of two elements that cover each other: the block is known.
+    /// For two elements that lie on each other: the block is known.
     pub(super) fn of_contact(row: usize, column: usize) -> Self {
         Self {
             row: row as u32,

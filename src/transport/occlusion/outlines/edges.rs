@@ -1,17 +1,18 @@
-//! The edges of blockers, and which of them a rule over a cell of the outer element may overlook.
+//! Edges of blockers whose shadows a rule over a cell of the outer element may miss.
 //!
-//! What is hidden from x changes with x on two lengths: the distance d of x from an edge that bounds the shadow, as a strip of
-//! light behind a slit does, and the breadth of the half-shadow, within which the edge passes over the inner element,
+//! What is hidden from x varies with x on two lengths. One is the distance d of x from the edge that bounds the shadow:
+//! a slit makes a strip of light of about that width. The other is the width of the penumbra, in which the edge passes
+//! over the inner element,
 //!
 //! ```text
-//! p = w d / d′ ,     w the breadth of the inner element across the edge, d′ its distance from the edge.
+//! p = w d / d′ ,     w the width of the inner element across the edge, d′ its distance from the edge.
 //! ```
 //!
-//! Gauss rules of n points over a cell h wide may pass over what is narrower than about h / n within it, and h / n² at its
-//! borders, where their points are denser; on two levels alike. Edges near a cell lie beside it. Narrow half-shadows are looked
-//! for where n ≤ 2, about the middle of the cell, and at the corners too where much is asked: elsewhere the next levels of finer
-//! rules found them in all rooms tried. An edge counts only where planes through it and a point of the cell part the inner
-//! element, and where it reaches between the two.
+//! A Gauss rule of n points over a cell of width h may miss what is narrower than about h/n inside it and h/n² at its
+//! border, where its points are denser; so may the next level. Edges near a cell are assumed at its border. Narrow
+//! penumbras are looked for if n ≤ 2, as seen from the middle of the cell, and from its corners too if high accuracy is
+//! asked: in all rooms tried, finer rules found the others. An edge counts only if planes through it and a point of the
+//! cell cut the inner element, and if it lies between the two.
 
 use radiosity_geom::{COINCIDENT, DVec3, extreme_points, separated};
 
@@ -20,28 +21,30 @@ use crate::transport::contact::flat::segment_distance;
 use crate::visibility::Visibility;
 use crate::visibility::blocker_edges::Rim;
 
-/// Distance of an edge from a cell of size 1, times n², below which its shadow may be overlooked.
+/// Distance of an edge from a cell of size 1, times n², below which its shadow may be missed. Chosen; not tuned.
 const NEAR: f64 = 4.0;
-/// Breadth of a half-shadow in a cell of size 1, times n, below which it may be overlooked.
+/// Width of a penumbra in a cell of size 1, times n, below which it may be missed. Chosen; not tuned.
 const NARROW: f64 = 2.0;
-/// Most points a direction of rules that may pass over half-shadows as a cell sees them from its middle.
+/// Most points per direction of rules that may miss penumbras as seen from the middle of the cell. Found enough in all
+/// rooms tried.
 const COARSE: f64 = 2.0;
-/// Relative accuracy below which the half-shadows seen from a cell's corners count: of slits that it sees edge on.
+/// Relative accuracy below which penumbras as seen from the corners count too, such as those of slits seen edge on.
+/// Chosen; not tuned.
 const TIGHT: f64 = 1e-4;
 /// The edges of the blockers of a pair.
 #[derive(Debug)]
 pub(super) struct Edges {
-    /// Of each blocker its own.
+    /// The edges of each blocker.
     rims: Vec<(usize, Vec<Rim>)>,
     /// Points whose convex hull holds the inner element.
     inner: Vec<DVec3>,
-    /// Mean of the corners of its parts.
+    /// Mean of the corners of the inner element's parts.
     middle: DVec3,
 }
 
 impl Edges {
-    /// Those of `blockers`, one for each body, before the flat inner element whose parts have these `corners`, in a plane with
-    /// that `normal`.
+    /// For `blockers`, one for each body, and a flat inner element whose parts have these `corners`, in a plane with
+    /// this `normal`.
     pub(super) fn new(blockers: &[usize], visibility: &Visibility, corners: &[DVec3], normal: DVec3) -> Self {
         let rims = blockers.iter().map(|blocker| (*blocker, visibility.rims(*blocker))).collect();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
@@ -53,8 +56,8 @@ impl Edges {
         &self.inner
     }
 
-    /// Whether a rule of so many points a direction may pass over shadows of `blockers` within a cell, where so much relative
-    /// accuracy is asked.
+    /// Whether a rule of `points` points per direction and this relative `accuracy` may miss shadows of `blockers`
+    /// within a cell.
     pub(super) fn may_be_passed_over(
         &self,
         cell: &Patch,
@@ -84,8 +87,8 @@ impl Edges {
     }
 }
 
-/// Breadth of `points` across the planes through an edge and `middle`, times how far that is from the edge's line; the least of
-/// that and of those of each of the `rest`.
+/// Width of `points` as seen from `middle` across an edge, times the distance of `middle` from the edge's line; the
+/// least of this and the same from each of `rest`.
 fn seen_breadth(points: &[DVec3], rim: &Rim, middle: DVec3, rest: &[DVec3]) -> f64 {
     let [a, b] = rim.ends;
     let along = (b - a).normalize_or_zero();

@@ -1,7 +1,7 @@
-//! The two sides of a shade: the outer element as patches, the inner one as facets.
+//! The two sides of an occlusion correction: the outer element as patches, the inner one as facets.
 //!
-//! The outer one is curved, or is farther from the blockers, measured by its size. A flat one is cut along the sides of blockers
-//! that stand on it; of two flat ones only what faces the other counts.
+//! The outer one is curved, or farther from the blockers relative to its size. A flat outer element is cut along the
+//! sides of blockers that stand on it. Of two flat elements only the parts in front of each other count.
 
 use radiosity_geom::{DVec3, clip_polygon, touching};
 
@@ -13,13 +13,13 @@ use crate::transport::contact::sectors::sectors;
 use crate::transport::moments::Side;
 use crate::visibility::Visibility;
 
-/// A blocker's side nearer to the plane of the outer element than this part of its length makes shadows there that are
-/// almost edges.
+/// Height of a blocker's side over the plane of the outer element, relative to the side's length, up to which it counts
+/// as standing there: its shadow almost jumps. Chosen; not tuned.
 const STANDING: f64 = 1e-2;
 
 /// The two sides of a pair of which at least one is flat.
 pub(super) struct Sides {
-    /// That of the outer integral.
+    /// Which element is the outer one.
     pub(super) side: Side,
     /// The outer element.
     pub(super) outer: Vec<Patch>,
@@ -28,7 +28,6 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    /// Of a pair with planar `blockers`.
     pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility) -> Self {
         match pair.map(|element| element.plane.is_none()) {
             [true, _] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: facets(pair[1]) },
@@ -52,13 +51,13 @@ impl Sides {
     }
 }
 
-/// The patches of a flat element.
+/// The patches of a flat element as facets.
 fn facets(element: &Element) -> Vec<Facet> {
     let normal = element.plane.map_or(DVec3::ZERO, |(_, normal)| normal);
     element.patches.iter().map(|patch| Facet { corners: patch.polygon(), normal }).collect()
 }
 
-/// The parts of the patches of either element in front of the other's plane.
+/// The parts of either element's patches in front of the other's plane.
 fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
     let distance = pair[0].bounds().union(pair[1].bounds()).diagonal();
     let tolerance = touching(pair[0].extent.min(pair[1].extent), distance);
@@ -69,7 +68,7 @@ fn facing(pair: [&Element; 2]) -> [Vec<Facet>; 2] {
     })
 }
 
-/// The side that the outer integral is taken over.
+/// Which element is the outer one.
 fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Visibility) -> Side {
     let pieces = || blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten();
     let [receiver, emitter] = polygons.each_ref().map(|side| {
@@ -84,8 +83,8 @@ fn outer_side(polygons: &[Vec<&[DVec3]>; 2], blockers: &[usize], visibility: &Vi
     if emitter > receiver || (emitter == receiver && fewer) { Side::Emitter } else { Side::Receiver }
 }
 
-/// A facet cut along the sides of blockers that stand on it, or almost, and along those that pass through its plane. What a side
-/// stands apart from has no jump along its line.
+/// A facet cut along the sides of blockers that (almost) stand on it, and along those that pass through its plane; only
+/// the parts that a side touches are cut.
 fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<Facet> {
     let mut parts = vec![facet.clone()];
     for piece in blockers.iter().filter_map(|blocker| visibility.pieces(*blocker)).flatten() {
@@ -104,7 +103,7 @@ fn cut_along(facet: &Facet, blockers: &[usize], visibility: &Visibility) -> Vec<
     parts
 }
 
-/// The parts of a facet on either side of a line through `point`, `across` which they lie.
+/// The parts of a facet on either side of the line through `point` normal to `across`.
 fn halves(part: &Facet, point: DVec3, across: DVec3) -> impl Iterator<Item = Facet> {
     let sides = [across, -across].map(|inward| clip_polygon(&part.corners, point, inward));
     let normal = part.normal;

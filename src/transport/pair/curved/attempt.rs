@@ -1,40 +1,40 @@
-//! Parts that no rule covers, tried by the rule that fits best with two numbers of points.
+//! Parts that no rule covers: the best-suited rule with two numbers of points, whose difference is the error.
 
 use crate::elements::patch::{Node, Patch};
 use crate::transport::contact::curved::Touch;
 use crate::transport::estimates::coarse::scale;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::moments::{Moments, Side};
+use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
 use crate::transport::rules::common_edge::Wedge;
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::horizon::Front;
 use crate::transport::rules::{common_edge, common_vertex};
 
-use crate::transport::pair::curved::job::{Job, ROUGHNESS, State};
-
-/// Points a direction of attempts on parts that no rule covers, for degree 0.
+/// Points per direction for degree 0. Chosen; not tuned.
 const FEWEST_POINTS: usize = 4;
-/// The same where shadows are sampled once the samples are spent.
+/// The same for sampled shadows once the samples are spent. Chosen; not tuned.
 const POINTS_WHEN_SPENT: usize = 3;
-/// Largest part, relative to the block's first entry, that is attempted at all: a horizon may pass large ones unseen.
+/// Largest part, relative to the block's first entry, that is attempted: a horizon may pass large ones unseen. Chosen;
+/// not tuned.
 const LARGEST_ATTEMPT: f64 = 0.25;
-/// Cosine of the angle at a common edge below which two patches go on smoothly: the kernel is bounded there, and plain rules
-/// cost a small part of those that know the edge.
+/// Cosine of the dihedral angle below which an edge counts as smooth (172°). The kernel is bounded there, and plain
+/// rules cost a small part of those for edges. Chosen; not tuned.
 const SMOOTH: f64 = -0.99;
-/// Part of the block's error that one attempt may make, and the power of the digits by which it falls beyond four of them: ever
-/// more parts are attempted.
+/// Share of the block's error for one attempt, and the power of digits/4 by which it falls beyond four digits: more
+/// parts are attempted then. Chosen; not tuned.
 const ATTEMPT_SHARE: f64 = 0.03;
 const MORE_ATTEMPTS: i32 = 6;
-/// By how much less two rules may differ than they err on near parts, where both miss the kernel's peak: measured on a ball
-/// that lies on a floor.
+/// Ratio of the error to the difference of two rules on near parts, where both miss the kernel's peak: measured on a
+/// ball that lies on a floor.
 const PEAKED: f64 = 2.0;
-/// Least error of an attempt that was not good enough, as a part of what it carries.
+/// Least error of an attempt that missed its accuracy, as a share of what it carries. Chosen; not tuned.
 pub(super) const DOUBT: f64 = 0.1;
 
 impl<'a> Job<'a> {
-    /// Tries a part that no rule covers to the accuracy asked, for a horizon through a contact or a contact of another
-    /// kind, by the rule that fits best with two numbers of points; their difference is the error. `contact` is None
-    /// for a patch with itself. Whether it was good enough, or has to be since the samples are spent.
+    /// Attempts a part that no rule covers: one cut by a horizon, or a contact of another kind. The error is the
+    /// difference of the rule with n and n + 2 points. `contact` is None for a patch with itself. Returns whether the
+    /// result is kept: because it is accurate enough, or because the samples are spent.
     pub(super) fn attempt(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) -> bool {
         let share = self.budget.share(p, q);
         if !self.spent() && self.carried(p, q, share) > LARGEST_ATTEMPT * self.budget.scale {
@@ -50,7 +50,7 @@ impl<'a> Job<'a> {
         self.moments.merge(&coarse, false);
         self.moments.merge(&fine, kept);
         if kept {
-            // Two rules may miss one horizon alike: what was not good enough is doubted by a part of all it carries.
+            // Two rules may miss one horizon alike: an attempt that missed its accuracy has at least this error.
             let doubt = if enough { 0.0 } else { DOUBT * self.first_entry(&fine) };
             let reach = SMALLEST_RATIO * p.longest().1.max(q.longest().1);
             let is_near = matches!(contact, Some(Touch::Apart(gap)) if *gap < reach);
@@ -60,20 +60,20 @@ impl<'a> Job<'a> {
         kept
     }
 
-    /// What a part of so large a `share` carries at the most.
+    /// Upper bound of what a part carries: its `share`, or a multiple of a coarse estimate.
     fn carried(&self, p: &Patch, q: &Patch, share: f64) -> f64 {
         let rough = scale(std::slice::from_ref(p), std::slice::from_ref(q), self.budget.unit);
         share.min(ROUGHNESS * rough)
     }
 
-    /// A part whose shadows are sampled although the rays are spent.
+    /// Sums a part whose shadows are sampled although the rays are spent.
     pub(super) fn roughly(&mut self, p: &Patch, q: &Patch, contact: Option<&Touch>, state: &State) {
         let n = POINTS_WHEN_SPENT + self.bends(self.budget.share(p, q));
         let part = self.tentative(p, q, contact, n, &state.blockers);
         self.moments.merge(&part, true);
     }
 
-    /// Points that the polynomials take: on a small part they are nearly those of a lower degree.
+    /// Points added for the polynomials, which on a small part are nearly of a lower degree.
     fn bends(&self, share: f64) -> usize {
         (0.5 * self.degrees[0].max(self.degrees[1]) as f64 * share.sqrt().min(1.0)).ceil() as usize
     }
@@ -93,7 +93,7 @@ impl<'a> Job<'a> {
         let plain = [n, n, n + 1, n + 1];
         match contact {
             None => {
-                // Half of a patch with itself.
+                // Half of the moments of a patch with itself.
                 moments.tensor(p, p, plain, sees);
                 moments.scale(0.5);
             }
@@ -112,8 +112,8 @@ impl<'a> Job<'a> {
     }
 }
 
-/// Adds two planar patches by the product of n × n points on what the second sees of the first and n + 1 a direction on what
-/// the first sees of it.
+/// Adds two planar patches by a product rule: n × n points on the part of the first that the second sees, (n + 1)² on
+/// the part of the second that the first sees.
 fn before_planes(
     moments: &mut Moments,
     [p, q]: [&Patch; 2],

@@ -1,20 +1,20 @@
-//! What of polygons lies before the plane of the other element.
+//! Clips the polygons of a pair by the plane of the other element.
 //!
-//! The kernel between two planar elements is clipped at the lines where the plane of each cuts the other:
+//! The kernel between two planar elements is zero beyond the line where the plane of one cuts the other,
 //!
 //! ```text
 //! κ(x, y) ∝ max(0, n_x·(y − x)) max(0, n_y·(x − y)) ,
 //! ```
 //!
-//! and either height is that over one plane, for all points of the other element. A polygon is cut along that line once, so
-//! that no rule ever meets it.
+//! because either height is over one plane, the same for all points of the other element. Cutting along this line once
+//! keeps all rules away from it.
 
 use crate::elements::patch::Patch;
 use crate::transport::contact::clip::Facet;
 use crate::transport::contact::planes::Plane;
 
-/// The parts of two elements that lie in `planes` if in any, those that are flat without what lies behind the other's plane;
-/// points closer to it than `tolerance` lie on it.
+/// The parts of two elements, flat ones without what lies behind the other's plane, if it has one in `planes`. Points
+/// closer to a plane than `tolerance` lie on it.
 pub(super) fn each_other(
     [first, second]: [Vec<Patch>; 2],
     planes: [Option<Plane>; 2],
@@ -53,7 +53,7 @@ mod tests {
             parts.iter().map(|part| polygon_area(&part.polygon())).sum()
         };
         assert!((seen(1.0, DVec3::X) - 9.0).abs() < 1e-12);
-        // The plane rises by one over one: it meets the floor at x = 2.
+        // The plane rises at 45°: it meets the floor at x = 2.
         assert!((seen(3.0, DVec3::new(-1.0, 0.0, 1.0).normalize()) - 6.0).abs() < 1e-12);
         assert_eq!([seen(5.0, -DVec3::X), seen(5.0, DVec3::X)], [12.0, 0.0]);
     }

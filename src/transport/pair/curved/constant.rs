@@ -1,4 +1,4 @@
-//! Pairs on which the kernel has one value: parts of the inside of one sphere.
+//! Pairs on which the kernel is constant: two parts of the inside of one sphere.
 //!
 //! ```text
 //! ∫∫ κ φ_k φ_l = κ ∫ φ_k dA ∫ φ_l dA
@@ -8,12 +8,11 @@ use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::integrand::kernel;
+use crate::transport::pair::curved::job::Job;
 use crate::transport::rules::orders::chart_orders;
 
-use crate::transport::pair::curved::job::Job;
-
 impl Job<'_> {
-    /// A pair of patches on which the kernel has one value: the product of their own moments.
+    /// Adds a pair of patches with a constant kernel: the product of their own moments.
     pub(super) fn constant(&mut self, p: &Patch, q: &Patch, value: f64) {
         let side = |patch: &Patch, element: &Element| {
             let basis = &element.basis;
@@ -33,7 +32,8 @@ impl Job<'_> {
     }
 }
 
-/// The kernel's value if it is the same for all pairs of points: both on the inside of one sphere.
+/// The kernel's value if it is the same, to 1e-10, at 9 × 16 pairs of points: both patches lie on the inside of one
+/// sphere.
 pub(super) fn constant(p: &Patch, q: &Patch) -> Option<f64> {
     if p.is_flat() || q.is_flat() {
         return None;

@@ -1,6 +1,6 @@
-//! Parts of one element as seen from one part of the other, with nothing or one ball in between.
+//! Fans: all parts of one element as seen from one part of the other, with nothing or one ball in between.
 //!
-//! Together, because their sum is smooth where a horizon passes from one into the next.
+//! They are integrated together, because their sum is smooth where a horizon passes from one part to the next.
 
 use radiosity_geom::COINCIDENT;
 
@@ -11,20 +11,20 @@ use crate::transport::blocks::block::Kind;
 use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
 use crate::transport::contact::orientation::{Facing, facing};
+use crate::transport::pair::curved::constant::constant;
+use crate::transport::pair::curved::job::{Job, SMALL_PART, State, Task};
+use crate::transport::pair::curved::points::quartered;
 use crate::transport::rules::far::SMALLEST_RATIO;
 use crate::transport::rules::horizon;
 use crate::transport::rules::horizon::Side;
 
-use crate::transport::pair::curved::constant::constant;
-use crate::transport::pair::curved::job::{Job, SMALL_PART, State, Task};
-use crate::transport::pair::curved::points::quartered;
-
-/// Part of the block's error that the horizons of one outer part may make.
+/// Share of the block's error for the horizons of one outer part. Chosen; not tuned.
 const HORIZON_SHARE: f64 = 0.3;
 
 impl Job<'_> {
-    /// Separates those inner parts that are ready for a tensor rule, that touch the outer part, or that have to be
-    /// halved, the outer part with them where it is the longer one; the rest is cut at its horizons as a whole.
+    /// Sorts the inner parts of a fan. Touching and negligible parts become pairs; parts all wholly visible and apart
+    /// take tensor rules; near ones are halved, or the outer part is, if it is longer. The rest is cut at its horizons
+    /// together.
     pub(super) fn fan(&mut self, outer: &Patch, inner: Vec<Patch>) {
         let reach = outer.longest().1;
         let mut open: VecDeque<Patch> = inner.into();
@@ -42,7 +42,7 @@ impl Job<'_> {
             let blockers = self.between(p, q);
             self.partly_hidden |= !blockers.is_empty();
             if !blockers.is_empty() && constant(p, q).is_some() {
-                // Nothing becomes singular, whether they touch or not.
+                // The kernel is constant: no contact makes it singular.
                 clipped.push((part, gap.max(SMALLEST_RATIO * reach)));
                 continue;
             }
@@ -77,7 +77,8 @@ impl Job<'_> {
         if near.is_empty() && clipped.is_empty() {
             return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
         }
-        // Beside horizons those seen wholly go the same way: the sum of all is smoother than any of them.
+        // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is smoother than
+        // any of them.
         clipped.extend(whole);
         if near.is_empty() {
             return self.horizon(outer, &clipped);
@@ -87,13 +88,13 @@ impl Job<'_> {
         self.tasks.extend(halves.map(|half| Task::Fan(half, near.clone())));
     }
 
-    /// An inner part that the outer one sees wholly, by a tensor rule.
+    /// An inner part that the outer part sees wholly, by a tensor rule.
     fn apart(&mut self, outer: &Patch, inner: &Patch, gap: f64) {
         let points = self.points(outer, inner).apart(outer, inner, gap);
         self.moments.tensor(outer, inner, points, None);
     }
 
-    /// Parts apart from an outer part, cut at their horizons. Together: where a horizon passes from one into the
+    /// Inner parts apart from an outer part, cut at their horizons together: where a horizon passes from one to the
     /// next, their sum stays smooth.
     pub(super) fn horizon(&mut self, outer: &Patch, inner: &[(Patch, f64)]) {
         let mut points = [1; 2];

@@ -1,4 +1,4 @@
-//! One block of curved elements under way: its parts still to come, and what was found so far.
+//! The block of a pair with a curved element under way: parts to do, and the sums so far.
 
 use radiosity_geom::COINCIDENT;
 
@@ -13,29 +13,29 @@ use crate::transport::estimates::coarse::largest_kernel;
 use crate::transport::estimates::entry_bounds::SMALLEST_ENTRY;
 use crate::transport::estimates::entry_norm::EntryNorm;
 use crate::transport::moments::Moments;
+use crate::transport::pair::curved::budget::Budget;
+use crate::transport::pair::curved::points::Points;
+use crate::transport::pair::curved::size::area;
 use crate::transport::rules::common_edge::Wedge;
 use crate::transport::rules::horizon::{Ball, Front};
 use crate::visibility::Visibility;
 
-use crate::transport::pair::curved::budget::Budget;
-use crate::transport::pair::curved::points::Points;
-use crate::transport::pair::curved::size::area;
-
-/// Parts up to this size are attempted before they are halved for nearness, or cut at their horizons.
+/// Largest share, relative to the block's scale, of parts that are attempted before they are halved or cut at horizons.
+/// Chosen; not tuned.
 pub(super) const SMALL_PART: f64 = 0.02;
-/// By how much more than by a rough rule a block may carry.
+/// Safety factor on a coarse estimate as an upper bound. Chosen; not tuned.
 pub(super) const ROUGHNESS: f64 = 3.0;
-/// Ratio of areas up to which a rough rule tells.
+/// Ratio of areas below which a coarse estimate is trusted to find a block negligible. Chosen; not tuned.
 const LARGEST_AREA_RATIO: f64 = 100.0;
-/// No block of a surface with itself is taken for smaller than this: beside it stands what the surface loses to others.
+/// Smallest scale of the block of a surface with itself: what it sends to others is larger. Chosen; not tuned.
 const SMALLEST_OWN_SCALE: f64 = 5e-3;
 
-/// A part of the block under way.
+/// A part of the block to do.
 pub(super) enum Task {
     /// Half of a patch with itself.
     Same(Patch, State),
     Pair(Patch, Patch, State),
-    /// Parts of one side as seen from one part of the other, with nothing in between.
+    /// Parts of one element as seen from one part of the other, with nothing or one ball in between.
     Fan(Patch, Vec<Patch>),
 }
 
@@ -43,7 +43,7 @@ pub(super) enum Task {
 pub(super) struct State {
     /// Whether the patches may touch.
     pub touching: bool,
-    /// Halvings left for visibility.
+    /// Halvings left before visibility is sampled.
     pub levels: u32,
     pub blockers: Vec<usize>,
 }
@@ -54,9 +54,9 @@ pub(super) struct Job<'a> {
     pub elements: [&'a Element; 2],
     pub degrees: [usize; 2],
     pub size: f64,
-    /// What the plane of either element shows of the other, of the first first, if both are planar.
+    /// The fronts of both planes, the one that cuts the first element first, if both elements are planar.
     pub fronts: Option<[Front; 2]>,
-    /// What stands between in fans, with its surface.
+    /// The ball that stands between in fans, with its surface.
     pub ball: Option<(usize, Ball)>,
     pub moments: Moments<'a>,
     pub yardstick: EntryNorm,
@@ -107,8 +107,8 @@ impl<'a> Job<'a> {
         if a == b { SMALLEST_OWN_SCALE } else { SMALLEST_ENTRY }
     }
 
-    /// Whether the whole block is smaller than its error may be, as nearly flat surfaces are with themselves. Elements of
-    /// very different sizes are not judged by a rough rule, which passes by corners that alone see each other.
+    /// Whether the whole block is below its allowed error, as of a nearly flat surface with itself. Elements of very
+    /// different sizes are excluded, where a coarse estimate may miss corners that alone see each other.
     pub(super) fn carries_nothing(&mut self, rough: f64, [receivers, emitters]: [&[Patch]; 2]) -> bool {
         let [a, b] = self.elements.map(|element| element.area);
         let may_err = self.budget.may_err();
@@ -121,7 +121,7 @@ impl<'a> Job<'a> {
         nothing
     }
 
-    /// The only blocker, if it is a ball outside of which both elements lie.
+    /// The only blocker, if it is a ball and both elements lie outside it.
     pub(super) fn ball_between(&self, blockers: &[usize]) -> Option<(usize, Ball)> {
         let (center, radius) = self.visibility.only_ball(blockers)?;
         let outside = |patch: &Patch| {
@@ -134,18 +134,17 @@ impl<'a> Job<'a> {
         all.then_some((blockers[0], Ball { center, radius }))
     }
 
-    /// The blocker of fans, if it may stand between these two patches.
+    /// The ball of fans, if it may stand between these two patches.
     pub(super) fn between(&self, p: &Patch, q: &Patch) -> Vec<usize> {
         let between = |surface: &usize| self.visibility.reaches(*surface, &p.hull(), &q.hull());
         self.ball.map(|(surface, _)| surface).filter(between).into_iter().collect()
     }
 
-    /// What the numbers of points of two parts depend on.
+    /// The data for the numbers of points of a pair of parts.
     pub(super) fn points(&self, p: &Patch, q: &Patch) -> Points {
         Points { degrees: self.degrees, eps: self.budget.part_eps(p, q) }
     }
 
-    /// Whether contacts may be refined no more.
     pub(super) fn spent(&self) -> bool {
         self.budget.spent(&self.moments)
     }
@@ -155,7 +154,7 @@ impl<'a> Job<'a> {
         Block { unresolved: self.unresolved, error: self.error, ..block }
     }
 
-    /// What two sectors start with: each counts as halved as often as makes its part of its element.
+    /// The state of a pair of sectors: being a sector counts as the halvings that would make a part of the same size.
     pub(super) fn state(&self, p: &Patch, q: &Patch, blockers: &[usize]) -> State {
         let halved = -(area(p) * area(q) / (self.budget.unit * self.budget.unit)).log2();
         let levels = self.budget.accuracy.shadow_levels().saturating_sub(halved.max(0.0) as u32);
@@ -178,8 +177,8 @@ impl<'a> Job<'a> {
         }
     }
 
-    /// Brings a contact nearer to a rule, or halves a pair where it is longest; both sides together along a common
-    /// edge.
+    /// Halves a pair towards the case of a rule: at a cut, at a tip, or across the longest extent; both sides together
+    /// along a common edge that is as long.
     pub(super) fn halve(&mut self, p: &Patch, q: &Patch, contact: &Touch, state: &State) {
         let whole = |patch: &Patch| vec![patch.clone()];
         match contact {

@@ -1,17 +1,16 @@
-//! Parts of a curved element with themselves.
+//! A part of a curved element with itself.
 
 use crate::elements::patch::{Direction, Patch};
 use crate::transport::contact::curved::collapsed;
 use crate::transport::contact::orientation;
 use crate::transport::contact::orientation::Facing;
 use crate::transport::moments::integrand::Sees;
-use crate::transport::rules::common_edge::LARGEST_ASPECT;
-use crate::transport::rules::identical;
-
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{Job, State, Task};
 use crate::transport::pair::curved::points::contact_chart;
 use crate::transport::pair::curved::size::area;
+use crate::transport::rules::common_edge::LARGEST_ASPECT;
+use crate::transport::rules::identical;
 
 impl Job<'_> {
     pub(super) fn same(&mut self, patch: &Patch, mut state: State) {

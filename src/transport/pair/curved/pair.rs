@@ -1,4 +1,4 @@
-//! Two parts of curved elements, wherever they lie.
+//! Two parts of curved elements in any position.
 
 use radiosity_geom::COINCIDENT;
 
@@ -9,13 +9,12 @@ use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::moments::integrand::Sees;
-use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
-use crate::transport::rules::far::SMALLEST_RATIO;
-use crate::transport::rules::{common_edge, common_vertex};
-
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{Job, SMALL_PART, State};
 use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
+use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
+use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::{common_edge, common_vertex};
 
 impl Job<'_> {
     pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
@@ -43,7 +42,7 @@ impl Job<'_> {
         let is_near = gap < SMALLEST_RATIO * p.longest().1.max(q.longest().1);
         if !state.blockers.is_empty() {
             let spent = self.budget.shadows_spent(&self.moments);
-            // Rules of horizons leave out what a ball hides: its shadow must not be taken off beside them.
+            // The rules of horizons already leave out what a ball hides: it must not be subtracted twice.
             let is_scattered = !is_small && !is_near && self.ball.is_none();
             if state.levels > 0 && !spent && !is_scattered {
                 state.levels -= 1;
@@ -74,7 +73,7 @@ impl Job<'_> {
         }
     }
 
-    /// A pair through which a horizon may run.
+    /// A pair that a horizon may cut.
     fn clipped(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let longest = p.longest().1.max(q.longest().1);
         if gap >= SMALLEST_RATIO * longest {
@@ -89,7 +88,7 @@ impl Job<'_> {
         }
     }
 
-    /// A pair that sees each other wholly, or whose horizons are left to rays.
+    /// A pair that faces each other wholly, or whose horizons are left to the rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
         let free = |x, y| visibility.free_between(own, &blockers, x, y);

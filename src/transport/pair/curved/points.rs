@@ -1,4 +1,4 @@
-//! How many points the rules of parts of curved elements take.
+//! Numbers of points for the rules of parts of curved elements.
 
 use std::sync::Arc;
 
@@ -10,19 +10,18 @@ use crate::transport::rules::common_edge::{Wedge, unequal_speed};
 use crate::transport::rules::orders::{by_trial, chart_orders};
 use crate::transport::rules::{common_edge, common_vertex, far, horizon};
 
-/// Most points a direction of the corner rule, which takes their fourth power.
+/// Most points per direction of the corner rule, which takes their fourth power. Chosen; not tuned.
 pub(super) const MOST_CORNER_POINTS: usize = 20;
-/// What the numbers of points of a pair of parts depend on beside their shapes.
+/// The degrees and the accuracy that decide the numbers of points, with the shapes of the parts.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Points {
     /// Degrees of receiver and emitter.
     pub degrees: [usize; 2],
-    /// Accuracy asked of the part.
     pub eps: f64,
 }
 
 impl Points {
-    /// Points of the tensor rule of a pair apart.
+    /// Points of the tensor rule for two parts apart.
     pub(super) fn apart(&self, p: &Patch, q: &Patch, gap: f64) -> [usize; 4] {
         let counts = far::counts(p, q, self.degrees, gap, self.eps);
         let charts = [chart_orders::points(p, self.eps), chart_orders::points(q, self.eps)].concat();
@@ -62,22 +61,22 @@ impl Points {
         self.degrees[0].max(self.degrees[1])
     }
 
-    /// Points that integrate the polynomials of both sides and the area elements of affine charts exactly.
+    /// Points that integrate the polynomials of both sides and a linear area element exactly.
     fn exact_degree(&self) -> usize {
         far::exact(self.degrees)
     }
 }
 
-/// Points that the charts of two touching patches take: half as many again as of patches apart, since the kernel
-/// between them varies with the charts alone.
+/// Points for the charts of two touching patches: half as many again as for patches apart, since between touching
+/// patches the charts alone make the kernel vary. The half is chosen, not tuned.
 pub(super) fn contact_chart(p: &Patch, q: &Patch, eps: f64) -> usize {
     let most =
         [chart_orders::points(p, eps), chart_orders::points(q, eps)].concat().into_iter().max().unwrap_or(0);
     most + most.div_ceil(2)
 }
 
-/// Points of the tensor rule on an inner patch and on its quarters, by how often it is quartered: their extents halve,
-/// and their charts take about a quarter less points each time.
+/// Points of the tensor rule on an inner patch, its quarters, their quarters and so on: extents halve, and charts take
+/// about a quarter less points each time. The 0.75 is chosen, not tuned.
 pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc<[[usize; 2]]> {
     let charts = chart_orders::points(patch, eps);
     let extents = patch.extents();
@@ -87,14 +86,15 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
         let chart = (charts[axis] as f64 * 0.75f64.powi(depth as i32)).ceil() as usize;
         (far::points(degree, eps, rho) + chart).min(MOST_POINTS)
     };
-    // A horizon that grazes a quarter's lines clips ever less of ever smaller quarters.
+    // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits, and one.
     let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
     (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
 }
 
-/// ϱ of the angular variables at a common corner where the patches lean over each other: that of a common edge of
-/// the least angle φ between them, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ).
+/// ϱ of the angular variables at a common corner of patches that lean over each other: that of a common edge with the
+/// least angle φ between their directions, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ); sin(φ/2) ≥ 0.01 keeps ϱ above 1.
 fn corner_rate(p: &Patch, q: &Patch) -> f64 {
+    // Steps of a quarter circle of directions. Chosen; not tuned.
     const STEPS: usize = 8;
     let directions = |patch: &Patch| -> Vec<DVec3> {
         let corner = patch.node(0.0, 0.0).position;

@@ -1,16 +1,15 @@
-//! Parts apart with something in between.
+//! Parts apart with blockers in between.
 
 use crate::elements::patch::Patch;
 use crate::transport::contact::orientation::Facing;
 use crate::transport::occlusion::sampled::{Choice, SampledVisibility};
-
 use crate::transport::pair::curved::job::Job;
 use crate::transport::pair::curved::size::area;
 
 impl Job<'_> {
-    /// What two parts see of each other, sampled at scattered points; whether what is hidden was taken off instead, so that all
-    /// there is has yet to be added. Errors of parts have either sign, so that their squares add up: each gets its part of the
-    /// block's.
+    /// Samples what two parts see of each other. Returns true if what is hidden was subtracted, so that the
+    /// unobstructed part has yet to be added. Errors of parts have either sign, so that their variances add: each part
+    /// gets its share.
     pub(super) fn scatter(&mut self, p: &Patch, q: &Patch, facing: Facing, blockers: &[usize]) -> bool {
         let own = self.surfaces();
         let free = |x, y| self.visibility.free_between(own, blockers, x, y);

@@ -1,15 +1,15 @@
-//! The kernel between two parallelograms with a common edge, as moments over the angular variables.
+//! Two parallelograms with a common edge: the kernel's moments over the angular variables.
 //!
-//! In the coordinates of [`crate::transport::rules::common_edge`] the two stand at t p and v q from the edge e, and κ is homogeneous of degree −2:
-//! with (t, v, z) = x (τ, ν, ζ)
+//! In the coordinates of [`crate::transport::rules::common_edge`] a point lies at t p from the edge e on the receiver,
+//! at v q on the emitter, and κ is homogeneous of degree −2. With (t, v, z) = x (τ, ν, ζ)
 //!
 //! ```text
 //! x² κ = (n_p·q)(n_q·p) τ ν / π|ν q − τ p ± ζ e|⁴ ,    (τ, ν, ζ) = (1, a, b), (a, 1, b), (a, b, 1)
 //! κ_rc = ∫₀¹∫₀¹ x²κ p_r(2a − 1) p_c(2b − 1) da db
 //! ```
 //!
-//! Where one side is much deeper, the edge short or the angle small, the kernel peaks in one place of the square (a, b).
-//! The square is halved towards it as long as that takes fewer points; each part has its own number of points along a and b
+//! Where one side is much deeper, the edge short or the angle small, the kernel has a peak in the square of (a, b). The
+//! square is halved as long as that saves points; each part has its own numbers of points
 //! ([`crate::transport::rules::orders::subdivided_cube`]).
 
 use core::f64::consts::FRAC_1_PI;
@@ -19,23 +19,21 @@ use radiosity_geom::DVec3;
 use crate::elements::columns::add_scaled;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::triangles::DEEPEST;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
-/// Two parallelograms with a common edge.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct ParallelogramPair {
     edge: DVec3,
     depths: [DVec3; 2],
     /// (n_p·q)(n_q·p)/π times both area elements.
     strength: f64,
-    /// Whether both depths stand upright on the edge, so that both signs of ζ give the same.
+    /// Whether both depths are perpendicular to the edge: both signs of ζ then give the same values.
     upright: bool,
 }
 
-/// κ_rc of one region, r-major, combined over the two signs of ζ.
+/// κ_rc of one subdomain, r-major, combined over the two signs of ζ.
 #[derive(Clone, Debug)]
 pub(in crate::transport) struct Angular {
     /// κ⁺ + κ⁻.
@@ -46,23 +44,23 @@ pub(in crate::transport) struct Angular {
     pub width: usize,
 }
 
-/// One of the three regions: r = fixed + a · along[0] + b · along[1], for the two signs of ζ.
+/// One of the three subdomains: r = fixed + a · along[0] + b · along[1], for either sign of ζ.
 struct Region {
     fixed: [DVec3; 2],
     along: [[DVec3; 2]; 2],
-    /// Highest r and c.
+    /// Highest r and highest c.
     degrees: [usize; 2],
-    /// The degree of the integrand's polynomials that counts for the number of points.
+    /// Degree of the polynomials, for the number of points.
     degree: usize,
     eps: f64,
-    /// Which, from 0.
+    /// Its index, from 0.
     which: usize,
-    /// How many of the two signs differ.
+    /// Number of signs of ζ to sum: 1 or 2.
     signs: usize,
 }
 
 impl ParallelogramPair {
-    /// Of two parallelograms oriented with the common edge at t = 0, each in front of the other.
+    /// For two parallelograms oriented with the common edge at t = 0, each in front of the other.
     pub(in crate::transport) fn new(p: &Patch, q: &Patch) -> Self {
         let (origin, far) = (p.node(0.0, 0.0), q.node(0.0, 1.0));
         let edge = p.node(1.0, 0.0).position - origin.position;
@@ -72,8 +70,8 @@ impl ParallelogramPair {
         Self { edge, depths, strength: FRAC_1_PI * strength * origin.area * far.area, upright }
     }
 
-    /// κ_rc of the three regions for polynomials of the given degrees [receiver, emitter], and the number of kernel
-    /// values; None where the kernel is too nearly singular.
+    /// κ_rc of the three subdomains for polynomials of the given degrees [receiver, emitter], and the number of kernel
+    /// values. None where the kernel is too nearly singular.
     pub(in crate::transport) fn moments(&self, degrees: [usize; 2], eps: f64) -> Option<([Angular; 3], u64)> {
         let mut samples = 0;
         let along_edge = degrees[0] + degrees[1] + 1;
@@ -109,7 +107,7 @@ impl Angular {
 }
 
 impl Region {
-    /// Adds the moments of one sign of ζ; returns the number of kernel values.
+    /// Adds the moments for one sign of ζ; returns the number of kernel values.
     fn add(&self, sign: usize, strength: f64, out: &mut Angular) -> Option<u64> {
         let difference = |[a, b]: [f64; 2]| self.difference(sign, a, b);
         let (degree, eps) = (self.degree, self.eps);
@@ -143,7 +141,7 @@ impl Region {
             }
             polynomials(2.0 * a - 1.0, &mut row_a);
             let weight = strength * wa * part.size[0] * part.size[1];
-            // One sign stands for both: twice in the sum, nothing in the difference.
+            // If one sign serves for both, it counts twice in the sum and cancels in the difference.
             let (even, odd) = if self.signs == 1 { (2.0, 0.0) } else { (1.0, [1.0, -1.0][sign]) };
             for (r, value) in row_a.iter().enumerate() {
                 let place = r * out.width..(r + 1) * out.width;

@@ -1,18 +1,17 @@
-//! Sums over pairs of points beside a common edge, in an order that leaves the coordinates away from it to the end:
+//! Moments of two patches with a common edge, summed in an order that leaves t and v to the end:
 //!
 //! ```text
 //! S_ij = Σ κ p_i(s) p_j(u) ,   Q_il = Σ p_β(v) S_ij ,   M_kl = Σ p_α(t) Q_il ,   k = (i, α), l = (j, β)
 //! ```
 
 use crate::elements::columns::add_scaled;
-
 use crate::transport::moments::PatchMoments;
 
 /// The sums S, Q and M of one pair of patches.
 pub(in crate::transport) struct EdgeSum<'p> {
-    /// Takes M.
+    /// The pair, whose values are M.
     pub pair: PatchMoments<'p>,
-    /// Emitter's polynomials.
+    /// Number of the emitter's polynomials along the edge.
     width: usize,
     /// S, p_i of the receiver by p_j of the emitter.
     both_along: Vec<f64>,
@@ -23,7 +22,6 @@ pub(in crate::transport) struct EdgeSum<'p> {
 }
 
 impl<'p> EdgeSum<'p> {
-    /// Sums of zero.
     pub(in crate::transport) fn new(pair: PatchMoments<'p>) -> Self {
         let [rows, width] = [0, 1].map(|side| pair.charts[side].width());
         Self {

@@ -1,8 +1,9 @@
-//! The polynomial part of the common-edge rule on two parallelograms: known once for each pair of degrees.
+//! The polynomial factors of the common-edge rule for two parallelograms: one table for each pair of degrees.
 //!
-//! In the coordinates of [`crate::transport::rules::common_edge`] the kernel of two parallelograms is K(a, b)/x², free of y, and all that a pair
-//! contributes are its angular moments κ_rc ([`crate::transport::rules::common_edge::parallelograms`]). Both sides are expanded in their own polynomials T_m(s, t) =
-//! p_i(2s − 1) p_α(2t − 1). In the first region, t = x, v = xa, z = xb,
+//! In the coordinates of [`crate::transport::rules::common_edge`] the kernel of two parallelograms is K(a, b)/x² and
+//! does not depend on y. A pair therefore enters through its angular moments κ_rc alone
+//! ([`crate::transport::rules::common_edge::parallelograms`]). Both sides are expanded in their own polynomials
+//! T_m(s, t) = p_i(2s − 1) p_α(2t − 1). In the first subdomain, t = x, v = xa, z = xb,
 //!
 //! ```text
 //! M_mn = ∫₀¹ dx p_α(2x − 1) Σ_r B_βr(x) Σ_c C_ijc(x) κ_rc ,
@@ -10,9 +11,10 @@
 //! Y_ij(z) = ∫₀¹ (1 − z) p_i(2s − 1) p_j(2u − 1) dy ,   Y_ij(xb) = Σ_c C_ijc(x) p_c(2b − 1) ,
 //! ```
 //!
-//! n = (j, β); the second region exchanges the roles of t and v, in the third, z = x, the sum over c runs over v = xb instead.
-//! All sums end: r ≤ β, c ≤ i + j + 1. Reflecting the edge, s → 1 − s and u → 1 − u, exchanges the two signs of u − s and
-//! multiplies by (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd κ⁺ − κ⁻. The tables B, C and Y depend on the degrees only.
+//! with n = (j, β). The second subdomain exchanges the roles of t and v; in the third, z = x, the sum over c belongs to
+//! v = xb. All sums are finite: r ≤ β, c ≤ i + j + 1. Reversing the edge, s → 1 − s and u → 1 − u, exchanges the signs
+//! of u − s and multiplies by (−1)^{i+j}: even i + j takes κ⁺ + κ⁻, odd i + j takes κ⁺ − κ⁻. B, C and Y depend on the
+//! degrees only.
 
 use std::collections::HashMap;
 use std::sync::{Arc, LazyLock, Mutex};
@@ -21,7 +23,6 @@ use radiosity_core::basis::total;
 
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::parallelograms::Angular;
 use crate::transport::rules::far;
@@ -37,11 +38,11 @@ pub(in crate::transport) struct EdgeTable {
 #[derive(Debug)]
 struct Radial {
     weight: f64,
-    /// p_n(2x − 1), to the greater degree.
+    /// p_n(2x − 1), n up to the larger degree.
     values: Vec<f64>,
-    /// B_nr, square, to the greater degree.
+    /// B_nr, a square matrix, n and r up to the larger degree.
     dilation: Vec<f64>,
-    /// C_ijc, a row of i + j + 2 within N_i + N_j + 2 places for each (i, j).
+    /// C_ijc: for each (i, j) a row of N_i + N_j + 2 places, of which i + j + 2 are used.
     along: Vec<f64>,
     /// Y_ij(x).
     along_at_x: Vec<f64>,
@@ -53,19 +54,19 @@ impl EdgeTable {
         type Tables = Mutex<HashMap<[usize; 2], Arc<EdgeTable>>>;
         static TABLES: LazyLock<Tables> = LazyLock::new(Tables::default);
         let find = || TABLES.lock().expect("no holder panics").get(&degrees).cloned();
-        // Computed outside the lock: two threads may do the same work, with the same result.
+        // Computed outside the lock: two threads may compute the same table, with the same values.
         find().unwrap_or_else(|| {
             let table = Arc::new(Self::compute(degrees));
             TABLES.lock().expect("no holder panics").entry(degrees).or_insert(table).clone()
         })
     }
 
-    /// Number of points that x and y take together.
+    /// Number of points in x times that in y.
     pub(in crate::transport) fn points(&self) -> usize {
         self.nodes.len() * self.nodes.len()
     }
 
-    /// Moments M in the patches' own polynomials of total degree, receiver's index first, from the angular ones.
+    /// Moments M in the patches' own polynomials of total degree, receiver's index first, from the angular moments.
     pub(in crate::transport) fn moments(&self, angular: &[Angular; 3]) -> Vec<f64> {
         let counts = self.degrees.map(total::count);
         let mut moments = vec![0.0; counts[0] * counts[1]];
@@ -99,7 +100,7 @@ impl EdgeTable {
             for j in 0..columns {
                 let kappa = if (i + j) % 2 == 0 { &angular.even } else { &angular.odd };
                 let along = &radial.along[(i * columns + j) * places..][..i + j + 2];
-                // Along and across share the total degree.
+                // The total degree limits i + n on the receiver, j + n on the emitter.
                 let most = self.degrees[side] - [i, j][side];
                 for (r, value) in row[..=most].iter_mut().enumerate() {
                     *value = dot(along, &kappa[r * angular.width..]);
@@ -141,7 +142,7 @@ impl EdgeTable {
         }
     }
 
-    /// Places of a row of C.
+    /// Length of a row of C.
     fn places(&self) -> usize {
         self.degrees[0] + self.degrees[1] + 2
     }
@@ -168,13 +169,13 @@ impl Radial {
     }
 }
 
-/// Coefficients of the `count` functions of a ∈ [0, 1] in p_c(2a − 1), c < `places`, a row a function.
+/// Coefficients of `count` functions of a ∈ [0, 1] in p_c(2a − 1), c < `places`; one row for each function.
 fn expanded(functions: impl Fn(f64) -> Vec<f64>, places: usize, count: usize) -> Vec<f64> {
     let mut rows = vec![0.0; count * places];
     for (a, weight) in UnitRule::of(places).iter() {
         let polynomials = values(a, places);
         for (row, value) in rows.chunks_exact_mut(places).zip(functions(a)) {
-            // Two: the measure of [−1, 1] against that of [0, 1].
+            // Factor 2: the length of [−1, 1] over that of [0, 1].
             row.iter_mut().zip(&polynomials).for_each(|(c, p)| *c += 2.0 * weight * value * p);
         }
     }
@@ -202,12 +203,12 @@ fn values(x: f64, count: usize) -> Vec<f64> {
     values
 }
 
-/// Degrees (along, across) of the polynomials of total degree ≤ `degree`, in their order.
+/// Degrees (along, across) of the polynomials of total degree ≤ `degree`, in the order of the basis.
 fn pairs(degree: usize) -> impl Iterator<Item = (usize, usize)> {
     (0..=degree).flat_map(|d| (0..=d).map(move |j| (d - j, j)))
 }
 
-/// Σ over the length of `a`.
+/// Σ_k a_k b_k over the length of `a`.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(x, y)| x * y).sum()
 }

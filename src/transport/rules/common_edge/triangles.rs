@@ -1,22 +1,24 @@
-//! Two triangles with a common edge.
+//! Two triangles with a common edge: the kernel's homogeneity used as for parallelograms, on other subdomains.
 //!
-//! With the edge e from the origin and the third corners p and q, the points are x = σ e + τ p and y = σ′ e + ν q, σ, τ ≥ 0, σ +
-//! τ ≤ 1, and the same for y. With z = σ′ − σ the kernel depends on (τ, ν, z) alone and is homogeneous of degree −2, as for
-//! parallelograms ([`crate::transport::rules::common_edge::parallelograms`]); only the domain differs. On the edge a pair (τ, ν, z) has room for
+//! With the edge e from the origin and the third corners p and q, the points are x = σ e + τ p and y = σ′ e + ν q,
+//! where σ, τ ≥ 0, σ + τ ≤ 1 and likewise σ′, ν ≥ 0, σ′ + ν ≤ 1. With z = σ′ − σ the kernel depends on (τ, ν, z) alone
+//! and is homogeneous of degree −2 ([`crate::transport::rules::common_edge::parallelograms`]). For given (τ, ν, z) the
+//! length of the interval of σ is
 //!
 //! ```text
 //! 1 − max(τ, ν + z)  (z ≥ 0) ,     1 − max(τ + |z|, ν)  (z < 0) .
 //! ```
 //!
-//! Scaled by x so that the maximum is x, each sign has two regions,
+//! Scaled by x so that the maximum is x, each sign of z has two subdomains,
 //!
 //! ```text
 //! z ≥ 0 :  (τ, ν, z) = x (1, a(1 − b), ab) ,  dV = x² a dx da db      z < 0 :  the same with τ and ν exchanged.
 //!          (τ, ν, z) = x (a, 1 − b, b) ,      dV = x² dx da db
 //! ```
 //!
-//! and the sums over x ∈ [0, 1] and over the room 1 − x are exact. In a and b the difference y − x is linear in each, so the
-//! number of points follows from where r² vanishes ([`crate::transport::rules::orders::analyticity`]); the square is halved as long as that takes fewer.
+//! The sums over x ∈ [0, 1] and over the interval, of length 1 − x, are exact. The difference y − x is linear in a and
+//! in b, so that the zeros of r² give the numbers of points ([`crate::transport::rules::orders::analyticity`]). The
+//! square of (a, b) is halved as long as that saves points.
 
 use core::f64::consts::FRAC_1_PI;
 
@@ -24,13 +26,12 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
-
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::far;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
 
-/// Two triangles, oriented with the common edge at t = 0 of the parallelograms they are halves of.
+/// Two triangles, each the half s + t ≤ 1 of a parallelogram with the common edge at t = 0.
 struct Wedge {
     edge: DVec3,
     corners: [DVec3; 2],
@@ -38,12 +39,12 @@ struct Wedge {
     strength: f64,
 }
 
-/// One of the four regions.
+/// One of the four subdomains.
 #[derive(Clone, Copy)]
 struct Region {
     /// z < 0: receiver and emitter exchange places.
     mirrored: bool,
-    /// The first of the two: the triangle (1, a(1 − b), ab).
+    /// The first subdomain of its sign, (1, a(1 − b), ab), whose side a = 0 is one point.
     collapsed: bool,
 }
 
@@ -92,14 +93,14 @@ impl Wedge {
     }
 }
 
-/// Most halvings of a square of angular variables, one inside the other.
+/// Most halvings of a square of angular variables, one inside the other. Chosen; not tuned.
 pub(in crate::transport) const DEEPEST: u32 = 48;
-/// What is asked beyond ε, for the four regions add up.
+/// Factor of ε for each of the four subdomains, whose errors add up. Chosen; not tuned.
 const SHARE: f64 = 0.5;
 
-/// Adds the halves s + t ≤ 1 of two parallelograms with a common edge at t = 0 that see each other freely.
+/// Adds the halves s + t ≤ 1 of two parallelograms with a common edge at t = 0 that see each other wholly.
 ///
-/// False, and nothing is added, where the kernel is too nearly singular.
+/// Returns false, and adds nothing, where the kernel is too nearly singular.
 pub(in crate::transport) fn integrate(
     moments: &mut Moments,
     p: &Patch,

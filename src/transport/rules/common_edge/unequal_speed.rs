@@ -1,26 +1,26 @@
-//! A common edge that two patches run through at different speeds.
+//! A common edge that the two charts run through at different speeds.
 //!
-//! The rule of [`crate::transport::rules::common_edge`] needs equal points of the edge for s = u. So the emitter's chart is rewound:
+//! The rule of [`crate::transport::rules::common_edge`] needs the same point of the edge at s = u. Hence the emitter is
+//! re-parametrised:
 //!
 //! ```text
 //! u = σ(s) where q(σ(s), 0) = p(s, 0) ,     σ′ = |p_s| / |q_u|
 //! ```
 //!
-//! and σ′ multiplies its area element. σ is analytic where both speeds are, and is interpolated at Chebyshev points.
+//! and σ′ multiplies its area element. σ is analytic where both speeds are; it is interpolated at Chebyshev points.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::contact::curved::sides;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
 
-/// Points of the interpolant.
+/// Chebyshev points of the interpolant of σ. Chosen; not tuned.
 const POINTS: usize = 32;
 
-/// Adds two patches oriented with their common edge at t = 0, with `points` as in [`crate::transport::rules::common_edge`].
+/// Adds two patches oriented with their common edge at t = 0, `points` as in [`crate::transport::rules::common_edge`].
 pub(in crate::transport) fn integrate(
     moments: &mut Moments,
     p: &Patch,
@@ -45,7 +45,7 @@ pub(in crate::transport) fn integrate(
     }
 }
 
-/// The emitter with its chart rewound along the edge.
+/// The emitter, re-parametrised along the edge.
 pub(in crate::transport) struct UnequalSpeed<'a> {
     p: &'a Patch,
     q: &'a Patch,
@@ -54,7 +54,7 @@ pub(in crate::transport) struct UnequalSpeed<'a> {
 }
 
 impl<'a> UnequalSpeed<'a> {
-    /// Of an emitter whose edge t = 0 is that of `p`.
+    /// For an emitter `q` whose edge t = 0 coincides with that of `p`.
     pub(in crate::transport) fn new(p: &'a Patch, q: &'a Patch) -> Self {
         let edges = sides(q);
         let value = |k: usize| match k {
@@ -65,7 +65,7 @@ impl<'a> UnequalSpeed<'a> {
         Self { p, q, values: (0..POINTS).map(value).collect() }
     }
 
-    /// The node at (s, v), s in the chart of the receiver.
+    /// The node at (s, v), s in the receiver's parameter along the edge.
     pub(in crate::transport) fn node(&self, s: f64, v: f64) -> Node {
         let u = self.sigma(s);
         let node = self.q.node(u, v);

@@ -1,12 +1,12 @@
-//! The term of two edges in the double contour integral, by whichever form suits their place.
+//! The term of two edges in the double contour integral, by the form that suits their position.
 
 use crate::transport::rules::contour::segment::Segment;
 use crate::transport::rules::contour::{crossing, parallel, skew};
 
-/// Cosines, and sines, below this are rounding errors.
+/// Cosines and sines below this are rounding errors of unit vectors.
 const ROUNDING: f64 = 1e-15;
 
-/// (d_a·d_b) ∫∫ (ln r + 3/2) ds dt, and the number of logarithms it took.
+/// (d_a·d_b) ∫∫ (ln r + 3/2) ds dt, and the number of logarithms.
 pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     let cosine = a.direction.dot(b.direction);
     if cosine.abs() <= ROUNDING {
@@ -23,7 +23,7 @@ pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     (cosine * integral, terms)
 }
 
-/// The sum of the terms of several edges with one.
+/// The sum of the terms of several edges with one edge.
 pub(super) fn integrals(edges: &[Segment], b: &Segment) -> (f64, u64) {
     edges.iter().map(|a| integral(a, b)).fold((0.0, 0), |(x, n), (y, m)| (x + y, n + m))
 }

@@ -1,7 +1,7 @@
-//! Parallel edges, in closed form.
+//! Parallel edges: the double integral in closed form.
 //!
-//! On lines at the distance h, points at s and t are r² = u² + h² apart, u = t − s. The second antiderivative of
-//! ½ ln(u² + h²) is, up to terms linear in u,
+//! On lines at the distance h, points at s and t have the distance r, r² = u² + h², u = t − s. The second
+//! antiderivative of ½ ln(u² + h²) is, up to terms linear in u,
 //!
 //! ```text
 //! G(u) − ¾u² ,   G(u) = ¼ (u² − h²) ln(u² + h²) + h u atan(u/h) ,

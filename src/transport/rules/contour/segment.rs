@@ -1,17 +1,14 @@
-//! An edge of a polygon, charted by arc length.
+//! An edge of a polygon, parametrised by arc length.
 
 use radiosity_geom::DVec3;
 
 /// The points `start` + s `direction`, 0 ≤ s ≤ `length`.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Segment {
-    /// Where it starts.
     pub start: DVec3,
-    /// Where it ends.
     pub end: DVec3,
     /// Unit vector from start to end.
     pub direction: DVec3,
-    /// Its length.
     pub length: f64,
 }
 
@@ -22,7 +19,7 @@ impl Segment {
         Self { start, end, direction: (end - start) / length, length }
     }
 
-    /// The same points run through the other way.
+    /// The same segment in the opposite direction.
     pub(super) fn reversed(&self) -> Self {
         Self { start: self.end, end: self.start, direction: -self.direction, length: self.length }
     }
@@ -34,7 +31,7 @@ pub(super) fn edges(polygon: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> +
     (0..=last).map(move |k| (polygon[k], polygon[if k == last { 0 } else { k + 1 }]))
 }
 
-/// The edges of a polygon that have a length.
+/// The edges of a polygon that have length.
 pub(super) fn segments(polygon: &[DVec3]) -> Vec<Segment> {
     edges(polygon)
         .filter(|(start, end)| start != end)

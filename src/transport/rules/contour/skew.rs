@@ -1,4 +1,4 @@
-//! Skew edges: the inner integral in closed form, the outer one by Gauss.
+//! Skew edges: the inner integral in closed form, the outer one by Gauss' rule.
 //!
 //! From a point at the distance w of the inner line, whose ends lie at u₀ and u₁ from its foot,
 //!
@@ -6,34 +6,33 @@
 //! ∫ ln r dt = [ u ln √(u² + w²) + w atan(u/w) ] − u₁ + u₀ .
 //! ```
 //!
-//! As a function of the outer arc length s this is analytic but for the ends of the inner edge, at c ± iδ where c is
-//! the foot of the end on the outer line and δ its distance, and for s* ± ih/sin θ where the lines pass each other at
-//! the distance h, if the foot on the inner line lies on the inner edge. On a panel [l, m] Gauss's rule converges
-//! like ϱ⁻²ⁿ,
+//! As a function of the outer arc length s this is analytic except at c ± iδ for each end of the inner edge, c being
+//! the foot of the end on the outer line and δ its distance; and at s* ± ih/sin θ, where the lines pass each other at
+//! the distance h, if the foot on the inner line lies on the inner edge. On a panel [l, m] Gauss' rule converges like
+//! ϱ⁻²ⁿ,
 //!
 //! ```text
 //! ϱ = σ + √(σ² − 1) ,   σ = (|c + iδ − l| + |c + iδ − m|) / (m − l) ;
 //! ```
 //!
-//! panels where that is too slow are cut at c, or so that each is four times as long as the one nearer to c. Their
-//! number grows like log(1/δ).
+//! Panels where that is too slow are cut at c if it is inside, else at a quarter of the way from c to the far end.
+//! Their number grows like log(1/δ).
 
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::contour::segment::Segment;
 
-/// ln(1/ε) of the outer rule.
+/// ln(1/ε) of the outer rule: ε = 6e-16, rounding.
 const DIGITS: f64 = 35.0;
 /// Most points per panel.
 const MOST: usize = 16;
-/// Smallest σ that [`MOST`] points suffice for.
+/// Smallest σ for which [`MOST`] points give [`DIGITS`]: 2 · 16 · ln(σ + √(σ² − 1)) = 35.
 const SMALLEST_SIGMA: f64 = 1.66;
-/// Panels are not cut below this part of the edge: singularities at their ends are integrable.
+/// Shortest panels, relative to the edge: singularities at their ends are integrable.
 const SHORTEST: f64 = 1e-15;
 
-/// ∫∫ (ln r + 3/2) over two segments that are not parallel, and the number of logarithms it took.
+/// ∫∫ (ln r + 3/2) over two segments that are not parallel, and the number of logarithms.
 pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     let (outer, inner) = if a.length <= b.length { (a, b) } else { (b, a) };
     let field = Field::new(outer, inner);
@@ -56,11 +55,11 @@ pub(super) fn integral(a: &Segment, b: &Segment) -> (f64, u64) {
     (sum + 0.5 * a.length * b.length, terms)
 }
 
-/// ∫ (ln r + 1) dt along the inner edge, from the points of the outer one.
+/// ∫ (ln r + 1) dt along the inner edge, from points of the outer one.
 struct Field {
-    /// Vector product of the outer edge's start, seen from the inner start, with the inner direction; its change.
+    /// Vector product of the outer start, relative to the inner start, with the inner direction; its derivative in s.
     across: [DVec3; 2],
-    /// Foot of the outer edge's start on the inner line; its change.
+    /// Foot of the outer start on the inner line; its derivative in s.
     foot: [f64; 2],
     length: f64,
 }
@@ -109,7 +108,7 @@ fn spots(outer: &Segment, inner: &Segment) -> [(f64, f64); 3] {
     [ends[0], ends[1], passing]
 }
 
-/// Smallest σ on a panel, and the foot it belongs to.
+/// Smallest σ on a panel, and the foot c of its singularity.
 fn sharpest(spots: &[(f64, f64)], low: f64, high: f64) -> (f64, f64) {
     let sigma = |(center, distance): (f64, f64)| {
         ((center - low).hypot(distance) + (center - high).hypot(distance)) / (high - low)
@@ -126,8 +125,9 @@ fn points(sigma: f64) -> usize {
     if rate * MOST as f64 > DIGITS { (DIGITS / rate).ceil().max(1.0) as usize } else { MOST }
 }
 
-/// Where to cut a panel that is too long for a singularity beside `center`.
+/// Where to cut a panel that is too long for a singularity with the foot `center`.
 fn cut(low: f64, high: f64, center: f64) -> f64 {
+    // A foot this near to an end does not cut there. Chosen; not tuned.
     let margin = 1e-3 * (high - low);
     if center > low + margin && center < high - margin {
         return center;

@@ -1,36 +1,35 @@
 //! A small polygon near a large one.
 //!
-//! The contour integral of ln r over edges of the length L loses the digits of L/l beside an area l². But the small
-//! contour is closed, so that any function of the point y of the large one may be subtracted from ln r, another one
-//! on every stretch of it. With the small polygon in a ball of radius ϱ about the origin,
+//! The contour integral of ln r over edges of length L, relative to an area l², loses the digits of L/l. But the small
+//! contour is closed, so that any function of the point y of the large one may be subtracted from ln r, another on
+//! every stretch of it. With the small polygon in a ball of radius ϱ about the origin,
 //!
 //! ```text
 //! ln r − ln|y| = ½ ln(1 + z) ,     z = (x² − 2x·y) / y² ,
 //! ```
 //!
-//! is of the size l/|y|, and a product of Gauss rules on stretches no longer than their distance sums it. Stretches
-//! at the ball are cut down to its size and go edge by edge.
+//! is of the size l/|y|; a product of Gauss rules sums it on stretches no longer than their distance. Stretches near
+//! the ball are cut down to its size and go edge by edge.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::contour::pair;
 use crate::transport::rules::contour::segment::Segment;
 
-/// Distance of the stretches that go by Gauss, in units of ϱ.
+/// Least distance, in units of ϱ, of stretches that go by Gauss' rules. Chosen; not tuned.
 const CLEAR: f64 = 3.0;
-/// Length of the stretches that go edge by edge, in units of ϱ.
+/// Largest length, in units of ϱ, of stretches that go edge by edge. Chosen; not tuned.
 const SHORT: f64 = 4.0;
-/// ln(1/ε) of the rules.
+/// ln(1/ε) of the rules: ε = 6e-16, rounding.
 const DIGITS: f64 = 35.0;
 /// Most points per stretch.
 const MOST: usize = 16;
-/// Smallest σ that [`MOST`] points suffice for.
+/// Smallest σ for which [`MOST`] points give [`DIGITS`]: 2 · 16 · ln(σ + √(σ² − 1)) = 35.
 const SMALLEST_SIGMA: f64 = 1.66;
 
-/// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another, and the
-/// number of logarithms it took.
+/// The terms of all edges of a polygon in the ball of `radius` about the origin with one edge of another polygon, and
+/// the number of logarithms.
 pub(super) fn integral(small: &[Segment], radius: f64, edge: &Segment) -> (f64, u64) {
     let (mut sum, mut terms) = (0.0, 0);
     let mut stretches = vec![*edge];
@@ -57,7 +56,7 @@ fn halves(stretch: &Segment) -> [Segment; 2] {
     [Segment { end: middle, length, ..*stretch }, Segment { start: middle, length, ..*stretch }]
 }
 
-/// The product rule; `sigmas` are σ on the edges of the small polygon, at least, and on the stretch.
+/// The product rule; `sigmas` are a lower bound of σ on the edges of the small polygon, and σ on the stretch.
 fn product(small: &[Segment], stretch: &Segment, sigmas: [f64; 2]) -> (f64, u64) {
     let [rule_a, rule_b] = sigmas.map(|sigma| UnitRule::of(points(sigma)));
     let mut sum = 0.0;

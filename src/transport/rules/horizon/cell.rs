@@ -1,54 +1,51 @@
-//! A part of an outer patch, as far as it is known how well one rule does on it.
+//! A cell of an outer patch with the errors of its rule in both directions.
 //!
-//! W may be bent along a line that runs along either direction of the chart, where halves of the other direction agree with
-//! the whole though all are wrong. So both directions are looked at; what was seen of one is kept when the other is
-//! halved, half of it a half.
+//! W may be bent along a line in either direction of the chart. Halves in the other direction then agree with the whole
+//! although all are wrong. Hence both directions are tested. The error known in one direction is kept when the other is
+//! halved: each half inherits half of it.
 
 use std::cmp::Ordering;
 
 use crate::elements::patch::{Direction, Patch};
 use crate::transport::estimates::entry_norm::EntryNorm;
 
-/// The error of halves as a part of their difference from the whole: a kink of second order gives 2⁻³, and may lie twice as
-/// badly.
+/// Error of the halves, relative to their difference from the whole: 2⁻³ at a kink of second order, doubled for its
+/// position.
 const FINER: f64 = 0.25;
-/// Points that halves take along the direction of halving, as a part of those of the whole.
+/// Points that halves take in the direction of halving, relative to those of the whole. Chosen; not tuned.
 const HALF_POINTS: f64 = 0.75;
 
-/// The directions in their order.
+/// The two directions, in order.
 pub(super) const DIRECTIONS: [Direction; 2] = [Direction::Along, Direction::Across];
 
 /// A patch with its moments by one rule.
 #[derive(Debug)]
 pub(super) struct Whole {
-    /// The patch.
     pub patch: Patch,
     /// Points along and across of the rule.
     pub points: [usize; 2],
-    /// Moments in the raw polynomials.
     pub moments: Vec<f64>,
-    /// Whether no point of the rule sees anything.
     pub is_dark: bool,
 }
 
-/// A part of the outer patch under way.
+/// A part of the outer patch.
 #[derive(Debug)]
 pub(super) struct Cell {
     whole: Whole,
-    /// Along and across, where they were looked at.
+    /// The halves along and across, where they were computed.
     halves: [Option<[Whole; 2]>; 2],
-    /// By how much halves of either direction differ from the whole; if they were not looked at, as it was with a larger part.
+    /// Difference of the halves from the whole in either direction; inherited where the halves were not computed.
     errors: [f64; 2],
-    /// Which of them are its own.
+    /// Which errors are not inherited.
     own: [bool; 2],
-    /// What part of the outer patch it is, by its parameters.
+    /// Its share of the outer patch, by parameters.
     share: f64,
-    /// What its corners see that no rule does.
+    /// Error estimated from its corners, where no point of a rule sees anything.
     missed: f64,
 }
 
 impl Cell {
-    /// One of which nothing else is known.
+    /// The first cell, without known errors.
     pub(super) fn new(whole: Whole) -> Self {
         Self {
             whole,
@@ -60,14 +57,14 @@ impl Cell {
         }
     }
 
-    /// The halves of a direction, each with the points of its rule.
+    /// The halves in a direction, each with the points of its rule.
     pub(super) fn halves(&self, direction: usize, fewest: usize) -> [(Patch, [usize; 2]); 2] {
         let mut points = self.whole.points;
         points[direction] = ((HALF_POINTS * points[direction] as f64).ceil() as usize).max(fewest);
         self.whole.patch.halves(DIRECTIONS[direction]).map(|half| (half, points))
     }
 
-    /// Notes the halves of a direction.
+    /// Stores the halves of a direction.
     pub(super) fn look(&mut self, direction: usize, halves: [Whole; 2], yardstick: &EntryNorm) {
         self.errors[direction] = yardstick.difference(&sum(&halves), &self.whole.moments);
         self.halves[direction] = Some(halves);
@@ -93,7 +90,7 @@ impl Cell {
         }
     }
 
-    /// A direction in which only a larger part was looked at.
+    /// A direction whose error is inherited.
     pub(super) fn told_by_larger(&self) -> Option<usize> {
         (0..2).find(|direction| !self.own[*direction])
     }
@@ -103,28 +100,27 @@ impl Cell {
         self.whole.is_dark && self.halves.iter().flatten().flatten().all(|half| half.is_dark)
     }
 
-    /// Its patch.
     pub(super) fn patch(&self) -> &Patch {
         &self.whole.patch
     }
 
-    /// Notes what its corners see that no rule does.
+    /// Sets the error estimated from its corners.
     pub(super) fn miss(&mut self, missed: f64) {
         self.missed = missed;
     }
 
-    /// What part of the outer patch it is, by its parameters.
+    /// Its share of the outer patch, by parameters.
     pub(super) fn share(&self) -> f64 {
         self.share
     }
 
-    /// Its moments, by halves where they are known.
+    /// Its moments, by halves where these are known.
     pub(super) fn moments(self) -> Vec<f64> {
         let better = self.better();
         better.and_then(|direction| self.halves[direction].as_ref().map(sum)).unwrap_or(self.whole.moments)
     }
 
-    /// Cut in a direction whose halves are known.
+    /// Its two halves in a direction where they are known.
     pub(super) fn cut(mut self, direction: usize) -> Vec<Self> {
         let mut errors = [f64::INFINITY; 2];
         errors[1 - direction] = 0.5 * self.errors[1 - direction];

@@ -1,46 +1,45 @@
-//! What of an outer patch lies before the plane of inner ones.
+//! The part of an outer patch before the plane of inner ones.
 //!
-//! All points of a plane have one horizon. Where x comes through it, all of a planar inner patch comes into sight at once,
+//! All points of a plane share one horizon. Where x passes through it, all of a planar inner patch comes into sight at
+//! once,
 //!
 //! ```text
 //! W(x) ∝ max(0, h(x)) ,     h(x) = n·(x − y) ,
 //! ```
 //!
-//! and W has a kink of first order all across the outer patch, where rules converge like 1/n² and two of them differ by more, or
-//! by less, than either is off. So rules for such patches run over what is before the plane alone, where W is smooth.
+//! and W has a kink of first order across the outer patch. Rules then converge like 1/n² and their differences say
+//! little about their errors. Hence rules run only over the part before the plane, where W is smooth.
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::contact::planes::Plane;
-
 use crate::transport::rules::horizon::line::{Lines, seen};
 
-/// Places a direction at which heights over the plane are looked at.
+/// Points per direction at which heights over the plane are evaluated. Chosen; not tuned.
 const GRID: usize = 6;
-/// Most often that a patch is quartered until its lines cross the plane at most once.
+/// Most times a patch is quartered until its lines cross the plane once at most. Chosen; not tuned.
 const DEEPEST: usize = 5;
-/// Most often that a patch is halved until a rule gives the moments of its heights.
+/// Most times a patch is halved until a rule integrates the heights accurately. Chosen; not tuned.
 const MOST_SPLITS: usize = 8;
-/// Steps of a height below this part of all heights are none.
+/// Steps of the height below this part of the largest height count as zero: rounding.
 const LEVEL: f64 = 1e-13;
 
-/// The side of the plane from which inner patches are seen.
+/// The side of the inner patches' plane from which they are seen.
 #[derive(Debug)]
 pub(in crate::transport) struct Front {
     plane: Plane,
 }
 
-/// Points with their weights in area, and what was evaluated to find them.
+/// Points with weights in area, and the evaluations that found them.
 #[derive(Debug, Default)]
 pub(in crate::transport) struct Nodes {
-    /// Points and weights.
     pub nodes: Vec<(Node, f64)>,
-    /// Heights and points beyond these.
+    /// Evaluations of heights and points besides `nodes`.
     pub evaluations: u64,
 }
 
 impl Nodes {
-    /// A tensor rule of so many points along and across.
+    /// The tensor rule with these points along and across.
     pub(super) fn of(patch: &Patch, points: [usize; 2]) -> Self {
         let [along, across] = points.map(UnitRule::of);
         let places = along.iter().flat_map(|s| across.iter().map(move |t| (s, t)));
@@ -53,12 +52,10 @@ impl Nodes {
 }
 
 impl Front {
-    /// That of a plane.
     pub(in crate::transport) fn of(plane: Plane) -> Self {
         Self { plane }
     }
 
-    /// Height of a point over the plane.
     pub(super) fn height(&self, x: &Node) -> f64 {
         (x.position - self.plane.0).dot(self.plane.1)
     }
@@ -68,7 +65,7 @@ impl Front {
         Grid::of(patch, self).low() < 0.0
     }
 
-    /// The rule of so many points along and across on what of a patch is before the plane.
+    /// The rule with these points along and across on the part of a patch before the plane.
     pub(in crate::transport) fn nodes(&self, patch: &Patch, points: [usize; 2]) -> Nodes {
         let grid = Grid::of(patch, self);
         if grid.low() >= 0.0 {
@@ -79,8 +76,8 @@ impl Front {
         nodes
     }
 
-    /// A patch in parts, on each of which so many points give the first moments of h to a relative error of about `eps`: next to
-    /// the centre of a disk lines end at the plane in ever different places.
+    /// Cuts a patch into parts on each of which the rule with `points` integrates h and h² to a relative error of about
+    /// `eps`: near the centre of a disk the lines end at the plane in very different places.
     pub(in crate::transport) fn parts(&self, patch: &Patch, points: [usize; 2], eps: f64) -> Vec<Patch> {
         let limit = self.moments(patch, points).map(|moment| eps * moment);
         let mut parts = Vec::new();
@@ -96,7 +93,7 @@ impl Front {
         parts
     }
 
-    /// The direction whose halves have moments other than the whole by more than `limit`, the worse one of two.
+    /// The direction in which the moments of the halves differ most from those of the whole, if by more than `limit`.
     fn uneven(&self, part: &Patch, points: [usize; 2], limit: [f64; 2]) -> Option<Direction> {
         let whole = self.moments(part, points);
         let off = |direction: Direction| {
@@ -108,7 +105,7 @@ impl Front {
         (along.max(across) > 1.0).then_some(worse)
     }
 
-    /// ∫ h dA and ∫ h² dA over what of a patch is before the plane.
+    /// ∫ h dA and ∫ h² dA over the part of a patch before the plane.
     fn moments(&self, patch: &Patch, points: [usize; 2]) -> [f64; 2] {
         let nodes = self.nodes(patch, points).nodes;
         nodes.iter().fold([0.0; 2], |[first, second], (x, weight)| {
@@ -117,7 +114,7 @@ impl Front {
         })
     }
 
-    /// Adds the rule on what of a patch with these heights is before the plane.
+    /// Adds the rule on the part of a patch before the plane; `grid` holds its heights.
     fn add(&self, patch: &Patch, points: [usize; 2], grid: Grid, depth: usize, out: &mut Nodes) {
         out.evaluations += (GRID * GRID) as u64;
         if grid.high() <= 0.0 {
@@ -140,7 +137,7 @@ impl Front {
     }
 }
 
-/// Heights of a patch over the plane, at the crossings of lines along and across.
+/// Heights of a patch over the plane on a uniform grid.
 struct Grid {
     heights: [[f64; GRID]; GRID],
 }
@@ -156,17 +153,17 @@ impl Grid {
         self.heights.iter().flatten().copied()
     }
 
-    /// The least height of the patch, about, from below.
+    /// Lower bound of the heights, by second differences.
     fn low(&self) -> f64 {
         self.all().fold(f64::INFINITY, f64::min) - self.margin()
     }
 
-    /// The largest, from above.
+    /// Upper bound of the heights, by second differences.
     fn high(&self) -> f64 {
         self.all().fold(f64::NEG_INFINITY, f64::max) + self.margin()
     }
 
-    /// By how much heights may leave the range of those on the grid.
+    /// How far heights may exceed the range on the grid: twice ⅛ of the second differences.
     fn margin(&self) -> f64 {
         0.25 * (self.bend(Direction::Along) + self.bend(Direction::Across))
     }
@@ -179,14 +176,14 @@ impl Grid {
         (0..GRID).map(line)
     }
 
-    /// The largest second difference along lines of a direction.
+    /// The largest second difference along lines of one direction.
     fn bend(&self, direction: Direction) -> f64 {
         let second = |w: &[f64]| (w[0] - 2.0 * w[1] + w[2]).abs();
         let bend = |line: [f64; GRID]| line.windows(3).map(second).fold(0.0, f64::max);
         self.lines(direction).map(bend).fold(0.0, f64::max)
     }
 
-    /// The direction whose lines are bent least, among those each of whose lines crosses the plane at most once.
+    /// The direction with the least bent lines, among those whose lines all cross the plane once at most.
     fn straightest(&self) -> Option<Direction> {
         let level = LEVEL * self.all().map(f64::abs).fold(0.0, f64::max);
         let is_monotone = |line: [f64; GRID]| {
@@ -217,8 +214,8 @@ mod tests {
         Patch::curved(disk, &Rect { u: [start.min(0.0), start.min(0.0) + 0.5], v: [-1.0, 1.0] })
     }
 
-    /// Of the quarter x² + y² < 1 the part with x > d has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA there is
-    /// ⅓ (1 − d²)^(3/2) − d times that.
+    /// The part x > d of the quarter disk x² + y² < 1 has the area ½ (acos d − d √(1 − d²)), and ∫ (x − d) dA over it
+    /// is ⅓ (1 − d²)^(3/2) minus d times that.
     #[test]
     fn segments_of_a_disk_have_their_area_and_moment() {
         for d in [0.5f64, 0.1, 0.01] {

@@ -1,30 +1,30 @@
-//! Stretches of a line that are seen, between roots of heights.
+//! The visible parts of a line, between the roots of heights.
 //!
-//! The kernel vanishes linearly at a horizon, so roots to 1e-9 do.
+//! The kernel vanishes linearly at a horizon: roots to 1e-9 make an error of second order, 1e-18.
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
-
 use crate::transport::rules::horizon::view::{HEIGHTS, Heights};
 
-/// Places by which roots are bracketed.
+/// Points between which roots are bracketed. Chosen; not tuned.
 const PLACES: usize = 6;
 
-/// Lines of one direction, by how heights change along them.
+/// Lines in one direction, by how heights vary along them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lines {
-    /// A height has one root on a line at the most.
+    /// Every height has one root on a line at most.
     Plain(Direction),
-    /// It may have any number.
+    /// A height may have any number of roots.
     Winding(Direction),
 }
 
-/// Factors of the weight of a node in area: the patch's own, those of the rules over and along lines, and of their stretches.
+/// Factors of a node's weight in area: the patch's area element, the weights across and along lines, the widths of the
+/// strip and of the visible part.
 pub(super) type Factors = [f64; 5];
 
-/// Hands the nodes of a rule on what is seen of a patch to `take`, with their weights; returns the number of evaluations.
-/// The rule has so many points along and across and runs along `lines`, which are taken apart where a height vanishes at their
-/// ends.
+/// Calls `take` with the nodes and weights of a rule on the visible part of a patch, with these points along and
+/// across, its lines running in the direction of `lines`; they are grouped in strips where a height vanishes at their
+/// ends. Returns the number of evaluations.
 pub(super) fn seen(
     patch: &Patch,
     lines: Lines,
@@ -65,7 +65,7 @@ pub(super) fn seen(
     evaluations
 }
 
-/// The stretches of a line on which all heights are positive, whatever they are elsewhere.
+/// The parts of a line on which all heights are positive.
 fn visible_parts(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Vec<[f64; 2]> {
     let mut breaks = vec![0.0, 1.0];
     *evaluations += roots(&f, &mut breaks);
@@ -75,7 +75,7 @@ fn visible_parts(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Vec<[f64;
     stretches(&breaks).filter(is_seen).map(|(low, high)| [low, high]).collect()
 }
 
-/// The stretch of a line on which all heights, each monotone, are positive.
+/// The part of a line on which all heights are positive, each height being monotone.
 fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]> {
     let (first, last) = (f(0.0), f(1.0));
     *evaluations += 2;
@@ -96,7 +96,7 @@ fn visible(f: impl Fn(f64) -> Heights, evaluations: &mut u64) -> Option<[f64; 2]
     (stretch[0] < stretch[1]).then_some(stretch)
 }
 
-/// Appends the roots in (0, 1) of all heights; returns the number of evaluations.
+/// Appends the roots of all heights in (0, 1); returns the number of evaluations.
 fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
     let place = |k: usize| k as f64 / (PLACES - 1) as f64;
     let values: [Heights; PLACES] = std::array::from_fn(|k| f(place(k)));
@@ -112,7 +112,7 @@ fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
         let between =
             |k: &usize| values[k - 1][which] * values[k + 1][which] < 0.0 && values[*k][which] == 0.0;
         out.extend((1..PLACES - 1).filter(between).map(place));
-        // Two roots between neighbours of one sign: at the vertex of the parabola through three the sign may differ.
+        // Two roots may lie between neighbours of equal sign: the vertex of the parabola through three values is tried.
         for k in 1..PLACES - 1 {
             let [a, b, c] = [k - 1, k, k + 1].map(|k| values[k][which]);
             let bend = a - 2.0 * b + c;
@@ -134,7 +134,7 @@ fn roots(f: impl Fn(f64) -> Heights, out: &mut Vec<f64>) -> u64 {
     evaluations
 }
 
-/// A bracketed root by the Illinois variant of false position.
+/// A bracketed root by false position (Illinois variant), to 1e-9 or 40 steps.
 fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evaluations: &mut u64) -> f64 {
     let mut last = ends[0];
     for _ in 0..40 {
@@ -155,7 +155,7 @@ fn root(f: impl Fn(f64) -> f64, mut ends: [f64; 2], mut values: [f64; 2], evalua
     last
 }
 
-/// The stretches between sorted breaks.
+/// The intervals between sorted breaks; those up to 1e-12 are dropped as rounding.
 fn stretches(breaks: &[f64]) -> impl Iterator<Item = (f64, f64)> + '_ {
     breaks.windows(2).map(|w| (w[0], w[1])).filter(|(low, high)| high - low > 1e-12)
 }
@@ -166,7 +166,7 @@ mod tests {
 
     use radiosity_geom::DVec3;
 
-    /// The area that a rule of four points a direction finds before h > 0 in the unit square.
+    /// The area of h > 0 in the unit square by a rule of four points per direction.
     fn area(lines: Lines, h: impl Fn(DVec3) -> f64) -> f64 {
         let corners = [DVec3::ZERO, DVec3::X, DVec3::X + DVec3::Y, DVec3::Y];
         let square = Patch::Flat { corners, normal: DVec3::Z };

@@ -1,8 +1,8 @@
-//! A patch as seen from any point: the part of it above all horizons.
+//! An inner patch as seen from any point: the part above all horizons.
 //!
-//! It is quartered until each horizon in a quarter crosses either all lines along s or all lines along t at most once. There the
-//! visible stretch of a line ends at a root, and across the lines the quarter is cut where a horizon leaves it through a side: on
-//! each stretch the integrand is analytic.
+//! A patch is quartered until every horizon in a quarter crosses all lines along s, or all lines along t, once at most.
+//! There the visible part of a line ends at a root, and the lines are grouped in strips where a horizon passes through
+//! their ends: on each strip the integrand is analytic.
 
 use std::sync::Arc;
 
@@ -12,30 +12,29 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::integrand::kernel;
-
 use crate::transport::rules::horizon::line::{Lines, seen};
 use crate::transport::rules::horizon::view::{HEIGHTS, Heights, View};
 
-/// Nodes a direction by which a patch and its quarters are judged.
+/// Nodes per direction by which a patch and its quarters are judged. Chosen; not tuned.
 const GRID: usize = 6;
-/// Most often that an inner patch is quartered.
+/// Most times an inner patch is quartered. Chosen; not tuned.
 pub(in crate::transport) const DEEPEST: usize = 5;
 
-/// The inner patch or a quarter of it, ready to be integrated as seen from any point.
+/// The inner patch or a quarter of it, with the data to be integrated as seen from any point.
 pub(super) struct Part<'a> {
     patch: Patch,
     basis: &'a AreaBasis,
-    /// By depth; as many as there may be.
+    /// Points along and across by depth, as deep as quarters go.
     points: Arc<[[usize; 2]]>,
     depth: usize,
     grid: Vec<Node>,
     center: DVec3,
-    /// Bounds of the second differences of y, of n, and of n·(C − y) on the grid, summed over directions.
+    /// Largest second differences of y, of n, and of n·(C − y) on the grid, summed over both directions.
     bends: [f64; 3],
-    /// The uncut rule: nodes, and rows of w A L_l; empty until it is used.
+    /// The rule on the whole patch: nodes, and rows of w A L_l; empty until used.
     nodes: Vec<Node>,
     rows: Vec<f64>,
-    /// Empty until they are used.
+    /// Empty until used.
     quarters: Vec<Part<'a>>,
 }
 
@@ -58,18 +57,17 @@ impl<'a> Part<'a> {
         Self { patch, basis, points, depth, grid, center, bends, nodes, rows, quarters }
     }
 
-    /// The patch.
     pub(super) fn patch(&self) -> &Patch {
         &self.patch
     }
 
-    /// Whether a point may see any of it.
+    /// Whether the point may see any of it.
     pub(super) fn may_be_seen_from(&self, x: &View) -> bool {
         let grid: Vec<Heights> = self.grid.iter().map(|y| x.heights(y)).collect();
         !is_dark(&ranges(&grid), &self.margins(x, &grid))
     }
 
-    /// By how much heights may leave the ranges of their values on the grid.
+    /// How far heights may exceed their range on the grid: twice ⅛ of the second differences.
     fn margins(&self, x: &View, grid: &[Heights]) -> Heights {
         let reach = x.node.position.distance(self.center);
         let over_ball = x.ball.map_or(0.0, |_| bend(grid));
@@ -93,7 +91,7 @@ impl<'a> Part<'a> {
                 .into_iter()
                 .find(|d| clipped.iter().all(|k| crosses(*k, *d)))
         };
-        // The root on a straight line is as smooth a function of the line as the heights are.
+        // On a line where heights are linear the root is as smooth a function of the line as the heights.
         let plain = find(&|k, d| straight(&grid, k, d)).or_else(|| find(&|k, d| monotone(&grid, k, d)));
         match plain {
             Some(direction) => spent + self.cut(x, Lines::Plain(direction), out),
@@ -136,7 +134,7 @@ impl<'a> Part<'a> {
         }
     }
 
-    /// The part that x sees, along lines.
+    /// Adds the part that x sees, line by line.
     fn cut(&self, x: &View, lines: Lines, out: &mut [f64]) -> u64 {
         let mut values = vec![0.0; self.basis.len()];
         let points = self.points[self.depth];
@@ -156,18 +154,18 @@ fn ranges(grid: &[Heights]) -> [[f64; 2]; HEIGHTS] {
     })
 }
 
-/// Whether some height is positive nowhere.
+/// Whether some height is nowhere positive.
 fn is_dark(ranges: &[[f64; 2]; HEIGHTS], margins: &Heights) -> bool {
     ranges.iter().zip(margins).any(|([_, high], margin)| high + margin <= 0.0)
 }
 
-/// The sum over both directions of the largest second difference of the last height.
+/// The sum over both directions of the largest second difference of the last height, the one over the ball's cone.
 fn bend(grid: &[Heights]) -> f64 {
     let height = |place: usize| grid[place][HEIGHTS - 1];
     second_differences(|a, b, c| (height(a) - 2.0 * height(b) + height(c)).abs())
 }
 
-/// Whether a height rises, or falls, along all lines of a direction.
+/// Whether a height is monotone along all lines of a direction.
 fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
     let (step, first) = if direction == Direction::Along { (GRID, 1) } else { (1, GRID) };
     let steps = (0..GRID).flat_map(|line| {
@@ -176,7 +174,8 @@ fn monotone(grid: &[Heights], which: usize, direction: Direction) -> bool {
     });
     let [low, high] =
         steps.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], d| [low.min(d), high.max(d)]);
-    // Steps of one sign, and none so small beside the others that a turn may lie in its neighbourhood.
+    // Steps of one sign, none below a tenth of the largest, beside which a turn might lie. The tenth is chosen, not
+    // tuned.
     (low > 0.0 || high < 0.0) && low.abs().min(high.abs()) > 0.1 * low.abs().max(high.abs())
 }
 
@@ -193,8 +192,7 @@ fn straight(grid: &[Heights], which: usize, direction: Direction) -> bool {
     bends.map(f64::abs).fold(0.0, f64::max) <= ROUNDING * size
 }
 
-/// The sum over both directions of the grid of the largest second difference, as `second` takes its size from three places
-/// that follow each other.
+/// The largest `second` of three consecutive grid points in either direction, summed over both.
 fn second_differences(second: impl Fn(usize, usize, usize) -> f64) -> f64 {
     let at = |i: usize, j: usize| i * GRID + j;
     let mut largest = [0.0f64; 2];
@@ -215,7 +213,7 @@ mod tests {
     use radiosity_geom::shapes::{FULL_TURN, Sphere};
     use radiosity_geom::{DVec2, Flipped, Rect, Surface};
 
-    /// Within a sphere every point facing any way sees the sphere alone: ∫κ dA = 1.
+    /// Inside a sphere every point sees nothing but the sphere: ∫κ dA = 1.
     #[test]
     fn a_point_in_a_sphere_sees_it_wholly() {
         let sphere = Sphere::new(DVec3::ZERO, 2.0, DVec3::Z, [-2.0, 2.0], FULL_TURN).expect("a sphere");

@@ -1,17 +1,17 @@
-//! Cells under way, of which the worst comes first.
+//! The open cells, the worst first.
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
 use crate::transport::rules::horizon::cell::Cell;
 
-/// Cells by their errors.
+/// Cells by error.
 #[derive(Debug, Default)]
 pub(super) struct Queue {
     heap: BinaryHeap<Entry>,
     /// Sum of the errors.
     error: f64,
-    /// Cells that ever came.
+    /// Number of cells ever added.
     came: usize,
 }
 
@@ -23,7 +23,6 @@ struct Entry {
 }
 
 impl Queue {
-    /// Adds a cell.
     pub(super) fn push(&mut self, cell: Cell) {
         let error = cell.error();
         self.error += error;
@@ -31,32 +30,28 @@ impl Queue {
         self.came += 1;
     }
 
-    /// Takes the worst cell out.
     pub(super) fn pop(&mut self) -> Option<Cell> {
         let Entry { error, cell, .. } = self.heap.pop()?;
-        // What rounding leaves of the sum goes with the last of them.
+        // The last cell takes the rounding error of the sum with it.
         self.error = if self.heap.is_empty() { 0.0 } else { self.error - error };
         Some(cell)
     }
 
-    /// Sum of the cells' errors.
     pub(super) fn error(&self) -> f64 {
         self.error
     }
 
-    /// How many cells there are.
     pub(super) fn len(&self) -> usize {
         self.heap.len()
     }
 
-    /// All of them.
     pub(super) fn into_cells(self) -> impl Iterator<Item = Cell> {
         self.heap.into_iter().map(|entry| entry.cell)
     }
 }
 
 impl Ord for Entry {
-    /// Equal errors by age, so that the order does not depend on the heap.
+    /// Of equal errors the older cell comes first: the order does not depend on the heap.
     fn cmp(&self, other: &Self) -> Ordering {
         self.error.total_cmp(&other.error).then(other.place.cmp(&self.place))
     }

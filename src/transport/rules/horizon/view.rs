@@ -1,43 +1,41 @@
-//! What two points have to be above to see each other: the tangent plane of the other, and the cone of a ball between.
+//! Heights that are positive where two points see each other: over each other's tangent planes, and over the cone of a
+//! ball.
 //!
-//! With e from x to the centre of the ball, d = y − x and the squared length E = |e|² − r² of the tangents from x, y is hidden
-//! where it lies within the cone of the tangents and beyond the plane e·d = E of the points where they touch, and so where
+//! Let e be the vector from x to the ball's centre c, r its radius, d = y − x, and E = |e|² − r² the squared length of
+//! the tangents from x. The ball hides y inside the cone of the tangents beyond the plane e·d = E of their points of
+//! contact, which is where
 //!
 //! ```text
 //! h = E |d|² − (e·d)²  if e·d > E ,     h = E (|y − c|² − r²)  otherwise
 //! ```
 //!
-//! is negative; h and its gradient are continuous, and the second is positive outside the ball.
+//! is negative. h and its gradient are continuous; the second form is positive outside the ball.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::Node;
 
-/// A ball that may stand between.
+/// A ball that may stand between two patches.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct Ball {
-    /// Its centre.
     pub center: DVec3,
-    /// Its radius.
     pub radius: f64,
 }
 
-/// What has to be positive for two points to see each other.
+/// Number of heights that have to be positive.
 pub(super) const HEIGHTS: usize = 3;
-/// One a condition.
+/// One height for each condition.
 pub(super) type Heights = [f64; HEIGHTS];
 
-/// A point that looks at an inner patch, with what may stand in between.
+/// An outer point, with what may stand between it and the inner patches.
 pub(super) struct View {
-    /// The point.
     pub node: Node,
-    /// The ball.
     pub ball: Option<Ball>,
 }
 
 impl View {
-    /// [n_x·(y − x), n_y·(x − y), h]: the heights of each over the tangent plane of the other, and that over the cone of
-    /// the ball, 1 if there is none.
+    /// [n_x·(y − x), n_y·(x − y), h]: heights over both tangent planes, and over the cone of the ball (1 without a
+    /// ball).
     pub(super) fn heights(&self, y: &Node) -> Heights {
         let d = y.position - self.node.position;
         let over_ball = self.ball.map_or(1.0, |ball| ball.clearance(self.node.position, y.position));
@@ -46,7 +44,7 @@ impl View {
 }
 
 impl Ball {
-    /// h of the module's head.
+    /// h of the module's header.
     pub(super) fn clearance(&self, x: DVec3, y: DVec3) -> f64 {
         let (e, d) = (self.center - x, y - x);
         let tangent = e.length_squared() - self.radius * self.radius;
@@ -68,7 +66,7 @@ mod tests {
     use radiosity_geom::{Ray, Surface};
 
     proptest! {
-        /// The sign of the clearance tells what a ray against the sphere tells.
+        /// The clearance is negative where a ray meets the sphere.
         #[test]
         fn clearance_is_negative_where_the_ball_stands_between(
             x in prop::array::uniform3(-3.0..3.0f64), y in prop::array::uniform3(-3.0..3.0f64),

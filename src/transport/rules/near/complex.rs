@@ -1,4 +1,4 @@
-//! The few operations on complex numbers that the rates of convergence and the radial weights need.
+//! Complex numbers, with the operations that convergence rates and radial weights need.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -24,13 +24,12 @@ impl Complex {
         (self.re * self.re + self.im * self.im).sqrt()
     }
 
-    /// self / other.
     pub(super) fn over(self, other: Self) -> Self {
         let square = other.re * other.re + other.im * other.im;
         (self * Self::new(other.re, -other.im)).scale(1.0 / square)
     }
 
-    /// The root with a real part that is not negative.
+    /// The square root with a non-negative real part.
     pub(super) fn sqrt(self) -> Self {
         let size = self.abs();
         let re = (0.5 * (size + self.re)).max(0.0).sqrt();
@@ -40,7 +39,7 @@ impl Complex {
 
     /// Principal inverse of sinh.
     pub(super) fn asinh(self) -> Self {
-        // sinh is odd: the sum below does not cancel where the real part is not negative.
+        // sinh is odd; with a non-negative real part the sum below does not cancel.
         if self.re < 0.0 {
             let mirrored = self.scale(-1.0).asinh();
             return mirrored.scale(-1.0);
@@ -49,7 +48,7 @@ impl Complex {
         Self::new(sum.abs().ln(), sum.im.atan2(sum.re))
     }
 
-    /// ϱ = |z + √(z² − 1)| ≥ 1: the sum of the half-axes of the ellipse with foci ±1 through z.
+    /// ϱ = |z + √(z² − 1)| ≥ 1: the sum of the half axes of the ellipse with foci ±1 through z.
     pub(super) fn ellipse(self) -> f64 {
         let half = 0.5 * ((self - Self::ONE).abs() + (self + Self::ONE).abs());
         half + (half * half - 1.0).max(0.0).sqrt()

@@ -1,16 +1,16 @@
-//! The inner patch of a near pair, and where its inner integral is singular.
+//! The inner patch of a near pair, and the singularities of its inner integral.
 //!
-//! I_l(x) is analytic on the receiver's plane, over the emitter as well however near, except at the complex points at
-//! distance zero from an edge of the emitter (where the foot lies on it) or from a corner. On a straight line
-//! x(s) = x₀ + s X of a cell's chart these are the roots of two quadratics,
+//! I_l(x) is analytic on the receiver's plane, however near the emitter, except at complex points at distance zero from
+//! an edge of the emitter (if their foot lies on it) or from a corner. On a straight line x(s) = x₀ + s X of a cell's
+//! chart these are the roots of two quadratics,
 //!
 //! ```text
 //! |x(s) − v|² = 0 :          s = ( −X·w ± 𝚒 |X × w| ) / |X|² ,   w = x₀ − v ,
 //! distance(x(s), edge) = 0 : the same with the parts of X and w across the edge.
 //! ```
 //!
-//! On a receiver that leans on the emitter's plane, polynomials of the emitter add h² ln h where the line meets that plane
-//! inside the emitter.
+//! On a receiver inclined to the emitter's plane, the emitter's polynomials add a term h² ln h where the line meets
+//! that plane inside the emitter.
 
 use radiosity_geom::{DVec2, DVec3};
 
@@ -19,18 +19,18 @@ use crate::elements::patch::{Direction, Patch};
 use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::polar::{Edge, Polar, edges};
 
-/// Singular places farther than this many lengths of the cell do not count; strong maps bring far ones near.
+/// Singularities farther than this from the cell, in lengths of the cell, are ignored; strong maps bring those up to it
+/// near. Chosen; not tuned.
 const FAR: f64 = 1e3;
-/// Imaginary part below which a singular place gets a line of the other direction.
+/// Imaginary part below which a singularity gets a line in the other direction. Chosen; not tuned.
 const CLOSE: f64 = 0.25;
-/// Most such lines.
+/// Most such lines. Chosen; not tuned.
 const MOST_CLOSE: usize = 4;
-/// Singular places closer than this part of their distance from the cell count once.
+/// Singularities whose difference is below this part of their distance from the cell count as one. Chosen; not tuned.
 const ALIKE: f64 = 0.02;
-/// Where along the other direction the lines of a chart are examined.
+/// Parameters of the lines on which singularities are looked for. Chosen; not tuned.
 const LINES: [f64; 7] = [0.0, 0.02, 0.25, 0.5, 0.75, 0.98, 1.0];
 
-/// The inner patch.
 pub(super) struct Emitter<'a> {
     pub patch: Patch,
     edges: Vec<Edge>,
@@ -42,7 +42,8 @@ impl<'a> Emitter<'a> {
         Self { patch: patch.clone(), edges: edges(patch), polar: Polar::new(patch, basis, eps) }
     }
 
-    /// Whether the emitter's polynomials stay tame at the feet of a cell's points.
+    /// Whether the emitter's polynomials, extended to the feet of a cell's points, grow so little that rounding stays
+    /// below ε.
     pub(super) fn reached(&self, cell: &Patch, basis: &AreaBasis, eps: f64) -> bool {
         let normal = self.patch.node(0.5, 0.5).normal;
         let growth = |x: &DVec3| {
@@ -51,12 +52,14 @@ impl<'a> Emitter<'a> {
             let a = place[0].abs().max(place[1].abs()).max(1.0);
             (a + (a * a - 1.0).sqrt()).powi(basis.order() as i32)
         };
+        // 1e-15 is the rounding error of values; no accuracy beyond 1e-12 is asked.
         cell.polygon().iter().map(growth).fold(0.0, f64::max) * 1e-15 < eps.max(1e-12)
     }
 
-    /// Where the inner integral is singular on lines along and lines across a cell's chart.
+    /// Singularities of the inner integral on lines along and across a cell's chart.
     ///
-    /// A place close to the cell that one direction shows may lie between the lines of the other: those get a line there.
+    /// One that is close to the cell and found in one direction may lie between the lines of the other direction, which
+    /// then gets a line at its parameter.
     pub(super) fn places(&self, cell: &Patch, floor: f64, eps: f64) -> [Vec<Complex>; 2] {
         let directions = [Direction::Along, Direction::Across];
         let mut found = directions.map(|direction| self.roots(cell, direction, &LINES, floor, eps));
@@ -75,7 +78,7 @@ impl<'a> Emitter<'a> {
         found.map(distinct)
     }
 
-    /// Where it is singular on given lines of one direction.
+    /// Singularities on given lines of one direction, their imaginary parts not below `floor`.
     fn roots(&self, cell: &Patch, direction: Direction, lines: &[f64], floor: f64, eps: f64) -> Vec<Complex> {
         let mut found = Vec::new();
         for line in lines {
@@ -96,7 +99,7 @@ impl<'a> Emitter<'a> {
     }
 }
 
-/// Those near the cell, alike ones once.
+/// The singularities near the cell, those that almost coincide once.
 fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
     let mut kept: Vec<Complex> = Vec::new();
     for root in roots {
@@ -108,9 +111,10 @@ fn distinct(roots: Vec<Complex>) -> Vec<Complex> {
     kept
 }
 
-/// Adds the singular places of the inner integral on the line `start` + s `step` that belong to `edge`.
+/// Adds the singularities on the line `start` + s `step` that belong to `edge`.
 fn singularities(start: DVec3, step: DVec3, edge: &Edge, roots: &mut Vec<Complex>) {
     let from = start - edge.start;
+    // A line parallel to the edge, to rounding, keeps its distance.
     roots.push(root(from, step));
     let across = |v: DVec3| v - edge.along * v.dot(edge.along);
     let (w, x) = (across(from), across(step));

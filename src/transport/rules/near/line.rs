@@ -1,13 +1,13 @@
-//! The rule along one direction of a cell, plain or stretched, or where to cut.
+//! The rule for one direction of a cell, plain or stretched, or where to cut the cell.
 
 use crate::elements::rule::MOST_POINTS;
 use crate::transport::rules::near::complex::Complex;
 use crate::transport::rules::near::stretch::Stretch;
 
-/// Points up to which no better rule is looked for.
+/// Points for which no better rule is sought. Chosen; not tuned.
 const FEW: usize = 2;
 
-/// What a rule along one direction of a cell has to integrate.
+/// The integrand along one direction of a cell: part of the element's frame, degree, and accuracy.
 pub(super) struct Request {
     pub fraction: f64,
     pub degree: usize,
@@ -18,7 +18,7 @@ pub(super) struct Request {
 pub(super) struct LineRule {
     pub stretch: Stretch,
     pub points: usize,
-    /// Where a cut saves points, and how many the two parts take.
+    /// Where a cut saves points, and the points of both parts together.
     pub cut: Option<(f64, usize)>,
 }
 
@@ -46,7 +46,7 @@ impl LineRule {
         Self { stretch, points, cut }
     }
 
-    /// The better of the plain and the stretched rule, without a cut, and the root that limits it.
+    /// The better of the plain and the stretched rule, uncut, and the singularity that limits it.
     fn whole(roots: &[Complex], request: &Request) -> (Stretch, usize, Complex) {
         let Request { fraction, degree, eps } = *request;
         let rule = |stretch: Stretch| {
@@ -64,7 +64,7 @@ impl LineRule {
         if stretched.1 < plain.1 { stretched } else { plain }
     }
 
-    /// By which factor a cut helps.
+    /// The factor by which a cut saves points.
     pub(super) fn gain(&self) -> f64 {
         self.cut.map_or(0.0, |(_, count)| self.points as f64 / count as f64)
     }

@@ -1,8 +1,8 @@
-//! The outer rule of a near pair: cells of the receiver, known beforehand.
+//! The outer rule of a near pair: cells of the receiver, planned before integration.
 //!
-//! Per direction of a cell the singular places nearest to it ([`emitter`](crate::transport::rules::near::emitter)) choose the sinh map; where a map still
-//! leaves a slow rate, the cell is cut. Beforehand the receiver is cut along the projections of edges that come near, so that the
-//! layers of width ≈ gap along them lie at sides of cells.
+//! In each direction of a cell the nearest singularities ([`emitter`](crate::transport::rules::near::emitter)) choose
+//! the sinh map; where convergence stays slow the cell is cut. Before that the receiver is cut along the projections of
+//! near edges, so that the layers of width ≈ gap along these lie at sides of cells.
 
 use radiosity_geom::{DVec3, clip_polygon};
 
@@ -17,18 +17,19 @@ use crate::transport::rules::near::line::{LineRule, Request};
 use crate::transport::rules::near::polar::{Edge, Polar, edges, fraction};
 use crate::transport::rules::near::stretch::Stretch;
 
-/// Distance, in parts of the pair's size, below which nothing is resolved; patches that touch then differ from
-/// near ones by as little.
+/// Distance, relative to the pair's size, below which nothing is resolved: 500 rounding errors; for touching patches it
+/// changes the result by as little. Chosen; not tuned.
 const SHARPEST: f64 = 1e-13;
-/// Least transfer that the accuracy is relative to.
+/// Smallest transfer that the accuracy is relative to. Chosen; not tuned.
 const LEAST_TRANSFER: f64 = 1e-3;
-/// Edges nearer than this part of the receiver's size get a cut along their projection.
+/// Height of an edge over the receiver, relative to the receiver's size, up to which the receiver is cut along its
+/// projection. Chosen; not tuned.
 const HOT: f64 = 0.1;
-/// Cost of a sample of the polar rule in samples of a tensor rule.
+/// Cost of a sample of the polar rule, in samples of a tensor rule. Chosen; not tuned.
 const POLAR_COST: f64 = 5.0;
-/// Cells after which a plan is given up.
+/// Cells after which a plan is given up. Chosen; not tuned.
 const MOST_CELLS: usize = 2000;
-/// Most cuts of one cell.
+/// Most cuts of a cell, one inside the other. Chosen; not tuned.
 const DEEPEST: usize = 40;
 
 /// A cell with the rule chosen for it.
@@ -39,29 +40,28 @@ pub(super) struct Leaf {
     pub rule: Rule,
 }
 
-/// The rule of a cell.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Rule {
-    /// Outer points along and across, each with a polar integral over the emitter.
+    /// Points along and across, each with a polar integral over the emitter.
     Polar([(Stretch, usize); 2]),
-    /// Far enough: a tensor rule, points of the cell, then of the emitter.
+    /// Far enough apart: a tensor rule, points of the cell, then of the emitter.
     Tensor([usize; 4]),
 }
 
-/// The leaves of one pair under way.
+/// The plan of one pair, while it is made.
 pub(super) struct Planner<'a> {
     outer: &'a AreaBasis,
     inner: &'a AreaBasis,
-    /// Accuracy of the inner integral, in the end against an irradiance of one.
+    /// Accuracy of the inner integral; after [`Planner::pair`] relative to an irradiance of 1.
     pub eps: f64,
-    /// Length below which a singular place counts as no nearer.
+    /// Distances of singularities below this length count as this length.
     floor: f64,
     /// Cost beyond which the plan is given up.
     limit: f64,
-    /// Cells still allowed.
+    /// Cells that may still be made.
     cells: usize,
     pub leaves: Vec<Leaf>,
-    /// In samples of a tensor rule.
+    /// Cost, in samples of a tensor rule.
     pub cost: f64,
 }
 
@@ -70,13 +70,12 @@ impl<'a> Planner<'a> {
         Self { outer, inner, eps, floor: 0.0, limit, cells: MOST_CELLS, leaves: Vec::new(), cost: 0.0 }
     }
 
-    /// Plans the flat pair of an outer and an inner patch.
     pub(super) fn pair(&mut self, outer: &Patch, inner: &Patch) {
         self.floor = SHARPEST * outer.longest().1.max(inner.longest().1);
         let edges = edges(inner);
         let parts = cut_along(outer, &edges);
-        // Errors of the inner integral count against its mean, the transfer; where that is small they are so
-        // as well on part of the receiver. The root was enough in all cases measured.
+        // The inner integral's error counts relative to its mean, the transfer; where that is small the inner integral
+        // is small on part of the receiver. √ of the transfer was enough in all cases measured.
         let transfer = mean_irradiance(&parts, &Polar::new(inner, self.inner, self.eps));
         self.eps *= transfer.clamp(LEAST_TRANSFER, 1.0).sqrt();
         let emitter = Emitter::new(inner, self.inner, self.eps);
@@ -150,7 +149,7 @@ impl<'a> Planner<'a> {
     }
 }
 
-/// Mean irradiance of an emitter of radiosity 1 over coplanar parts, to some ten percent.
+/// Mean irradiance over coplanar parts from an emitter of radiosity 1, to some ten percent (3 × 3 points on each part).
 fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
     let rule = UnitRule::of(3);
     let (mut sum, mut area) = (0.0, 0.0);
@@ -164,7 +163,7 @@ fn mean_irradiance(parts: &[Patch], emitter: &Polar) -> f64 {
     sum / area
 }
 
-/// The two parts of a flat cell cut at `place` of direction 0 or 1.
+/// The two parts of a flat cell, cut at the parameter `place` of direction 0 (along) or 1 (across).
 fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
     let ([a, b, c, d], normal) = (cell.corners(), cell.node(0.5, 0.5).normal);
     let flat = |corners| Patch::Flat { corners, normal };
@@ -177,7 +176,7 @@ fn cut(cell: &Patch, direction: usize, place: f64) -> [Patch; 2] {
     }
 }
 
-/// The parts of a flat patch between the projections of the near ones of `edges`.
+/// The parts of a flat patch, cut along the projections of near `edges`.
 fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
     let normal = patch.node(0.5, 0.5).normal;
     let extents = patch.extents();
@@ -186,6 +185,7 @@ fn cut_along(patch: &Patch, edges: &[Edge]) -> Vec<Patch> {
     for edge in edges {
         let steepness = edge.along.dot(normal);
         let side = edge.along.cross(normal);
+        // An edge steeper than 30° is near in one point only. Chosen; not tuned.
         if steepness.abs() > 0.5 {
             continue;
         }
@@ -202,6 +202,7 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
     let [h0, h1] = [edge.start, end].map(|x| (x - part[0]).dot(normal).abs());
     let near = h0.min(h1);
     let reaches = |sign: f64| part.iter().map(|x| sign * (*x - edge.start).dot(side)).fold(0.0, f64::max);
+    // No cut nearer to the border than half the edge's height. Chosen; not tuned.
     if near > HOT * size || reaches(1.0).min(reaches(-1.0)) < 0.5 * near.max(1e-9 * size) {
         return vec![part];
     }
@@ -212,7 +213,7 @@ fn halves(part: Vec<DVec3>, edge: &Edge, side: DVec3, normal: DVec3, size: f64) 
         .collect()
 }
 
-/// Tensor samples that halving the longest extent takes until every part is far enough; above `limit` no exact count.
+/// Tensor samples if the longest extent is halved until every part is far enough apart; infinite above `limit`.
 pub(super) fn split_cost(p: &Patch, q: &Patch, degrees: [usize; 2], eps: f64, limit: f64) -> f64 {
     let ((direction_p, extent_p), (direction_q, extent_q)) = (p.longest(), q.longest());
     let gap = gap(p, q);

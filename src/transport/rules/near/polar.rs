@@ -1,21 +1,21 @@
-//! The inner integral of a planar pair in polar coordinates about the foot of the outer point.
+//! The inner integral of a near flat pair, in polar coordinates about the foot of the outer point.
 //!
-//! x has the height h > 0 over the plane of the polygon Q and the foot x′ in it. With w = y − x′,
+//! The outer point x has the height h > 0 over the plane of the polygon Q, and the foot x′ in it. With w = y − x′,
 //!
 //! ```text
 //! I_l(x) = ∫_Q κ(x, y) L_l(y) dA = h/π ∫_Q (g + n_x·w) L_l(x′ + w) / (|w|² + h²)² dA ,    g = n_x·(x′ − x) .
 //! ```
 //!
 //! Q is the signed sum of the triangles between x′ and its edges. On an edge at the signed distance p from x′, with s
-//! along it from the foot of x′, v(s) the vector to its point, R² = p² + s² and w = t v(s),
+//! counted along it from the foot of x′, v(s) the vector from x′ to its point, R² = p² + s² and w = t v(s),
 //!
 //! ```text
 //! I_l = h/π Σ_edges ∫ p ds/R⁴ ∫₀¹ t (g + t n_x·v) L_l(x′ + t v) / (t² + η²)² dt ,    η = h/R .
 //! ```
 //!
-//! The ray is integrated exactly for every η ([`crate::transport::rules::near::radial`]), so h → 0 costs nothing. What is left is analytic in s
-//! but for s = ±𝚒D, D = √(p² + h²) the distance of x from the edge's line: s = D sinh μ makes it converge
-//! exponentially, and the closest edge costs like ln(1/D).
+//! The integral along a ray is exact for every η ([`crate::transport::rules::near::radial`]): h → 0 costs nothing. The
+//! rest is analytic in s except at s = ±𝚒D, D = √(p² + h²) being the distance of x from the edge's line. s = D sinh μ
+//! makes it converge exponentially, and the cost of the nearest edge grows like ln(1/D).
 
 use radiosity_geom::{DVec2, DVec3};
 
@@ -27,19 +27,16 @@ use crate::transport::rules::near::radial::Radial;
 use crate::transport::rules::near::samples::Samples;
 use crate::transport::rules::near::stretch::Stretch;
 
-/// Points of an edge up to which no cut at the foot is tried.
+/// Points of an edge up to which no cut at the foot is tried. Chosen; not tuned.
 const FEW: usize = 6;
-/// Part of the irradiance below which an edge carries none.
+/// p|/D below which an edge carries nothing: rounding.
 const NO_WEIGHT: f64 = 1e-16;
 
-/// An edge of a polygon.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
-    /// Where it starts.
     pub start: DVec3,
     /// Unit vector along it.
     pub along: DVec3,
-    /// Length.
     pub length: f64,
 }
 
@@ -56,13 +53,13 @@ pub(super) fn edges(patch: &Patch) -> Vec<Edge> {
         .collect()
 }
 
-/// The polar rule of one flat emitter.
+/// The polar rule over one flat emitter.
 #[derive(Debug)]
 pub(super) struct Polar<'a> {
     edges: Vec<(Edge, DVec3)>,
     normal: DVec3,
     basis: &'a AreaBasis,
-    /// Largest side of the emitter against the element's frame.
+    /// Largest extent of the emitter relative to the element's frame.
     fraction: f64,
     radial: Radial,
     samples: Samples,
@@ -70,7 +67,7 @@ pub(super) struct Polar<'a> {
 }
 
 impl<'a> Polar<'a> {
-    /// For the flat patch `emitter` of an element with `basis`.
+    /// For the flat patch `emitter`, a part of an element with `basis`.
     pub(super) fn new(emitter: &Patch, basis: &'a AreaBasis, eps: f64) -> Self {
         let normal = emitter.node(0.5, 0.5).normal;
         let polygon = emitter.polygon();
@@ -91,7 +88,7 @@ impl<'a> Polar<'a> {
         }
     }
 
-    /// I_l(x) for all l, to about `eps` of the largest irradiance, and the number of samples.
+    /// I_l(x) for all l, to about `eps` relative to the largest irradiance, and the number of samples.
     pub(super) fn column(&mut self, x: &Node, eps: f64) -> (&[f64], u64) {
         self.samples.clear();
         let height = (x.position - self.edges[0].0.start).dot(self.normal);
@@ -119,12 +116,13 @@ impl<'a> Polar<'a> {
         self.edges.iter().map(points).sum::<usize>() * self.radial.len()
     }
 
-    /// Where the line `start` + s `step` meets the plane inside the polygon: there I_l has a part of order h² ln h,
-    /// h the height, unless that is below `eps` all along s ∈ [0, 1].
+    /// Where the line `start` + s `step` meets the plane inside the polygon, h = 0 and I_l has a term of order h² ln h;
+    /// None if that stays below `eps` for all s ∈ [0, 1].
     pub(super) fn crossing(&self, start: DVec3, step: DVec3, eps: f64) -> Option<Complex> {
         let (height, slope) = ((start - self.edges[0].0.start).dot(self.normal), step.dot(self.normal));
         let size = self.edges.iter().map(|(edge, _)| edge.length).fold(0.0, f64::max);
         let most = height.abs().max((height + slope).abs()) / size;
+        // A parallel line does not meet the plane; a term below 0.1 ε counts as none. Chosen; not tuned.
         if slope.abs() < 1e-14 * step.length() || most * most < 0.1 * eps {
             return None;
         }
@@ -134,8 +132,8 @@ impl<'a> Polar<'a> {
         inside.then_some(Complex::new(place, 0.0))
     }
 
-    /// Irradiance at x of the emitter with radiosity 1 (Lambert 1760):
-    /// E = Σ_edges θ n_x·(a × b)/|a × b| / 2π, with a, b the vectors from x to an edge's ends and θ the angle between them.
+    /// Irradiance at x from the emitter with radiosity 1, by Lambert's formula (1760): E = 1/(2π) |Σ_edges θ n_x·(a ×
+    /// b)/|a × b||, a and b the vectors from x to an edge's ends and θ the angle between them.
     pub(super) fn irradiance(&self, x: &Node) -> f64 {
         let edge = |(edge, outward): &(Edge, DVec3)| {
             let (a, moment) = (edge.start - x.position, edge.along * edge.length);
@@ -163,7 +161,7 @@ impl<'a> Polar<'a> {
     }
 }
 
-/// About which part of the frame of its element a flat patch covers in its longest direction.
+/// Approximate part of its element's frame that a flat patch covers in its longest direction.
 pub(super) fn fraction(patch: &Patch, basis: &AreaBasis) -> f64 {
     let places: Vec<[f64; 2]> =
         patch.polygon().iter().map(|x| basis.frame().locate(*x, DVec2::ZERO)).collect();
@@ -191,7 +189,6 @@ struct Rays {
     ends: [f64; 2],
 }
 
-/// A part of an edge.
 #[derive(Clone, Copy)]
 struct Piece {
     stretch: Stretch,
@@ -214,7 +211,7 @@ impl Rays {
         }
     }
 
-    /// The edge in parts: cut at the foot of x where that takes fewer points, and where a rule would be too large.
+    /// The edge in pieces: cut at the foot of x where that saves points, and where a rule would be too large.
     fn pieces(&self, fraction: f64, degree: usize, eps: f64) -> impl Iterator<Item = (Piece, usize)> {
         let radius = (self.distance * self.distance + self.height * self.height).sqrt();
         let weight = (self.distance / radius).abs();

@@ -1,10 +1,10 @@
-//! Gauss-like weights along a ray of the polar rule, exact for polynomials however sharp the kernel.
+//! Product integration along a ray of the polar rule, exact for polynomials however sharp the kernel.
 //!
 //! ```text
 //! ∫₀¹ t f(t)/(t² + η²)² dt = Σ_j α_j f(t_j) ,    ∫₀¹ t² f(t)/(t² + η²)² dt = Σ_j β_j f(t_j)
 //! ```
 //!
-//! for every polynomial f of degree < n, t_j the Gauss points of [0, 1] with weights w_j:
+//! for every polynomial f of degree < n; t_j are the Gauss points of [0, 1], w_j their weights:
 //!
 //! ```text
 //! α_j = w_j Σ_i (2i + 1) P_i(2t_j − 1) A_i ,    A_i = ∫₀¹ t P_i(2t − 1)/(t² + η²)² dt , B_i with t² .
@@ -18,19 +18,20 @@
 //! (z² − 1) Q_i′ = i (z Q_i − Q_{i−1}) ,   Q₀ = −¼ ln(1 + η⁻²) − ½ 𝚒 atan(1/η) .
 //! ```
 //!
-//! Q_i comes from (i + 1) Q_{i+1} = (2i + 1) z Q_i − i Q_{i−1}, forwards while that keeps its digits, else backwards
-//! from a high index (Miller), as Q is the solution that decays. For large η, where the two parts of B_i
-//! cancel, t P_i is expanded instead: B_i = ½ A_i + ½ ((i + 1) A_{i+1} + i A_{i−1})/(2i + 1).
-//! (NIST Digital Library of Mathematical Functions, §14.)
+//! Q_i satisfies (i + 1) Q_{i+1} = (2i + 1) z Q_i − i Q_{i−1}. It is computed forwards while that keeps enough digits,
+//! else backwards from a high index (Miller's algorithm), being the decaying solution. For η > ½, where the two parts
+//! of B_i cancel, t P_i is expanded: B_i = ½ A_i + ½ ((i + 1) A_{i+1} + i A_{i−1})/(2i + 1).
+//!
+//! Reference: NIST Digital Library of Mathematical Functions, §14.
 
 use crate::elements::rule::UnitRule;
 use crate::transport::rules::near::complex::Complex;
 
-/// Accuracy of the recurrences against that of the rule.
+/// Accuracy of the recurrences relative to that of the rule. Chosen; not tuned.
 const RECURRENCE_ACCURACY: f64 = 1e-4;
-/// η up to which forward recurrence is used at all; beyond it the moments need Q to full relative accuracy.
+/// Largest η for forward recurrence: beyond it the moments need Q to full relative accuracy. Chosen; not tuned.
 const FARTHEST_FORWARD: f64 = 1.0;
-/// Least loss of digits that the forward recurrence may have, as a natural logarithm.
+/// Loss of accuracy that forward recurrence may always have, as a natural logarithm: a factor 20. Chosen; not tuned.
 const LEAST_LOSS: f64 = 3.0;
 
 /// The rule of n points along rays.
@@ -39,7 +40,7 @@ pub(super) struct Radial {
     rule: &'static UnitRule,
     /// −ln of the accuracy of the backward recurrence.
     digits: f64,
-    /// η below which the forward recurrence keeps enough digits.
+    /// η below which forward recurrence keeps enough digits.
     forward: f64,
     /// (2i + 1) w_j P_i(2t_j − 1), a row per j.
     projection: Vec<f64>,
@@ -51,7 +52,7 @@ pub(super) struct Radial {
 }
 
 impl Radial {
-    /// Exact to about `eps` for polynomials of degree `degree`.
+    /// Exact to about `eps` for polynomials up to `degree`.
     pub(super) fn new(degree: usize, eps: f64) -> Self {
         let n = degree + 1;
         let rule = UnitRule::of(n);
@@ -68,7 +69,7 @@ impl Radial {
         let functions = vec![Complex::new(0.0, 0.0); n + 1];
         let digits = -(RECURRENCE_ACCURACY * eps).ln();
         let loss = (-f64::EPSILON.ln() - digits).max(LEAST_LOSS);
-        // ϱ = e^{loss/n} on the line Re z = −1: the half-axes are cosh and sinh of ln ϱ.
+        // On Re z = −1 the ellipse with ϱ = e^{loss/n}, whose half axes are cosh and sinh of ln ϱ.
         let (wide, high) = ((loss / n as f64).cosh(), (loss / n as f64).sinh());
         let forward = (0.5 * high * (1.0 - 1.0 / (wide * wide)).sqrt()).min(FARTHEST_FORWARD);
         Self {
@@ -119,6 +120,7 @@ impl Radial {
             return;
         }
         let growth = z.ellipse().ln();
+        // Any small value starts Miller's recurrence; the results are scaled to Q₀.
         let start = n + 1 + (self.digits / (2.0 * growth)) as usize;
         let (mut high, mut low) = (Complex::new(0.0, 0.0), Complex::new(1e-100, 0.0));
         for i in (1..=start).rev() {
@@ -158,7 +160,7 @@ impl Radial {
 mod tests {
     use super::*;
 
-    /// ∫₀¹ t^{k+1}/(t² + η²)² dt by t = η sinh μ and a fine Gauss rule: no recurrence, no closed form.
+    /// ∫₀¹ t^{k+1}/(t² + η²)² dt by t = η sinh μ and a fine Gauss rule, without recurrence or closed form.
     fn plain(eta: f64, k: i32) -> f64 {
         let top = (1.0 / eta).asinh();
         let pieces = top.ceil() as usize;

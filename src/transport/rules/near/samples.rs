@@ -1,13 +1,13 @@
 //! Σ_m v_m L_l(a_m, b_m) for all l, over many points at once.
 //!
-//! The points are taken in tiles that fill the lanes of the processor; each lane keeps its own sums to the end.
+//! The points are processed in tiles that fill the processor's lanes; each lane keeps its own sums to the end.
 
 use radiosity_core::{basis::total, legendre};
 use radiosity_geom::DVec2;
 
 use crate::elements::basis::HIGHEST_ORDER;
 
-/// Points side by side.
+/// Points in a tile: one AVX-512 register of f64, two of AVX.
 const LANES: usize = 8;
 
 /// Points with their values.
@@ -38,7 +38,7 @@ impl Samples {
 
     /// Writes the sums for all L of total degree ≤ `order`.
     pub(super) fn sum(&mut self, order: usize, out: &mut [f64]) {
-        // A whole number of tiles: points without a value add nothing.
+        // Padding to whole tiles: points of value zero add nothing.
         let padded = self.len().next_multiple_of(LANES);
         for list in [&mut self.first, &mut self.second, &mut self.values] {
             list.resize(padded, 0.0);

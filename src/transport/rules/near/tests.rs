@@ -125,7 +125,7 @@ fn edges_that_almost_meet() {
 fn cost_grows_like_a_power_of_the_logarithm() {
     let samples = |gap: f64| block(&floor(), &ceiling(gap), 4, 1e-4).1;
     let (coarse, fine) = (samples(1e-3), samples(1e-9));
-    // (ln 10⁹ / ln 10³)² = 9, where halving takes 10¹² times as many.
+    // (ln 10⁹ / ln 10³)² = 9; halving would take 10¹² times as many.
     assert!(fine < 9 * coarse, "{coarse} {fine}");
     assert!(samples(0.1) < 50_000);
 }
@@ -136,11 +136,11 @@ fn the_smaller_patch_costs_no_more_when_the_larger_grows() {
     let wide = quad([-50., -50., 0.], [100., 0., 0.], [0., 100., 0.], [0., 0., 1.]);
     let (near, far) = (block(&floor(), &small, 4, 1e-4), block(&wide, &small, 4, 1e-4));
     assert!(far.1 < 2 * near.1, "{} {}", near.1, far.1);
-    // From the small plate nearly everything falls on the wide one.
+    // Nearly everything that the small plate sends arrives on the wide one.
     assert!((far.0[0] / (0.05 / 100.0) - 1.0).abs() < 1e-4);
 }
 
-/// A pair in general position: a patch over the floor by `gap` at its nearest corner, shifted, turned and tilted.
+/// A patch in general position: over the floor by `gap` at its nearest corner, shifted, turned and tilted.
 fn leaning(gap: f64, shift: [f64; 2], turn: f64, tilt: f64, size: f64) -> Patch {
     let (s, t) = (DVec2::from_angle(turn), DVec2::from_angle(turn + 1.4));
     let o = DVec3::new(shift[0], shift[1], gap);
@@ -159,7 +159,7 @@ fn seeing(patch: &Patch) -> Option<Patch> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(48))]
 
-    /// Polar rays against Lambert's closed form, which knows no rays, above and beside the emitter.
+    /// Polar rays against Lambert's closed form, above and beside the emitter.
     #[test]
     fn constant_emitter_is_lamberts(
         x in -0.5f64..1.5, y in -0.5f64..1.5, log_height in -9.0f64..0.0, tilt in -1.5f64..1.5, axis in 0.0f64..6.3,
@@ -170,7 +170,7 @@ proptest! {
         let side = DVec2::from_angle(axis).extend(0.0);
         let position = DVec3::new(x, y, -10f64.powf(log_height));
         let normal = DVec3::Z * tilt.cos() + side * tilt.sin();
-        // Lambert's sum is the signed irradiance, as is ours: no horizon cuts the emitter here either.
+        // Lambert's sum is the signed irradiance, as ours is: neither is clipped by the horizon.
         let node = Node { position, normal, area: 1.0, parameters: DVec2::ZERO };
         let expected = polar.irradiance(&node);
         let (column, _) = polar.column(&node, 1e-13);

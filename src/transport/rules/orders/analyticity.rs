@@ -1,47 +1,48 @@
-//! How many Gauss points 1/r⁴ needs along a line, from where it is singular.
+//! Number of Gauss points for 1/r⁴ along a line, from its complex singularities.
 //!
-//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|², and 1/r⁴ is analytic
-//! but for its two complex roots
+//! Along one variable x ∈ [0, 1] of a rule on planes the squared distance is a quadratic, r² = |c + x d|². 1/r⁴ is
+//! analytic except at its two complex roots
 //!
 //! ```text
 //! x = (−c·d ± i √(c²d² − (c·d)²)) / d² .
 //! ```
 //!
-//! Gauss' rule with n points then converges like ϱ⁻²ⁿ, ϱ = |w + √(w² − 1)| > 1 the sum of the half axes of the ellipse with
-//! foci ±1 through w = 2x − 1 (Trefethen, *Approximation theory and approximation practice*, ch. 19):
+//! Gauss' rule with n points then converges like ϱ⁻²ⁿ, where ϱ = |w + √(w² − 1)| > 1 is the sum of the half axes of the
+//! ellipse with foci ±1 through w = 2x − 1 (L. N. Trefethen, *Approximation Theory and Approximation Practice*, chapter
+//! 19):
 //!
 //! ```text
 //! n = ⌈ N/2 + ln(C/ε) / (2 ln ϱ) ⌉ ,   C = 2 + 4/(ϱ − 1)
 //! ```
 //!
-//! for polynomials of degree N beside the kernel and accuracy ε relative to its largest value. C, the size of the kernel on the
-//! ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1 and skew ones: there n is at most one point short
-//! of ε relative to the integral.
+//! for polynomials of degree N times the kernel and the accuracy ε relative to the kernel's largest value. C, the size
+//! of the kernel on the ellipse, was measured on wedges of 1° to 170°, depths from 1 : 10 to 10 : 1, and skew ones:
+//! there n is at most one point short of ε relative to the integral.
 
 use radiosity_geom::DVec3;
 
-/// Closest that a root is taken to come to the interval.
+/// Smallest ϱ: keeps ln ϱ > 0 where a root lies on the interval. The count then exceeds all rules.
 const CLOSEST: f64 = 1.0 + 1e-9;
 
-/// Greater half axis of the ellipse of 1/|c + x d|⁴ on [0, 1], which ϱ grows with; infinite where it is constant.
+/// Larger half axis of the ellipse of 1/|c + x d|⁴ on [0, 1]; infinite where that is constant. ϱ grows with it.
 #[inline]
 pub(in crate::transport) fn half_axis(c: DVec3, d: DVec3) -> f64 {
     let dd = d.length_squared();
     if dd == 0.0 {
         return f64::INFINITY;
     }
-    // |c × d| instead of √(c²d² − (c·d)²), which cancels.
+    // c × d| equals √(c²d² − (c·d)²), without its cancellation.
     let (x, y) = (-2.0 * c.dot(d) / dd - 1.0, 2.0 * c.cross(d).length() / dd);
-    // Half the sum of the distances to the foci.
+    // Half the sum of the distances to the foci ±1.
     0.5 * (((x + 1.0) * (x + 1.0) + y * y).sqrt() + ((x - 1.0) * (x - 1.0) + y * y).sqrt())
 }
 
-/// ϱ of an ellipse with foci ±1, from its greater half axis: the sum of both.
+/// ϱ of an ellipse with foci ±1 from its larger half axis: the sum of both half axes.
 pub(in crate::transport) fn rate(greater: f64) -> f64 {
     (greater + (greater * greater - 1.0).max(0.0).sqrt()).max(CLOSEST)
 }
 
-/// Points for degree `degree` and accuracy `eps` at the rate ϱ.
+/// Points for degree `degree` and accuracy `eps` at the convergence rate ϱ.
 pub(in crate::transport) fn points(degree: usize, eps: f64, rho: f64) -> usize {
     let size = 2.0 + 4.0 / (rho - 1.0);
     (0.5 * degree as f64 + (size / eps).ln() / (2.0 * rho.ln())).ceil().max(1.0) as usize

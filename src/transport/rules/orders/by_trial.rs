@@ -1,37 +1,36 @@
-//! How many points the rules of curved contacts take, by trial.
+//! Numbers of points for contacts of curved patches, found by trial.
 //!
-//! The formulas of [`crate::transport::rules::common_edge`] and [`crate::transport::rules::common_vertex`] know the singularities of parallelograms. Between curved patches
-//! others come nearer: sides that run together, lines that bend across a narrow gap. So, where many digits are asked, the
-//! rules themselves are tried on a section of their domain: sums over one set of variables with the others held at a few
-//! places. The least n is taken of which
+//! The formulas of [`crate::transport::rules::common_edge`] and [`crate::transport::rules::common_vertex`] know the
+//! singularities of parallelograms. Curved patches have nearer ones: sides that run together, lines that bend across a
+//! narrow gap. Where many digits are asked, the rule itself is therefore tried on sections of its domain: a sum over
+//! one set of variables with the others fixed at a few values. The least n is taken with
 //!
 //! ```text
 //! Σ_r |S_r(n) − S_r(n + 2)| ≤ ε/2 Σ_r |S_r(n + 2)|
 //! ```
 //!
-//! over the subdomains r.
+//! where S_r is the sum over subdomain r.
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::{MOST_POINTS, UnitRule};
-
 use crate::transport::moments::integrand::kernel;
 
-/// Accuracy from which on trials are worth their cost.
+/// Accuracy ε from which on trials are made. Chosen; not tuned.
 pub(in crate::transport) const COARSEST: f64 = 3e-4;
-/// Share of ε that a trial asks for.
+/// Factor of ε in a trial (the ½ above). Chosen; not tuned.
 const SHARE: f64 = 0.5;
-/// No accuracy beyond rounding is asked for.
+/// Smallest relative difference asked of two sums; below it is rounding.
 const ROUNDING: f64 = 1e-14;
-/// Places of the variables that are held, away from collapsed sides.
+/// Values of fixed variables, away from the ends, where sides may be collapsed. Chosen; not tuned.
 const HELD: [f64; 2] = [0.3, 0.85];
-/// Points of the angular variables while others are tried.
+/// Points of the angular variables while another variable is tried. Chosen; not tuned.
 const FEW: usize = 4;
-/// Subdomains of an edge, and of a corner.
+/// Number of subdomains of an edge, and of a corner.
 const EDGE_PARTS: usize = 6;
 const CORNER_PARTS: usize = 4;
 
-/// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0; `node` charts the
-/// emitter at equal speed along it.
+/// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0. `node` is the
+/// emitter's chart, at the receiver's speed along the edge.
 pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> [usize; 3] {
     let value = |part: usize, [x, y, a, b]: [f64; 4]| {
         let [t, v, z] = [[1.0, a, b], [a, 1.0, b], [a, b, 1.0]][part % 3].map(|place| x * place);
@@ -58,8 +57,8 @@ pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps
     [radial, along, angular]
 }
 
-/// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0), at most `most` of
-/// the latter.
+/// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0); at most `most`
+/// angular ones.
 pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> [usize; 2] {
     let value = |part: usize, x: f64, [a, b, c]: [f64; 3]| {
         let places = [[1.0, a, b, c], [a, 1.0, b, c], [a, b, 1.0, c], [a, b, c, 1.0]];
@@ -82,7 +81,7 @@ pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) 
     [radial, angular]
 }
 
-/// The least n from `first` on whose sums S_r(n) agree with those of two points more; `most` if none is.
+/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2); `most` if none does.
 fn least(first: usize, most: usize, eps: f64, parts: usize, sum: impl Fn(usize, usize) -> f64) -> usize {
     let sums = |n: usize| (0..parts).map(|part| sum(part, n)).collect::<Vec<f64>>();
     let mut coarse = sums(first);

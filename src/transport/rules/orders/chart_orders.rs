@@ -1,24 +1,24 @@
-//! How many Gauss points a direction the chart of a curved patch takes.
+//! Number of Gauss points per direction that the chart of a curved patch needs.
 //!
-//! The integrands of all rules hold the area element, normals and positions of the patch. The least n is found whose
-//! rule agrees with one of many points on the vector areas and first moments
+//! All integrands contain the patch's area element A, normals n and positions x. The least n is taken whose rule agrees
+//! with that of 32 points on the vector area and the first moments
 //!
 //! ```text
 //! ∫ A n ds ,   ∫ A (x − C) ds     and the same along t
 //! ```
 //!
-//! over the middle line and the two borders of either direction. An affine chart takes one point.
+//! over the middle line and both borders in either direction, C the patch's middle. An affine chart adds none.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 
-/// Points of the rule that others are compared with, and the most asked for.
+/// Points of the rule to compare with, and most points returned. Chosen; not tuned.
 const FINE: usize = 32;
 const MOST: usize = 28;
 
-/// Points along s and along t beyond those that polynomials take, for relative accuracy `eps`.
+/// Points along s and along t in addition to those for the polynomials, for relative accuracy `eps`.
 pub(in crate::transport) fn points(patch: &Patch, eps: f64) -> [usize; 2] {
     if patch.is_flat() {
         return if patch.is_parallelogram() { [0, 0] } else { [1, 1] };
@@ -30,7 +30,7 @@ pub(in crate::transport) fn points(patch: &Patch, eps: f64) -> [usize; 2] {
     [along, across].map(|counts| counts.into_iter().max().unwrap_or(0))
 }
 
-/// The least number of points on one line, found to within a third.
+/// The least number of points on one line, up to a third too many.
 fn line(node: &dyn Fn(f64) -> Node, center: DVec3, eps: f64) -> usize {
     let sums = |n: usize| {
         UnitRule::of(n).iter().fold([DVec3::ZERO; 2], |[areas, moments], (s, w)| {

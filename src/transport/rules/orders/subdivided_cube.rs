@@ -1,43 +1,41 @@
-//! The unit square or cube over which 1/r⁴ is integrated, r linear in each variable: cut into parts, each with its
-//! number of points along every variable.
+//! Subdivision of the unit square or cube for the integral of 1/r⁴, r linear in each variable.
 //!
-//! A part is halved along the variable that needs most points, as long as its halves together take fewer.
+//! A part is halved across the variable that needs most points, as long as the two halves together need fewer points.
 
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
 use crate::elements::rule::MOST_POINTS;
-
 use crate::transport::rules::orders::analyticity;
 
-/// Places of the other variables at which the rate of convergence along one is looked at: coarser ones miss peaks.
+/// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where peaks lie;
+/// coarser sets missed some.
 const PLACES: [f64; 9] = [0.0, 0.05, 0.15, 0.3, 0.5, 0.7, 0.85, 0.95, 1.0];
-/// Most parts.
+/// Most parts before subdivision stops. Chosen; not tuned.
 const MOST_PARTS: usize = 512;
 
-/// Most corners of a part.
+/// Corners of a cube: most corners of a part.
 const CORNERS: usize = 8;
 
-/// Lines by their ends.
+/// Lines, given by their ends.
 type Lines = SmallVec<[[DVec3; 2]; CORNERS / 2]>;
 
-/// Parts, each with its points along every variable.
+/// Parts, each with its numbers of points along all variables.
 pub(in crate::transport) type Parts<const D: usize> = Vec<(Part<D>, [usize; D])>;
 
 /// A part of [0, 1]^D.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::transport) struct Part<const D: usize> {
-    /// Where it starts.
+    /// The corner of least coordinates.
     pub low: [f64; D],
-    /// Its sides.
+    /// The lengths of its sides.
     pub size: [f64; D],
 }
 
 impl<const D: usize> Part<D> {
-    /// All of [0, 1]^D.
     pub(in crate::transport) const WHOLE: Self = Self { low: [0.0; D], size: [1.0; D] };
 
-    /// The coordinate of a place in [0, 1] of the part.
+    /// The coordinate of a position in [0, 1] within the part.
     pub(in crate::transport) fn at(&self, direction: usize, place: f64) -> f64 {
         self.low[direction] + self.size[direction] * place
     }
@@ -51,22 +49,21 @@ impl<const D: usize> Part<D> {
     }
 }
 
-/// What has to be integrated: 1/|difference|⁴ with polynomials of degree `degree`.
+/// The integrand: 1/|difference|⁴ times polynomials of degree `degree`.
 pub(in crate::transport) struct Multilinear<'a, const D: usize> {
     /// r, linear in each variable.
     pub difference: &'a dyn Fn([f64; D]) -> DVec3,
-    /// Degree of the polynomials that counts.
+    /// Degree of the polynomials, for the number of points.
     pub degree: usize,
-    /// Accuracy relative to the largest value.
+    /// Accuracy relative to the integrand's largest value.
     pub eps: f64,
-    /// Most halvings one inside the other.
     pub deepest: u32,
 }
 
 impl<const D: usize> Multilinear<'_, D> {
-    /// The parts with their points.
+    /// The parts with their numbers of points.
     ///
-    /// None where this takes too many: r vanishes, or as good as vanishes, somewhere.
+    /// None where a part needs more points than any rule has: r is zero, or nearly zero, somewhere.
     pub(in crate::transport) fn parts(&self) -> Option<Parts<D>> {
         let mut parts = Vec::new();
         self.plan(Part::WHOLE, self.points(&Part::WHOLE), 0, &mut parts);
@@ -95,7 +92,7 @@ impl<const D: usize> Multilinear<'_, D> {
         })
     }
 
-    /// r at the corners of a part, the bits of whose indices are its coordinates there.
+    /// r at the corners of a part; bit k of a corner's index is its coordinate k.
     fn corners(&self, part: &Part<D>) -> [DVec3; CORNERS] {
         let place = |index: usize| std::array::from_fn(|k| part.at(k, (index >> k & 1) as f64));
         std::array::from_fn(
@@ -105,7 +102,7 @@ impl<const D: usize> Multilinear<'_, D> {
         )
     }
 
-    /// The slowest rate along one variable, over all combinations of places of the others.
+    /// The slowest convergence rate along one variable, over all combinations of [`PLACES`] of the others.
     fn rate(corners: &[DVec3; CORNERS], direction: usize) -> f64 {
         let bit = 1 << direction;
         let low = (0..1 << D).filter(|index| index & bit == 0);
@@ -114,8 +111,8 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 }
 
-/// The least half axis ([`analyticity::half_axis`]) of lines between those given, which stand at the corners of a square or an
-/// interval.
+/// The least half axis ([`analyticity::half_axis`]) over lines between the given ones, which stand at the corners of a
+/// square or the ends of an interval.
 fn least_half_axis(lines: &[[DVec3; 2]]) -> f64 {
     if let [[start, end]] = lines {
         return analyticity::half_axis(*start, end - start);
