@@ -36,7 +36,7 @@ pub enum Touch {
     Overlap,
 }
 
-/// Every contact, by the surfaces' indices.
+/// All contacts, in the order of the surfaces' indices.
 pub(super) fn contacts(sheets: &Sheets) -> Vec<Contact> {
     let of_sheet = |a: usize| -> Vec<Contact> {
         let later = sheets.near(a).into_iter().filter(|b| *b > a);
