@@ -58,7 +58,7 @@ impl From<ReadMode> for Read {
     }
 }
 
-/// `--read-samples`: two counts written `8,2`.
+/// `--read-samples`: two counts written `8,2`, each at most 64 (chosen).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Samples(pub(crate) Rates);
 

@@ -1,4 +1,4 @@
-//! What values at points and means over cells are read from.
+//! Readers: the sources of values at points and means over cells.
 
 use radiosity_geom::DVec3;
 
@@ -8,7 +8,7 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// What irradiance is read from.
+/// The source of irradiance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Read {
     /// The polynomials alone.
@@ -17,11 +17,11 @@ pub enum Read {
     Direct,
     /// Direct light recomputed at every point, and the reflected light gathered there from all surfaces.
     Gather,
-    /// The same, with the light of those surfaces gathered as well.
+    /// As `Gather`, with the light that those surfaces reflect gathered too.
     GatherTwice,
 }
 
-/// A solution ready to be read.
+/// A solution with the light that is recomputed from it.
 #[derive(Debug)]
 pub struct Reader<'a> {
     solution: &'a Solution,
@@ -41,7 +41,7 @@ pub enum Light<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Prepares to read `solution`; what is recomputed is good to about the relative accuracy `eps`.
+    /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Basis => Light::Basis,
@@ -60,12 +60,12 @@ impl<'a> Reader<'a> {
         self.solution
     }
 
-    /// What stands in the scene.
+    /// The obstacles of the scene.
     pub fn visibility(&self) -> &'a Visibility {
         self.visibility
     }
 
-    /// What is recomputed.
+    /// The light that is recomputed.
     pub fn light(&self) -> &Light<'a> {
         &self.light
     }

@@ -1,4 +1,4 @@
-//! What tells a solution file and its version.
+//! The keys by which a solution file and its version are recognised.
 
 /// What the key `format` says.
 pub(super) const FORMAT: &str = "radiosity-solution";
