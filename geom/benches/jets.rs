@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 #[expect(dead_code, reason = "the conformance suite reads the other fields")]
 mod gallery;
 
+/// Jets per tile.
 const COUNT: usize = 1024;
 
 /// A named way to fill a tile.

@@ -1,17 +1,18 @@
-//! What two patches have to do with each other: the same, touching along an edge, in a vertex, in a T, near,
-//! or apart; and what should not be: overlapping or passing through each other.
+//! Adjacency of two patches: the same, touching along an edge, in a vertex, in a T, near, or apart; and two faults,
+//! overlapping or passing through each other.
 //!
-//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points
-//! along them, so that two patches need not have the same parametrisation, or even shape, to share one.
+//! Lengths below 1e-6 of the smaller patch's extent count as zero. Edges are compared as curves, by points along them,
+//! so that two patches need not have the same parametrisation, or even shape, to share one.
 
 use crate::{Aabb, Border, Patch, PlanarRegion, Ray, clip_polygon, polygon_area};
 use glam::DVec3;
 
-/// Below this multiple of the smaller extent lengths count as zero.
+/// Lengths below this multiple of the smaller extent count as zero. Chosen; not tuned.
 const TOUCH: f64 = 1e-6;
-/// Patches closer than this multiple of the larger extent are near: their kernel varies strongly.
+/// Patches closer than this multiple of the larger extent are near: their kernel varies strongly. As for near pairs of
+/// elements (`transport` of the main crate).
 const NEAR: f64 = 0.25;
-/// Where along a border it is compared with another.
+/// Places at which borders are compared, in no symmetry. Chosen; not tuned.
 const PLACES: [f64; 5] = [-1.0, -0.55, 0.05, 0.6, 1.0];
 
 /// How two patches, the first and the second, lie to each other.
@@ -142,7 +143,8 @@ fn shared_area(first: &Patch, second: &Patch, tolerance: f64) -> Option<Adjacenc
     (a.max(b) > 1).then_some(Adjacency::Overlap)
 }
 
-/// The same for regions, by the area that their convex pieces share.
+/// As [`shared_area`] for regions, by the area that their convex pieces share; strips below 1e-3 of the smaller area,
+/// or as wide as the tolerance, do not count (1e-3: chosen, not tuned).
 fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Option<Adjacency> {
     let lies_in_plane = |a: &PlanarRegion, b: &PlanarRegion| {
         a.outer().iter().all(|x| (*x - b.origin()).dot(b.normal()).abs() <= tolerance)
@@ -153,7 +155,7 @@ fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Opti
     let pieces = [a, b].map(PlanarRegion::convex_pieces);
     let pairs = pieces[0].iter().flat_map(|p| pieces[1].iter().map(move |q| (p, q)));
     let shared: f64 = pairs.map(|(p, q)| polygon_area(&common_part(p, q, b.normal()))).sum();
-    // Outlines within tolerance of each other enclose that much between them, or less.
+    // Outlines within tolerance of each other enclose at most this area.
     let strip = 8.0 * tolerance * a.extent().min(b.extent());
     let slack = strip.min(1e-3 * a.area().min(b.area()));
     if a.area().max(b.area()) - shared <= slack {
@@ -162,15 +164,15 @@ fn shared_plane_area(a: &PlanarRegion, b: &PlanarRegion, tolerance: f64) -> Opti
     (shared > slack).then_some(Adjacency::Overlap)
 }
 
-/// What two convex polygons of a plane share; `normal` is the second's.
+/// The intersection of two convex polygons in a plane; `normal` is the second's.
 fn common_part(a: &[DVec3], b: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     let edges = b.iter().zip(b.iter().cycle().skip(1));
     edges.fold(a.to_vec(), |part, (p, q)| clip_polygon(&part, *p, normal.cross(*q - *p)))
 }
 
-/// A point where a line of `a` passes through `b` away from b's border.
+/// A point where a line of `a` passes through `b`, away from b's border by 5e-3 of its diagonal (chosen, not tuned).
 fn crossing(a: &Patch, b: &Patch, tolerance: f64) -> Option<DVec3> {
-    // Odd, so that no step ends in the middle, where things like to cross.
+    // Odd, so that no step ends in the middle, where crossings are likely. Chosen; not tuned.
     const STEPS: usize = 17;
     let around = b.bounds().inflate(tolerance);
     let borders = b.borders();
@@ -202,7 +204,7 @@ fn seam(patches: [&Patch; 2], [a, b]: [(usize, Border); 2], tolerance: f64) -> O
     if !(direct || opposite) || !lies_along(&a.1, &b.1, tolerance) || !lies_along(&b.1, &a.1, tolerance) {
         return None;
     }
-    // Closed edges meet either way at their ends; places in between tell.
+    // Closed edges meet in either direction at their ends; places in between decide.
     let reversed = b.1.nearest(a.1.point(0.6)) < b.1.nearest(a.1.point(0.05));
     let sign = if reversed { -1.0 } else { 1.0 };
     let matched = PLACES.iter().all(|w| meet(*w, sign * w));
@@ -247,7 +249,7 @@ fn tees(
     found
 }
 
-/// The stretches of the segment from `p` to `q` that lie in `region`, w from and to.
+/// The stretches, w from and to, of the segment from `p` to `q` that lie in `region`.
 fn stretches_inside(p: DVec3, q: DVec3, region: &PlanarRegion, tolerance: f64) -> Vec<[f64; 2]> {
     let off_plane = |x: DVec3| (x - region.origin()).dot(region.normal()).abs() > tolerance;
     if off_plane(p) || off_plane(q) {
@@ -272,8 +274,7 @@ fn stretches_inside(p: DVec3, q: DVec3, region: &PlanarRegion, tolerance: f64) -
     joined
 }
 
-/// The stretch of the segment within `room` of a convex piece, w from and to; ends out of order where there is
-/// none.
+/// The stretch, w from and to, of the segment within `room` of a convex piece; ends out of order if there is none.
 fn stretch_in_piece(p: DVec3, q: DVec3, piece: &[DVec3], normal: DVec3, room: f64) -> [f64; 2] {
     let edges = piece.iter().zip(piece.iter().cycle().skip(1));
     edges.fold([-1.0, 1.0], |[low, high]: [f64; 2], (r, s)| {
@@ -289,7 +290,7 @@ fn stretch_in_piece(p: DVec3, q: DVec3, piece: &[DVec3], normal: DVec3, room: f6
     })
 }
 
-/// The stretch of `a` that lies along `b`, if it has length.
+/// The stretch of `a` that lies along `b`, if it has a length.
 fn common_stretch(a: &Border, b: &Border, tolerance: f64) -> Option<[f64; 2]> {
     let on = |edge: &Border, x: DVec3| edge.point(edge.nearest(x)).distance(x) <= tolerance;
     let own = [-1.0, 1.0].into_iter().filter(|w| on(b, a.point(*w)));

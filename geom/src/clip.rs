@@ -5,8 +5,7 @@ use glam::DVec3;
 
 use crate::Aabb;
 
-/// Vertices whose distance from the plane is below this multiple of the largest distance count as lying on
-/// it.
+/// Vertices nearer to the plane than this multiple of the largest distance lie on it. Chosen well above rounding.
 const ON_PLANE: f64 = 1e-12;
 
 /// The part of a convex `polygon` with (x − `point`) · `normal` ≥ 0, vertices in the same order.
@@ -37,20 +36,19 @@ pub fn clip_polygon(polygon: &[DVec3], point: DVec3, normal: DVec3) -> Vec<DVec3
         }
         previous = Some((x, h));
     }
-    // Coplanar polygons lie in the closed half-space as a whole; what merely touches the plane from behind
-    // has no area.
+    // A coplanar polygon lies wholly in the closed half-space; a part that only touches the plane has no area.
     let coplanar = kept.len() == polygon.len();
     if inside || coplanar { kept } else { Vec::new() }
 }
 
-/// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs counter-clockwise. Fewer than
-/// three vertices remain where they share no area.
+/// The part of a convex `polygon` over another, `clip`, seen along `normal`, about which `clip` runs counter-clockwise.
+/// Fewer than three vertices if they share no area.
 pub fn intersection(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     sides(clip).fold(polygon.to_vec(), |rest, [from, to]| clip_polygon(&rest, from, normal.cross(to - from)))
 }
 
-/// What of a convex `polygon` lies beside another, `hole`, seen along `normal`, about which `hole` runs counter-clockwise: convex
-/// parts that do not overlap. The polygon itself where the two share no area.
+/// The part of a convex `polygon` outside another, `hole`, seen along `normal`, about which `hole` runs
+/// counter-clockwise, as disjoint convex parts. The polygon itself if the two share no area.
 pub fn difference(polygon: &[DVec3], hole: &[DVec3], normal: DVec3) -> Vec<Vec<DVec3>> {
     let (mut beside, mut rest) = (Vec::new(), polygon.to_vec());
     for [from, to] in sides(hole) {
@@ -86,9 +84,9 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
     0.5 * fan.sum::<DVec3>().length()
 }
 
-/// How far a point of its plane lies outside a convex polygon: the largest distance from the lines of its sides, counted positive
-/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. Sides of no length do not
-/// count.
+/// How far the point `x` of a convex polygon's plane lies outside: the largest distance from the lines of its sides,
+/// positive beyond them (length). The corners run counter-clockwise about the unit vector `normal`. Sides of no length
+/// do not count.
 pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let beyond = |k: usize| {
         let side = polygon[(k + 1) % polygon.len()] - polygon[k];

@@ -50,8 +50,7 @@ impl Surface for Placed {
         }
     }
 
-    /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of what is in it, the less so the
-    /// smaller it is.
+    /// The boxes of 4 × 4 parts, moved: a moved box is wider than the box of its content, but less so for small parts.
     fn bounds(&self, rect: &Rect) -> Aabb {
         let parts = rect.quarters().into_iter().flat_map(|quarter| quarter.quarters());
         let corners = parts.flat_map(|part| self.base.bounds(&part).corners());
@@ -78,7 +77,7 @@ impl Surface for Placed {
         self.base.corners().into_iter().map(|x| self.motion.point(x)).collect()
     }
 
-    /// The base with its corners moved for good, so that they get to where they are put to the last bit.
+    /// The base with its corners moved themselves, so that they are exactly where `place` puts them.
     fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
         self.base.with_corners(&|x| place(self.motion.point(x)))
     }

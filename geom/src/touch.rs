@@ -1,17 +1,18 @@
-//! The one tolerance of touching: what is nearer than this is no distance.
+//! The tolerance of touching: distances below it count as zero.
 //!
-//! Scenes come with corners and planes that agree to rounding where they are meant to touch; what is left are the roundings of
-//! their coordinates and of what is computed from them. It goes by the extent of the smaller of two things, for a small thing
-//! may stand on a large one, or before a sky; and by the distance that a height is measured over, which rounds it.
+//! When a scene has been read, corners and planes that are meant to touch agree to rounding: of their coordinates, and
+//! of what is computed from them. The tolerance is relative to the extent of the smaller of two things, since a small
+//! thing may stand on a large one, or before a sky; and to the distance over which a height is measured, which rounds
+//! it.
 
-/// Part of its extent that is nothing to a thing.
+/// Part of a thing's extent that counts as zero. Chosen; not tuned.
 const OF_EXTENT: f64 = 1e-9;
 
-/// Rounding of a height over a plane, as a part of the distance from the plane's point: some tens of units in the last place.
+/// Rounding of a height over a plane, over the distance from the plane's point: 45 · 2⁻⁵². Chosen; not tuned.
 const ROUNDING: f64 = 1e-14;
 
-/// The length below which things do not differ in place, of which the smaller is `extent` wide and which are measured from a
-/// point so far away (all in one unit of length).
+/// The distance below which two things touch, the smaller of which has the extent `extent`, measured over `distance`
+/// (all in one unit of length).
 pub fn touching(extent: f64, distance: f64) -> f64 {
     OF_EXTENT * extent + ROUNDING * distance
 }
