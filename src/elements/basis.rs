@@ -17,8 +17,6 @@
 
 use radiosity_geom::DVec3;
 
-use crate::scene::MAX_ORDER;
-
 use super::columns::{add_scaled, dot};
 pub use super::frame::Frame;
 use super::measure::Measure;
@@ -27,6 +25,7 @@ use super::products;
 use super::recurrence::Recurrence;
 use super::rule::UnitRule;
 use super::space::Space;
+use crate::scene::MAX_ORDER;
 
 /// Highest order offered.
 pub const HIGHEST_ORDER: usize = MAX_ORDER;

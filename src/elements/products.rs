@@ -10,10 +10,9 @@
 
 use radiosity_core::legendre;
 
-use crate::scene::MAX_ORDER;
-
 use super::columns::{add_scaled, dot, take_out};
 use super::space::Space;
+use crate::scene::MAX_ORDER;
 
 /// Writes L_k(a, b) to `out`, in the order of `space`.
 pub(crate) fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {

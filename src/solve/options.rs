@@ -5,6 +5,7 @@ use std::num::NonZero;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
+use super::direct::Direct;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
@@ -13,8 +14,6 @@ use crate::transport::Accuracy;
 use crate::visibility::{Hiding, Shadows};
 use crate::zatz1993::masked_light::Masking;
 use crate::zatz1993::transfers;
-
-use super::direct::Direct;
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]

@@ -2,10 +2,9 @@
 
 use thiserror::Error;
 
+use super::version::VERSION;
 use crate::elements::ElementError;
 use crate::scene::SceneError;
-
-use super::version::VERSION;
 
 /// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see [`SolutionError::cure`].
 #[derive(Debug, Error)]

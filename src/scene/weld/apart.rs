@@ -6,9 +6,8 @@
 
 use std::collections::HashSet;
 
-use crate::scene::{coincident::common_area, gap};
-
 use super::sheet::Sheets;
+use crate::scene::{coincident::common_area, gap};
 
 /// Thickness, in tolerances, of the slab that must contain two parallel sheets. Sheets of one body have different
 /// tolerances, but all or none of them have to be apart. Chosen; not tuned.
