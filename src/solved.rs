@@ -23,7 +23,7 @@ pub struct Solved {
     pub scene: Scene,
     /// How it was solved.
     pub options: Options,
-    /// The solution and what it cost.
+    /// The solution with its cost and self-checks.
     pub outcome: Outcome,
     /// The accuracy that was reached, where one was wanted.
     pub achieved: Option<Achieved>,

@@ -4,8 +4,8 @@
 //! F_ij = 1/A_i ∫∫ κ(x, y) V(x, y) dA_x dA_y ,     A_i F_ij = A_j F_ji ,     Σ_j F_ij ≤ 1 ,
 //! ```
 //!
-//! the share of what leaves surface i diffusely that reaches surface j. F is what is left of G where each element
-//! carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
+//! the share of the diffuse power leaving surface i that reaches surface j, without unit. F follows from G if each
+//! element carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
 //!
 //! ```text
 //! A_i F_ij = Σ_a Σ_b √(A_a A_b) G_ab .

@@ -186,7 +186,7 @@ fn count(rays: &[Ray], way: &dyn Fn(&Ray) -> bool) -> usize {
     black_box(rays).iter().filter(|ray| way(ray)).count()
 }
 
-/// The fastest of 15 rounds of each way, the ways taking turns: what a noisy machine can tell.
+/// The fastest of 15 rounds of each way, the ways taking turns, against noise.
 fn ratios(rays: &[Ray], ways: &[Way]) {
     let mut best = vec![f64::INFINITY; ways.len()];
     for _ in 0..15 {

@@ -243,7 +243,7 @@ fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
     let twice: DVec3 = outer.iter().zip(next).map(|(x, y)| (*x - outer[0]).cross(*y - outer[0])).sum();
     let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
     if twice.length() <= 1e-12 * extent * extent {
-        // A symmetric bow tie has no net area; say what is wrong with it rather than that.
+        // A symmetric bow tie has no net area; its crossing is the better message.
         return Err(rings::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
     }
     Ok((twice.normalize(), extent))

@@ -16,7 +16,7 @@ impl Slabs {
     }
 
     /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays
-    /// within the plane of a face: boxes need some room around what they hold.
+    /// within the plane of a face: boxes need a margin around their content.
     pub(crate) fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
         let a = (bounds.min - self.origin) * self.inverse;
         let b = (bounds.max - self.origin) * self.inverse;

@@ -1,7 +1,7 @@
 //! Zeros of planar maps f: [0, 1]² → ℝ² in Bernstein form, f(s, t) = Σ fᵢⱼ Bᵢ(s) Bⱼ(t).
 //!
-//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the
-//! mean derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
+//! A rectangle of parameters is tested after a linear change of coordinates of the plane that turns the mean
+//! derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
 //! is no zero (they bound f); (2) where the coefficients of the derivative differ from the identity by at
 //! most κ < 1 in the maximum norm, f is one-to-one and its only zero lies within κ/(1 − κ) |g| of the
 //! centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it; (3) else the rectangle is

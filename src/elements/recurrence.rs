@@ -39,7 +39,7 @@ pub struct Levels {
     pub first: Vec<[i32; 2]>,
 }
 
-/// What a function is multiplied by.
+/// The factor of a product.
 #[derive(Clone, Copy, Debug)]
 enum Multiplier {
     /// a^i b^j.

@@ -27,7 +27,7 @@ pub const COLOURS: [RGBColor; 6] = [
     RGBColor(230, 159, 0),
 ];
 
-/// What a chart shows.
+/// The content of a chart.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// The line above it.

@@ -28,7 +28,7 @@ pub enum ExrError {
     Channel {
         /// Name of the channel wanted.
         wanted: String,
-        /// Those it has, separated by commas.
+        /// Names of its channels, separated by commas.
         present: String,
     },
 }

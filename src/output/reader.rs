@@ -29,7 +29,7 @@ pub struct Reader<'a> {
     light: Light<'a>,
 }
 
-/// What a [`Reader`] recomputes.
+/// The light that a [`Reader`] recomputes.
 #[derive(Debug)]
 pub enum Light<'a> {
     /// Nothing.

@@ -78,7 +78,7 @@ fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Se
     Seen { radiosity, coverage: f64::from(count) * scale }
 }
 
-/// What a camera ray needs to become radiosities.
+/// The data that turn a camera ray into radiosities.
 struct Eye<'a> {
     reader: Reader<'a>,
     /// Diagonal of the scene's bounding box.

@@ -59,7 +59,7 @@ pub struct Report {
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
-    /// What the user should know.
+    /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
 

@@ -14,7 +14,7 @@ pub struct Camera {
     pub eye: DVec3,
     /// A point in the middle of the picture.
     pub target: DVec3,
-    /// What points up in the picture; any length, not along the view.
+    /// The direction that is up in the picture; any length, not along the view.
     pub up: DVec3,
     /// Vertical angle of view in degrees, 0 < fov < 180.
     pub fov: f64,
@@ -32,7 +32,7 @@ impl Camera {
         Self { eye, target, up: DVec3::Z, fov: 40.0, width: 512, height: 512 }
     }
 
-    /// The same in coordinates about `middle`.
+    /// The camera after `middle` was subtracted from all coordinates.
     pub(super) fn about(self, middle: DVec3) -> Self {
         Self { eye: self.eye - middle, target: self.target - middle, ..self }
     }

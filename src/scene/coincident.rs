@@ -36,7 +36,7 @@ pub(super) struct Occupied {
 }
 
 impl Occupied {
-    /// What `shape` occupies.
+    /// The space of `shape`.
     pub(super) fn new(shape: &Arc<dyn Surface>) -> Self {
         let bounds = match shape.region() {
             Some(region) => Aabb::around(region.outer().iter().copied()),

@@ -54,7 +54,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// What turns a node into a value.
+/// A function that turns a node into a value.
 pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
 
 fn wrong(node: &Node, expected: &'static str) -> Located {

@@ -39,7 +39,7 @@ pub struct Run {
     pub rate: Option<f64>,
 }
 
-/// What errors are measured against.
+/// The reference that errors are measured against.
 pub enum Reference<'a> {
     /// The last and finest run.
     FinestRun,

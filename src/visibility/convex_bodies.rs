@@ -235,7 +235,7 @@ mod tests {
         vec![face(a, b, c), face(-a, c, b), face(b, c, a), face(-b, a, c), face(c, a, b), face(-c, b, a)]
     }
 
-    /// What encloses a body of `outlines`, all of them seen as faces in their order, in a scene with `others`.
+    /// The bodies that the faces with these `outlines` close, in a scene with the further points `others`.
     fn bodies(outlines: &[Vec<DVec3>], others: &[DVec3]) -> Bodies {
         let normal = |outline: &[DVec3]| (outline[1] - outline[0]).cross(outline[2] - outline[0]).normalize();
         let face = |(surface, outline): (usize, &'_ Vec<DVec3>)| (surface, normal(outline));

@@ -21,7 +21,7 @@ const NONE: f64 = 1e-9;
 /// Two ends nearer than this part of the screen's side are both corrected; the farther counts. Chosen; not tuned.
 const CLOSE: f64 = 0.02;
 
-/// Ends so far outside a line, over its length, are corrected too: a mesh may reach less far. Chosen; not tuned.
+/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
 const OUTSIDE: f64 = 0.1;
 
 /// How much farther normals may turn inside a quad than between its corners. Chosen; not tuned.

@@ -41,7 +41,7 @@ pub(crate) struct Crossing {
 
 /// s of the crossing of the true outline with line `t`, near that of the mesh; None where it is not found.
 ///
-/// Of a crossing with a border and one with a silhouette the one farther towards `side` (±1) counts.
+/// If both a border and a silhouette are crossed, the crossing farther towards `side` (±1) counts.
 pub(crate) fn outline(
     screen: &ProjectionPlane,
     t: f64,

@@ -7,7 +7,7 @@ pub(super) struct Forest {
 }
 
 impl Forest {
-    /// Each number by itself.
+    /// One set per number.
     pub(super) fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }

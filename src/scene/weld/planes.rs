@@ -18,7 +18,7 @@ pub(super) struct Planes {
     pub(super) list: Vec<Plane>,
 }
 
-/// A plane and what is meant to lie in it.
+/// A plane and the corners that are meant to lie in it.
 #[derive(Debug)]
 pub(super) struct Plane {
     /// Unit normal, approximately.

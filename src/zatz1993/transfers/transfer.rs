@@ -33,7 +33,7 @@ pub enum Reading {
     Literal,
 }
 
-/// K between two patches and what it cost.
+/// K between two patches, and its cost.
 #[derive(Clone, Debug)]
 pub struct Transfer {
     /// K^kl, row-major, the receiver's (N + 1)(N + 2)/2 functions by the emitter's, in the order of
