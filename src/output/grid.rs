@@ -51,7 +51,7 @@ pub struct Rates {
 }
 
 impl Default for Rates {
-    /// 4 and 2: on the Cornell box more points change little (`cargo run --release --example read_off`).
+    /// 4 and 2: on the Cornell box more points change little.
     fn default() -> Self {
         Self { direct: 4, indirect: 2 }
     }
