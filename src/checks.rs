@@ -1,21 +1,21 @@
-//! Figures by which a solution judges itself.
+//! Self-checks of a solution.
 //!
-//! With c the coefficients of the constant 1: closure r = c − G c vanishes in a closed scene; a row sum is
-//! Σ_j F_ij = c_i·(G c)_i / A_i. Energy: what is emitted is absorbed or lost,
+//! With c the coefficients of the constant 1, the closure r = c − G c vanishes in a closed scene; a row sum is Σ_j F_ij
+//! = c_i·(G c)_i / A_i. Energy: emitted power is absorbed or lost,
 //!
 //! ```text
 //! ∫E₀ dA = ∫(1 − ρ) E dA + ⟨B, c − G c⟩ ,
 //! ```
 //!
 //! an identity of the discrete solution whatever the quadrature, up to the solver's residual (with Gᵀ c for G c where G
-//! is not symmetric). Where direct light is split off, G transports the radiosity ρS of the light that was reflected at
-//! least once and no more, and what is lost is
+//! is not symmetric). Where direct light is split off, G transports only ρS, the radiosity of the light that was
+//! reflected at least once, and the lost power is
 //!
 //! ```text
 //! ∫(E₀ − D) dA + ∫(ρD − g) dA + ⟨ρS, c − G c⟩ .
 //! ```
 //!
-//! Either way what is lost in a closed room tells how well the integrals agree.
+//! Either way the lost power in a closed room shows how well the integrals agree.
 
 use std::collections::BTreeMap;
 
@@ -29,18 +29,18 @@ use crate::solution::{Band, Place, Solution};
 use crate::system::Coefficients;
 use crate::transport::Blocks;
 
-/// Most power iterations, and the residual, relative to the eigenvalue, at which they end.
+/// Most power iterations, and residual over eigenvalue at which they end. Both are chosen, not tuned.
 const MOST_STEPS: usize = 40;
 const SETTLED: f64 = 1e-9;
 
 /// The self-checks of a solution. Powers are summed over bands, in the unit of exitance times scene length².
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checks {
-    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums,
-    /// elements count only if all that reaches them was computed ([`Blocks::is_complete`]), and if nothing lies on them.
+    /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums only
+    /// elements count whose blocks were all computed ([`Blocks::is_complete`]) and which nothing covers.
     pub closure_max: f64,
-    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j): of a sample of pairs that were integrated both ways, and of all by the rules
-    /// of 1993.
+    /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), over a sample of pairs that were integrated in both directions;
+    /// over all pairs with the rules of 1993.
     pub reciprocity_max: f64,
     /// Smallest row sum Σ_j F_ij; 0 if no element counts.
     pub row_sum_min: f64,
@@ -52,20 +52,20 @@ pub struct Checks {
     pub energy_absorbed: f64,
     /// Power that leaves the scene.
     pub energy_lost: f64,
-    /// Estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is good.
+    /// Upper estimate of the spectral radius of ρG, largest over the bands; below 1 if the quadrature is good.
     pub spectral_bound: f64,
     /// Largest jump of B across the seams inside a surface, relative to the larger of the two values.
     pub seam_jump_max: f64,
 }
 
 impl Checks {
-    /// Of a solution that was computed with `blocks`, and with the first bounce where direct light was split off.
+    /// The checks of a solution computed with `blocks`, and with `bounce` where direct light was split off.
     pub fn of(solution: &Solution, blocks: &Blocks, bounce: Option<&Bounce>) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.apply(&ones);
         let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
-        // What is covered sees what covers it, exactly, or nothing.
+        // A covered element sees only what covers it, exactly, or nothing.
         let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();
         let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
@@ -122,7 +122,7 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
     which.iter().map(sum).collect()
 }
 
-/// Emitted, absorbed and lost power, summed over bands with compensation: their balance is a check.
+/// Emitted, absorbed and lost power, summed over bands with compensation, since their balance is a check.
 fn energy(
     solution: &Solution,
     ones: &[f64],
@@ -168,11 +168,10 @@ impl Compensated {
     }
 }
 
-/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ, started from the constant: an eigenvalue lies
-/// within.
+/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ from the constant: an eigenvalue lies
+/// in the interval of that radius about λ.
 ///
-/// The kernel is not negative, so its largest eigenvalue belongs to a positive function, near which the
-/// constant already is.
+/// The kernel is not negative, so the eigenfunction of the largest eigenvalue is positive, and the constant is near it.
 fn spectral_bound(blocks: &Blocks, coating: &Coating, ones: &[f64]) -> f64 {
     let mut roots = Vec::with_capacity(ones.len());
     for (range, reflectance) in blocks.starts().windows(2).zip(&coating.reflectance) {
@@ -222,7 +221,7 @@ fn relative_jump(solution: &Solution, a: usize, b: usize, place: &Place) -> f64 
     (0..solution.bands().len()).map(jump).fold(0.0, f64::max)
 }
 
-/// Points on the far sides of an element's rectangle with the direction that leaves it.
+/// Points on the far sides of an element's rectangle, each with the direction across that side.
 fn seam_points(element: &Element) -> impl Iterator<Item = (f64, f64, f64, f64)> {
     let rect = element.rect;
     [0.1, 0.3, 0.5, 0.7, 0.9].into_iter().flat_map(move |x| {
@@ -242,8 +241,8 @@ mod tests {
     use crate::transport;
     use crate::visibility::{Shadows, Visibility};
 
-    /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without some of them, with one of them turned over; and
-    /// with each block multiplied by what `factor` says of its row and column.
+    /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without the walls `missing`, with the wall
+    /// `turned` turned over, and with each block multiplied by `factor` of its row and column.
     fn checks(missing: &[&str], turned: &str, factor: impl Fn(usize, usize) -> f64) -> Checks {
         let (x, y, z) = (DVec3::X, DVec3::Y, DVec3::Z);
         let walls = [

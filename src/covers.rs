@@ -1,12 +1,12 @@
-//! Covers: the parts of flat surfaces on which others lie.
+//! Covers: the parts of flat surfaces on which other flat surfaces lie.
 //!
-//! What stands on a floor with a face of its own, hangs on a wall or lies on a table leaves no gap that light passes. In that limit
-//! the part of the floor under it and the part of the face over it exchange light with each other alone, and κ dA becomes the
-//! identity: a point sees the point that it touches. No polynomial follows the edge of that darkness, and rules of a gap of 1e-8
-//! are slow. So both parts become elements of their own. Sheets count as closed up to a
-//! few times the least gap that the rules tell from none (`scene::gap`).
+//! A body that stands on a floor, a picture on a wall or a sheet on a table leaves no gap through which light passes.
+//! In that limit the part of the floor under the sheet and the part of the sheet over the floor exchange light with
+//! each other only, and κ dA becomes the identity: a point sees the point that it touches. No polynomial follows the
+//! edge of that darkness, and rules for a gap of 1e-8 are slow, so both parts become elements of their own. A gap
+//! counts as closed up to four times the least gap that the rules resolve (`scene::gap`).
 //!
-//! Of several sheets over a place the nearest covers it. A sheet whose back lies on another covers it without seeing it.
+//! Of several sheets over a place the nearest covers it. A sheet that lies on another with its back covers it unseen.
 
 use std::cmp::Ordering;
 
@@ -14,27 +14,27 @@ use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, difference, polygon_area, p
 
 use crate::scene::{Scene, gap::closed};
 
-/// Sine of the angle of two planes below which they count as parallel.
+/// Sine of the angle between planes below which they count as parallel. Chosen; not tuned.
 const PARALLEL: f64 = 1e-6;
 
-/// Share of the smaller of two sheets that they have to share to cover each other.
+/// Least common part of two sheets, over the smaller area, for a cover. Chosen; not tuned.
 const SHARED: f64 = 1e-6;
 
-/// Width of a piece below which it is rounding, as a part of the smaller sheet's extent.
+/// A piece narrower than this part of the smaller sheet's extent is rounding. Chosen; not tuned.
 const NARROW: f64 = 1e-6;
 
-/// A part of a flat surface on which another lies.
+/// A part of a flat surface on which another surface lies.
 #[derive(Clone, Debug)]
 pub struct Cover {
     /// Index of the surface.
     pub surface: usize,
-    /// The part, as convex pieces that do not overlap, counter-clockwise seen from its front.
+    /// The part, as disjoint convex pieces, counter-clockwise seen from the surface's front.
     pub pieces: Vec<Vec<DVec3>>,
-    /// The contact: what it exchanges light with has the same number.
+    /// Number of the contact; the two covers of a contact exchange light.
     pub contact: usize,
 }
 
-/// All covers of a scene, by their contacts.
+/// All covers of a scene, in the order of their contacts.
 pub fn covers(scene: &Scene) -> Vec<Cover> {
     let mut found: Vec<Cover> = Vec::new();
     for (contact, Contact { under, over, mutual, .. }) in contacts(scene).into_iter().enumerate() {
@@ -59,7 +59,7 @@ pub fn covers(scene: &Scene) -> Vec<Cover> {
     found
 }
 
-/// What of convex `pieces` the `covers` of their surface leave, where its front has the unit normal `normal`.
+/// The parts of the convex `pieces` outside the `covers` of their surface; `normal` is the unit normal of its front.
 pub fn without<'a>(
     pieces: Vec<Vec<DVec3>>,
     covers: impl Iterator<Item = &'a Cover>,
@@ -69,12 +69,12 @@ pub fn without<'a>(
     holes.fold(pieces, |rest, hole| rest.iter().flat_map(|piece| difference(piece, hole, normal)).collect())
 }
 
-/// Those of `covers` that belong to `surface`.
+/// The `covers` of one surface.
 pub fn of_surface(covers: &[Cover], surface: usize) -> impl Iterator<Item = &Cover> {
     covers.iter().filter(move |cover| cover.surface == surface)
 }
 
-/// Area of pieces that do not overlap (scene length²).
+/// Total area of disjoint pieces (scene length²).
 fn area(pieces: &[Vec<DVec3>]) -> f64 {
     pieces.iter().map(|piece| polygon_area(piece)).sum()
 }
@@ -83,16 +83,16 @@ fn area(pieces: &[Vec<DVec3>]) -> f64 {
 struct Contact {
     /// The surface whose front is covered.
     under: usize,
-    /// What lies on it.
+    /// The surface that lies on it.
     over: usize,
-    /// Whether the front of that lies on it, and is covered in turn.
+    /// Whether the two fronts face each other, so that both are covered.
     mutual: bool,
-    /// Their distance (scene length).
+    /// Largest distance between the two (scene length).
     gap: f64,
 }
 
-/// All contacts, those that see each other first, and of those the closest. What covers without seeing comes last: where something
-/// lies between the two that sees one of them, that is closer to it.
+/// All contacts: first those whose fronts face each other, the closest first, then the others. If something between two
+/// sheets faces one of them, it is closer to that one than a sheet that covers without seeing.
 fn contacts(scene: &Scene) -> Vec<Contact> {
     let sheets: Vec<(usize, &PlanarRegion)> = (scene.surfaces.iter().enumerate())
         .filter_map(|(index, surface)| Some((index, surface.shape.region()?)))
@@ -109,7 +109,7 @@ fn contacts(scene: &Scene) -> Vec<Contact> {
             let (over, other) = sheets[place];
             let is_parallel = region.normal().cross(other.normal()).length() < PARALLEL;
             let mutual = region.normal().dot(other.normal()) < 0.0;
-            // What sees each other is found once, from the larger.
+            // A contact of two fronts is found once, from the larger surface.
             let is_turned =
                 || (size(region), *under).partial_cmp(&(size(other), over)) == Some(Ordering::Less);
             if *under == over || !is_parallel || mutual && is_turned() {
@@ -127,14 +127,14 @@ fn contacts(scene: &Scene) -> Vec<Contact> {
     found
 }
 
-/// Its area and the middle of its corners: tell two sheets apart, whatever their places in the list.
+/// Area and mean corner, which order two sheets independently of their places in the list.
 fn size(region: &PlanarRegion) -> [f64; 4] {
     let [x, y, z] = (region.outer().iter().sum::<DVec3>() / region.outer().len() as f64).to_array();
     [region.area(), x, y, z]
 }
 
-/// The largest height of a sheet, `over`, over the front of another; None where a corner does not lie before it. Heights go by the
-/// plane of the larger one: that of a small one is uncertain far away.
+/// The largest height of the sheet `over` above the front of `under`; None where a corner is not in front. Heights
+/// refer to the plane of the larger sheet, since that of a small one is uncertain far away.
 fn height_over(under: &PlanarRegion, over: &PlanarRegion) -> Option<f64> {
     let [small, large] = if under.extent() < over.extent() { [under, over] } else { [over, under] };
     let up = if std::ptr::eq(large, under) { 1.0 } else { -under.normal().dot(over.normal()).signum() };

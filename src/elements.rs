@@ -1,9 +1,9 @@
 //! Elements: the scene's surfaces cut into pieces that carry polynomials.
 //!
-//! A planar element is any polygon, holes and footings left out, with polynomials of order N in affine
-//! coordinates of its plane; what others lie on ([`crate::covers`]) are elements of their own; a curved element is a rectangle of its surface's parameters, with
-//! polynomials in them. Both bases are orthonormal with respect to area ([`basis`]). For quadrature
-//! an element is covered by [`patch`]es.
+//! A planar element is any polygon, without holes and footings, with polynomials of order N in affine coordinates of
+//! its plane; parts that other surfaces lie on ([`crate::covers`]) are elements of their own. A curved element is a
+//! rectangle of its surface's parameters, with polynomials in them. Both bases are orthonormal with respect to area
+//! ([`basis`]). For quadrature an element is covered by [`patch`]es.
 
 pub mod cells;
 pub(crate) mod columns;
@@ -86,29 +86,29 @@ pub struct Elements {
     how: Discretization,
 }
 
-/// How one surface was cut: ends of the cells along u and v, the element of each cell, and those of its covered parts.
+/// The cut of one surface: ends of the cells along u and v, the element of each cell, and the covered elements.
 #[derive(Debug)]
 struct Cut {
     shape: Arc<dyn Surface>,
     breaks: [Vec<f64>; 2],
     element: Vec<Option<usize>>,
-    /// Those of the parts on which others lie.
+    /// Elements of the covered parts.
     covered: Vec<usize>,
 }
 
 impl Elements {
-    /// Cuts `scene` as `how` says, its footings ([`crate::footings`]) left out.
+    /// Cuts `scene` as `how` says, without its footings ([`crate::footings`]).
     ///
     /// # Errors
-    /// A degree out of range, or a surface without area at the degree asked.
+    /// A degree out of range, or a surface without area at the given degree.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
         Self::of_shapes(scene, how, bare_shapes(scene), &covers(scene))
     }
 
-    /// Cuts `scene` as `how` says, the surfaces whole whatever stands on them.
+    /// Cuts `scene` as `how` says, with whole surfaces whatever stands on them.
     ///
     /// # Errors
-    /// Those of [`Elements::new`].
+    /// As for [`Elements::new`].
     pub fn of_whole_surfaces(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
         let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
         Self::of_shapes(scene, how, whole, &[])
@@ -148,7 +148,7 @@ impl Elements {
         order: usize,
     ) -> Result<Cut, ElementError> {
         let space = self.how.space;
-        // Where others lie on a surface, what is left of a cell may be a sliver: a constant does there.
+        // Beside covers the rest of a cell may be a sliver, for which a constant is enough.
         let made = |part: Part| match element(surface, part, (space, order)) {
             Err(ElementError::Thin { .. }) if !covers.is_empty() => element(surface, part, (space, 0)),
             made => made,
@@ -166,7 +166,7 @@ impl Elements {
         Ok(cut)
     }
 
-    /// Adds an element to the list. Returns its place.
+    /// Appends an element to the list and returns its index.
     fn push(&mut self, element: Option<Element>) -> Option<usize> {
         let place = element.is_some().then_some(self.list.len());
         self.list.extend(element);
@@ -200,8 +200,8 @@ impl Elements {
         cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
     }
 
-    /// The element on the other side of the seam at (u, v), a little further in direction `step`; None
-    /// at the border of the surface, inside its holes and where another surface lies on it.
+    /// The element beyond the seam at (u, v), further by 1e-9 along `step`; None at the border of the surface, inside
+    /// its holes and where another surface lies on it.
     pub fn across_seam(&self, surface: usize, [u, v]: [f64; 2], step: [f64; 2]) -> Option<usize> {
         let beyond = [u + 1e-9 * step[0], v + 1e-9 * step[1]];
         let shape = self.shape(surface);
@@ -233,7 +233,7 @@ impl Elements {
         self.surfaces[surface].shape.as_ref()
     }
 
-    /// A cover of the part of element `element` over the parameters `rect` by patches that do not overlap.
+    /// Disjoint patches that cover the part of element `element` over the parameters `rect`.
     pub fn patches_over(&self, element: usize, rect: &Rect) -> Vec<Patch> {
         let element = &self.list[element];
         let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
@@ -266,10 +266,10 @@ impl Elements {
     }
 }
 
-/// Width of what covers leave of a surface below which it is rounding, as a part of the surface's extent.
+/// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not tuned.
 const LEAST: f64 = 1e-6;
 
-/// Convex pieces of what `covers` leave of a flat surface.
+/// Convex pieces of a flat surface outside its `covers`.
 fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     let whole = region.convex_pieces().to_vec();
     let open = covers::without(whole, covers.iter().copied(), region.normal());
@@ -284,16 +284,16 @@ fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
     (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
-/// What becomes of one surface.
+/// Upper bounds of what a surface is cut into.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CutSize {
-    /// Number of elements, those in holes included.
+    /// Number of elements, cells in holes included.
     pub elements: u64,
-    /// Number of functions on each.
+    /// Number of functions on each element.
     pub functions: u64,
 }
 
-/// How many elements and functions [`Elements::new`] makes of each surface at the most; makes none.
+/// Upper bounds of the elements and functions that [`Elements::new`] makes of each surface, without making them.
 pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covers = covers(scene);

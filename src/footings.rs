@@ -1,10 +1,9 @@
-//! Footings: the parts of planar surfaces on which others stand, so that no light comes there.
+//! Footings: the parts of planar surfaces on which bodies stand, which no light reaches.
 //!
-//! A box on a floor hides what lies under it. The darkness there has a sharp edge that no polynomial follows, and what lies
-//! under the box is no part of the room: its elements have to end at the foot of the box. A footing is a face of the planar
-//! map that the surface's outline and all lines of contact draw (`faces`), from where nothing but backs of surfaces is
-//! seen, or the footings of others (`seal`). It is cut out of what receives and sends light; as a blocker the surface
-//! stays whole.
+//! A box on a floor hides the floor under it. The darkness there has a sharp edge that no polynomial follows, so
+//! elements have to end at the foot of the box. The surface's outline and all lines of contact draw a planar map
+//! (`faces`). A face of the map is a footing if only backs of surfaces, or other footings, are seen from it (`seal`).
+//! It is cut out of the surface as receiver and sender; as a blocker the surface stays whole.
 
 mod footing;
 mod faces;
@@ -21,10 +20,10 @@ use crate::visibility::{Shadows, Visibility};
 pub use footing::Footing;
 use seal::Suspect;
 
-/// What has to be left of a surface beside a footing, relative to it.
+/// Least part of a surface's area that has to be left beside footings. Chosen; not tuned.
 const LEAST: f64 = 1e-6;
 
-/// All footings of a scene, by their surfaces.
+/// All footings of a scene, in the order of their surfaces.
 pub fn footings(scene: &Scene) -> Vec<Footing> {
     let obstacles = Visibility::new(scene, Shadows::Off);
     let all = 0..scene.surfaces.len();
@@ -35,13 +34,13 @@ pub fn footings(scene: &Scene) -> Vec<Footing> {
     suspects.into_iter().zip(sealed).filter(|(_, sealed)| *sealed).map(|(s, _)| s.footing).collect()
 }
 
-/// The shapes of all surfaces of a scene without their footings.
+/// The shapes of all surfaces of a scene, without their footings.
 pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
     let mut shapes: Vec<Arc<dyn Surface>> = scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect();
     for Footing { surface, region, .. } in footings(scene) {
         let hole = vec![region.outer().to_vec()];
         let cut = Trimmed::new(Box::new(Arc::clone(&shapes[surface])), hole);
-        // A footing that does not fit beside the holes there are stays in, and so does the last of a surface covered all over.
+        // A footing stays if it does not fit beside the holes, or if it is the last uncovered part.
         if let Some(cut) = cut.ok().filter(|cut| cut.area() > LEAST * region.area()) {
             shapes[surface] = Arc::new(cut);
         }
@@ -49,7 +48,7 @@ pub fn bare_shapes(scene: &Scene) -> Vec<Arc<dyn Surface>> {
     shapes
 }
 
-/// The faces that lines of contact cut off from a planar surface.
+/// The faces, smaller by 1e-6 than the whole (as `LEAST`), that lines of contact cut off from a planar surface.
 fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspect> {
     let Some(region) = scene.surfaces[surface].shape.region() else { return Vec::new() };
     let lines = lines::on(scene, obstacles, surface, region);

@@ -1,13 +1,15 @@
-//! Irradiance gathered anew at a point, from all surfaces and with all shadows (Sloan's iterate).
+//! Gathering: the irradiance of a point, integrated over all surfaces with all shadows (Sloan's iterate).
 //!
 //! ```text
-//! E(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y ,
+//! E(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y        W m⁻²
 //! ```
 //!
-//! with D the direct light ([`crate::light::direct`]) and S_h the polynomials of what was reflected at least once, not below
-//! zero. The integral (`light::reflected`) smooths: shadows and dark corners that polynomials cannot hold appear in E.
-//! x may be any point, on a surface or not. What polynomials smear at the foot of an obstacle is still seen in E near by;
-//! gathered twice, with S_h replaced by what is itself gathered from it at the points y, that is gone as well.
+//! D is the direct light ([`crate::light::direct`]); S_h ≥ 0 is the polynomial of the light that was reflected at least
+//! once, cut off at zero. The integral (`light::reflected`) smooths, so E shows shadows and dark corners that
+//! polynomials cannot. x may be any point, on a surface or not. Near the foot of an obstacle E still shows errors of
+//! S_h; gathering twice, with S_h(y) replaced by the reflected light gathered at y, removes them.
+//!
+//! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod spot;
 
@@ -20,27 +22,27 @@ use crate::light::reflected::Reflection;
 use crate::solution::{Band, Place, Solution};
 use crate::visibility::Visibility;
 
-/// Accuracy of what is gathered first, in multiples of that of what is gathered from it: the second integral smooths.
+/// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
 const BEFORE: f64 = 5.0;
 
-/// The reflected light of a solution, ready to be gathered.
+/// A solution prepared for gathering.
 #[derive(Debug)]
 pub struct Gather<'a> {
     direct: DirectLight<'a>,
     reflection: Reflection<'a>,
 }
 
-/// What may stand between a site and the elements.
+/// Possible occluders between a site and the elements that send light to it.
 #[derive(Clone, Debug)]
 pub struct Company {
-    /// And emitters.
+    /// Occluders of the emitters.
     pub direct: Occluders,
-    /// And reflecting elements.
+    /// Occluders of the reflecting elements.
     pub indirect: Occluders,
 }
 
 impl<'a> Gather<'a> {
-    /// The light of `solution`, to be gathered to about the relative accuracy `eps`.
+    /// The light of `solution`, gathered to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let direct = DirectLight::within(list, &coatings, visibility, eps);
@@ -54,7 +56,7 @@ impl<'a> Gather<'a> {
         Self { direct, reflection }
     }
 
-    /// The same gathered twice: the light that surfaces send is itself gathered.
+    /// As [`Gather::new`], but the light that surfaces reflect is itself gathered.
     pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
         let (list, coatings) = (solution.elements().list(), solution.coatings());
@@ -71,35 +73,35 @@ impl<'a> Gather<'a> {
         Self { direct, reflection }
     }
 
-    /// What may stand around a site.
+    /// Possible occluders around a site.
     pub fn around(&self, site: &Site) -> Company {
         Company { direct: self.direct.around(site), indirect: self.reflection.around(site) }
     }
 
-    /// The light that comes straight from the emitters.
+    /// Direct light.
     pub fn direct(&self) -> &DirectLight<'a> {
         &self.direct
     }
 
-    /// The light that was reflected at least once.
+    /// Light that was reflected at least once.
     pub fn reflection(&self) -> &Reflection<'a> {
         &self.reflection
     }
 
-    /// Irradiance (W m⁻²) per band at a point of a site.
+    /// Irradiance (W m⁻²) per band at the point `vantage` of the site that `company` was made for.
     pub fn irradiance(&self, vantage: &ReceiverPoint, company: &Company) -> Vec<f64> {
         let direct = self.direct.irradiance(vantage, &company.direct);
         let indirect = self.reflection.irradiance(vantage, &company.indirect, &direct);
         direct.iter().zip(indirect).map(|(d, s)| d + s).collect()
     }
 
-    /// Irradiance (W m⁻²) per band at a point on its own.
+    /// Irradiance (W m⁻²) per band at a single point.
     pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
         self.irradiance(vantage, &self.around(&vantage.site()))
     }
 }
 
-/// Mean radiosity of each band over the scene, reflected and emitted.
+/// Mean radiosity (W m⁻²) of each band over the scene.
 fn scales(solution: &Solution) -> Vec<f64> {
     let mean = |band: &Band| {
         reflected::scale(solution.elements().list(), band.coefficients.radiosity.iter().copied())
@@ -107,7 +109,7 @@ fn scales(solution: &Solution) -> Vec<f64> {
     solution.bands().iter().map(mean).collect()
 }
 
-/// Adds S_h per band at a node of an element, where it is not below zero.
+/// Adds max(S_h, 0) per band at a node of an element to `sums`.
 fn add_indirect(solution: &Solution, element: usize, node: &Node, sums: &mut [f64]) {
     let surface = solution.elements().list()[element].surface;
     let place = Place { surface, parameters: node.parameters.to_array(), position: node.position };

@@ -1,7 +1,6 @@
-//! What is in a scene, what touches what, and what looks wrong: before anything is computed.
+//! Inspection of a scene before anything is computed: its contents, contacts, and what looks wrong.
 //!
-//! The geometry is looked at in sampled places, so that hundreds of surfaces take little time; a scene without light or
-//! materials can be inspected too.
+//! The geometry is sampled, so that hundreds of surfaces take little time; neither light nor materials are needed.
 
 mod sheet;
 mod rim;
@@ -20,7 +19,7 @@ use crate::scene::{Scene, SceneSurface};
 use rayon::prelude::*;
 use sheet::Sheets;
 
-/// Reflectances above this make light bounce so often that a small error in them is a large one in the result.
+/// Larger reflectances draw a warning: in a closed room an error of ρ grows by 1/(1 − ρ) ≥ 20. Chosen.
 const BRIGHT: f64 = 0.95;
 
 /// The findings about a scene.
@@ -28,9 +27,9 @@ const BRIGHT: f64 = 0.95;
 pub struct Inspection {
     /// Area of each surface (scene length²).
     pub areas: Vec<f64>,
-    /// Surfaces that touch; the back of a two-sided surface is left out, here and below.
+    /// Surfaces that touch; here and below without the backs of two-sided surfaces.
     pub contacts: Vec<Contact>,
-    /// Parts of planar surfaces that others stand on: they neither send nor receive.
+    /// Parts of planar surfaces on which bodies stand: they neither send nor receive light.
     pub footings: Vec<Footing>,
     /// Closed surfaces.
     pub shells: Vec<Shell>,
@@ -39,7 +38,7 @@ pub struct Inspection {
 }
 
 impl Inspection {
-    /// Looks at `scene`.
+    /// Inspects `scene`.
     pub fn of(scene: &Scene) -> Self {
         let sheets = Sheets::of(scene);
         let contacts = contact::contacts(&sheets);

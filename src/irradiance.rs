@@ -1,4 +1,4 @@
-//! Irradiance at a point from polygons that shine evenly: Lambert's form, of all of a polygon and of its visible part.
+//! Irradiance at a point from a polygon of even exitance: from all of it (Lambert's formula), or from its visible part.
 
 pub(crate) mod lambert;
 pub mod visible_polygon;

@@ -4,9 +4,9 @@
 //! B(x) = E₀(x) + ρ(x) ∫ κ(x, y) V(x, y) B(y) dA_y
 //! ```
 //!
-//! The modules stand in the order of their dependencies; each imports only modules listed above it:
-//! scene → visibility → elements → transport (the blocks) → light (direct, first bounce) → system → solution → gather → solve (the
-//! driver) → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
+//! The modules stand in the order of their dependencies; each imports only modules listed above it: scene → visibility
+//! → elements → transport (the blocks) → light (direct, first bounce) → system → solution → gather → solve (the driver)
+//! → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!

@@ -1,8 +1,8 @@
-//! What is in a scene: surfaces, what they do with light, and a camera.
+//! Scenes: surfaces, their materials, and a camera.
 //!
-//! A [`Scene`] is read from TOML or JSON of one schema or made in code by a [`SceneBuilder`], and is valid by construction:
-//! every number finite, every reflectance below 1, every surface with an area and a front, no two surfaces in one another,
-//! every name given once. What is wrong is a [`SceneError`] with name and cure, and in a file with line and column.
+//! A [`Scene`] is read from TOML or JSON of one schema or made in code by a [`SceneBuilder`], and is valid by
+//! construction: every number finite, every reflectance below 1, every surface with an area and a front, no two
+//! surfaces in one another, every name given once. A fault is a [`SceneError`] with name, cure, line and column.
 
 pub mod csv_rows;
 mod coincident;
@@ -60,15 +60,16 @@ use tree::{Node, Value};
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Scene {
-    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` if read from there.
+    /// The name given in code, the built-in name, or the file's name without folder and ending; `stdin` for standard
+    /// input.
     pub name: String,
     /// The title the file gives.
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
-    /// What was taken off all coordinates, of surfaces and of the camera: zero but for scenes far from the origin.
+    /// The vector subtracted from all coordinates, of surfaces and camera: zero except for scenes far from the origin.
     pub middle: DVec3,
-    /// What was done to the shapes to fit them together.
+    /// How the shapes were changed to fit together.
     pub fitted: Fitted,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
@@ -83,9 +84,9 @@ pub struct Scene {
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` a list of polygons. A text whose
-    /// name does not tell may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else
-    /// is TOML.
+    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of polygons. Text
+    /// of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else is
+    /// TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.
@@ -121,10 +122,10 @@ impl Scene {
         Ok(Source::new(origin, &text))
     }
 
-    /// Reads a scene in the language that the ending of its origin, or else its beginning, tells; see [`Scene::load`].
+    /// Reads a scene in the language given by the ending of its origin, or else by its beginning; see [`Scene::load`].
     ///
     /// # Errors
-    /// The first thing wrong in the text.
+    /// The first fault in the text.
     pub fn parse(source: &Source) -> Result<Scene, SceneError> {
         read(source, Language::of(source))
     }
@@ -132,16 +133,16 @@ impl Scene {
     /// Reads TOML; `origin` is its name in messages.
     ///
     /// # Errors
-    /// The first thing wrong in the text.
+    /// The first fault in the text.
     pub fn from_toml(text: &str, origin: &str) -> Result<Scene, SceneError> {
         read(&Source::new(origin, text), Language::Toml)
     }
 
-    /// Reads JSON, the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
+    /// Reads JSON: the same tree as the TOML, or a list of polygons without materials, each a list of vertices;
     /// `origin` is its name in messages.
     ///
     /// # Errors
-    /// The first thing wrong in the text.
+    /// The first fault in the text.
     pub fn from_json(text: &str, origin: &str) -> Result<Scene, SceneError> {
         read(&Source::new(origin, text), Language::Json)
     }
@@ -149,7 +150,7 @@ impl Scene {
     /// Reads polygons without materials from CSV, a row `name,x,y,z` for each vertex; `origin` is its name in messages.
     ///
     /// # Errors
-    /// The first thing wrong in the text.
+    /// The first fault in the text.
     pub fn from_csv(text: &str, origin: &str) -> Result<Scene, SceneError> {
         read(&Source::new(origin, text), Language::Csv)
     }
@@ -259,7 +260,7 @@ fn stem(origin: &str) -> String {
     Path::new(plain).file_stem().map_or_else(|| plain.to_owned(), |stem| stem.to_string_lossy().into_owned())
 }
 
-/// A name without ending or folder was meant as a built-in scene, not as a file.
+/// A name without ending or folder is taken for a built-in scene, not for a file.
 fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
     let meant_as_name = error.kind() == io::ErrorKind::NotFound && !source.contains(['.', '/', '\\']);
     whole_file(

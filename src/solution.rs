@@ -1,7 +1,8 @@
 //! The solution: polynomials of irradiance and radiosity on every element, per band.
 //!
-//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both W m⁻². Where direct light goes through shadow
-//! masks ([`crate::zatz1993::masked_light`]), E is that light plus the polynomials of the rest.
+//! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both in W m⁻²; the coefficients h_k are
+//! in W m⁻² times length. Where direct light goes through shadow masks ([`crate::zatz1993::masked_light`]), E is that
+//! light plus the polynomials of the rest.
 
 use radiosity_geom::DVec3;
 
@@ -38,9 +39,9 @@ pub struct Band {
     pub coating: Coating,
     /// Coefficients in the orthonormal bases, element by element.
     pub coefficients: Coefficients,
-    /// The irradiance in the raw polynomials of each element, for evaluation.
+    /// Coefficients of the irradiance in the raw polynomials, per element, for evaluation.
     raw: Vec<Vec<f64>>,
-    /// The same less the light that comes straight from emitters.
+    /// As `raw`, without the light that comes straight from the emitters.
     raw_indirect: Vec<Vec<f64>>,
 }
 
@@ -72,7 +73,7 @@ impl Solution {
         Self { elements, bands, masked: None }
     }
 
-    /// The same with its direct light through masks, if there are any.
+    /// The same solution with its direct light through masks, if there are any.
     pub fn with_masks(self, masked: Option<MaskedLight>) -> Self {
         Self { masked, ..self }
     }
@@ -125,7 +126,7 @@ impl Solution {
         self.elements.list()[element].evaluate(raw, place.position, place.parameters)
     }
 
-    /// The same of all bands, into `out`.
+    /// As [`Solution::indirect`], for all bands, into `out`.
     pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
         let values = self.elements.list()[element].raw_values(place.position, place.parameters);
         for (band, out) in self.bands.iter().zip(out) {

@@ -30,7 +30,7 @@ pub use direct::Direct;
 pub use fit::Fit;
 pub use options::Options;
 
-/// Error of gathered light at a point, in multiples of that of visibility in a block, which is a mean over many.
+/// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
 const AT_A_POINT: f64 = 3.0;
 
 /// Where the work stands.
@@ -40,39 +40,38 @@ pub enum Progress {
     Blocks(usize, usize),
     /// Band, iteration and relative residual of the solver.
     Solve(usize, usize, f64),
-    /// Elements whose error is told, and elements in all.
+    /// Elements whose error is estimated, and elements in all.
     Estimate(usize, usize),
-    /// A stage is done and took so long; their names are those of [`Stages`].
+    /// A finished stage with its wall time; the names are those of [`Stages`].
     Finished(&'static str, Duration),
 }
 
-/// What the solution cost and how it judges itself.
+/// The solution with its cost and self-checks.
 #[derive(Debug)]
 pub struct Outcome {
     /// Polynomials of irradiance and radiosity.
     pub solution: Solution,
-    /// Figures by which it judges itself.
+    /// Self-checks.
     pub checks: Checks,
-    /// How many pairs went which way.
+    /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
     /// Terms of the kernel's quadrature rules.
     pub samples: u64,
-    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    /// Kernel evaluations; fewer than the terms where kernel values repeat.
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// The largest error that unresolved parts leave in a block, relative to its scale
-    /// ([`Blocks::accuracy_reached`]).
+    /// Largest error that unresolved parts leave in a block, relative to its scale ([`Blocks::accuracy_reached`]).
     pub accuracy_reached: f64,
-    /// Name of the solver that did it: the choice made, where the choice was left open.
+    /// Name of the solver that was used, also where the choice was left open.
     pub solver: &'static str,
-    /// Iterations, the most of any band.
+    /// Iterations, largest over the bands.
     pub iterations: usize,
-    /// Relative residual of the original system, the largest of any band.
+    /// Relative residual of the original system, largest over the bands.
     pub residual: f64,
     /// Whether direct light was split off.
     pub split: bool,
-    /// Whether the solver reached its tolerance in every band; if not, the solution is the best it had.
+    /// Whether the solver converged in every band; if not, the solution is its best iterate.
     pub converged: bool,
     /// Wall time of each stage.
     pub seconds: Stages,
@@ -91,17 +90,17 @@ pub struct Stages {
     pub direct: Duration,
     /// The linear systems.
     pub solve: Duration,
-    /// The error told from light gathered anew, where an accuracy is wanted.
+    /// Estimation of the error from gathered light, where an accuracy is wanted.
     pub estimate: Duration,
 }
 
-/// Why there is no solution.
+/// Why a scene could not be solved.
 #[derive(Debug, thiserror::Error)]
 pub enum Failure {
     /// The scene could not be cut into elements.
     #[error(transparent)]
     Elements(#[from] ElementError),
-    /// The rules of 1993 were asked for, and a surface is none of theirs.
+    /// The rules of 1993 were asked for, but they do not know the shape of a surface.
     #[error(
         "surface '{surface}': the rules of 1993 know parallelograms and curved surfaces only, without holes: \
          choose the default kernel, or cut the surface into parallelograms"
@@ -118,7 +117,7 @@ pub enum Failure {
         /// What the solver says.
         source: SolveError,
     },
-    /// It would need more memory than is allowed.
+    /// More memory is needed than allowed.
     #[error(
         "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; {}",
         *needed as f64 / 1e6, *allowed as f64 / 1e6, fit::list(fits)
@@ -128,7 +127,7 @@ pub enum Failure {
         needed: u64,
         /// Bytes allowed.
         allowed: u64,
-        /// What to ask for instead, if anything.
+        /// Changes that would fit, if any.
         fits: Vec<Fit>,
     },
     /// No threads could be started.
@@ -154,7 +153,7 @@ pub fn solve(
     in_threads(options.threads, || solve_in_pool(scene, options, progress))?
 }
 
-/// Does `work` with that many threads.
+/// Runs `work` with that many threads.
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -225,7 +224,7 @@ fn solve_in_pool(
     })
 }
 
-/// Refuses what needs more memory than is allowed.
+/// Refuses a run that needs more memory than allowed.
 fn require_memory(scene: &Scene, how: &Discretization, options: &Options) -> Result<(), Failure> {
     let Some(allowed) = options.memory else { return Ok(()) };
     let peak = |how: &Discretization, method| Footprint::of(scene, how, method).peak();
@@ -299,7 +298,7 @@ fn bounce(
     splits.then(|| Bounce::new(list, coatings, visibility, AT_A_POINT * options.shadow_eps))
 }
 
-/// What the bands have in common.
+/// Data that the bands share.
 struct Known<'a> {
     elements: &'a Elements,
     blocks: &'a Blocks,
@@ -336,14 +335,14 @@ fn solve_bands(
     coatings.into_iter().enumerate().map(solve).collect()
 }
 
-/// What a band's linear system took.
+/// The cost of a band's linear system.
 struct Effort {
     method: &'static str,
     iterations: usize,
     converged: bool,
 }
 
-/// The effort of a solver that ended so; the best iterate of one that did not converge may count as well.
+/// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too.
 fn effort(ended: Result<Report, SolveError>, keep_partial: bool) -> Result<Effort, SolveError> {
     match ended {
         Ok(Report { method, iterations, .. }) => Ok(Effort { method, iterations, converged: true }),
@@ -361,7 +360,7 @@ fn solve_band(
 ) -> Result<(Coefficients, Option<Effort>), SolveError> {
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];
-    // Only shooting asks for it, and it costs as much as a basis.
+    // Only shooting needs it, and it costs as much as a basis.
     let measure = (options.method.name == "southwell").then(|| system.shooting_measure());
     let mut needed = None;
     if right.iter().any(|value| *value != 0.0) {
@@ -379,7 +378,7 @@ fn solve_band(
     Ok((system.coefficients(&unknowns), needed))
 }
 
-/// What `work` yields; how long it took goes to `stage`.
+/// Runs `work`, and stores its wall time in `stage`.
 pub(crate) fn timed<T>(stage: &mut Duration, work: impl FnOnce() -> T) -> T {
     let start = Instant::now();
     let result = work();

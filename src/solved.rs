@@ -1,4 +1,4 @@
-//! A scene with its solution: what pictures, probes and grids are read from.
+//! A scene with its solution, from which pictures, probes and grids are read.
 
 use std::sync::OnceLock;
 
@@ -12,10 +12,10 @@ use crate::solve::{Failure, Options, Outcome, Progress, solve};
 use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
 use crate::visibility::Visibility;
 
-/// Relative accuracy of the light gathered at a point: a tenth of what the default transfers are good to as a whole.
+/// Relative accuracy of light gathered at a point. Chosen; not tuned.
 const AT_A_POINT: f64 = 1e-3;
 
-/// A solved scene; just solved, or read back from a file.
+/// A solved scene: just solved, or read from a file.
 #[derive(Debug)]
 #[non_exhaustive]
 pub struct Solved {
@@ -23,11 +23,11 @@ pub struct Solved {
     pub scene: Scene,
     /// How it was solved.
     pub options: Options,
-    /// The solution and what it cost.
+    /// The solution with its cost and self-checks.
     pub outcome: Outcome,
-    /// How far it came, where an accuracy was wanted.
+    /// The accuracy that was reached, where one was wanted.
     pub achieved: Option<Achieved>,
-    /// Made when it is first asked for.
+    /// Made when first needed.
     visibility: OnceLock<Visibility>,
 }
 
@@ -40,7 +40,7 @@ impl Solved {
     /// Solves `scene`; see [`solve`].
     ///
     /// # Errors
-    /// Those of [`solve`].
+    /// As for [`solve`].
     pub fn new(
         scene: Scene,
         options: Options,
@@ -53,7 +53,7 @@ impl Solved {
     /// Solves `scene` to a wanted accuracy; see [`adapt`].
     ///
     /// # Errors
-    /// Those of [`adapt`].
+    /// As for [`adapt`].
     pub fn to_accuracy(
         scene: Scene,
         options: &Options,
@@ -69,15 +69,15 @@ impl Solved {
         self.visibility.get_or_init(|| Visibility::new(&self.scene, (&self.options).into()))
     }
 
-    /// Irradiance per band at a point in the open of a plane with this unit normal: W m⁻² where exitance is in W m⁻², lux where it
-    /// is in lm m⁻². Direct light and its shadows are exact, the rest is gathered from all surfaces. For many points make one
-    /// [`Gather`].
+    /// Irradiance per band at a point in the open, for the unit normal `normal`: in W m⁻² where exitance is in W m⁻²,
+    /// in lux where it is in lm m⁻². Direct light and its shadows are computed there, the rest is gathered from all
+    /// surfaces. For many points make one [`Gather`].
     pub fn irradiance_at(&self, position: DVec3, normal: DVec3) -> Vec<f64> {
         let gather = Gather::new(&self.outcome.solution, self.visibility(), AT_A_POINT);
         gather.at(&ReceiverPoint::free(position, normal))
     }
 
-    /// Radiosity per band (the unit of exitance) of the polynomials at the parameters (u, v) of a surface; None inside its holes.
+    /// Radiosity per band (unit of exitance) of the polynomials at (u, v) on a surface; None inside its holes.
     pub fn radiosity_at(&self, surface: usize, [u, v]: [f64; 2]) -> Option<Vec<f64>> {
         let solution = &self.outcome.solution;
         let element = solution.elements().at(surface, [u, v])?;

@@ -1,4 +1,4 @@
-//! Runs of runs: the difference of two solutions, a wanted accuracy, and convergence.
+//! Studies: sequences of runs for a wanted accuracy or for convergence, and the distance of two solutions.
 
 pub mod error_norm;
 pub mod adaptation;

@@ -1,26 +1,27 @@
 //! The linear system of one band.
 //!
-//! With coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. Written
-//! with b = e + √ρ y,
+//! With the coefficients e of the emitted exitance and a reflectance ρ per element, b = e + ρ G b. All coefficients are
+//! in W m⁻² times length, G has no unit. Written with b = e + √ρ y,
 //!
 //! ```text
 //! (I − √ρ G √ρ) y = √ρ G e
 //! ```
 //!
-//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos
-//! 1996 in another notation). By the rules of 1993, for comparison, G is not symmetric and neither is the system. Nothing is
-//! divided by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. Irradiance is h = G b, on black
-//! elements too.
+//! is symmetric, and positive definite with lowest eigenvalue ≥ 1 − ρ_max because ‖G‖ ≤ 1 (Szirmay-Kalos 1996 in
+//! another notation). With the rules of 1993, for comparison, neither G nor the system is symmetric. Nothing is divided
+//! by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. The irradiance is h = G b
+//! everywhere.
 //!
-//! Where direct light is split off (`light::first_bounce`), d of the direct irradiance and g of what is reflected once are
-//! known, and the irradiance s that was reflected at least once is the unknown: with s = g + G √ρ z,
+//! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of irradiance
+//! that was reflected exactly once are known; s of the irradiance that was reflected at least once is unknown. With s =
+//! g + G √ρ z,
 //!
 //! ```text
 //! (I − √ρ G √ρ) z = √ρ g ,     h = d + s ,     b = e + ρ h .
 //! ```
 //!
-//! Both are one system: the unknown radiosity √ρ y (or z) is sent besides a known one, e (or e + ρ d), and the irradiance
-//! is a known one, 0 (or d), and that of the first transport, G e (or g), besides G times what is unknown.
+//! Both are one system: the radiosity is a known part, e (or e + ρ d), plus the unknown √ρ y (or √ρ z); the irradiance
+//! is a known part, 0 (or d), plus that of the first transport, G e (or g), plus G times the unknown radiosity.
 
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
@@ -40,29 +41,29 @@ pub struct System<'a> {
     /// Elements with ρ > 0, ascending: the blocks of unknowns.
     reflecting: Vec<usize>,
     emitted: Vec<f64>,
-    /// Radiosity that is known beforehand: e, or e + ρ d.
+    /// Known radiosity: e, or e + ρ d.
     known: Vec<f64>,
-    /// Irradiance that no radiosity of this system sends: none, or d.
+    /// Irradiance that does not come from the radiosity of this system: d if direct light is split off.
     split: Option<Vec<f64>>,
     /// Irradiance of the first transport: G e, or g.
     first: Vec<f64>,
 }
 
-/// Coefficients of one band's solution, element by element.
+/// Coefficients of one band's solution, element by element, all in W m⁻² times scene length.
 #[derive(Clone, Debug)]
 pub struct Coefficients {
-    /// h of the irradiance (W m⁻²).
+    /// h of the irradiance.
     pub irradiance: Vec<f64>,
-    /// The part of h that comes straight from the emitters (W m⁻²): G e, or d where it was split off.
+    /// The part of h that comes straight from the emitters: G e, or d where direct light was split off.
     pub direct: Vec<f64>,
-    /// b of the radiosity (W m⁻²), b = e + ρ h.
+    /// b of the radiosity, b = e + ρ h.
     pub radiosity: Vec<f64>,
-    /// ‖b − e − ρ G b‖₂ / ‖e‖₂ of the solver's own b, black elements included; 0 if nothing emits.
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; 0 if nothing emits.
     pub residual: f64,
 }
 
 impl Coefficients {
-    /// Those of a known irradiance h and its direct part, both element by element; b = e + ρ h.
+    /// The coefficients for a known irradiance h and its direct part, both element by element.
     pub fn of_irradiance(
         elements: &[Element],
         coating: &Coating,
@@ -76,7 +77,7 @@ impl Coefficients {
 }
 
 impl<'a> System<'a> {
-    /// The system of `coating` over `elements` with transport `blocks`: emitted light is transported by G.
+    /// The system of `coating` over `elements`: G, given by `blocks`, transports all light.
     pub fn new(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating) -> Self {
         let emitted = emitted(elements, coating);
         let (known, first) = (emitted.clone(), blocks.apply(&emitted));
@@ -84,8 +85,7 @@ impl<'a> System<'a> {
         Self { elements, blocks, coating, reflecting, emitted, known, split: None, first }
     }
 
-    /// The system with direct light split off, given the coefficients d of the direct irradiance and g of that which was
-    /// reflected once.
+    /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
     pub fn split(
         elements: &'a [Element],
         blocks: &'a Blocks,
@@ -163,14 +163,14 @@ impl<'a> System<'a> {
         self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.first[offset])
     }
 
-    /// Shooting measure of the unknowns: √ρ ∬ |φ_k| dA, so that |y_k| times it is the power that an
-    /// unknown still has to shoot (Zatz 1993, eq. 25, corrected).
+    /// Shooting measure of the unknowns, √ρ ∬ |φ_k| dA: times |y_k| it is the power that an unknown has yet to shoot
+    /// (Zatz 1993, eq. 25, corrected).
     pub fn shooting_measure(&self) -> Vec<f64> {
         let absolute = per_element(self.elements, |i, out| out.extend(self.elements[i].absolute_integrals()));
         self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * absolute[offset])
     }
 
-    /// Radiosity and irradiance from the unknowns y or z: b = e + √ρ y and h = G b, or h = d + g + G √ρ z; then b = e + ρ h.
+    /// Radiosity and irradiance from the unknowns: h = G (e + √ρ y), or h = d + g + G √ρ z; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let mut unknown = vec![0.0; self.known.len()];
         let mut next = unknowns.iter();

@@ -4,8 +4,8 @@
 //! F_ij = 1/A_i ∫∫ κ(x, y) V(x, y) dA_x dA_y ,     A_i F_ij = A_j F_ji ,     Σ_j F_ij ≤ 1 ,
 //! ```
 //!
-//! the share of what leaves surface i diffusely that reaches surface j. F is what is left of G where each element
-//! carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
+//! the share of the diffuse power leaving surface i that reaches surface j, without unit. F follows from G if each
+//! element carries a constant, φ = 1/√A: with elements a of surface i and b of surface j,
 //!
 //! ```text
 //! A_i F_ij = Σ_a Σ_b √(A_a A_b) G_ab .
@@ -27,8 +27,8 @@ use crate::visibility::{Hiding, Visibility};
 /// How well view factors are computed.
 #[derive(Clone, Copy, Debug)]
 pub struct Options {
-    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are of whole surfaces
-    /// all the same: cuts sharpen shadows.
+    /// Cuts along u and v of surfaces that do not state their own; None chooses. The factors are those of whole
+    /// surfaces; cuts make shadows more accurate.
     pub subdivide: Option<usize>,
     /// Accuracy of the exchange of two elements.
     pub accuracy: Accuracy,
@@ -45,24 +45,24 @@ pub struct ViewFactors {
     pub names: Vec<String>,
     /// Areas of the surfaces (scene length²).
     pub areas: Vec<f64>,
-    /// By surface i: (j, A_i F_ij), ascending in j, both ways.
+    /// For each surface i the pairs (j, A_i F_ij), ascending in j; each exchange is stored for i and for j.
     exchanges: Vec<Vec<(u32, f64)>>,
-    /// How many pairs of elements went which way.
+    /// Numbers of pairs by how they were treated.
     pub pairs: PairCounts,
-    /// Kernel evaluations, or logarithms.
+    /// Evaluations of the kernel, or of logarithms in contour integrals.
     pub samples: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// What a sample of pairs that were integrated both ways tells.
+    /// Reciprocity over a sample of pairs that were integrated in both directions.
     pub reciprocity: Reciprocity,
-    /// The largest error that unresolved parts leave in the exchange of two elements ([`Blocks::accuracy_reached`]).
+    /// Largest error that unresolved parts leave in the exchange of two elements ([`Blocks::accuracy_reached`]).
     pub accuracy_reached: f64,
     /// Wall time.
     pub elapsed: Duration,
 }
 
 impl ViewFactors {
-    /// Computes the factors of all pairs of surfaces. `progress` hears (pairs done, pairs to do), from any thread.
+    /// Computes the factors of all pairs of surfaces. `progress` gets (pairs done, pairs in all), from any thread.
     ///
     /// # Errors
     /// A surface without area, or threads that cannot be started.
@@ -74,7 +74,7 @@ impl ViewFactors {
         Self::of_pairs(scene, &|_, _| true, options, progress)
     }
 
-    /// Computes the factors of those pairs of surfaces that are `wanted` in either order; the others are left zero.
+    /// Computes the factors of the pairs of surfaces that are `wanted` in either order; all others are zero.
     ///
     /// # Errors
     /// As for [`ViewFactors::new`].
@@ -115,7 +115,7 @@ impl ViewFactors {
         row
     }
 
-    /// Σ_j F_ij of each surface: 1 if nothing of what leaves it is lost.
+    /// Σ_j F_ij of each surface: 1 if no power that leaves it is lost.
     pub fn row_sums(&self) -> Vec<f64> {
         let sum = |(row, area): (&Vec<(u32, f64)>, &f64)| row.iter().map(|(_, x)| x).sum::<f64>() / area;
         self.exchanges.iter().zip(&self.areas).map(sum).collect()
@@ -157,7 +157,7 @@ fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(
         let exchange = values[0] * (list[a].area * list[b].area).sqrt();
         let (i, j) = (list[a].surface, list[b].surface);
         rows[i].push((j as u32, exchange));
-        // Two different elements of one surface exchange both ways.
+        // Two different elements of one surface exchange in both directions.
         if a != b {
             rows[j].push((i as u32, exchange));
         }

@@ -1,10 +1,9 @@
-//! Visibility: who may stand between two patches, and whether a segment is free.
+//! Visibility: which surfaces may stand between two patches, and whether a segment is free.
 //!
-//! A pair of patches first loses every surface that certainly misses the convex hull of the two
-//! (the *shaft*); what is left are its candidate blockers, usually few or none. With none the pair is
-//! fully visible and no ray is cast. Where one flat convex blocker catches all segments between the
-//! corners of the two hulls it catches every segment, and the pair is fully hidden. Otherwise a
-//! segment is tested against the candidates alone.
+//! A surface that certainly misses the convex hull of two patches (the *shaft*) hides nothing; the remaining surfaces
+//! are the candidate blockers of the pair, usually few or none. Without candidates the pair is fully visible and no ray
+//! is cast. Where one flat convex blocker meets all segments between the corners of the two hulls it meets every
+//! segment, and the pair is fully hidden. Otherwise segments are tested against the candidates alone.
 
 pub(crate) mod blocker_edges;
 pub(crate) mod bounding_ball;
@@ -28,7 +27,7 @@ use obstacle::{Bend, Obstacle};
 pub(crate) use obstacle::END;
 use silhouette_mesh::SilhouetteMesh;
 
-/// A segment may touch the surfaces that its ends lie on within this part of its length.
+/// As `END`, for a blocker that the end lies on. Chosen; not tuned.
 pub(crate) const OWN_END: f64 = 1e-6;
 
 /// The surfaces of a scene as obstacles.
@@ -37,14 +36,14 @@ pub struct Visibility {
     obstacles: Vec<Obstacle>,
     /// Bounding boxes of the surfaces.
     boxes: Vec<Aabb>,
-    /// Of all surfaces.
+    /// Hierarchy of all surfaces.
     tree: Bvh,
     /// The surfaces that can stand between two others, ascending.
     standing: Vec<usize>,
-    /// Of those.
+    /// Hierarchy of the standing surfaces.
     standing_tree: Bvh,
     bodies: Bodies,
-    /// Where each surface comes among all by its coordinates.
+    /// Rank of each surface by the coordinates of its hull.
     places: Vec<usize>,
     shadows: Shadows,
 }
@@ -63,8 +62,8 @@ impl Visibility {
         Self { obstacles, boxes, tree, standing, standing_tree, bodies, places, shadows }
     }
 
-    /// Surfaces other than the two named, and not of one convex body with either, that may stand between the hulls of
-    /// points `a` and `b`, ascending.
+    /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`, and
+    /// without faces of a convex body that one of them belongs to.
     pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
@@ -81,15 +80,15 @@ impl Visibility {
         self.narrow(&found, a, b)
     }
 
-    /// `surfaces` in the order of their coordinates, which is the same however the scene lists them.
+    /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
     pub fn by_place(&self, surfaces: &[usize]) -> Vec<usize> {
         let mut sorted = surfaces.to_vec();
         sorted.sort_by_key(|surface| self.places[*surface]);
         sorted
     }
 
-    /// Which of two surfaces may themselves hide a part of one, within the hull `a`, from a part of the other, within `b`:
-    /// those that bend both ways, and the inside of a bowl where the other reaches out of the bowl.
+    /// Which of the two surfaces may themselves hide a part of the first, in the hull `a`, from a part of the second,
+    /// in `b`: surfaces that bend both ways, and the inside of a bowl if the other patch reaches out of the bowl.
     pub fn hiding_themselves(&self, surfaces: [usize; 2], [a, b]: [&[DVec3]; 2]) -> Vec<usize> {
         if self.shadows == Shadows::Off {
             return Vec::new();
@@ -111,13 +110,13 @@ impl Visibility {
         found
     }
 
-    /// Those of `blockers` that may still stand between the hulls of `a` and `b`.
+    /// The `blockers` that may stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
         let part = |index: usize| (&self.obstacles[index].ball, &self.obstacles[index].hull[..]);
         self.reaching_between(blockers, part, a, b)
     }
 
-    /// Those of `blockers` whose `part`, a ball and points whose hull they are, reach between the hulls of `a` and `b`.
+    /// The `blockers` whose `part`, given by a ball and hull points, reaches between the hulls of `a` and `b`.
     fn reaching_between<'a>(
         &'a self,
         blockers: &[usize],
@@ -132,14 +131,14 @@ impl Visibility {
         let (around_a, around_b) = (Ball::around(a), Ball::around(b));
         let reaches = |index: &usize| {
             let (ball, hull) = part(*index);
-            // A plate flush before a surface reaches in by little, and hides much.
+            // A plate flush before a surface reaches into the shaft by little, but hides much.
             let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
         blockers.iter().copied().filter(reaches).collect()
     }
 
-    /// Whether one of `blockers` alone hides the hulls of `a` and `b` from each other wholly.
+    /// Whether a single one of `blockers` hides the hulls of `a` and `b` wholly from each other.
     pub fn hidden(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> bool {
         blockers.iter().any(|index| {
             let obstacle = &self.obstacles[*index];
@@ -157,7 +156,7 @@ impl Visibility {
         })
     }
 
-    /// The same where the ends lie on surfaces of the pair `own`, which may be blockers as well.
+    /// As [`Visibility::free`], where the ends lie on the two surfaces `own`, which may be blockers too.
     pub fn free_between(&self, own: [usize; 2], blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         !blockers.iter().any(|index| {
             let margin = if own.contains(index) { OWN_END } else { END };
@@ -165,9 +164,9 @@ impl Visibility {
         })
     }
 
-    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with `open`
-    /// those as well that may stand before a point anywhere. The first face of a convex body stands for all of it. None without
-    /// shadows.
+    /// The surfaces that reach into the box `bounds` and may stand between points of two surfaces, ascending; with
+    /// `open` also those that may stand before a point anywhere. A convex body's first face represents it. Empty
+    /// without shadows.
     pub fn reaching_into(&self, bounds: &Aabb, open: bool) -> Vec<usize> {
         let mut found = Vec::new();
         match (self.shadows, open) {
@@ -194,36 +193,36 @@ impl Visibility {
         self.boxes.iter().fold(Aabb::EMPTY, |bounds, other| bounds.union(*other))
     }
 
-    /// Whether a point may see a place of a surface through another place of it. Not where the surface lies behind the plane
-    /// of each of its points, as the outside of a ball; and not to speak of where all its normals are much the same.
+    /// Whether one place of a surface may hide another one from some point. False if the surface lies behind all its
+    /// tangent planes, like the outside of a ball, or if its normals are nearly parallel.
     pub fn hides_itself(&self, surface: usize) -> bool {
         self.obstacles[surface].bend != Bend::Outward
     }
 
-    /// Whether the points of a surface see each other past all of it: it lies before the plane of each of its points.
+    /// Whether the points of a surface all see each other: it lies in front of all its tangent planes.
     pub fn is_hollow(&self, surface: usize) -> bool {
         self.obstacles[surface].bend == Bend::Inward
     }
 
-    /// Whether `surface` meets the segment from `x` to `y` farther than `margin` of its length from both ends.
+    /// Whether `surface` meets the segment from `x` to `y`, without the part `margin` of its length at either end.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
         self.obstacles[surface].shape.occludes(&ray)
     }
 
-    /// Centre and radius of the only one of `blockers` where that is a whole ball.
+    /// Centre and radius of the single blocker, if it is a whole ball.
     pub fn only_ball(&self, blockers: &[usize]) -> Option<(DVec3, f64)> {
         let [only] = blockers else { return None };
         self.obstacles[*only].shape.ball()
     }
 
-    /// Whether the shadows of `blockers` are to be found by outlines: all of them are planar.
+    /// Whether shadows of `blockers` are computed from outlines: all are planar, and the mode allows it.
     pub fn has_outlines(&self, blockers: &[usize]) -> bool {
         let is_planar = |index: &usize| self.obstacles[*index].pieces.is_some();
         matches!(self.shadows, Shadows::Outlines(_)) && blockers.iter().all(is_planar)
     }
 
-    /// Centre and radius of the ball whose whole inside a surface is, if it is one.
+    /// Centre and radius of the ball whose whole inside the surface is, if it is one.
     pub fn whole_dome(&self, surface: usize) -> Option<(DVec3, f64)> {
         if self.is_hollow(surface) { self.obstacles[surface].shape.ball() } else { None }
     }
@@ -233,13 +232,13 @@ impl Visibility {
         self.obstacles[surface].pieces.as_deref()
     }
 
-    /// A net over a surface.
+    /// Silhouette mesh of a surface, made when first needed.
     pub fn net(&self, surface: usize) -> &SilhouetteMesh {
         let Obstacle { shape, net, .. } = &self.obstacles[surface];
         net.get_or_init(|| SilhouetteMesh::new(shape))
     }
 
-    /// Whether any surface of the scene may stand between any two others.
+    /// Whether any surface may stand between any two others.
     pub fn any_shadow(&self) -> bool {
         let n = self.obstacles.len();
         let pair = |i: usize, j: usize| (&self.obstacles[i].hull, &self.obstacles[j].hull);
@@ -251,19 +250,20 @@ impl Visibility {
         })
     }
 
-    /// Whether any surface bends such that a point of it may see a thing in part and the rest of it below the horizon.
+    /// Whether some surface is bent and not hollow: its points may see something only partly above their horizon.
     pub fn any_horizon(&self) -> bool {
         self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && obstacle.is_bent())
     }
 
-    /// Whether any surface can stand between two others, as far as their planes tell.
+    /// Whether the planes of the surfaces allow any of them to stand between two others.
     pub(crate) fn has_obstacles(&self) -> bool {
         !self.standing.is_empty()
     }
 
     /// The first surface that a ray meets.
     ///
-    /// Front and back of a two-sided surface are met at once: a back counts as a trifle farther.
+    /// A ray meets both sides of a two-sided surface at once; the back counts as farther by a relative 1e-12, so that
+    /// the front wins (above rounding of t; chosen, not tuned).
     pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
         self.nearest_but(None, ray)
     }
@@ -285,9 +285,8 @@ impl Visibility {
 
 /// The surfaces that can stand between two others, ascending.
 ///
-/// A planar surface that has the whole scene on one side of its plane stands between no two points of it: the walls of a
-/// convex room drop out here once and for all. So does a bent wall, such as a twisted one of a measured room, whose depth
-/// is no more than the accuracy of the shadows allows, as part of its size.
+/// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot. Nor can a
+/// slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
 fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
     let tolerance = match shadows {
         Shadows::Off => 0.0,
@@ -319,7 +318,7 @@ fn bodies(obstacles: &[Obstacle]) -> Bodies {
     Bodies::new(&faces, obstacles.len(), &points)
 }
 
-/// Largest distance of points from the line through the first and the point farthest from it.
+/// Largest distance of the points from the line through the first point and the one farthest from it.
 fn breadth(points: &[DVec3]) -> f64 {
     let farther = |a: &&DVec3, b: &&DVec3| a.distance(points[0]).total_cmp(&b.distance(points[0]));
     let Some(far) = points.iter().max_by(farther) else { return 0.0 };
@@ -331,7 +330,7 @@ fn segment(x: DVec3, y: DVec3) -> Ray {
     Ray { origin: x, direction: y - x, range: [END, 1.0 - END] }
 }
 
-/// Where each obstacle comes among all by the coordinates of its hull.
+/// Rank of each obstacle by the coordinates of its hull.
 fn places(obstacles: &[Obstacle]) -> Vec<usize> {
     let coordinates = |index: usize| obstacles[index].hull.iter().flat_map(|point| point.to_array());
     let mut sorted: Vec<usize> = (0..obstacles.len()).collect();

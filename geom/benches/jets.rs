@@ -16,6 +16,7 @@ use std::time::{Duration, Instant};
 #[expect(dead_code, reason = "the conformance suite reads the other fields")]
 mod gallery;
 
+/// Jets per tile.
 const COUNT: usize = 1024;
 
 /// A named way to fill a tile.
@@ -55,7 +56,7 @@ fn points<'a>(at: &'a [[f64; 2]], fill: fn(&[[f64; 2]], &mut [DVec3])) -> Box<dy
     })
 }
 
-/// The fastest of 300 rounds of each way, the ways taking turns: what a noisy machine can tell.
+/// The fastest of 300 rounds of each way, the ways taking turns, against noise.
 fn fastest(ways: &mut [Way]) {
     let mut best = vec![f64::INFINITY; ways.len()];
     for _ in 0..300 {

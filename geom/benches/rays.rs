@@ -22,6 +22,7 @@ mod random;
 
 use random::Random;
 
+/// Rays per scene.
 const RAYS: usize = 20_000;
 
 struct Scene {
@@ -185,7 +186,7 @@ fn count(rays: &[Ray], way: &dyn Fn(&Ray) -> bool) -> usize {
     black_box(rays).iter().filter(|ray| way(ray)).count()
 }
 
-/// The fastest of 15 rounds of each way, the ways taking turns: what a noisy machine can tell.
+/// The fastest of 15 rounds of each way, the ways taking turns, against noise.
 fn ratios(rays: &[Ray], ways: &[Way]) {
     let mut best = vec![f64::INFINITY; ways.len()];
     for _ in 0..15 {
@@ -204,8 +205,7 @@ fn ratios(rays: &[Ray], ways: &[Way]) {
 /// A ray, by the numbers of the two patches that it joins.
 type Joint = (usize, usize, Ray);
 
-/// Segments between points of the teapot that face each other, half of them of one patch: what shadows on curved surfaces ask
-/// for.
+/// Segments between facing points of the teapot, half of them on one patch, as for shadows on curved surfaces.
 fn joints(surfaces: &[Box<dyn Surface>], random: &mut Random) -> Vec<Joint> {
     let mut joints = Vec::new();
     while joints.len() < RAYS {

@@ -5,7 +5,7 @@
 
 use std::ops::{Add, Mul, Sub};
 
-/// What coefficients can do: numbers and vectors.
+/// Coefficients: numbers and vectors.
 pub(crate) trait Coefficient:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<f64, Output = Self>
 {
@@ -13,7 +13,7 @@ pub(crate) trait Coefficient:
 
 impl<T: Copy + Add<Output = T> + Sub<Output = T> + Mul<f64, Output = T>> Coefficient for T {}
 
-/// The Bernstein polynomials of degree N − 2 at `x`, and a last entry 0: what [`combine`] needs of a place.
+/// The Bernstein polynomials of degree N − 2 at `x`, and a last entry 0, for [`combine`].
 pub(crate) fn weights<const N: usize>(x: f64) -> [f64; N] {
     let mut w = [0.0; N];
     w[0] = 1.0;

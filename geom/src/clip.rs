@@ -49,8 +49,8 @@ pub fn intersection(polygon: &[DVec3], clip: &[DVec3], normal: DVec3) -> Vec<DVe
     sides(clip).fold(polygon.to_vec(), |rest, [from, to]| clip_polygon(&rest, from, normal.cross(to - from)))
 }
 
-/// What of a convex `polygon` lies beside another, `hole`, seen along `normal`, about which `hole` runs counter-clockwise: convex
-/// parts that do not overlap. The polygon itself where the two share no area.
+/// The part of a convex `polygon` outside another, `hole`, seen along `normal`, about which `hole` runs
+/// counter-clockwise, as disjoint convex parts. The polygon itself if the two share no area.
 pub fn difference(polygon: &[DVec3], hole: &[DVec3], normal: DVec3) -> Vec<Vec<DVec3>> {
     let (mut beside, mut rest) = (Vec::new(), polygon.to_vec());
     for [from, to] in sides(hole) {
@@ -86,9 +86,9 @@ pub fn polygon_area(polygon: &[DVec3]) -> f64 {
     0.5 * fan.sum::<DVec3>().length()
 }
 
-/// How far a point of its plane lies outside a convex polygon: the largest distance from the lines of its sides, counted positive
-/// beyond them (length). `normal` is the unit normal that the corners go round counter-clockwise. Sides of no length do not
-/// count.
+/// How far the point `x` of a convex polygon's plane lies outside: the largest distance from the lines of its sides,
+/// positive beyond them (length). The corners run counter-clockwise about the unit vector `normal`. Sides of no length
+/// do not count.
 pub fn overhang(polygon: &[DVec3], normal: DVec3, x: DVec3) -> f64 {
     let beyond = |k: usize| {
         let side = polygon[(k + 1) % polygon.len()] - polygon[k];

@@ -1,9 +1,9 @@
-//! Convex hulls of points in a plane, by the monotone chain (Andrew, *Another efficient algorithm for convex hulls in two
-//! dimensions*, Information Processing Letters 9, 1979).
+//! Convex hulls of points in a plane, by the monotone chain (Andrew, *Another efficient algorithm for convex hulls in
+//! two dimensions*, Information Processing Letters 9, 1979).
 
 use glam::{DVec2, DVec3};
 
-/// The convex hull, counter-clockwise, starting with the earliest of `points` that lies on it; no three in a line.
+/// The convex hull, counter-clockwise, from the earliest of `points` that lies on it; no three vertices in a line.
 pub(crate) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     let mut sorted = points.to_vec();
     sorted.sort_by(|p, q| p.x.total_cmp(&q.x).then(p.y.total_cmp(&q.y)));
@@ -27,7 +27,7 @@ pub(crate) fn convex_hull(points: &[DVec2]) -> Vec<DVec2> {
     hull
 }
 
-/// Those of coplanar `points` that their convex hull is made of, each once; `normal` is perpendicular to their plane.
+/// The vertices of the convex hull of coplanar `points`, each once; `normal` is perpendicular to their plane.
 pub fn extreme_points(points: &[DVec3], normal: DVec3) -> Vec<DVec3> {
     let axes = normal.any_orthonormal_pair();
     let flat = |x: &DVec3| DVec2::new((*x - points[0]).dot(axes.0), (*x - points[0]).dot(axes.1));

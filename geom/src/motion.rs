@@ -47,27 +47,27 @@ impl Motion {
         self.scale
     }
 
-    /// Where a point gets to.
+    /// The image of a point.
     pub fn point(&self, x: DVec3) -> DVec3 {
         self.scale * (self.rotation * x) + self.translation
     }
 
-    /// What becomes of a difference of points.
+    /// The image of a difference of points.
     pub fn vector(&self, d: DVec3) -> DVec3 {
         self.scale * (self.rotation * d)
     }
 
-    /// What becomes of a unit vector.
+    /// The image of a unit vector, again of unit length.
     pub fn direction(&self, d: DVec3) -> DVec3 {
         self.rotation * d
     }
 
-    /// Where a point came from.
+    /// The point with the image `x`.
     pub fn point_back(&self, x: DVec3) -> DVec3 {
         self.rotation.transpose() * (x - self.translation) / self.scale
     }
 
-    /// What a difference of points came from.
+    /// The difference of points with the image `d`.
     pub fn vector_back(&self, d: DVec3) -> DVec3 {
         self.rotation.transpose() * d / self.scale
     }

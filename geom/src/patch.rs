@@ -1,4 +1,4 @@
-//! Patches and their borders: what adjacency is decided between.
+//! Patches and their borders, between which adjacency is decided.
 
 use crate::{Aabb, Hit, PlanarRegion, Ray, Rect, Surface};
 use glam::DVec3;
@@ -74,7 +74,7 @@ impl<'a> Patch<'a> {
         feet.min_by(|a, b| a.0.total_cmp(&b.0)).expect("a patch has borders").1
     }
 
-    /// Points well inside the patch, with their normals.
+    /// Points well inside the patch, with their normals; sampled without symmetry (chosen, not tuned).
     pub(crate) fn inner_samples(&self) -> Vec<(DVec3, DVec3)> {
         const STEPS: [f64; 5] = [-0.83, -0.41, 0.03, 0.44, 0.81];
         match self {
@@ -118,7 +118,7 @@ impl<'a> Patch<'a> {
                         let jet = surface.jet(u, v);
                         return Some((jet.position, jet.normal));
                     }
-                    // Beyond a hit outside the rectangle; a hair past it, so that the search ends.
+                    // Continue 1e-9 beyond a hit outside the rectangle, so that the search ends.
                     rest.range[0] = t + 1e-9 * (1.0 + t.abs());
                 }
             }
@@ -181,7 +181,7 @@ fn slide(start: f64, x: DVec3, curve: impl Fn(f64) -> (DVec3, DVec3)) -> f64 {
     for _ in 0..30 {
         let (p, slope) = curve(w);
         let step = (x - p).dot(slope) / slope.length_squared().max(f64::MIN_POSITIVE);
-        // Near a cusp of the curve a full step would leap over it.
+        // Near a cusp of the curve a full step would leap over it: at most 0.25. Chosen; not tuned.
         let next = (w + step.clamp(-0.25, 0.25)).clamp(-1.0, 1.0);
         if (next - w).abs() < 1e-15 {
             break;

@@ -71,7 +71,7 @@ impl Surface for Placed {
         self.base.corners().into_iter().map(|x| self.motion.point(x)).collect()
     }
 
-    /// The base with its corners moved for good, so that they get to where they are put to the last bit.
+    /// The base with its corners moved themselves, so that they are exactly where `place` puts them.
     fn with_corners(&self, place: &dyn Fn(DVec3) -> DVec3) -> Option<Result<Box<dyn Surface>, ShapeError>> {
         self.base.with_corners(&|x| place(self.motion.point(x)))
     }

@@ -52,8 +52,8 @@ pub struct Hit {
 }
 
 impl Hit {
-    /// How far outside [−1, 1] a parameter may fall and still count as a hit: rays aimed at the seam between
-    /// two surfaces must not slip through by rounding.
+    /// How far outside [−1, 1] a parameter may lie for a hit: rays aimed at the seam between two surfaces must not slip
+    /// through by rounding. Chosen; not tuned.
     pub const SEAM: f64 = 1e-9;
 
     /// The hit, its parameters clamped to [−1, 1]; `None` where they lie beyond 1 + [`Hit::SEAM`] or `t`

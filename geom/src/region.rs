@@ -10,18 +10,19 @@ mod pieces;
 use crate::{Motion, ShapeError, coordinate_rounding, intersection};
 use glam::{DVec2, DVec3};
 
-/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: typed
-/// decimals and single precision pass, a quad meant to be curved does not.
+/// How far a vertex may lie off the plane of the outline, in multiples of the outline's extent: decimals and single
+/// precision pass, a quad that is meant to be curved does not. Chosen; not tuned.
 pub(crate) const PLANARITY: f64 = 2e-5;
 
-/// By how many roundings of its coordinates a vertex may miss a plane through others: each misses by one, and a plane through
-/// three adds up to three more where it is extended; twice that.
+/// Roundings by which a vertex may miss a plane through other vertices: each misses by one, and a plane through three
+/// adds up to three more where it is extended; twice that.
 const ROUNDINGS: f64 = 8.0;
 
-/// How far off the plane a point may lie that counts as in the region, in multiples of the extent.
+/// Distance from the plane up to which a point lies in the region, in multiples of the extent. Chosen; not tuned.
 const FLUSH: f64 = 1e-6;
 
-/// How near to the boundary a point counts as inside, in multiples of the extent: seams must not leak.
+/// Distance from the boundary up to which a point lies inside, in multiples of the extent: seams must not leak. As
+/// `Hit::SEAM`.
 const SEAM: f64 = 1e-9;
 
 /// A polygon with holes in a plane.
@@ -39,14 +40,14 @@ pub struct PlanarRegion {
 }
 
 impl PlanarRegion {
-    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal;
-    /// holes may run either way round and may touch each other and the outline, but not cross them.
+    /// The region inside `outer` and outside all `holes`. The right-hand rule of `outer` gives the normal; holes may
+    /// run in either direction and may touch each other and the outline, but not cross them.
     ///
     /// # Errors
     ///
-    /// Too few, repeated or non-finite vertices; no area; vertices farther than 2e-5 of the extent, or than their
-    /// coordinates are rounded, off the plane; a ring that crosses itself; a hole that leaves the outline or overlaps another. The fields are
-    /// named `vertices` and `holes[k]`.
+    /// Too few, repeated or non-finite vertices; no area; vertices farther off the plane than 2e-5 of the extent and
+    /// than the rounding of their coordinates; a ring that crosses itself; a hole that leaves the outline or overlaps
+    /// another. The fields are named `vertices` and `holes[k]`.
     pub fn new(outer: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> Result<PlanarRegion, ShapeError> {
         let names: Vec<String> = (0..=holes.len()).map(ring_name).collect();
         let mut rings = vec![outer];
@@ -166,7 +167,7 @@ impl PlanarRegion {
         &self.pieces
     }
 
-    /// The parts of its convex pieces over those of another region, seen along the normal of that.
+    /// The parts of its convex pieces over those of another region, seen along that region's normal.
     pub fn common_parts<'a>(&'a self, other: &'a PlanarRegion) -> impl Iterator<Item = Vec<DVec3>> + 'a {
         let (ours, theirs) = (self.convex_pieces(), other.convex_pieces());
         let pairs = ours.iter().flat_map(|our| theirs.iter().map(move |their| (our, their)));
@@ -242,7 +243,7 @@ fn plane_of(outer: &[DVec3]) -> Result<(DVec3, f64), ShapeError> {
     let twice: DVec3 = outer.iter().zip(next).map(|(x, y)| (*x - outer[0]).cross(*y - outer[0])).sum();
     let extent = outer.iter().map(|x| x.distance(outer[0])).fold(0.0, f64::max);
     if twice.length() <= 1e-12 * extent * extent {
-        // A symmetric bow tie has no net area; say what is wrong with it rather than that.
+        // A symmetric bow tie has no net area; its crossing is the better message.
         return Err(rings::bow_tie(outer).unwrap_or(ShapeError::NoArea { field: ring_name(0) }));
     }
     Ok((twice.normalize(), extent))

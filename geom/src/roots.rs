@@ -30,7 +30,8 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     a.mul_add(b, -cd) + error
 }
 
-/// How often an interval is halved before one root stands for all in it.
+/// Halvings of an interval after which one root represents all in it: a double root is no better known than to the
+/// square root of the precision, 2⁻²⁶.
 const DEEPEST: usize = 26;
 
 /// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple

@@ -1,7 +1,7 @@
-//! What coordinates were rounded by, as they tell it themselves.
+//! The rounding of coordinates, inferred from the coordinates.
 //!
-//! A number of single precision that is not a few decimals long was rounded to single precision: of numbers in double
-//! precision one in 2²⁹ is one by chance. 0.5 and 5 400 000 may have been typed and tell nothing.
+//! A number of single precision with more than a few decimals was rounded to single precision: of numbers in double
+//! precision one in 2²⁹ is one by chance. 0.5 and 5 400 000 may have been typed and say nothing.
 
 use glam::DVec3;
 
@@ -9,11 +9,11 @@ use glam::DVec3;
 const SINGLE: f64 = 1.0 / (1u64 << 24) as f64;
 const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// Numbers that are multiples of one over this may have been typed.
+/// Multiples of one over this number may have been typed. Chosen; not tuned.
 const PLAIN: f64 = 1000.0;
 
-/// By how much `points` that are given in one precision may lie off along the unit vector `direction`, for their rounding (their
-/// unit of length): of each coordinate as much as its largest is rounded by. Without a direction, along any.
+/// Largest rounding error (their unit of length) along the unit vector `direction` of `points` given in one precision;
+/// each coordinate is taken to be rounded as its largest value is. Without a direction, along any.
 pub fn coordinate_rounding(points: &[DVec3], direction: Option<DVec3>) -> f64 {
     let largest = points.iter().fold(DVec3::ZERO, |largest, x| largest.max(x.abs()));
     let along = direction.map_or(DVec3::ONE, DVec3::abs);

@@ -4,7 +4,7 @@ use crate::{Aabb, Foot, Hit, Jet, PlanarRegion, Ray, Rect, ShapeError, Surface};
 use glam::DVec3;
 use std::sync::Arc;
 
-/// Every method is handed on, so that what a shape knows in closed form stays in use.
+/// Every method is forwarded, so that a shape's closed forms stay in use.
 impl<S: Surface + ?Sized> Surface for Arc<S> {
     fn jet(&self, u: f64, v: f64) -> Jet {
         (**self).jet(u, v)
@@ -60,7 +60,7 @@ mod tests {
     use super::*;
     use crate::shapes::{FULL_TURN, Parallelogram, Sphere};
 
-    /// What the trait alone would say otherwise: None, none, and boxes for hulls.
+    /// By default the trait gives None, no corners, and boxes for hulls.
     #[test]
     fn shapes_are_known_through_the_arc() {
         let ball = Sphere::new(DVec3::X, 2.0, DVec3::Z, [-2.0, 2.0], FULL_TURN).unwrap();

@@ -1,5 +1,5 @@
-//! Rays against boxes: the three slabs of a box meet the ray in intervals of t, and so does the box in what
-//! these share.
+//! Rays against boxes: each of the three slabs of a box meets the ray in an interval of t; the box meets it in their
+//! intersection.
 
 use crate::{Aabb, Ray};
 use glam::DVec3;
@@ -16,7 +16,7 @@ impl Slabs {
     }
 
     /// Where the ray enters the box, if it does so between `start` and `end`. Rounding decides about rays
-    /// within the plane of a face: boxes need some room around what they hold.
+    /// within the plane of a face: boxes need a margin around their content.
     pub(crate) fn entry(&self, bounds: &Aabb, start: f64, end: f64) -> Option<f64> {
         let a = (bounds.min - self.origin) * self.inverse;
         let b = (bounds.max - self.origin) * self.inverse;
@@ -26,8 +26,7 @@ impl Slabs {
     }
 }
 
-/// One over each coordinate: a huge number instead of an infinite one, as 0 · ∞ must not arise for rays within a slab's
-/// plane.
+/// One over each coordinate, huge instead of infinite: 0 · ∞ must not arise for rays within a slab's plane.
 pub(crate) fn inverted(direction: DVec3) -> DVec3 {
     direction.map(|x| if x.abs() < 1e-290 { 1e290_f64.copysign(x) } else { 1.0 / x })
 }

@@ -1,7 +1,7 @@
 //! Zeros of planar maps f: [0, 1]² → ℝ² in Bernstein form, f(s, t) = Σ fᵢⱼ Bᵢ(s) Bⱼ(t).
 //!
-//! A rectangle of parameters is looked at through a linear change of coordinates of the plane that turns the
-//! mean derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
+//! A rectangle of parameters is tested after a linear change of coordinates of the plane that turns the mean
+//! derivative of f into the identity. Then (1) where the coefficients lie on one side of an axis there
 //! is no zero (they bound f); (2) where the coefficients of the derivative differ from the identity by at
 //! most κ < 1 in the maximum norm, f is one-to-one and its only zero lies within κ/(1 − κ) |g| of the
 //! centre's Newton estimate, g = f(½, ½); for κ ≤ 0.3 Newton's method reaches it; (3) else the rectangle is
@@ -15,12 +15,11 @@
 use crate::bernstein::{combine, split, weights};
 use glam::{DMat2, DVec2};
 
-/// Below this deviation of the derivative from its mean, Newton's method takes over.
+/// Below this deviation of the derivative from its mean, Newton's method takes over (header, test 2).
 const NEARLY_LINEAR: f64 = 0.3;
-/// Images smaller than this multiple of the whole count as points: rounding decides where they are.
+/// Images smaller than this multiple of the whole are points, since rounding decides where they are. Chosen; not tuned.
 const POINT: f64 = 1e-13;
-/// Rectangles looked at before giving up; only a map that vanishes along a curve (an edge-on sheet) comes
-/// near.
+/// Most rectangles of a search; only an edge-on sheet, which vanishes along a curve, comes near. Chosen; not tuned.
 const BUDGET: usize = 4000;
 
 /// Visits the zeros of the map with the coefficients `net[i][j]`, s along i, as (s, t); stops when `visit`

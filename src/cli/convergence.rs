@@ -98,7 +98,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     draw(&chart(args, scene, &runs), kind, &output)?;
     Destination::Stdout.write(|writer| writer.write_all(table.as_bytes()))?;
     if !args.quiet {
-        // Nobody is left to tell if stderr is closed.
+        // A closed stderr is no error: nobody would see a message.
         let _ = writeln!(stderr(), "wrote {}", path.display());
     }
     Ok(())

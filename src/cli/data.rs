@@ -28,8 +28,8 @@ pub(crate) struct DataArgs {
 }
 
 impl DataArgs {
-    /// Finds out, before the work, what form the data take and whether they can be written; `apart` refuses a file that is
-    /// something else of the verb's.
+    /// Checks, before the work, the form of the data and whether they can be written; `apart` refuses another file of
+    /// the verb.
     pub(crate) fn reserve(
         &self,
         loaded: &Loaded,

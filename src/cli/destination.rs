@@ -20,8 +20,7 @@ impl From<Option<OutputFile>> for Destination {
 }
 
 impl Destination {
-    /// Has `write` write the whole table. A reader of standard output who has seen enough is no error: whatever else was asked
-    /// for still comes.
+    /// Has `write` write the whole table. A closed pipe is no error, so that other outputs follow.
     pub(crate) fn write(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
         match self {
             Self::File(file) => file.write(|writer| write(writer)),

@@ -1,4 +1,4 @@
-//! What ends a command early, how it is told, and the exit code.
+//! Errors that end a command, their messages, and the exit code.
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
@@ -21,13 +21,13 @@ pub(crate) enum CliError {
     /// Something is wrong with a solution file.
     #[error(transparent)]
     Solution(#[from] SolutionError),
-    /// A solution where a scene is to be solved.
+    /// A solution, where a verb needs an unsolved scene.
     #[error("{origin}: this is a solution already")]
     AlreadySolved {
         /// The file as typed.
         origin: String,
     },
-    /// An option of the method with a scene that is solved.
+    /// An option of the method with a scene that is already solved.
     #[error("{option}: {origin} is a solution, how it was found cannot be changed")]
     Fixed {
         /// The file as typed.
@@ -38,7 +38,7 @@ pub(crate) enum CliError {
     /// Something is wrong with the points of a probe.
     #[error(transparent)]
     Points(#[from] PointsError),
-    /// An output that cannot be written, found out before the work.
+    /// An output that cannot be written, found before the work.
     #[error("{}: cannot be written: {reason}", path.display())]
     Unwritable {
         /// The output as typed.
@@ -46,7 +46,7 @@ pub(crate) enum CliError {
         /// What the system said.
         reason: io::Error,
     },
-    /// An output that failed while it was written; the file is as it was before.
+    /// An output that failed while it was written; the file is unchanged.
     #[error("{}: writing failed: {reason}", path.display())]
     Unwritten {
         /// The output as typed.
@@ -107,7 +107,7 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
-    /// 2 where the command line or a file has to be changed, else 1. A reader of stdout who has seen enough is no error.
+    /// 2 if the command line or a file has to be changed, else 1. A closed pipe on standard output is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_)
@@ -133,7 +133,7 @@ impl CliError {
         }
     }
 
-    /// The text for stderr: message, the line it is about, cure.
+    /// The text for stderr: message, the line in question, cure.
     pub(crate) fn explain(&self) -> String {
         if matches!(self, CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe) {
             return String::new();
@@ -194,10 +194,10 @@ impl CliError {
     }
 }
 
-/// Longest piece of a line that is shown.
+/// Longest part of a line that is shown, in characters. Chosen.
 const SHOWN: usize = 100;
 
-/// The line at `place` with the piece that is meant underlined:
+/// The line at `place` with the part in question underlined:
 ///
 /// ```text
 ///    |

@@ -36,7 +36,8 @@ pub(crate) struct GridArgs {
     #[command(flatten)]
     pub(crate) read: ReadArgs,
 
-    /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as --quality says]
+    /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as --quality
+    /// says]
     #[arg(long, value_name = "D,I")]
     pub(crate) read_samples: Option<Samples>,
 

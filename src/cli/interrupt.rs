@@ -1,19 +1,19 @@
 //! Ctrl-C ends the program at once and leaves no temporary file.
 //!
-//! Work is not asked to stop, it is stopped: a factorisation would not hear. The handler runs in a thread of its own. It takes
-//! the lock under which temporary files are made, named and removed, so that none is half-way, and never gives it back.
+//! Work is not asked to stop: a factorisation would not notice. The handler runs in a thread of its own. It takes the
+//! lock under which temporary files are made, named and removed, so that none is half done, and never releases it.
 
 use std::collections::BTreeSet;
 use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-/// What a shell reports of a program that Ctrl-C ended: 128 and the number of the signal.
+/// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
 const EXIT_CODE: i32 = 130;
 
 static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// The temporary files there are; the set has to be locked while one is made, renamed or removed.
+/// All temporary files; the set has to be locked while one is made, renamed or removed.
 pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
 }

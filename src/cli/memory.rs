@@ -3,7 +3,7 @@
 use std::fs::read_to_string;
 use std::path::Path;
 
-/// The part of what is free that is used unless the user says otherwise.
+/// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
 /// A number of bytes such as `500M`, `2G` or `1.5GiB`.
@@ -12,14 +12,13 @@ pub(crate) fn bytes(text: &str) -> Result<u64, String> {
     parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
 }
 
-/// 80 % of the free memory, of the machine or of the group of processes this one is confined to, whichever is less; None where
-/// the system does not tell.
+/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown.
 pub(crate) fn usable() -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min()?;
     Some((SHARE * free as f64) as u64)
 }
 
-/// What Linux calls available.
+/// Free memory of the machine, as Linux reports it ("MemAvailable").
 fn machine() -> Option<u64> {
     let info = read_to_string("/proc/meminfo").ok()?;
     let line = info.lines().find_map(|line| line.strip_prefix("MemAvailable:"))?;
@@ -42,7 +41,7 @@ fn left_in(group: &Path) -> Option<u64> {
     let (limit, used) = (number("memory.max")?, number("memory.current")?);
     let statistics = read_to_string(group.join("memory.stat")).unwrap_or_default();
     let cached = statistics.lines().find_map(|line| line.strip_prefix("inactive_file "));
-    // Pages of files that nobody uses are given back when asked for.
+    // The system gives back unused pages of files when needed.
     let cached = cached.and_then(|bytes| bytes.parse().ok()).unwrap_or(0);
     Some(limit.saturating_sub(used.saturating_sub(cached)))
 }

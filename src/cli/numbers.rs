@@ -4,7 +4,7 @@ use std::str::FromStr;
 
 use clap::builder::RangedU64ValueParser;
 
-/// Two counts written `AxB`, such as `16x16` or `800x600`.
+/// Two counts written `AxB`, such as `16x16` or `800x600`, each at most 16384 as in scenes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Counts(pub(crate) [u32; 2]);
 
@@ -39,7 +39,7 @@ fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, St
     text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
 }
 
-/// A number of threads. More than any machine has use for would bring it to a standstill.
+/// A number of threads, at most 1024: more would bring any machine to a standstill (chosen).
 pub(crate) fn threads(text: &str) -> Result<usize, String> {
     const MOST: usize = 1024;
     let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));

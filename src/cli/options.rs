@@ -37,7 +37,8 @@ pub(crate) struct SceneArg {
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
 
-    /// Corners and planes nearer than this length are made to agree; 0 for none [default: the rounding of the coordinates]
+    /// Corners and planes nearer than this length are made to agree; 0 for none [default: the rounding of the
+    /// coordinates]
     #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
     pub(crate) tolerance_length: Option<f64>,
 }
@@ -91,8 +92,8 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "Q", default_value = "default")]
     pub(crate) quality: Quality,
 
-    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as --quality
-    /// says]
+    /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as
+    /// --quality says]
     #[arg(long, value_name = "N|auto")]
     pub(crate) order: Option<Order>,
 
@@ -144,8 +145,8 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "MODE", default_value = "auto")]
     pub(crate) direct: Direct,
 
-    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default: 3e-3; as
-    /// --quality says]
+    /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default:
+    /// 3e-3; as --quality says]
     #[arg(long, value_name = "E", value_parser = fraction)]
     pub(crate) shadow_eps: Option<f64>,
 
@@ -168,10 +169,10 @@ impl MethodArgs {
     }
 }
 
-/// What `--order auto` means.
+/// The accuracy that `--order auto` means. Chosen.
 const AUTO_ACCURACY: f64 = 1e-2;
 
-/// What is told while the work is done, and after it.
+/// Options of the messages during the work and after it.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Messages")]
 pub(crate) struct ReportArgs {
@@ -195,11 +196,11 @@ impl ReportArgs {
     }
 }
 
-/// The options that work with a solution file as well: they change no solution, or how it is read as well.
+/// The options that are allowed with a solution file: they change no solution (or change reading too, as `quality`).
 const FREE: [&str; 3] = ["memory", "quality", "threads"];
 
 impl MethodArgs {
-    /// The options of the method that were typed and change the solution, e.g. `--order`; `typed` are those of a verb.
+    /// The typed options of the method that change the solution, e.g. `--order`; `typed` are the arguments of a verb.
     pub(crate) fn fixing(typed: &ArgMatches) -> Vec<String> {
         let method = Self::augment_args(Command::new("method"));
         let is_typed = |id: &str| {

@@ -1,4 +1,4 @@
-//! Outputs that are there whole or not at all.
+//! Output files that are written wholly or not at all.
 
 use std::{
     fs::{File, OpenOptions},
@@ -11,8 +11,8 @@ use tempfile::{Builder, NamedTempFile};
 use crate::cli::error::CliError;
 use crate::cli::interrupt::temporary_files;
 
-/// A file that will be written. It comes into being only when all of it is there: the text goes to a temporary file in the
-/// same folder, which then takes the name.
+/// A file that will be written. The text goes to a temporary file in the same folder, which takes the file's name when
+/// it is complete.
 #[derive(Debug)]
 pub(crate) struct OutputFile {
     typed: PathBuf,
@@ -28,11 +28,11 @@ enum Target {
 }
 
 impl OutputFile {
-    /// Finds out whether `path` can be written, before any long work. Creates nothing that stays.
+    /// Finds out whether `path` can be written, before any long work. Leaves no file behind.
     ///
     /// # Errors
-    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist or
-    /// cannot be written to.
+    /// [`CliError::Refused`] for `-`; [`CliError::Unwritable`] for a folder, or a file in a folder that does not exist
+    /// or cannot be written to.
     pub(crate) fn reserve(path: &Path) -> Result<Self, CliError> {
         if path == Path::new("-") {
             return Err(CliError::Refused {
@@ -44,7 +44,7 @@ impl OutputFile {
         Ok(OutputFile { typed: path.to_owned(), target })
     }
 
-    /// This output, which has to be another file than `path`, that of `what`.
+    /// This output, if it is another file than `path`, which belongs to `what`.
     ///
     /// # Errors
     /// [`CliError::Refused`] if both are one file, through links or not.
@@ -59,10 +59,10 @@ impl OutputFile {
         Ok(self)
     }
 
-    /// Has `write` write the whole output, and then puts it in place.
+    /// Has `write` write the whole output, then puts it in place.
     ///
     /// # Errors
-    /// [`CliError::Unwritten`] if anything fails; what stood at the path before still stands there.
+    /// [`CliError::Unwritten`] if anything fails; the old file at the path is then unchanged.
     pub(crate) fn write(
         &self,
         write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
@@ -150,7 +150,7 @@ fn temporary_beside(path: &Path) -> io::Result<NamedTempFile> {
     builder.tempfile_in(folder(path)).map_err(|error| told(&error))
 }
 
-/// The system's message alone: the temporary name would only confuse.
+/// The system's message only: the temporary name would confuse.
 fn told(error: &io::Error) -> io::Error {
     match error.kind() {
         io::ErrorKind::NotFound => io::Error::other("its folder does not exist"),

@@ -1,6 +1,6 @@
 //! The points of a probe: a CSV file of positions and normals.
 //!
-//! Columns x,y,z,nx,ny,nz. With a header line they may stand in any order, and other columns are passed over; without one
+//! Columns x,y,z,nx,ny,nz. With a header line they may stand in any order, and other columns are ignored; without one
 //! there are exactly these six. Lines that start with # are comments. Normals may have any length but 0.
 
 use std::io::{self, Read};
@@ -13,7 +13,7 @@ use thiserror::Error;
 /// Names of the columns.
 pub(crate) const COLUMNS: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
-/// The points with the lines they stand on.
+/// The points, each with its line in the file.
 #[derive(Debug)]
 pub(crate) struct Points {
     /// The name shown in messages.
@@ -139,7 +139,7 @@ impl Columns {
         }
         let [x, y, z, nx, ny, nz] = numbers;
         let normal = DVec3::new(nx, ny, nz);
-        // The largest part first: squares of very long or short normals are no numbers.
+        // Scaled by the largest component first: squares of very long or short normals leave the range of numbers.
         let largest = normal.abs().max_element();
         if largest == 0.0 {
             let fault = format!("column {} (nx): the normal is zero", self.places[3] + 1);

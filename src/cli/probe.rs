@@ -21,7 +21,8 @@ use crate::cli::{
     run::{Loaded, Run},
 };
 
-/// Solves a scene and prints the irradiance at points of your choice, in the unit of the scene's exitance (lm/m² makes lux)
+/// Solves a scene and prints the irradiance at points of your choice, in the unit of the scene's exitance (lm/m² makes
+/// lux)
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "\
 Points are lines x,y,z,nx,ny,nz: a place and the direction light is received along. With a header line the columns may stand \
@@ -52,7 +53,7 @@ pub(crate) struct ProbeArgs {
 }
 
 impl ProbeArgs {
-    /// Reads the points: before the scene, so that what is wrong with them is told before any work.
+    /// Reads the points before the scene, so that a fault in them is reported before any work.
     pub(crate) fn load_points(&self) -> Result<Points, CliError> {
         if self.points == "-" && self.scene.scene == "-" {
             return Err(CliError::Points(PointsError {

@@ -5,8 +5,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours, so that there is
-/// nothing for `NO_COLOR` to take away.
+/// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
@@ -35,16 +34,16 @@ impl Progress {
         self.bar.set_position(done as u64);
     }
 
-    /// Writes a line about a stage that is done, terminal or not.
+    /// Writes a line about a finished stage, also without a terminal.
     pub(crate) fn tell(&self, stage: &str, took: Duration) {
         let line = format!("{stage}: {:.3} s\n", took.as_secs_f64());
-        // Nobody is left to tell if stderr is closed.
+        // A closed stderr is no error: nobody would see a message.
         self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
     }
 }
 
 impl Drop for Progress {
-    /// Takes the bar away: what stays on the screen is the summary.
+    /// Removes the bar, so that only the summary stays on the screen.
     fn drop(&mut self) {
         self.bar.finish_and_clear();
     }

@@ -1,4 +1,4 @@
-//! Solution files that others are held against.
+//! Solution files with which others are compared.
 
 use std::fs;
 use std::path::Path;
@@ -9,10 +9,10 @@ use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
 
-/// Areas of the same surface differ by less than this part.
+/// Areas of the same surface differ by less than this part. Chosen; not tuned.
 const SAME_AREA: f64 = 1e-9;
 
-/// Reads the solution file at `path`, which has to be of the surfaces and bands of `scene`.
+/// Reads the solution file at `path`, which has to have the surfaces and bands of `scene`.
 pub(crate) fn solution(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
     let refused = |reason: &str, cure: &str| CliError::Refused {
         message: format!("{}: {reason}", path.display()),

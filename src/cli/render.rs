@@ -95,9 +95,9 @@ fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {
     })
 }
 
-/// A camera for a scene without one, in one line: inside what looks like a room, before what does not.
+/// A camera for a scene without one, in one line: inside what looks like a room, outside of anything else.
 ///
-/// It is a room if a ray from the middle along every axis meets a surface.
+/// A scene looks like a room if rays from its middle along all axes, in both directions, meet a surface.
 fn proposal(scene: &Scene) -> String {
     let shapes = || scene.surfaces.iter().map(|surface| &surface.shape);
     let bounds = shapes().fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL)));
@@ -111,7 +111,7 @@ fn proposal(scene: &Scene) -> String {
     } else {
         (middle + bounds.diagonal() * DVec3::new(0.5, -1.2, 0.5), 50)
     };
-    // Three digits of the scene's size.
+    // Rounded to a power of ten between a thousandth and a hundredth of the scene's diagonal.
     let step = 10f64.powf((1e-3 * bounds.diagonal()).log10().ceil());
     let decimals = (-step.log10()).max(0.0).round() as usize;
     let point = |p: DVec3| {

@@ -21,10 +21,10 @@ use crate::cli::options::{MethodArgs, ReportArgs, SceneArg};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
-/// What a verb works on, just read: a scene, solved or not.
+/// The scene of a verb as it was read, solved or not.
 ///
-/// A verb that solves takes [`Loaded::lit`], one that reads a solution off [`Loaded::readable`]. It looks at
-/// [`Loaded::scene`] for what may be wrong with its own arguments, and then gives all of it to [`Run::solve`].
+/// A verb that solves takes [`Loaded::lit`], one that also reads solutions [`Loaded::readable`]. It checks its own
+/// arguments against [`Loaded::scene`], and then hands all of it to [`Run::solve`].
 #[derive(Debug)]
 pub(crate) struct Loaded {
     /// The scene.
@@ -38,7 +38,7 @@ pub(crate) struct Loaded {
     seconds: f64,
 }
 
-/// What a solution file holds beside the scene.
+/// What a solution file holds in addition to the scene.
 #[derive(Debug)]
 struct Saved {
     options: Options,
@@ -47,14 +47,14 @@ struct Saved {
 }
 
 impl Loaded {
-    /// Reads a scene that light can be asked of.
+    /// Reads a scene that has light.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
         Self::new(source, source.load()?, None, started)
     }
 
-    /// Reads a scene that light can be asked of, or a solution file: then the options in `fixed`, those of the method that
-    /// were typed, are refused.
+    /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
+    /// and change the method, are refused.
     pub(crate) fn readable(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
         let started = Instant::now();
         let text = source.text()?;
@@ -80,7 +80,7 @@ impl Loaded {
         Ok(Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() })
     }
 
-    /// Finds out, before the work, whether `output` can be written, and is neither what was read nor the report.
+    /// Finds out, before the work, whether `output` can be written, and is neither the input nor the report.
     pub(crate) fn reserve(&self, output: &Path, report: &ReportArgs) -> Result<OutputFile, CliError> {
         let output = self.apart(OutputFile::reserve(output)?)?;
         match &report.report {
@@ -97,10 +97,9 @@ impl Loaded {
     }
 }
 
-/// A solved scene with its report under way.
+/// A solved scene with its report in progress.
 ///
-/// A verb reads what it wants off [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with
-/// [`Run::finish`].
+/// A verb reads [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with [`Run::finish`].
 #[derive(Debug)]
 pub(crate) struct Run {
     /// The scene, its solution and its figures.
@@ -128,7 +127,7 @@ impl Run {
         Self::with_options(loaded, method, options(method), report, progress)
     }
 
-    /// The same with options that no longer follow from the command line alone.
+    /// As [`Run::solve`], with options that no longer follow from the command line alone.
     pub(crate) fn with_options(
         loaded: Loaded,
         method: &MethodArgs,
@@ -168,12 +167,12 @@ impl Run {
         })
     }
 
-    /// Does long work with as many threads as were asked for.
+    /// Runs long work with as many threads as were asked for.
     pub(crate) fn in_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, CliError> {
         Ok(in_threads(self.threads, work)?)
     }
 
-    /// Ends the run: times the output, tells the summary on stderr, writes the report.
+    /// Ends the run: times the output, writes the summary to stderr, writes the report.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
@@ -235,7 +234,7 @@ impl Run {
         }
         lines.extend(self.report.warnings.iter().map(|warning| format!("warning: {}", warning.message)));
         lines.extend(written.map(|path| format!("wrote {path}")));
-        // Nobody is left to tell if stderr is closed.
+        // A closed stderr is no error: nobody would see a message.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
     }
 }

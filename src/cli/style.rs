@@ -71,12 +71,12 @@ pub(crate) enum Kind {
     Exr,
 }
 
-/// A style whose names and files were found.
+/// A style with its band and its other picture.
 #[derive(Debug)]
 pub(crate) struct Style<'a> {
     args: &'a StyleArgs,
     band: Option<usize>,
-    /// Name of the band, or how several become one.
+    /// The band's name, or how several bands become one.
     band_name: String,
     other: Option<Other>,
 }
@@ -84,7 +84,7 @@ pub(crate) struct Style<'a> {
 /// What a picture is compared with.
 #[derive(Debug)]
 enum Other {
-    /// A picture that was read.
+    /// A picture that was read from a file.
     Taken(Raster),
     /// A solution to take the same picture of.
     Solved(Box<Solved>),
@@ -154,14 +154,14 @@ fn other(path: &Path, scene: &Scene, camera: &Camera) -> Result<Other, CliError>
 }
 
 impl Style<'_> {
-    /// Has `take` take the picture to compare with, where that is of a solution.
+    /// Has `take` take the picture to compare with, if it is that of a solution.
     pub(crate) fn take_other(&mut self, take: impl FnOnce(&Solved) -> Raster) {
         if let Some(Other::Solved(solved)) = &self.other {
             self.other = Some(Other::Taken(take(solved)));
         }
     }
 
-    /// The picture, and what is to be said about it after its name.
+    /// The picture, and the message to print after its name.
     pub(crate) fn picture(
         &self,
         raster: &Raster,
@@ -222,5 +222,5 @@ impl Style<'_> {
     }
 }
 
-/// Colour of the borders of elements.
+/// Colour of the borders of elements. Chosen.
 const WIRE: [u8; 3] = [20, 20, 20];

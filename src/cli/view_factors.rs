@@ -133,7 +133,7 @@ fn write(
     }
 }
 
-/// The surfaces of `A,B`. Names may hold commas: the first comma that has names on both sides parts them.
+/// The two surfaces of `A,B`. Names may contain commas: the first comma with known names on both sides separates them.
 fn named_pair(scene: &Scene, pair: &str) -> Result<[usize; 2], CliError> {
     let halves = || pair.match_indices(',').map(|(at, _)| (pair[..at].trim(), pair[at + 1..].trim()));
     let Some((first, second)) = halves().next() else {
@@ -189,7 +189,7 @@ impl ViewFactorsArgs {
             ));
         }
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
-        // Nobody is left to tell if stderr is closed.
+        // A closed stderr is no error: nobody would see a message.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
     }
 

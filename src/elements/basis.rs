@@ -2,21 +2,20 @@
 //! [spaces](super::space),
 //!
 //! ```text
-//! φ_k = Σ_{l ≤ k} T_kl R_l ,      ∫ φ_k φ_l dA = δ_kl .
+//! φ_k = Σ_{l ≤ k} T_kl R_l ,      ∫ φ_k φ_l dA = δ_kl        (φ_k in 1/length).
 //! ```
 //!
-//! The raw functions R that are evaluated at points are
+//! The raw functions R, which are evaluated at points, are
 //!
-//! * products of Legendre polynomials (`products`), T triangular, where that keeps all digits: on
-//!   parallelograms and most curved elements. Rules may be factorised then;
-//! * else the φ themselves by their `recurrence`, T = 1. For total degree planar elements are turned along their diameter for it.
+//! * products of Legendre polynomials (`products`) with T triangular, where that keeps all digits: on parallelograms
+//!   and most curved elements. Rules may then be factorised;
+//! * else the φ themselves by their `recurrence`, T = 1. For total degree the frame of a planar element is then turned
+//!   along its diameter.
 //!
-//! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal
-//! basis of Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
+//! φ₀ is constant, so constants are in the span and power is conserved to rounding. (The parameter-orthonormal basis of
+//! Zatz 1993, eq. 7, differs from this one on every element whose area element varies.)
 
 use radiosity_geom::DVec3;
-
-use crate::scene::MAX_ORDER;
 
 use super::columns::{add_scaled, dot};
 pub use super::frame::Frame;
@@ -26,17 +25,18 @@ use super::products;
 use super::recurrence::Recurrence;
 use super::rule::UnitRule;
 use super::space::Space;
+use crate::scene::MAX_ORDER;
 
 /// Highest order offered.
 pub const HIGHEST_ORDER: usize = MAX_ORDER;
 
-/// Loss of orthonormality at which no better way of evaluation is sought.
+/// Loss of orthonormality up to which no better way of evaluation is tried. Chosen; not tuned.
 const GOOD_DEFECT: f64 = 1e-13;
 
-/// Largest loss of orthonormality with which a basis is used.
+/// Largest loss of orthonormality of a basis that is accepted. Chosen; not tuned.
 const LARGEST_DEFECT: f64 = 1e-10;
 
-/// How many levels of products a recurrence uses, cheapest first.
+/// Levels of products that a recurrence uses, cheapest first; measured in the table of the module `recurrence`.
 const DEPTHS: [usize; 2] = [1, 3];
 
 /// Polynomials of order N, orthonormal with respect to area.
@@ -45,7 +45,7 @@ pub struct AreaBasis {
     space: Space,
     order: usize,
     frame: Frame,
-    /// The raw functions where they are not products.
+    /// The raw functions if they are not products.
     recurrence: Option<Recurrence>,
     /// T, row-major, lower triangular, `len × len`.
     transform: Vec<f64>,
@@ -54,13 +54,13 @@ pub struct AreaBasis {
 impl AreaBasis {
     /// The basis of total degree `order` over `patches`, preferably in `frame`.
     ///
-    /// None where the element has no area, or is so thin that its points as rounded do not tell its polynomials apart.
+    /// None where the element has no area, or is so thin that its rounded points cannot distinguish the polynomials.
     pub fn new(order: usize, frame: Frame, patches: &[Patch]) -> Option<Self> {
         Self::over(&Measure::new(patches, order), Space::Total, order, frame, patches)
     }
 
-    /// The basis of `space` on a measure that is exact for products of two functions of it, preferably in `frame`;
-    /// the frame is part of what a tensor space is. None as for [`AreaBasis::new`].
+    /// The basis of `space` on a measure that is exact for products of two of its functions, preferably in `frame`; a
+    /// tensor space depends on the frame. None as for [`AreaBasis::new`].
     pub fn over(
         measure: &Measure,
         space: Space,
@@ -126,7 +126,7 @@ impl AreaBasis {
         self.order
     }
 
-    /// Highest total degree of its functions: the degree that rules for corners and edges of contact see.
+    /// Highest total degree of its functions, which rules for corners and edges of contact need.
     pub fn total_degree(&self) -> usize {
         self.space.total_degree(self.order)
     }
@@ -146,8 +146,7 @@ impl AreaBasis {
         self.recurrence.is_none()
     }
 
-    /// Degrees (i, j) of the products p_i(a) p_j(b) of the space, in their order: those of the raw functions where
-    /// these are products.
+    /// Degrees (i, j) of the products p_i(a) p_j(b) of the space, in order.
     pub fn degrees(&self) -> impl Iterator<Item = (usize, usize)> {
         (0..self.len()).map(|k| self.space.degrees(self.order, k))
     }
@@ -191,7 +190,7 @@ impl AreaBasis {
 
     /// Coefficients of Σ_k x_k φ_k in the products p_i(a) p_j(b), in the order of the space.
     ///
-    /// Exact but for rounding, which the products amplify where the element fills its frame badly.
+    /// Exact up to rounding, which the products amplify where the element fills only a small part of its frame.
     pub fn to_products(&self, coefficients: &[f64]) -> Vec<f64> {
         let raw = self.to_raw(coefficients);
         if self.is_product() {

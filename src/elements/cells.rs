@@ -1,19 +1,19 @@
 //! Cuts of the parameter square [−1, 1]² into cells.
 //!
-//! n equal parts a direction. With layers the outermost parts are cut again, geometrically towards the sides of
-//! the square: with h = 2/n, or 1 for an uncut direction,
+//! Each direction is cut into n equal parts. With layers the outermost parts are cut again, geometrically towards the
+//! sides of the square: with h = 2/n, or h = 1 for n = 1, the ends are
 //!
 //! ```text
-//! −1, −1 + h q^L, … , −1 + h q ,      mirrored ,
+//! −1, −1 + h q^L, … , −1 + h q ,      and mirrored ,
 //! ```
 //!
-//! that is n + 2L intervals. Near a side where surfaces meet, radiosity behaves like c + rᵞ with 0 < γ < 1;
+//! which makes n + 2L intervals. Near a side where surfaces meet, radiosity behaves like c + rᵞ with 0 < γ < 1;
 //! polynomials on cells whose size is a fixed part of their distance from it converge exponentially there.
 
 use radiosity_geom::Rect;
 use serde::{Deserialize, Serialize};
 
-/// Smallest cell that layers may make, as part of [−1, 1].
+/// Smallest width q^L of a layer's cell. Chosen; not tuned.
 const SMALLEST_CELL: f64 = 1e-7;
 
 /// Cells graded towards the sides of a surface.
@@ -21,7 +21,7 @@ const SMALLEST_CELL: f64 = 1e-7;
 pub struct Layers {
     /// Number of layers L at each side; 0 is none.
     pub count: usize,
-    /// q, 0 < q < 1: each layer begins at this part of the distance of the next.
+    /// q, 0 < q < 1: distance of a layer from the side over that of the next layer.
     pub ratio: f64,
 }
 
@@ -29,7 +29,7 @@ impl Layers {
     /// No grading.
     pub const NONE: Self = Self { count: 0, ratio: 0.25 };
 
-    /// Whether 0 < q < 1 and no cell is too thin to be told from a line.
+    /// Whether 0 < q < 1 and the smallest cell is wide enough to compute with.
     pub fn is_valid(&self) -> bool {
         self.ratio > 0.0 && self.ratio < 1.0 && self.ratio.powf(self.count as f64) >= SMALLEST_CELL
     }

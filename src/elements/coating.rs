@@ -1,4 +1,4 @@
-//! What elements are made of: reflectance and emitted exitance, per band.
+//! Coatings: reflectance and emitted exitance of the elements, per band.
 //!
 //! ```text
 //! B(x) = E₀ + ρ E(x) ,     0 ≤ ρ < 1
@@ -7,7 +7,7 @@
 use crate::elements::Element;
 use crate::scene::Scene;
 
-/// What the elements are made of in one band.
+/// Reflectance and exitance of all elements in one band.
 #[derive(Clone, Debug)]
 pub struct Coating {
     /// ρ per element, in [0, 1).
@@ -17,7 +17,7 @@ pub struct Coating {
 }
 
 impl Coating {
-    /// That of a scene's elements in band `band`.
+    /// The coating of a scene's elements in band `band`.
     pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
         let material = |element: &Element| &scene.surfaces[element.surface].material;
         Self {

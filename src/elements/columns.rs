@@ -1,6 +1,6 @@
 //! Inner products of columns of a table.
 
-/// Σ x y, in eight sums side by side: shorter chains of rounding, and they vectorise.
+/// Σ x y in eight partial sums, which shortens the chains of rounding and vectorises.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let (left, right) = (a.chunks_exact(8), b.chunks_exact(8));
@@ -18,7 +18,7 @@ pub(crate) fn add_scaled(out: &mut [f64], factor: f64, column: &[f64]) {
     out.iter_mut().zip(column).for_each(|(o, x)| *o += factor * x);
 }
 
-/// Takes the projection on the unit column `unit` out of `column`; returns the overlap.
+/// Subtracts the projection on the unit column `unit` from `column`; returns the inner product.
 pub(crate) fn take_out(column: &mut [f64], unit: &[f64]) -> f64 {
     let overlap = dot(column, unit);
     add_scaled(column, -overlap, unit);

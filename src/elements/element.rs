@@ -19,11 +19,11 @@ use crate::scene::SceneSurface;
 pub struct Element {
     /// Index of the surface in the scene.
     pub surface: usize,
-    /// The parameters it covers, as far as the surface reaches there.
+    /// The parameters it covers, as far as the surface exists there.
     pub rect: Rect,
     /// φ_k, k = 0..basis.len().
     pub basis: AreaBasis,
-    /// A cover by patches that do not overlap.
+    /// Disjoint patches that cover it.
     pub patches: Vec<Patch>,
     /// A point and the unit normal of its plane, where it is flat.
     pub plane: Option<(DVec3, DVec3)>,
@@ -35,19 +35,19 @@ pub struct Element {
     pub hull: Vec<DVec3>,
     /// Diagonal of its bounding box (scene length).
     pub extent: f64,
-    /// The contact that covers it, if one does ([`crate::covers`]).
+    /// The contact by which it is covered, if any ([`crate::covers`]).
     pub contact: Option<usize>,
 }
 
 impl Element {
-    /// Value at a point of Σ_k x_k φ_k given by its raw coefficients ([`AreaBasis::to_raw`]).
+    /// Value at a point of the polynomial with the raw coefficients `raw` ([`AreaBasis::to_raw`]).
     ///
     /// `position` matters on flat elements, `parameters` on curved ones.
     pub fn evaluate(&self, raw: &[f64], position: DVec3, parameters: [f64; 2]) -> f64 {
         self.raw_values(position, parameters).iter().zip(raw).map(|(x, y)| x * y).sum()
     }
 
-    /// R_k at a point, for several polynomials there.
+    /// R_k at a point, for evaluating several polynomials there.
     pub fn raw_values(&self, position: DVec3, parameters: [f64; 2]) -> SmallVec<[f64; 28]> {
         let place = self.basis.frame().locate(position, DVec2::from_array(parameters));
         let mut values = smallvec![0.0; self.basis.len()];
@@ -55,7 +55,7 @@ impl Element {
         values
     }
 
-    /// ∬ |φ_k| dA for each k, by a Gauss rule: a measure, good to a few percent.
+    /// ∬ |φ_k| dA (length) for each k by a Gauss rule, to a few percent.
     pub fn absolute_integrals(&self) -> Vec<f64> {
         let count = self.basis.len();
         let mut sums = vec![0.0; count];
@@ -74,8 +74,8 @@ impl Element {
         sums
     }
 
-    /// Whether a point of its plane lies in it, or nearer to one of its patches than `tolerance` (scene length); never on a curved
-    /// element.
+    /// Whether a point of the element's plane lies in it, or nearer than `tolerance` (scene length) to one of its
+    /// patches; false on curved elements.
     pub fn covers(&self, x: DVec3, tolerance: f64) -> bool {
         let Some((_, normal)) = self.plane else { return false };
         self.patches.iter().any(|patch| overhang(&patch.corners(), normal, x) <= tolerance)
@@ -87,20 +87,20 @@ impl Element {
     }
 }
 
-/// What an element is made of.
+/// The part of a surface that becomes an element.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Part<'a> {
     /// The shape of its surface.
     pub shape: &'a Arc<dyn Surface>,
-    /// Convex pieces that it lies in, where the surface is flat.
+    /// Convex pieces that contain it, where the surface is flat.
     pub pieces: &'a [Vec<DVec3>],
     /// The parameters it covers, as far as the pieces reach.
     pub rect: Rect,
-    /// The contact that covers it.
+    /// The contact by which it is covered.
     pub contact: Option<usize>,
 }
 
-/// The element of one part of a surface; None where nothing of it is left.
+/// The element of one part of a surface; None where the part is empty (pieces below 1e-14 of the surface are).
 pub(super) fn element(
     (index, surface): (usize, &SceneSurface),
     Part { shape, pieces, rect, contact }: Part,
@@ -118,8 +118,7 @@ pub(super) fn element(
     let measure = Measure::new(&patches, space.chart_degree(order, &patches));
     let basis = AreaBasis::over(&measure, space, order, frame, &patches).ok_or_else(thin)?;
     let area = measure.area();
-    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) but for rounding; stating it exactly makes the constant function
-    // exact.
+    // φ₀ is constant, so ∫ φ dA = (√area, 0, …, 0) up to rounding; the exact vector makes the constant function exact.
     let mut constant = vec![0.0; basis.len()];
     constant[0] = area.sqrt();
     let hull = match plane {
@@ -147,7 +146,7 @@ fn flat_patches(
     (patches, Some((jet.position, jet.normal)))
 }
 
-/// The frame of the patches of a cell; `is_cover` where they are no cell, but any part of a surface.
+/// The frame for the patches of a cell; `is_cover`: they are any part of a surface instead of a cell.
 fn frame(
     shape: &dyn Surface,
     patches: &[Patch],
@@ -161,7 +160,7 @@ fn frame(
             let corners: Vec<DVec3> = patches.iter().flat_map(Patch::polygon).collect();
             let jet = shape.jet(u, v);
             let parallel = |x: DVec3, y: DVec3| x.cross(y).length() <= 1e-9 * x.length() * y.length();
-            // A parallelogram fills the frame along its own sides; in the order of the parameters where they run along them.
+            // A parallelogram fills the frame along its own sides, ordered as the parameters along them.
             let sides = match patches {
                 [patch] if patch.is_parallelogram() => {
                     let own = [corners[1] - corners[0], corners[3] - corners[0]];
@@ -180,8 +179,8 @@ fn frame(
     }
 }
 
-/// The part of planar convex `pieces` over the parameter rectangle of a planar surface whose
-/// parameter lines are straight.
+/// The part of planar convex `pieces` over a rectangle of the parameters of a planar surface, whose parameter lines are
+/// straight.
 pub fn clip_to_cell(surface: &dyn Surface, pieces: &[Vec<DVec3>], rect: &Rect) -> Vec<Vec<DVec3>> {
     let at = |u: f64, v: f64| surface.jet(u, v);
     let corners = [

@@ -1,4 +1,4 @@
-//! What keeps a scene from being cut into elements.
+//! Errors of cutting a scene into elements.
 
 use super::basis::HIGHEST_ORDER;
 use super::cells::Layers;
@@ -21,7 +21,7 @@ pub enum ElementError {
         /// The layers asked for.
         layers: Layers,
     },
-    /// A surface without area, or so thin that its points as rounded do not tell polynomials of its degree apart.
+    /// A surface without area, or so thin that its rounded points cannot distinguish polynomials of its degree.
     #[error(
         "surface '{surface}' has no area, or is too thin for polynomials of order {order}: lower its order or remove it"
     )]

@@ -1,22 +1,22 @@
-//! Area as a discrete measure: points and weights that integrate products of two basis functions over an element.
+//! Area as a discrete measure: points and weights that integrate products of two basis functions over an element,
 //!
 //! ```text
-//! ∫ f g dA = Σ_a w_a f(x_a) g(x_a) ,   w_a > 0
+//! ∫ f g dA = Σ_a w_a f(x_a) g(x_a) ,   w_a > 0 .
 //! ```
 //!
-//! On a flat patch the area element is linear along each direction of the chart, and d + 1 Gauss points a
-//! direction are exact for f, g of degree d. On a curved one the number follows from the [spectrum](super::spectrum)
-//! of the area element; where 64 points a direction do not resolve it (at cusps and creases) the worst cell is
-//! halved, and so on, up to a bound.
+//! On a flat patch the area element is linear along each direction of the chart, and d + 1 Gauss points per direction
+//! are exact for f, g of degree d. On a curved patch the number follows from the [spectrum](super::spectrum) of the
+//! area element; where 64 points per direction do not resolve it (at cusps and creases) the worst cell is halved
+//! repeatedly, up to a bound.
 
 use super::patch::{Node, Patch};
 use super::rule::UnitRule;
 use super::spectrum::Spectrum;
 
-/// Most cells that a curved patch is cut into.
+/// Most cells that a curved patch is cut into. Chosen; not tuned.
 const MOST_CELLS: usize = 64;
 
-/// Coefficients of a cell's area element below this part of its mean may be rounding.
+/// Coefficients of an area element below this part of its mean are rounding: 45 · 2⁻⁵². Chosen; not tuned.
 const ROUNDING: f64 = 1e-14;
 
 /// Points of an element with their weights.
@@ -27,7 +27,8 @@ pub struct Measure {
 }
 
 impl Measure {
-    /// Exact for products of two functions that are of `degree` along each direction of the charts of `patches`.
+    /// The measure that is exact for products of two functions of `degree` along each direction of the charts of
+    /// `patches`.
     pub fn new(patches: &[Patch], degree: usize) -> Self {
         let mut measure = Self { points: Vec::new() };
         for patch in patches {
@@ -47,7 +48,7 @@ impl Measure {
 
     fn add_curved(&mut self, patch: &Patch, degree: usize) {
         for (spectrum, cell) in resolved_cells(patch, degree) {
-            // More than the degree asks: what lies below rounding is not nothing to functions with high peaks.
+            // More points than the degree needs, since functions with high peaks amplify what lies below rounding.
             self.add(&cell, spectrum.degrees.map(|area| degree + area / 2 + 4 + degree / 4));
         }
     }
@@ -63,9 +64,9 @@ impl Measure {
     }
 }
 
-/// A cover of a curved patch by cells that are resolved, but for a few where there would be too many.
+/// Cells that cover a curved patch, each with a resolved area element unless there would be too many.
 fn resolved_cells(patch: &Patch, degree: usize) -> Vec<(Spectrum, Patch)> {
-    // Functions of degree d reach d² times their mean at collapsed corners, more where the area element vanishes.
+    // A function of degree d may reach d² times its mean at a collapsed corner, more where the area element vanishes.
     let negligible = ROUNDING * mean_area(patch) / ((degree + 1) as f64).powi(2);
     let resolve = |cell: Patch| (Spectrum::of(&cell, negligible.max(ROUNDING * mean_area(&cell))), cell);
     let mut cells = vec![resolve(patch.clone())];
@@ -79,7 +80,7 @@ fn resolved_cells(patch: &Patch, degree: usize) -> Vec<(Spectrum, Patch)> {
     cells
 }
 
-/// The area to a few digits.
+/// Area of a patch to a few digits (scene length²).
 fn mean_area(patch: &Patch) -> f64 {
     let rule = UnitRule::of(4);
     let row = |(s, ws)| rule.iter().map(|(t, wt)| ws * wt * patch.node(s, t).area).sum::<f64>();

@@ -1,11 +1,10 @@
-//! A patch: a piece of an element charted by the unit square.
+//! A patch: a piece of an element charted by the unit square, for quadrature.
 //!
-//! (s, t) ∈ [0, 1]² ↦ x(s, t), with corners c₀ = x(0, 0), c₁ = x(1, 0), c₂ = x(1, 1), c₃ = x(0, 1).
-//! A flat patch is the bilinear image of its four corners; a triangle repeats its last corner
-//! (c₂ = c₃), and only the edge t = 1 collapses. A curved patch is an affine image of the unit
-//! square in the parameters of its surface. Rules that need a corner or an edge of contact at
-//! s = t = 0 or t = 0 ask for the patch re-oriented; the chart may then be left-handed, so areas
-//! are always taken positive.
+//! (s, t) ∈ [0, 1]² ↦ x(s, t), with corners c₀ = x(0, 0), c₁ = x(1, 0), c₂ = x(1, 1), c₃ = x(0, 1). A flat patch is the
+//! bilinear image of its four corners; a triangle repeats its last corner (c₂ = c₃), and only the edge t = 1 collapses.
+//! A curved patch is an affine image of the unit square in the parameters of its surface. Rules that need a corner of
+//! contact at s = t = 0 or an edge at t = 0 re-orient the patch; the chart may then be left-handed, so areas are always
+//! positive.
 
 use std::sync::Arc;
 
@@ -34,7 +33,7 @@ pub enum Patch {
     },
 }
 
-/// What the kernel needs of one point of a patch.
+/// A point of a patch with what the kernel needs.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
     /// Where it is.
@@ -109,7 +108,7 @@ impl Patch {
         }
     }
 
-    /// n × n nodes at the middles of as many cells.
+    /// n × n nodes at the centres of as many equal cells.
     pub fn cell_nodes(&self, n: usize) -> Vec<Node> {
         let place = |k: usize| (k as f64 + 0.5) / n as f64;
         (0..n * n).map(|k| self.node(place(k / n), place(k % n))).collect()
@@ -150,14 +149,15 @@ impl Patch {
         matches!(self, Self::Flat { .. })
     }
 
-    /// Whether the chart is affine: constant area element, polynomial degree kept per direction.
+    /// Whether the chart is affine to 1e-14 of its size (some roundings): constant area element, polynomial degree
+    /// kept.
     pub fn is_parallelogram(&self) -> bool {
         let Self::Flat { corners: [a, b, c, d], .. } = self else { return false };
         let scale = (*c - *a).abs().max_element() + (*d - *b).abs().max_element();
         ((*b - *a) - (*c - *d)).abs().max_element() <= 1e-14 * scale
     }
 
-    /// Whether the patch is flat with four right angles.
+    /// Whether the patch is flat with four right angles, to 1e-12 (chosen, not tuned).
     pub fn is_rectangle(&self) -> bool {
         let Self::Flat { corners: [a, b, _, d], .. } = self else { return false };
         let (along, across) = (b - a, d - a);
@@ -176,8 +176,7 @@ impl Patch {
         if along >= across { (Direction::Along, along) } else { (Direction::Across, across) }
     }
 
-    /// About how far the patch lies from the plane of its corners: its middle from theirs, and their twist.
-    /// Zero for flat patches.
+    /// About the patch's distance from the plane of its corners: of its middle from theirs, and their twist; 0 if flat.
     pub fn sagitta(&self) -> f64 {
         if self.is_flat() {
             return 0.0;
@@ -216,8 +215,8 @@ impl Patch {
         }
     }
 
-    /// The same patch, charted so that corner `first` is at (0, 0) and `second`, its neighbour,
-    /// at (1, 0). Indices are those of [`Patch::polygon`].
+    /// The same patch, charted so that corner `first` is at (0, 0) and its neighbour `second` at (1, 0). Indices are
+    /// those of [`Patch::polygon`].
     pub fn oriented(&self, first: usize, second: usize) -> Self {
         let count = if self.is_triangle() { 3 } else { 4 };
         let forward = (first + 1) % count == second;

@@ -10,14 +10,13 @@
 
 use radiosity_core::legendre;
 
-use crate::scene::MAX_ORDER;
-
 use super::columns::{add_scaled, dot, take_out};
 use super::space::Space;
+use crate::scene::MAX_ORDER;
 
-/// L_k(a, b) into `out`, in the order of `space`.
+/// Writes L_k(a, b) to `out`, in the order of `space`.
 pub(crate) fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mut [f64]) {
-    // Where the order is written out all loops are unrolled.
+    // With a constant order all loops are unrolled.
     match order {
         0..=1 => products::<3>(space, order, coordinates, out),
         2 => products::<3>(space, 2, coordinates, out),
@@ -28,8 +27,8 @@ pub(crate) fn values(space: Space, order: usize, coordinates: [f64; 2], out: &mu
     }
 }
 
-/// p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all the digits
-/// that quadrature needs, at a fraction of the time of the form that is exact to the last one near ±1.
+/// Writes p_i(a) p_j(b), i and j ≤ order < N. Inside the element the plain recurrence keeps all digits that quadrature
+/// needs, in a fraction of the time of the form that is exact near ±1.
 #[inline(always)]
 fn products<const N: usize>(space: Space, order: usize, [a, b]: [f64; 2], out: &mut [f64]) {
     let (mut first, mut second) = ([0.0; N], [0.0; N]);

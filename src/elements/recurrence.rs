@@ -1,17 +1,17 @@
 //! Orthonormal polynomials in two variables, evaluated by a recurrence.
 //!
-//! The functions come in levels (by total degree, or by the larger of two degrees) such that the product of one
-//! of level m and one of level n lies in the levels up to m + n. With f_c = φ_q φ_p a choice of products from
-//! levels m and d − m, and the functions of level 1 replaced by plain coordinates,
+//! The functions come in levels (by total degree, or by the larger of two degrees) such that the product of a function
+//! of level m and one of level n lies in the levels up to m + n. With f_c = φ_q φ_p a choice of products from levels m
+//! and d − m, where coordinates replace the functions of level 1,
 //!
 //! ```text
 //! φ_k = Σ_c W_ck f_c − Σ_{l < level d} H_lk φ_l ,    level(k) = d .
 //! ```
 //!
-//! What is left of the f_c after projection on the levels below d spans level d; written in an orthonormal
-//! basis of it, f = A φ + …, with more rows than columns. Any left inverse of A is a recurrence; W is the least
-//! one, (AᵀA)⁻¹Aᵀ, so that rounding in the f_c, each with the same weight, is amplified least. How many digits are
-//! left at high degree depends on the choice of products: measured at N = 20, the loss of orthonormality is, for
+//! The projections of the f_c orthogonal to the levels below d span level d; in an orthonormal basis of it f = A φ + …,
+//! with more rows than columns. Any left inverse of A gives a recurrence; W is the least one, (AᵀA)⁻¹Aᵀ, which
+//! amplifies the rounding of the f_c least. The number of digits at high degree depends on the choice of products.
+//! Measured loss of orthonormality at N = 20:
 //!
 //! | products | triangle | square with holes | L, arms 1/10 wide |
 //! | --- | --- | --- | --- |
@@ -20,11 +20,11 @@
 //! | all x φ_p (m = 1) | 1e-13 | 9e-14 | 3e-8 |
 //! | m = 1, 2, 3 | 3e-14 | 2e-14 | 2e-14 |
 //!
-//! while products of Legendre polynomials times a triangular matrix have no digit left. The sum over l could end at
-//! level d − 2m, below which H vanishes but for rounding; keeping that rounding keeps a digit.
+//! Products of Legendre polynomials times a triangular matrix lose all digits there. The sum over l could end at level
+//! d − 2m, below which H is rounding only; keeping that rounding keeps a digit.
 //!
-//! References: Y. Nakatsukasa and L. N. Trefethen, "Vandermonde with Arnoldi", SIAM Review 63 (2021), for one
-//! variable; C. F. Dunkl and Y. Xu, *Orthogonal Polynomials of Several Variables* (2014), §3.2, for left inverses.
+//! References: Y. Nakatsukasa and L. N. Trefethen, "Vandermonde with Arnoldi", SIAM Review 63 (2021), for one variable;
+//! C. F. Dunkl and Y. Xu, *Orthogonal Polynomials of Several Variables* (2014), §3.2, for left inverses.
 
 use std::ops::Range;
 
@@ -39,7 +39,7 @@ pub struct Levels {
     pub first: Vec<[i32; 2]>,
 }
 
-/// What a function is multiplied by.
+/// The factor of a product.
 #[derive(Clone, Copy, Debug)]
 enum Multiplier {
     /// a^i b^j.
@@ -65,8 +65,8 @@ pub(crate) struct Recurrence {
 }
 
 impl Recurrence {
-    /// Orthonormal on the measure of `points`, pairs of coordinates (a, b) and weights > 0, with products of levels m
-    /// and d − m for 1 ≤ m ≤ `depth`. None where the points do not tell the polynomials apart.
+    /// The functions that are orthonormal on `points`, pairs of coordinates (a, b) and weights > 0, by products of
+    /// levels m and d − m for 1 ≤ m ≤ `depth`. None where the points cannot distinguish the polynomials.
     pub(crate) fn new(points: &[([f64; 2], f64)], levels: &Levels, depth: usize) -> Option<Self> {
         let roots: Vec<f64> = points.iter().map(|(_, weight)| weight.sqrt()).collect();
         let constant = 1.0 / dot(&roots, &roots).sqrt();
@@ -107,7 +107,7 @@ fn monomial([a, b]: [f64; 2], [i, j]: [i32; 2]) -> f64 {
     }
 }
 
-/// A recurrence under way.
+/// A recurrence under construction.
 struct Builder<'a> {
     points: &'a [([f64; 2], f64)],
     /// √w_a.
@@ -153,7 +153,7 @@ impl Builder<'_> {
         }
     }
 
-    /// What is left of columns after projection on all functions so far, and their overlaps with those.
+    /// The components of `values` orthogonal to all functions so far, and their inner products with those.
     fn projected_out(&self, values: &[Vec<f64>]) -> (Vec<Vec<f64>>, Vec<Vec<f64>>) {
         let project = |value: &Vec<f64>| {
             let mut rest = value.clone();
@@ -163,7 +163,7 @@ impl Builder<'_> {
         values.iter().map(project).unzip()
     }
 
-    /// The functions that `rows` make of products and the functions so far.
+    /// The function that `row` makes of `products` and the functions so far, at the points.
     fn evaluated(&self, products: &[Vec<f64>], row: &[f64]) -> Vec<f64> {
         let mut out = vec![0.0; self.points.len()];
         for (factor, column) in row.iter().zip(products.iter().chain(&self.columns)) {
@@ -211,8 +211,8 @@ fn pairs(multipliers: Vec<Multiplier>, sources: &Range<usize>) -> Vec<(Multiplie
     multipliers.into_iter().flat_map(|multiplier| sources.clone().map(move |p| (multiplier, p))).collect()
 }
 
-/// An orthonormal basis of the `count` dimensions that columns span, the farthest of them first. None where
-/// there are fewer dimensions.
+/// An orthonormal basis of the `count` dimensions that `columns` span, longest first. None if there are fewer, to
+/// 1e-14.
 fn span(columns: &[Vec<f64>], count: usize) -> Option<Vec<Vec<f64>>> {
     let mut rests = columns.to_vec();
     let mut basis: Vec<Vec<f64>> = Vec::new();

@@ -1,13 +1,13 @@
 //! Gauss–Legendre rules on [0, 1], computed once and shared.
 //!
-//! Patches are charted by the unit square, so that a corner or an edge of contact sits at zero:
-//! `∫₀¹ f(s) ds ≈ Σ_a w_a f(x_a)`, exact for polynomials of degree 2n − 1.
+//! `∫₀¹ f(s) ds ≈ Σ_a w_a f(x_a)`, exact for polynomials of degree 2n − 1. Patches are charted by the unit square, so
+//! that a corner or an edge of contact lies at zero.
 
 use std::sync::OnceLock;
 
 use radiosity_core::gauss;
 
-/// Most points per direction that any rule of the kernel asks for.
+/// Most points per direction of any rule of the kernel. Chosen; not tuned.
 pub const MOST_POINTS: usize = 64;
 
 /// An n-point rule on [0, 1].
@@ -20,7 +20,7 @@ pub struct UnitRule {
 }
 
 impl UnitRule {
-    /// The rule of `points` points; `points` is brought into 1..=[`MOST_POINTS`].
+    /// The rule of `points` points, limited to 1..=[`MOST_POINTS`].
     pub fn of(points: usize) -> &'static Self {
         static RULES: [OnceLock<UnitRule>; MOST_POINTS + 1] = [const { OnceLock::new() }; MOST_POINTS + 1];
         let points = points.clamp(1, MOST_POINTS);

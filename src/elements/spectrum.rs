@@ -1,4 +1,4 @@
-//! How many points the area element of a curved cell asks for.
+//! The number of Gauss points that the area element of a curved cell needs.
 //!
 //! On the cell's chart the area element has the Legendre expansion
 //!
@@ -6,10 +6,10 @@
 //! A(s, t) = Σ c_mn q_m(s) q_n(t) ,   q_n(x) = √(2n + 1) P_n(2x − 1) ,   ∫₀¹ q_m q_n dx = δ_mn .
 //! ```
 //!
-//! Where |c_mn| is below the rounding of the whole area for all m > M, A counts as a polynomial of degree M in s, and
-//! a Gauss rule of d + M/2 + 1 points is exact for A times products of two polynomials of degree d. The degree
-//! follows from the surface: 0 for a cylinder, 1 towards the apex of a cone, about 30 for a quarter of a sphere.
-//! A cell whose coefficients do not fall off within 64 samples a direction is unresolved.
+//! Where |c_mn| is below the rounding of the whole area for all m > M, A counts as a polynomial of degree M in s, and a
+//! Gauss rule of d + M/2 + 1 points is exact for A times products of two polynomials of degree d. The degree is 0 for a
+//! cylinder, 1 towards the apex of a cone, about 30 for a quarter of a sphere. A cell whose coefficients do not fall
+//! off within 64 samples per direction is unresolved.
 
 use radiosity_core::legendre;
 
@@ -17,17 +17,17 @@ use super::columns::add_scaled;
 use super::patch::{Direction, Patch};
 use super::rule::{MOST_POINTS, UnitRule};
 
-/// What samples of the area element tell.
+/// The spectrum of an area element, from samples.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Spectrum {
-    /// Degrees of the area element along s and t, as far as they were resolved.
+    /// Degrees of the area element along s and t, if resolved.
     pub degrees: [usize; 2],
     /// Largest coefficients in the last quarter of the degrees sampled along s and t; zero where resolved.
     pub tails: [f64; 2],
 }
 
 impl Spectrum {
-    /// Of the area element of `patch`; coefficients up to `tolerance` (scene length²) are rounding.
+    /// The spectrum for `patch`; coefficients up to `tolerance` (scene length²) count as rounding.
     pub(crate) fn of(patch: &Patch, tolerance: f64) -> Self {
         let mut samples = 16;
         loop {
@@ -53,7 +53,7 @@ impl Spectrum {
         self.tails[0].max(self.tails[1])
     }
 
-    /// The direction that is resolved worse.
+    /// The direction with the larger tail.
     pub(crate) fn worse(&self) -> Direction {
         if self.tails[0] >= self.tails[1] { Direction::Along } else { Direction::Across }
     }

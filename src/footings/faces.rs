@@ -1,8 +1,8 @@
 //! The faces of a planar map.
 //!
-//! Segments are cut where they meet, and pieces that end blindly are dropped. Every piece then is run through once in
-//! either sense, at each end turning into the next piece clockwise: that goes once around each face, with the face to the
-//! left, and a face is bounded where the way encloses a positive area.
+//! Segments are cut where they meet, and pieces with a free end are dropped. Each piece is then passed once in either
+//! direction, turning clockwise into the next piece at each end: that goes once around each face, with the face on the
+//! left. A face is bounded if its ring encloses a positive area.
 
 use std::collections::BTreeSet;
 
@@ -15,7 +15,7 @@ struct Node {
     place: DVec2,
 }
 
-/// The points of the map, none twice.
+/// The points of the map, without duplicates.
 struct Nodes {
     list: Vec<Node>,
     tolerance: f64,
@@ -31,8 +31,8 @@ impl Nodes {
     }
 }
 
-/// The bounded faces of the map that `segments` draw in a plane with the coordinates `to_plane`, counter-clockwise; points
-/// closer than `tolerance` are one.
+/// The bounded faces, counter-clockwise, of the map that `segments` draw in a plane with the coordinates `to_plane`.
+/// Points closer than `tolerance` are one.
 pub(super) fn faces(
     segments: &[[DVec3; 2]],
     to_plane: &dyn Fn(DVec3) -> DVec2,
@@ -56,7 +56,7 @@ pub(super) fn faces(
     rings.into_iter().filter(|ring| enclosed(&nodes.list, ring) > tolerance.powi(2)).map(points).collect()
 }
 
-/// The nodes along a segment: its ends, and where others end on it or cross it.
+/// The nodes along a segment: its ends, and the points where others end on it or cross it.
 fn places_on<'a>(own: &[Node; 2], others: impl Iterator<Item = &'a [Node; 2]>, tolerance: f64) -> Vec<Node> {
     let [a, b] = own.map(|end| end.place);
     let (direction, length) = ((b - a).normalize_or_zero(), a.distance(b));
@@ -76,7 +76,7 @@ fn places_on<'a>(own: &[Node; 2], others: impl Iterator<Item = &'a [Node; 2]>, t
     found.into_iter().map(|(_, node)| node).collect()
 }
 
-/// Where two segments cross away from their ends, and how far along the first.
+/// Where two segments cross away from their ends, with the distance along the first.
 fn crossing(own: &[Node; 2], other: &[Node; 2], direction: DVec2, tolerance: f64) -> Option<(f64, Node)> {
     let [c, d] = other.map(|end| direction.perp_dot(end.place - own[0].place));
     if c * d >= 0.0 || c.abs().min(d.abs()) <= tolerance {
@@ -90,7 +90,7 @@ fn crossing(own: &[Node; 2], other: &[Node; 2], direction: DVec2, tolerance: f64
     (tolerance < along && along < length - tolerance).then_some((along, node))
 }
 
-/// Drops edges that end where no other begins, again and again.
+/// Drops edges with a free end, repeatedly.
 fn drop_blind(edges: &mut BTreeSet<[usize; 2]>) {
     loop {
         let degree = |node: usize| edges.iter().filter(|edge| edge.contains(&node)).count();
@@ -103,7 +103,7 @@ fn drop_blind(edges: &mut BTreeSet<[usize; 2]>) {
     }
 }
 
-/// The ways around the faces, the unbounded ones included.
+/// The rings around the faces, those of the unbounded face included.
 fn ways(nodes: &[Node], edges: &BTreeSet<[usize; 2]>) -> Vec<Vec<usize>> {
     let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); nodes.len()];
     for [a, b] in edges {

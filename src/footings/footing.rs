@@ -1,8 +1,8 @@
-//! A part of a planar surface on which others stand.
+//! A part of a planar surface on which bodies stand.
 
 use radiosity_geom::PlanarRegion;
 
-/// A part of a planar surface that others cover.
+/// A part of a planar surface that no light reaches.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Footing {
     /// Index of the surface.

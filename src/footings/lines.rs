@@ -1,17 +1,17 @@
-//! Lines along which other planar surfaces stand on one.
+//! The lines along which other planar surfaces stand on a planar surface.
 
 use radiosity_geom::{Aabb, DVec3, PlanarRegion, distance_to_segment, sides, touching};
 
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
-/// Sine of the angle of two planes below which they count as parallel.
+/// Sine of the angle between planes below which they count as parallel. Chosen; not tuned.
 const PARALLEL: f64 = 1e-6;
 
-/// A side of a surface that lies in the plane of another.
+/// A side of a surface that lies in the plane of another surface.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Line {
-    /// From where to where.
+    /// Start and end.
     pub(super) ends: [DVec3; 2],
     /// Index of the surface it belongs to.
     owner: usize,
@@ -30,7 +30,7 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
         let tolerance =
             touching(region.extent().min(standing.extent()), region.extent().max(standing.extent()));
         let in_plane = |x: &DVec3| region.height(*x).abs() <= tolerance;
-        // On the plane to rounding: a part of it that is cut out along the lines must not tower over it.
+        // Exactly in the plane: a part that is cut out along the lines must not rise above it.
         let onto_plane = |x: DVec3| x - region.height(x) * region.normal();
         let is_own = |line: &[DVec3; 2]| {
             own.iter().any(|side| line.iter().all(|x| distance_to_segment(*x, *side) <= tolerance))
@@ -47,7 +47,7 @@ pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
     rings.flat_map(sides).collect()
 }
 
-/// The owners of those `lines` that run along the sides of `face`, ascending.
+/// The owners of the `lines` that run along the sides of `face`, ascending.
 pub(super) fn around(lines: &[Line], face: &PlanarRegion) -> Vec<usize> {
     let tolerance = 2.0 * touching(face.extent(), 0.0);
     let middles: Vec<DVec3> = outline(face).iter().map(|[a, b]| a.midpoint(*b)).collect();

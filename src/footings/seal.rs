@@ -1,9 +1,9 @@
-//! Whether light can come to a part of a surface.
+//! Whether light can reach a part of a surface.
 //!
-//! From places all over it rays go out in directions all over the half-space. It is sealed off if each of them meets the
-//! back of a surface first. Where two bodies touch, one side alone may stand between them, or none at all: a ray may then
-//! end on the front of a part that is sealed off itself. Parts that hold each other up so have to be the smaller parts of
-//! their surfaces, or a whole room would count as a footing.
+//! Rays leave from places all over the part in directions all over the half-space. The part is sealed off if each ray
+//! first meets the back of a surface. Where two bodies touch, only one side, or none, may separate them: a ray may then
+//! also end on the front of a part that is itself sealed off. Parts that depend on each other in this way have to be
+//! the smaller parts of their surfaces; otherwise a whole room would count as a footing.
 
 use radiosity_geom::{DVec3, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
@@ -12,20 +12,20 @@ use super::footing::Footing;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
-/// Rays from each place.
+/// Rays from each place. Chosen; not tuned.
 const RAYS: usize = 64;
-/// Where between the middle of a piece and its corners places lie.
+/// Position of places between the middle of a piece and its corners, 0 to 1. Chosen; not tuned.
 const OUTWARD: f64 = 0.95;
 /// A part of a surface that may be sealed off.
 pub(super) struct Suspect {
     pub(super) footing: Footing,
     places: Vec<DVec3>,
-    /// Whether others may count it as dark before it is known to be.
+    /// Whether it is less than half of its surface, so that other parts may depend on it.
     is_minor: bool,
 }
 
 impl Suspect {
-    /// Of a part of a surface that covers `region` as a whole.
+    /// A suspect part of the surface with the region `region`.
     pub(super) fn new(footing: Footing, region: &PlanarRegion) -> Self {
         let pieces = footing.region.convex_pieces();
         let inside = |piece: &Vec<DVec3>| {
@@ -39,7 +39,7 @@ impl Suspect {
     }
 }
 
-/// Takes the places out of each part that lie in a smaller one.
+/// Drops the places of each part that lie in a smaller part.
 pub(super) fn keep_apart(suspects: &mut [Suspect]) {
     let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footing.region.clone()).collect();
     for (own, suspect) in suspects.iter_mut().enumerate() {
@@ -66,7 +66,8 @@ pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]
     }
 }
 
-/// The suspects whose fronts one of them sees, ascending; None where it sees another front, or out of the scene.
+/// The suspects whose fronts are seen from the part `own`, ascending; None where a ray meets another front or leaves
+/// the scene.
 fn fronts_seen(
     scene: &Scene,
     obstacles: &Visibility,
@@ -103,7 +104,7 @@ fn fronts_seen(
     Some(seen)
 }
 
-/// Directions spread evenly over the half-space of the last axis (a spiral of the golden angle).
+/// Directions evenly over the half-space of the last axis: a spiral of the golden angle, 2.39996 rad.
 fn directions([first, second, up]: [DVec3; 3]) -> impl Iterator<Item = DVec3> {
     (0..RAYS).map(move |k| {
         let cosine = (k as f64 + 0.5) / RAYS as f64;

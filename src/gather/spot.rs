@@ -1,8 +1,9 @@
-//! Where a point stands: on which surface and which side of it.
+//! The surface that a point lies on, and where on it.
 //!
-//! A point within a tolerance of a surface whose front it faces lies on that surface. Typed points are rounded, and may lie
-//! a trifle behind it or beyond its edge, where something else begins: they are moved onto the surface and a trifle
-//! away from what else touches it there, or inwards at an edge of its own, so that light is the limit from the open side.
+//! A point within a tolerance of a surface whose front its normal faces lies on that surface. The coordinates that
+//! users type are rounded, so it may lie slightly behind the surface or beyond its edge. It is therefore moved onto the
+//! surface and slightly away from surfaces that touch there, or inwards at an edge, so that its light is the limit from
+//! the open side.
 
 use radiosity_geom::{Aabb, DVec3, Rect, Surface, overhang};
 
@@ -11,34 +12,37 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::Place;
 use crate::visibility::Visibility;
 
-/// How far from a surface a point counts as lying on it, in multiples of the scene's diagonal, and at most of the surface's own:
-/// typed points are rounded as coarsely as the scene is large, but small things may stand before a sky.
+/// A point lies on a surface if it is nearer than this part of the scene's diagonal and than `OF_ITS_OWN` of the
+/// surface's diagonal. Coordinates are rounded relative to the scene's size, but small things may stand before a sky.
+/// Both are chosen, not tuned.
 pub const ON_SURFACE: f64 = 1e-6;
 const OF_ITS_OWN: f64 = 1e-4;
 
-/// How far points are moved inwards, in multiples of the scene's diagonal, and at most of the way to the middle.
+/// How far points are moved: this part of the scene's diagonal, at most the part [`AT_MOST`] of the way to the middle
+/// of the piece. A tenth of [`ON_SURFACE`]; chosen, not tuned.
 const INWARDS: f64 = 1e-7;
 const AT_MOST: f64 = 1e-3;
 
-/// A point of a surface.
+/// A point of a surface, prepared as a receiver.
 #[derive(Clone, Copy, Debug)]
 pub struct Spot {
-    /// Where light is looked for: the foot of the point that was asked for, moved as told above.
+    /// The point for which light is computed: the foot of the given point, moved as the module says.
     pub place: Place,
-    /// Parameters of that foot itself, in [−1, 1]².
+    /// Parameters of the foot before it was moved, in [−1, 1]².
     pub foot: [f64; 2],
-    /// Index of the element that holds it.
+    /// Index of the element that holds the foot.
     pub element: usize,
-    /// Unit normal of the surface there.
+    /// Unit normal of the surface at the moved point.
     pub normal: DVec3,
 }
 
-/// Sum of the directions out of what touches a point, each of length 1, below which they cancel.
+/// If the unit directions away from touching surfaces sum up to less than this length, they cancel and the point is
+/// moved inwards instead. Chosen; not tuned.
 const ASIDE: f64 = 0.1;
 
 impl Spot {
-    /// The point of a surface that `x` stands for, if it lies on one with its normal `n` on the front's side; the surface that
-    /// the normal fits best where there are several.
+    /// The spot for the point `x` with the unit normal `n`: on the surface within tolerance whose normal is nearest to
+    /// n. None where no such surface faces n.
     pub fn find(elements: &Elements, visibility: &Visibility, x: DVec3, n: DVec3) -> Option<Self> {
         let diagonal = visibility.bounds().diagonal();
         let tolerance = ON_SURFACE * diagonal;
@@ -65,18 +69,18 @@ impl Spot {
         })
     }
 
-    /// The point of a surface at these parameters, in a scene of this diagonal. None inside a hole that fills a cell.
+    /// The spot at these parameters of a surface in a scene of this diagonal. None inside a hole that fills a cell.
     pub fn at(elements: &Elements, surface: usize, parameters: [f64; 2], diagonal: f64) -> Option<Self> {
         Self::within(elements, surface, parameters, INWARDS * diagonal, DVec3::ZERO)
     }
 
-    /// As a receiver along the unit normal `n`.
+    /// The receiver point here with the unit normal `n`.
     pub fn vantage(&self, n: DVec3) -> ReceiverPoint {
         let ground = (n != self.normal).then_some(self.normal);
         ReceiverPoint { position: self.place.position, normal: n, ground, surface: Some(self.place.surface) }
     }
 
-    /// The spot at these parameters, moved by `step`: `away` from what else touches it, or else inwards.
+    /// The spot at the parameters `at`, moved by the length `step` along `away`, or inwards if `away` nearly vanishes.
     fn within(elements: &Elements, surface: usize, at: [f64; 2], step: f64, away: DVec3) -> Option<Self> {
         let shape = elements.shape(surface);
         let step = step.min(INWARDS / ON_SURFACE * OF_ITS_OWN * extent(shape));
@@ -102,12 +106,12 @@ impl Spot {
     }
 }
 
-/// Diagonal of the box around a surface (scene length).
+/// Diagonal of the bounding box of a surface (scene length).
 fn extent(shape: &dyn Surface) -> f64 {
     shape.bounds(&Rect::FULL).diagonal()
 }
 
-/// Middle of the convex piece of a planar surface that holds `x`, or comes nearest to it.
+/// Middle of the convex piece of a planar surface that contains `x` or is nearest to it.
 fn middle_of_piece(shape: &dyn Surface, x: DVec3) -> Option<DVec3> {
     let region = shape.region()?;
     let outside = |piece: &[DVec3]| overhang(piece, region.normal(), x);

@@ -18,7 +18,7 @@ pub struct Contact {
     pub touch: Adjacency,
 }
 
-/// Every contact, by the surfaces' indices.
+/// All contacts, in the order of the surfaces' indices.
 pub(super) fn contacts(sheets: &Sheets) -> Vec<Contact> {
     let of_sheet = |a: usize| -> Vec<Contact> {
         let later = sheets.near(a).into_iter().filter(|b| *b > a);

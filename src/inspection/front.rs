@@ -62,10 +62,10 @@ fn part_of(shell: &Shell) -> String {
     }
 }
 
-/// Fronts that face no other front, as far as sampled points tell; what stands between is not looked at.
+/// Fronts that face no other front, according to sampled points; blockers are not considered.
 pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
-    // A plane before which nothing of the other lies rules out all points at once.
+    // If the other lies wholly behind this plane, no pair of points has to be tested.
     let reaches = |own: usize, other: usize| {
         let is_flat = sheets.list[own].shape.region().is_some();
         !is_flat || lies_before(&samples[own][0], &sheets.list[other].bounds)
@@ -89,13 +89,14 @@ pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
         .collect()
 }
 
-/// Whether some of a box lies before the plane through a point across its normal.
+/// Whether a part of a box lies in front of the plane through the point x with the normal n.
 fn lies_before((x, n): &(DVec3, DVec3), bounds: &Aabb) -> bool {
     let half = 0.5 * (bounds.max - bounds.min);
     (bounds.center() - *x).dot(*n) + half.dot(n.abs()) > 0.0
 }
 
-/// Whether the fronts at two points face each other; the second's back counts too if it emits and receives.
+/// Whether the fronts at two points face each other, with a sine of at least 1e-6 (chosen, not tuned); the second's
+/// back counts too if it is `two_sided`.
 fn faces((x, n): &(DVec3, DVec3), (y, m): &(DVec3, DVec3), two_sided: bool) -> bool {
     const GRAZING: f64 = 1e-6;
     let d = *y - *x;

@@ -12,8 +12,7 @@ use crate::inspection::{
 };
 use crate::scene::Scene;
 
-/// Borders that nearly reach another sheet, once for each pair, where the gap is widest; surfaces that pass through each
-/// other have other worries.
+/// Borders that nearly reach another sheet, once per pair, at the widest gap; not for surfaces that cross.
 pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Contact]) -> Vec<Warning> {
     let crossing = contacts.iter().filter(|contact| matches!(contact.touch, Adjacency::Crossing { .. }));
     let crossing: BTreeSet<[usize; 2]> = crossing.map(|contact| contact.surfaces).collect();
@@ -38,7 +37,7 @@ pub(super) fn gaps(scene: &Scene, sheets: &Sheets, rims: &[Rim], contacts: &[Con
     widest.into_iter().map(warning).collect()
 }
 
-/// The widest gap of a border that has one along half of it, with its two sheets and its place.
+/// The widest gap of a border if it has one along at least half of it, with its two sheets and place.
 fn widest_gap(rim: &Rim) -> Option<([usize; 2], f64, DVec3)> {
     let gap = |(point, meeting): &(DVec3, Meeting)| match *meeting {
         Meeting::Gap { sheet, distance } => {

@@ -1,17 +1,17 @@
-//! Rims: what the borders of sheets meet, tried at places along them.
+//! Rims: what the borders of sheets meet, at sample places along them.
 
 use radiosity_geom::{Aabb, Border, DVec3, LOOSE};
 use rayon::prelude::*;
 
 use crate::inspection::sheet::{GAP, Sheet, Sheets};
 
-/// Where along a border it is tried, w ∈ (−1, 1); off the middles and ends at which others may begin.
+/// Sample places w ∈ (−1, 1) along a border, off middles and ends, where others may begin. Chosen; not tuned.
 const PLACES: [f64; 10] = [-0.97, -0.83, -0.61, -0.37, -0.13, 0.09, 0.29, 0.53, 0.77, 0.94];
 
-/// What stands at a place of a border.
+/// What a border meets at a place.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Meeting {
-    /// Borders, each with its sheet and the cosine between the two directions, fronts to their left.
+    /// Borders, each with its sheet and the cosine between the directions of both, fronts on their left.
     Rims(Vec<(usize, f64)>),
     /// The inside of a face.
     Face,
@@ -19,7 +19,7 @@ pub(super) enum Meeting {
     Gap {
         /// Index among the sheets.
         sheet: usize,
-        /// How far it is.
+        /// Its distance (scene length).
         distance: f64,
     },
     /// Nothing.
@@ -31,11 +31,11 @@ pub(super) enum Meeting {
 pub(super) struct Rim {
     /// Index among the sheets.
     pub(super) sheet: usize,
-    /// Points and what stands there.
+    /// Points, and what the border meets there.
     pub(super) places: Vec<(DVec3, Meeting)>,
 }
 
-/// A border with what is needed to compare it.
+/// A border with the data to compare it.
 struct Line<'a> {
     sheet: usize,
     border: Border<'a>,
@@ -69,12 +69,12 @@ fn lines(sheet: usize, of: &Sheet) -> Vec<Line<'_>> {
 
 fn around(border: &Border<'_>) -> Aabb {
     let bounds = Aabb::around((0..=16).map(|k| border.point(f64::from(k) / 8.0 - 1.0)));
-    // Between the points a bent border leaves their box by less than its size over 16.
+    // Between the points a bent border leaves their box by less than 1/16 of its diagonal.
     let bulge = if matches!(border, Border::Segment(..)) { 0.0 } else { bounds.diagonal() / 16.0 };
     bounds.inflate(bulge)
 }
 
-/// A place of a border, on its way to other sheets.
+/// A place of a border that is compared with other sheets.
 struct Place<'a> {
     sheets: &'a Sheets,
     sheet: usize,
@@ -87,9 +87,9 @@ struct Place<'a> {
 struct Reach {
     sheet: usize,
     distance: f64,
-    /// Closer than what counts as zero.
+    /// Nearer than the tolerance of touching.
     touches: bool,
-    /// The border would have to grow sideways to touch.
+    /// Whether the border would have to move sideways to touch.
     is_gap: bool,
     /// Cosine between the directions of two borders.
     cosine: f64,
@@ -134,7 +134,7 @@ impl Place<'_> {
         self.reach(sheet, other.drop(self.point)? - self.point, false)
     }
 
-    /// What lies at `offset`, if it is close; `grows` if that sheet would grow this way.
+    /// The sheet at `offset`, if it is close; `grows`: that sheet would have to grow in this direction to touch.
     fn reach(&self, sheet: usize, offset: DVec3, grows: bool) -> Option<Reach> {
         let (distance, size) = (offset.length(), self.size(sheet));
         let is_sideways = offset.dot(self.direction).abs() <= 0.5 * distance;
@@ -149,12 +149,13 @@ impl Place<'_> {
     }
 }
 
-/// Whether a sheet of this `normal` would grow along `offset`: parallel sheets close to each other leave no gap.
+/// Whether a sheet of this `normal` would grow along `offset`, at a cosine of at most 0.9 (chosen, not tuned): close
+/// parallel sheets leave no gap.
 fn is_across(offset: DVec3, normal: DVec3) -> bool {
     offset.dot(normal).abs() <= 0.9 * offset.length()
 }
 
-/// Unit tangent of a border, the front to its left.
+/// Unit tangent of a border, with the front on its left.
 fn direction(line: &Line<'_>, w: f64) -> DVec3 {
     let [before, after] = [w - 1e-3, w + 1e-3].map(|w| line.border.point(w.clamp(-1.0, 1.0)));
     line.sign * (after - before).normalize_or_zero()

@@ -1,4 +1,4 @@
-//! The sheets of a scene: its surfaces, each but once where it has two sides.
+//! The sheets of a scene: its surfaces, those with two sides only once.
 
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -6,13 +6,13 @@ use radiosity_geom::{Aabb, Border, Bvh, DVec3, LOOSE, Patch, Surface};
 
 use crate::scene::{Scene, SceneSurface};
 
-/// Borders closer than this part of the smaller extent, but not touching, leave a gap.
+/// Borders nearer than this part of the smaller extent, but not touching, leave a gap. Chosen; not tuned.
 pub(super) const GAP: f64 = 1e-2;
 
 /// A surface as a sheet in space.
 #[derive(Debug)]
 pub(super) struct Sheet {
-    /// Its index in the scene; its front's if it has two sides.
+    /// Index of the surface in the scene; of the front if there are two sides.
     pub(super) surface: usize,
     pub(super) name: String,
     pub(super) shape: Arc<dyn Surface>,
@@ -62,7 +62,7 @@ fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
     surfaces.iter().enumerate().filter_map(|(back, surface)| Some((front_of(surface)?, back))).collect()
 }
 
-/// Whether one surface lies all over the other; of two such the fronts are opposite, no others are in a scene.
+/// Whether one surface covers the other; the fronts of two such surfaces are opposite, since a scene has no others.
 fn covers(front: &SceneSurface, back: &SceneSurface) -> bool {
     let [front, back] = [front, back].map(|surface| Sheet::new(0, surface, None));
     let room = LOOSE * front.extent;
@@ -91,9 +91,9 @@ impl Sheet {
         Patch::whole(&*self.shape)
     }
 
-    /// The borders that are more than a point, with the front to their left where the sign is 1.
+    /// The borders that are longer than a point; the front is on their left where the sign is 1.
     pub(super) fn rims(&self) -> Vec<(Border<'_>, f64)> {
-        // Tangents stay when a surface is turned over, the vertices of a region do not.
+        // Turning a surface over keeps its tangents, but reverses the vertices of a region.
         let middle = self.shape.jet(0.0, 0.0);
         let against = self.shape.region().is_none() && middle.du.cross(middle.dv).dot(middle.normal) < 0.0;
         let long = |border: &Border<'_>| {
@@ -115,7 +115,7 @@ impl Sheet {
         }
     }
 
-    /// The point of its face above or below which `point` lies.
+    /// The foot of `point` on the sheet; None if it lies outside a planar one.
     pub(super) fn drop(&self, point: DVec3) -> Option<DVec3> {
         match self.shape.region() {
             Some(region) => {
@@ -129,7 +129,7 @@ impl Sheet {
         }
     }
 
-    /// Points all over the sheet with the front's normal there, some close to its corners.
+    /// Points all over the sheet with the front's normal, some close to its corners (places chosen, not tuned).
     pub(super) fn samples(&self) -> Vec<(DVec3, DVec3)> {
         const STEPS: [f64; 5] = [-0.97, -0.5, 0.03, 0.5, 0.97];
         match self.shape.region() {

@@ -1,8 +1,8 @@
-//! Shells: sheets that hang together along their borders, and the volume of those that are closed.
+//! Shells: sheets connected along their borders, and the volume of the closed ones.
 //!
-//! A shell is closed where every place of every border meets exactly one other border. Its volume follows from
-//! Gauss' theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts agree along a
-//! common border if they run along it in opposite directions.
+//! A shell is closed where every place of every border meets exactly one other border. Its volume follows from Gauss'
+//! theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts agree along a common
+//! border if they run along it in opposite directions.
 
 use radiosity_core::gauss::{Legendre, Rule};
 use radiosity_geom::{Aabb, DVec3, Ray, Rect};
@@ -17,7 +17,7 @@ use crate::inspection::{
 pub struct Shell {
     /// Indices in the scene, ascending.
     pub surfaces: Vec<usize>,
-    /// What it encloses (scene length³).
+    /// Enclosed volume (scene length³).
     pub volume: f64,
     /// Where its fronts are.
     pub fronts: Fronts,
@@ -28,19 +28,19 @@ pub struct Shell {
 /// Where the fronts of a closed surface are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fronts {
-    /// They face what is enclosed, as those of a room.
+    /// They face the enclosed space, as those of a room.
     Inside,
     /// They face away from it, as those of a solid.
     Outside,
-    /// Some do, some do not.
+    /// Some face inside, some outside.
     Mixed,
 }
 
-/// Sheets that hang together.
+/// Connected sheets.
 #[derive(Debug)]
 pub(super) struct Group {
     pub(super) sheets: Vec<usize>,
-    /// Sheets whose front disagrees with the larger part, each with a neighbour it disagrees with.
+    /// Sheets whose front disagrees with the larger part, each with a neighbour that it disagrees with.
     pub(super) turned: Vec<(usize, usize)>,
     /// 1 for fronts that agree with the first sheet's, −1 for others, in the order of the sheets.
     signs: Vec<f64>,
@@ -65,7 +65,7 @@ pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
     groups
 }
 
-/// For each sheet its neighbours across a border: 1 where the fronts agree, −1 where not, 0 where that means nothing.
+/// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is defined.
 fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
     let mut joints = vec![Vec::new(); sheets.list.len()];
     for rim in rims {
@@ -84,7 +84,7 @@ fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
     joints
 }
 
-/// The group of `first`, its signs spread from neighbour to neighbour.
+/// The group of the sheet `first`, with signs spread from neighbour to neighbour.
 fn spread(
     sheets: &Sheets,
     first: usize,
@@ -122,7 +122,7 @@ fn spread(
     }
 }
 
-/// The shell a group is, if it is closed.
+/// The shell of a closed group.
 pub(super) fn shell(sheets: &Sheets, group: &Group) -> Option<Shell> {
     if !group.is_closed {
         return None;
@@ -175,7 +175,7 @@ impl Shell {
     }
 }
 
-/// How often a ray crosses a sheet.
+/// How often a ray crosses a sheet; hits nearer than 1e-9 of its extent are one (chosen, not tuned).
 fn crossings(sheet: &Sheet, mut ray: Ray) -> usize {
     let hair = 1e-9 * sheet.extent / ray.direction.length();
     let mut count = 0;

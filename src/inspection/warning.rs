@@ -3,12 +3,12 @@
 use radiosity_geom::DVec3;
 use serde::Serialize;
 
-/// Something that is allowed and yet seldom meant.
+/// Something that is allowed, but seldom meant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Warning {
     /// Stable name of the kind of warning, e.g. `gap`.
     pub code: &'static str,
-    /// What looks wrong and what to do about it.
+    /// What looks wrong, and the cure.
     pub message: String,
     /// The surface it belongs to, if it is one.
     pub surface: Option<String>,

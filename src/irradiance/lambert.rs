@@ -1,29 +1,28 @@
-//! Lambert's form: the irradiance from a polygon of exitance 1, along its sides.
+//! Lambert's formula: the irradiance from a polygon of exitance 1, as a sum over its sides.
 //!
 //! ```text
 //! E = 1/(2π) | Σ_k θ_k n·(u_k × u_{k+1}) / sin θ_k | ,     u_k = a_k/|a_k| ,   cos θ_k = u_k·u_{k+1} ,
 //! ```
 //!
-//! with a_k the corners seen from the point. θ/sin θ is analytic in y = sin² θ/2 = (1 − cos θ)/2 but for y = 1:
+//! with the corners a_k relative to the receiver point; the polygon lies above the horizon. 0 ≤ E ≤ 1. θ/sin θ is
+//! analytic in y = sin² θ/2 = (1 − cos θ)/2 except at y = 1:
 //!
 //! ```text
 //! θ/sin θ = asin √y / √(y (1 − y)) = Σ_k 4ᵏ (k!)²/(2k + 1)! yᵏ .
 //! ```
 //!
-//! Up to 60°, where y ≤ ¼, a polynomial of degree 13 through its values at Chebyshev's points of [0, ¼] errs by 5e-17, as its
-//! next singularity lies seven half widths from the middle. From there to 120°
+//! * θ ≤ 60°, y ≤ ¼: a polynomial of degree 13 that interpolates it at the Chebyshev points of [0, ¼]. Its error is
+//!   5e-17, since the singularity y = 1 lies seven half widths from the middle of the interval.
+//! * 60° < θ ≤ 120°: the half angle, θ/sin θ = (θ/2)/sin(θ/2) / cos(θ/2) with cos θ/2 = √((1 + cos θ)/2).
+//! * beyond 120°, where 1 + cos θ cancels: θ itself, from sine and cosine.
 //!
-//! ```text
-//! θ/sin θ = (θ/2)/sin(θ/2) / cos(θ/2) ,     cos θ/2 = √((1 + cos θ)/2) .
-//! ```
-//!
-//! Beyond, where 1 + cos θ cancels, the angle is taken from sine and cosine.
+//! Reference: P. Schröder, P. Hanrahan, *On the form factor between two polygons*, SIGGRAPH 93 (1993).
 
 use core::f64::consts::TAU;
 
 use radiosity_geom::DVec3;
 
-/// Coefficients of the polynomial, in pairs of an even and an odd power.
+/// Coefficients of the polynomial in y, in pairs of an even and an odd power: the interpolant of the header.
 const SERIES: [[f64; 2]; 7] = [
     [0.999_999_999_999_999_96, 0.666_666_666_666_732_2],
     [0.533_333_333_316_350_1, 0.457_142_858_871_963_3],
@@ -34,10 +33,10 @@ const SERIES: [[f64; 2]; 7] = [
     [-1.113_286_127_178_430_7, 1.553_779_294_309_343_6],
 ];
 
-/// Corners side by side.
+/// Corners that are computed side by side: those of a quadrilateral.
 const LANES: usize = 4;
 
-/// Irradiance from a polygon above the horizon of unit normal `n`, its corners as seen from the point.
+/// Irradiance from a polygon of exitance 1 above the horizon of the unit normal `n`; corners relative to the point.
 pub(crate) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
     let Some(last) = corners.last() else { return 0.0 };
     if corners.len() <= LANES {
@@ -53,7 +52,7 @@ pub(crate) fn polygon(n: DVec3, corners: &[DVec3]) -> f64 {
     sum.abs() / TAU
 }
 
-/// The same of four corners, side by side.
+/// As [`polygon`], for four corners at once.
 fn quad(n: DVec3, corners: [DVec3; LANES]) -> f64 {
     let [mut x, mut y, mut z] = [corners.map(|a| a.x), corners.map(|a| a.y), corners.map(|a| a.z)];
     for k in 0..LANES {
@@ -77,8 +76,8 @@ fn quad(n: DVec3, corners: [DVec3; LANES]) -> f64 {
     (0..LANES).map(|k| side(n, unit(k), unit((k + 1) % LANES))).sum::<f64>().abs() / TAU
 }
 
-/// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, as long as its angle is told from 180°; zero for a side
-/// that is seen end on.
+/// θ n·(u × v)/sin θ of a side between the unit vectors `u` and `v`, for angles θ that differ from 180° by more than
+/// rounding; 0 for a side that is seen end on.
 pub(crate) fn side(n: DVec3, u: DVec3, v: DVec3) -> f64 {
     let (cross, cosine) = (u.cross(v), u.dot(v));
     let rise = n.dot(cross);

@@ -1,16 +1,15 @@
-//! Irradiance at a point from a uniform planar emitter, exact with planar blockers: of direct light, and of what blockers hide of
-//! an element in a transfer.
+//! Irradiance at a point from the visible part of an evenly bright polygon; exact behind planar blockers.
 //!
-//! A polygon of exitance 1 in front of the horizon of x gives what Lambert's form says (`lambert`). What a convex
-//! polygon hides of another from x is the part inside a pyramid (`visibility::shadow_volume`). With C₁, C₂, … what the blockers hide, and
-//! F the form of a polygon outside all of them,
+//! F(P) is Lambert's formula (`lambert`) for a convex polygon P of exitance 1, clipped at the horizon of x. A convex
+//! blocker hides from x what lies in its shadow volume C (`visibility::shadow_volume`). The part of P outside C₁, C₂, …
+//! gives
 //!
 //! ```text
 //! F(P; C₁, C₂, …) = F(P; C₂, …) − F(P ∩ C₁; C₂, …) ,
 //! ```
 //!
-//! so that a single blocker costs two polygons. Where many overlap, P \ C₁ is cut into convex pieces instead, plane after
-//! plane of the pyramid. Either way overlapping shadows count once.
+//! so a single blocker costs two polygons. Where more than four overlap, P \ C₁ is cut into convex pieces instead, one
+//! plane of the shadow volume at a time. Either way overlapping shadows count once. 0 ≤ F ≤ 1.
 
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
@@ -19,16 +18,16 @@ use crate::irradiance::lambert;
 use crate::visibility::bounding_ball::Ball;
 use crate::visibility::shadow_volume::{Corners, Cover, Pyramid, cut_at_horizon, reach};
 
-/// Overlapping blockers up to which what they hide in common is subtracted and added.
+/// Most overlapping shadow volumes for which the formula of the header is used: at most 2⁴ polygons. Chosen; not tuned.
 const FEW: usize = 4;
 
-/// Irradiance at `x` with unit normal `n` from a convex planar polygon of exitance 1, wholly visible; what lies behind the
-/// horizon is left out.
+/// Irradiance at `x` with the unit normal `n` from a convex planar polygon of exitance 1 without blockers. The part
+/// below the horizon does not count.
 pub fn irradiance(x: DVec3, n: DVec3, polygon: &[DVec3]) -> f64 {
     visible_irradiance(x, n, polygon, [].iter())
 }
 
-/// The same from the part of the polygon that no pyramid, all of them from x, hides.
+/// As [`irradiance`], from the part of the polygon outside all `pyramids`, which are shadow volumes as seen from `x`.
 pub fn visible_irradiance<'a>(
     x: DVec3,
     n: DVec3,
@@ -39,7 +38,7 @@ pub fn visible_irradiance<'a>(
     above_horizon(n, seen, pyramids)
 }
 
-/// The same from all of a polygon as seen from the point.
+/// As [`irradiance`], from a polygon whose corners `seen` are relative to the point.
 pub fn irradiance_seen(n: DVec3, seen: Corners) -> f64 {
     above_horizon(n, seen, [].iter())
 }
@@ -51,7 +50,7 @@ fn above_horizon<'a>(n: DVec3, mut seen: Corners, pyramids: impl Iterator<Item =
     outside(n, &seen, pyramids)
 }
 
-/// From the part of a polygon above the horizon outside pyramids.
+/// Irradiance from the part of a polygon above the horizon that lies outside the shadow volumes `pyramids`.
 fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
     let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
     for pyramid in pyramids {
@@ -71,13 +70,13 @@ fn outside<'a>(n: DVec3, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a P
     (outside(n, polygon, rest()) - outside(n, &first.hidden_part(polygon), rest())).max(0.0)
 }
 
-/// The part of the convex `polygon` inside any of `pyramids`, all of them from one point, as convex polygons seen from there that
-/// do not overlap; and whether that is all of it. The polygon lies within `ball`.
+/// The part of the convex `polygon` inside any of `pyramids`, which all have the same tip, as convex polygons without
+/// overlaps, relative to that tip; and whether this part is the whole polygon. `ball` contains the polygon.
 pub fn inside_any(polygon: &[DVec3], ball: &Ball, pyramids: &[Pyramid]) -> (Vec<Corners>, bool) {
     let Some(eye) = pyramids.first().map(Pyramid::eye) else { return (Vec::new(), false) };
     let whole: Corners = polygon.iter().map(|corner| corner - eye).collect();
     let mut mixed: SmallVec<[&Pyramid; 8]> = SmallVec::new();
-    // Of the whole, and so of all its parts.
+    // The reach of the whole bounds that of every part.
     let reach = reach(&whole);
     for pyramid in pyramids.iter().filter(|pyramid| !pyramid.misses(ball)) {
         match pyramid.cover_within(&whole, reach) {

@@ -1,20 +1,21 @@
-//! A curved surface that shines evenly and hides nothing of itself, as a point sees it: by its outline alone.
+//! Area lights: a curved surface of even exitance that hides nothing of itself, seen by its outline alone.
 //!
 //! ```text
 //! E(x) = 1/π ∫_Ω n·ω dω = 1/(2π) Σ_k θ_k n·(a_k × b_k) / |a_k × b_k| ,     θ_k = ∠(a_k, b_k)
 //! ```
 //!
-//! over the sides a_k b_k of the outline as seen from x (Lambert), whatever lies within it. The outline consists of the
-//! silhouette g = n·(X − x) = 0 and of the borders of what faces x, g < 0. A net shows both quad by quad; the silhouette's
-//! places on the edges of quads are found by secant steps. An arc between two places is replaced by two chords by way of
+//! for exitance 1, over the sides a_k b_k of the outline as seen from x (Lambert's formula); what lies inside the
+//! outline does not matter. The outline consists of the silhouette g = n·(X − x) = 0 and of the borders of the part
+//! that faces x, g < 0. The quads of a silhouette mesh show both; secant steps find where the silhouette crosses the
+//! edges of quads. An arc between two crossings is replaced by two chords that meet at
 //!
 //! ```text
-//! M + ⁴⁄₃ f ,     f = from the chord's middle M to the arc's, which is |a − b| ∠(n_a, n_b)/8 on a silhouette,
+//! M + ⁴⁄₃ f ,     f from the chord's middle M to the arc's middle; |f| = |a − b| ∠(n_a, n_b)/8 on a silhouette
 //! ```
 //!
-//! which enclose what a parabola with the same middle does, so the error falls like the fourth power of the net's width.
+//! The two chords enclose the same area as a parabola with that middle, so the error falls like h⁴, h the mesh width.
 //!
-//! What lies behind the tangent planes of all points of the surface, as the lids of a can, hides nothing of its front.
+//! Surfaces behind the tangent planes of all points of the light, such as the lids of a can, hide nothing of its front.
 
 use std::f64::consts::TAU;
 
@@ -25,41 +26,41 @@ use crate::light::lines::projection::ProjectionPlane;
 use crate::visibility::Visibility;
 use crate::visibility::silhouette_mesh::{Knot, SilhouetteMesh};
 
-/// Steps towards a silhouette on the edge of a quad.
+/// Secant steps towards a silhouette on the edge of a quad. Chosen; not tuned.
 const STEPS: usize = 2;
 
-/// The height of two chords over that of a parabola with the same area.
+/// Height of two chords over the height of a parabola of the same area: (⅔ b h) / (½ b h) = 4/3.
 const CHORDS: f64 = 4.0 / 3.0;
 
-/// Heights over tangent planes up to this part of the surface's size count as none.
+/// Heights over tangent planes up to this part of the surface's radius count as zero. Chosen; not tuned.
 const BEHIND: f64 = 1e-6;
 
-/// How far around, in multiples of half its second longest side, nothing but its lids may stand: between a plane that touches
-/// it in front and itself is nothing then, √2 − 1 for a ball.
+/// Clearance: nothing but lids may stand within this multiple of half the second longest side of the bounding box. It
+/// covers what lies between the surface and its projection plane, at most √2 − 1 = 0.414 radii from a ball; rounded up.
 const ROOM: f64 = 0.42;
 
-/// Least cosine between a view and the normal of a screen.
+/// Least cosine between the normal of the projection plane and the directions to the outline. Chosen; not tuned.
 const STEEPEST: f64 = 0.2;
 
-/// A side of an outline, from one point to the next.
+/// A side of an outline: two points.
 pub(crate) type Side = [DVec3; 2];
 
-/// A luminous surface.
+/// A curved surface of even exitance.
 #[derive(Debug)]
 pub(crate) struct AreaLight<'a> {
     net: &'a SilhouetteMesh,
-    /// Corners of the quads of its net.
+    /// The quads of the silhouette mesh.
     quads: Vec<[Knot; 4]>,
-    /// Indices of the surfaces that close it and hide nothing of it, ascending.
+    /// Indices, ascending, of the surfaces that close it (lids): they hide nothing of it.
     lids: Vec<usize>,
-    /// Middle and radius of a ball around it.
+    /// Centre of the bounding ball.
     pub center: DVec3,
-    /// The ball's radius.
+    /// Radius of the bounding ball (scene length).
     pub radius: f64,
 }
 
 impl<'a> AreaLight<'a> {
-    /// A surface; None where it is a polygon, may hide itself, or has other things than lids around.
+    /// The surface as an area light; None if it is a polygon, may hide itself, or anything but lids stands close to it.
     pub(crate) fn new(visibility: &'a Visibility, surface: usize) -> Option<Self> {
         if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
             return None;
@@ -84,18 +85,18 @@ impl<'a> AreaLight<'a> {
         others.is_empty().then_some(Self { net, quads, lids, center, radius })
     }
 
-    /// The most irradiance that can arrive at a point outside its ball.
+    /// Upper bound of the irradiance from exitance 1 at a point outside the bounding ball.
     pub(crate) fn most_from(&self, eye: DVec3) -> f64 {
         self.radius * self.radius / self.center.distance_squared(eye)
     }
 
-    /// Whether none of some surfaces hides anything of it from anywhere.
+    /// Whether all `surfaces` are lids of this light, which hide nothing of it from anywhere.
     pub(crate) fn is_closed_by(&self, surfaces: &[usize]) -> bool {
         surfaces.iter().all(|surface| self.lids.binary_search(surface).is_ok())
     }
 
-    /// The sides of its outline from `eye`, in no order, each with what faces the eye to the same hand. Empty where none of it
-    /// faces the eye.
+    /// The sides of the outline seen from `eye`, in no order, all with the part that faces the eye on the same hand.
+    /// Empty where no part of the surface faces the eye.
     pub(crate) fn outline(&self, eye: DVec3) -> Vec<Side> {
         let mut sides = Vec::new();
         for quad in &self.quads {
@@ -112,7 +113,7 @@ impl<'a> AreaLight<'a> {
             let crossings: Vec<(Knot, bool)> =
                 crossed.map(|(k, next)| (self.crossing(eye, quad[k], quad[next]), faces[k])).collect();
             for pair in crossings.chunks_exact(2) {
-                // The silhouette goes on from where the border of the quad leaves what faces the eye.
+                // The silhouette starts where the border of the quad leaves the part that faces the eye.
                 let [(a, leaves), (b, _)] = [pair[0], pair[1]];
                 let [a, b] = if leaves { [a, b] } else { [b, a] };
                 let sagitta = (b.position - a.position).dot(b.normal - a.normal) / 8.0;
@@ -123,7 +124,7 @@ impl<'a> AreaLight<'a> {
         sides
     }
 
-    /// The part of an edge on the surface's border that faces the eye.
+    /// Adds the part of an edge on the surface's border that faces the eye.
     fn border(&self, eye: DVec3, [a, b]: [Knot; 2], faces: [bool; 2], sides: &mut Vec<Side>) {
         let [start, end] = match faces {
             [false, false] => return,
@@ -137,7 +138,7 @@ impl<'a> AreaLight<'a> {
         push_arc(start.position, chord + CHORDS * (middle - chord), end.position, sides);
     }
 
-    /// Where the silhouette crosses the edge from `a` to `b`, at which the heights differ in sign.
+    /// The point where the silhouette crosses the edge from `a` to `b`, at which g has different signs.
     fn crossing(&self, eye: DVec3, mut a: Knot, mut b: Knot) -> Knot {
         let height = |knot: &Knot| knot.normal.dot(knot.position - eye);
         let (mut low, mut high) = (height(&a), height(&b));
@@ -164,8 +165,9 @@ impl<'a> AreaLight<'a> {
         self.net.shape()
     }
 
-    /// A rectangle that it touches from behind, square to what faces `eye` or else to the view, whose lines run along it, with
-    /// its outline `sides` there. None where the eye is too near.
+    /// The projection plane: a rectangle that touches the surface from the eye's side, with the outline `sides` in its
+    /// coordinates. It is perpendicular to the mean normal of the part that faces `eye`, or else to the view; one side
+    /// runs along the outline's farthest point. None where the eye is too near.
     pub(crate) fn screen(&self, eye: DVec3, sides: &[Side]) -> Option<(ProjectionPlane, Vec<[[f64; 2]; 2]>)> {
         let front = self.quads.iter().flatten().filter(|x| x.normal.dot(x.position - eye) < 0.0);
         let facing = -front.map(|x| x.normal).sum::<DVec3>().normalize_or_zero();
@@ -194,7 +196,8 @@ impl<'a> AreaLight<'a> {
         Some((ProjectionPlane::new(eye, &rectangle, &rectangle)?, spots))
     }
 
-    /// Distance from the eye to the plane across `inward` that touches it, if all of its outline lies well beyond the eye.
+    /// Distance from the eye to the plane perpendicular to `inward` that touches the surface; None unless the whole
+    /// outline lies well in front of the eye.
     fn depth(&self, eye: DVec3, inward: DVec3, sides: &[Side]) -> Option<f64> {
         let depth = |y: DVec3| (y - eye).dot(inward);
         let nearest =
@@ -204,7 +207,7 @@ impl<'a> AreaLight<'a> {
     }
 }
 
-/// Irradiance at `eye` with unit normal `normal` from within an outline of exitance 1 that lies above the horizon.
+/// Irradiance at `eye` with the unit normal `normal` from an outline of exitance 1 that lies above the horizon.
 pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     let seen = |side: &Side| {
         let [u, v] = side.map(|y| (y - eye).normalize_or_zero());
@@ -214,7 +217,7 @@ pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     sum.abs() / TAU
 }
 
-/// Whether an edge of a quad lies on the border of the parameters.
+/// Whether an edge of a quad lies on the border of the surface's parameters.
 fn is_border(a: &Knot, b: &Knot) -> bool {
     (0..2).any(|k| a.parameters[k] == b.parameters[k] && a.parameters[k].abs() == 1.0)
 }

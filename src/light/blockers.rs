@@ -1,4 +1,4 @@
-//! What the obstacles around a point hide from it.
+//! What the occluders around a receiver point hide from it.
 
 use std::ops::Range;
 
@@ -14,15 +14,15 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::visibility::shadow_volume::{Cover, Pyramid};
 use crate::visibility::{END, OWN_END, Visibility};
 
-/// The obstacles around a vantage point, as it sees them.
+/// The occluders around a receiver point, as blockers seen from it.
 pub(crate) struct Shadows<'a> {
     vantage: &'a ReceiverPoint,
     visibility: &'a Visibility,
     surroundings: &'a Occluders,
     blockers: Vec<Blocker>,
-    /// The blockers of each obstacle of the surroundings, once they were asked for.
+    /// The blockers of each obstacle, made when first needed.
     of_obstacle: SmallVec<[Option<Range<usize>>; 8]>,
-    /// Stack of the blockers in question, by index: those of a cell lie above those of the cell it is a quarter of.
+    /// Stack of blocker indices: the blockers of a cell lie above those of the cell that it is a quarter of.
     asked: SmallVec<[usize; 32]>,
 }
 
@@ -34,7 +34,7 @@ enum Blocker {
     Curved(usize),
 }
 
-/// The blockers that may hide a part of a cell: a piece of the stack of [`Shadows`].
+/// The blockers that may hide a part of a cell: a range of the stack of [`Shadows`].
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Before {
     start: usize,
@@ -42,14 +42,14 @@ pub(crate) struct Before {
 }
 
 impl Before {
-    /// Whether nothing stands before the cell.
+    /// Whether no blocker stands before the cell.
     pub(crate) fn is_nothing(&self) -> bool {
         self.start == self.end
     }
 }
 
 impl<'a> Shadows<'a> {
-    /// Of a receiver point `vantage` of the site that the occluders `surroundings` belong to.
+    /// Blockers for a receiver point `vantage` of the site that the occluders `surroundings` were listed for.
     pub(crate) fn new(
         vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,
@@ -59,17 +59,16 @@ impl<'a> Shadows<'a> {
         Self { vantage, visibility, surroundings, blockers: Vec::new(), of_obstacle, asked: SmallVec::new() }
     }
 
-    /// Whether no obstacle is curved.
+    /// Whether all obstacles are planar.
     pub(crate) fn all_flat(&self) -> bool {
         self.surroundings.obstacles.iter().all(|surface| self.visibility.pieces(*surface).is_some())
     }
 
-    /// Empties the stack and puts on it the blockers of some obstacles of the surroundings, by their places there, that may
-    /// hide something of what lies within `bounds`.
+    /// Starts a new stack with the blockers, of obstacles with the indices `places`, that may hide a part of `bounds`.
     pub(crate) fn ask(&mut self, places: &[usize], bounds: &Aabb) -> Before {
         self.asked.clear();
         for place in places {
-            // Making a shadow costs more than a look whether it is needed.
+            // A shadow volume costs more than the test whether it is needed.
             if self.of_obstacle[*place].is_none() {
                 let (surface, radius) = (self.surroundings.obstacles[*place], 0.5 * bounds.diagonal());
                 if self.visibility.is_apart(surface, self.vantage.position, bounds.center(), radius) {
@@ -82,7 +81,7 @@ impl<'a> Shadows<'a> {
         Before { start: 0, end: self.asked.len() }
     }
 
-    /// The blockers of an obstacle, by its place.
+    /// The blockers of the obstacle with the index `place`.
     fn blockers_of(&mut self, place: usize) -> Range<usize> {
         if let Some(range) = &self.of_obstacle[place] {
             return range.clone();
@@ -98,7 +97,7 @@ impl<'a> Shadows<'a> {
         range
     }
 
-    /// What a planar surface hides, or the convex body that it is a face of, but for pieces below the horizon.
+    /// The shadow volumes of a planar surface, or of its convex body, without pieces below the horizon.
     fn pyramids_over(&self, surface: usize) -> SmallVec<[Pyramid; 1]> {
         let rises = |piece: &[DVec3]| !self.vantage.is_above(piece);
         let mut pyramids = SmallVec::new();
@@ -106,8 +105,8 @@ impl<'a> Shadows<'a> {
         pyramids
     }
 
-    /// What stands before a lamp, of obstacles given by their places: pyramids of the flat ones, and the curved ones. None where
-    /// a flat one hides all of its screen.
+    /// The blockers between the point and an area light: shadow volumes of planar obstacles, and indices of curved
+    /// ones; `places` are indices into the obstacles. None where a planar obstacle hides the whole projection plane.
     pub(crate) fn before_lamp(
         &self,
         lamp: &AreaLight,
@@ -139,7 +138,7 @@ impl<'a> Shadows<'a> {
         Some((flat, curved))
     }
 
-    /// Whether an obstacle of those given by their places hides the middle of a lamp.
+    /// Whether one of the obstacles with the indices `places` hides the centre of an area light.
     pub(crate) fn hide_lamp(&self, lamp: &AreaLight, places: &[usize]) -> bool {
         let x = self.vantage.position;
         places.iter().map(|place| &self.surroundings.obstacles[*place]).any(|surface| {
@@ -154,14 +153,14 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// Puts a curved blocker before what `facets` stands for, a piece of that blocker itself where `is_own`.
+    /// Adds a curved blocker to the hidden spans `facets`; `is_own`: the screen stands for a piece of that blocker.
     pub(crate) fn add_curved(&self, facets: &mut HiddenSpans<'a>, other: usize, is_own: bool) {
         let ReceiverPoint { normal, ground, surface, .. } = *self.vantage;
         let ground = (surface == Some(other)).then_some(ground.unwrap_or(normal));
         facets.add_curved(self.visibility.net(other), ground, is_own);
     }
 
-    /// Puts those of `above` on the stack that may hide a part of `cell`; None where one hides all of it.
+    /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all of it.
     pub(crate) fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
         self.asked.truncate(above.end);
         for place in above.start..above.end {
@@ -182,12 +181,12 @@ impl<'a> Shadows<'a> {
         Some(Before { start: above.end, end: self.asked.len() })
     }
 
-    /// Whether all of them are planar.
+    /// Whether all these blockers are planar.
     pub(crate) fn are_flat(&self, before: Before) -> bool {
         self.of(before).all(|blocker| matches!(blocker, Blocker::Flat(_)))
     }
 
-    /// The planar ones.
+    /// The shadow volumes of the planar blockers.
     pub(crate) fn pyramids(&self, before: Before) -> impl Iterator<Item = &Pyramid> {
         self.of(before).filter_map(|blocker| match blocker {
             Blocker::Flat(pyramid) => Some(pyramid),
@@ -195,9 +194,9 @@ impl<'a> Shadows<'a> {
         })
     }
 
-    /// What stands before a convex planar polygon; None where the point lies in its plane.
+    /// The hidden spans on a convex planar polygon; None where the point lies in its plane.
     ///
-    /// It may stand for a curved piece of `surface` within the convex hull of `hull`.
+    /// The polygon may stand for a piece of the surface `curved` whose convex hull is spanned by `hull`.
     pub(crate) fn facets(
         &self,
         before: Before,
@@ -215,7 +214,7 @@ impl<'a> Shadows<'a> {
         Some(facets)
     }
 
-    /// Whether a point of `surface` is hidden.
+    /// Whether the point `y` of `surface` is hidden.
     pub(crate) fn hide(&self, before: Before, y: DVec3, surface: usize) -> bool {
         let own = [Some(surface), self.vantage.surface];
         self.of(before).any(|blocker| match blocker {
@@ -231,7 +230,7 @@ impl<'a> Shadows<'a> {
         self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 
-    /// A curved surface hides no cell that a plane parts from it together with the point.
+    /// A curved surface hides no part of a cell if a plane separates it from both the cell and the point.
     fn curved_cover(&self, surface: usize, cell: &Cell) -> Cover {
         let hull = self.visibility.hull(surface);
         let eye = [self.vantage.position];

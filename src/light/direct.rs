@@ -1,12 +1,13 @@
-//! Direct light at a point, as it is, instead of its projection on polynomials.
+//! Direct light at a point, computed there instead of read from polynomials.
 //!
 //! ```text
-//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y
+//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y        W m⁻²
 //! ```
 //!
-//! Polynomials smear shadow edges; D has them where they are. It is exact ([`crate::irradiance::visible_polygon`]) for planar emitters
-//! behind planar blockers; where a blocker or the emitter is curved, the cells of [`crate::light`] are refined until D is good
-//! to [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is taken as a whole (`area_light`).
+//! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
+//! ([`crate::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate::light`] are
+//! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
+//! taken as a whole (`area_light`).
 
 use radiosity_geom::{Aabb, DVec3, Rect};
 use rayon::prelude::*;
@@ -21,29 +22,29 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
 
-/// Error of the sampled light, about, relative to what all emitters would send with nothing between.
+/// Accuracy of direct light that is not exact, over all emitters' light without blockers. Chosen; not tuned.
 pub const ACCURACY: f64 = 1e-3;
 
-/// Error allowed a cell of that.
+/// Error that one cell may contribute, over the accuracy of the sum. Chosen; not tuned.
 const PER_CELL: f64 = 0.3;
 
-/// Size over distance below which a site counts as small beside the way of its light: a rule of 2 × 2 points misses about
-/// 0.02 times the fourth power.
+/// A site whose diagonal is below this part of its distance from an emitter is small: a rule of 2 × 2 points then has a
+/// relative error of about 0.02 · 0.25⁴ = 8e-5. Chosen; not tuned.
 const SMALL: f64 = 0.25;
 
-/// Obstacles around a site up to which each is looked at closely: sooner or later that costs more than it saves.
+/// Most obstacles around a site for which testing each against every shaft pays. Chosen; not tuned.
 const FEW: usize = 40;
 
-/// Who emits, and what may stand between an emitter and each element.
+/// The emitters of a scene, and the possible occluders between them and each element.
 #[derive(Debug)]
 pub struct DirectLight<'a> {
     elements: &'a [Element],
     visibility: &'a Visibility,
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
-    /// Those of the emitters that may be taken as a whole.
+    /// For each emitter, its area light if it can be taken as a whole.
     lamps: Vec<Option<AreaLight<'a>>>,
-    /// Per receiving element.
+    /// Occluders per receiving element.
     surroundings: Vec<Occluders>,
     bands: usize,
     eps: f64,
@@ -58,12 +59,12 @@ struct Emitter {
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of elements with their coatings, one a band, good to [`ACCURACY`] where it is sampled.
+    /// The direct light of `elements` with one coating per band, accurate to [`ACCURACY`] where it is not exact.
     pub fn new(elements: &'a [Element], coatings: &[&Coating], visibility: &'a Visibility) -> Self {
         Self::within(elements, coatings, visibility, ACCURACY)
     }
 
-    /// The same, good to `eps` where it is sampled.
+    /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
     pub fn within(
         elements: &'a [Element],
         coatings: &[&Coating],
@@ -96,8 +97,8 @@ impl<'a> DirectLight<'a> {
         self.emitters.iter().map(|emitter| emitter.element)
     }
 
-    /// For each emitter: its index, and the irradiance at `x` on element `receiver` with unit normal `n` per unit of its
-    /// exitance.
+    /// For each emitter, its index and the irradiance per unit of its exitance at `x` on element `receiver` with the
+    /// unit normal `n`.
     pub fn factors(&self, receiver: usize, x: DVec3, n: DVec3) -> Vec<(usize, f64)> {
         let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
         let factors = self.from(&vantage, &self.surroundings[receiver], 0.0);
@@ -109,13 +110,13 @@ impl<'a> DirectLight<'a> {
         self.at_beside(receiver, x, n, &[])
     }
 
-    /// The same where `other` light (W m⁻², per band) arrives as well: errors are judged against both.
+    /// As [`DirectLight::at`], where `other` light (W m⁻² per band) arrives too: the tolerance is relative to both.
     pub fn at_beside(&self, receiver: usize, x: DVec3, n: DVec3, other: &[f64]) -> Vec<f64> {
         let vantage = ReceiverPoint::on(self.elements[receiver].surface, x, n);
         self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
-    /// What may stand between the emitters and a site.
+    /// Possible occluders between the emitters and a site.
     pub fn around(&self, site: &Site) -> Occluders {
         let surroundings = Occluders::new(self.visibility, &self.trees, site);
         if surroundings.obstacles.len() > FEW {
@@ -126,7 +127,7 @@ impl<'a> DirectLight<'a> {
         surroundings.narrowed(self.visibility, &hulls, site)
     }
 
-    /// Whether light arrives at a site without shadows and from so far that it varies little more than linearly there.
+    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far.
     pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
@@ -136,7 +137,7 @@ impl<'a> DirectLight<'a> {
         surroundings.is_clear() && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
     }
 
-    /// Irradiance (W m⁻²) per band straight from the emitters, at a point of a site.
+    /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
     pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders) -> Vec<f64> {
         self.irradiance_beside(vantage, surroundings, &[])
     }
@@ -155,7 +156,7 @@ impl<'a> DirectLight<'a> {
         sums
     }
 
-    /// Irradiance from each emitter, per unit of its exitance; `other`, all bands together, arrives as well.
+    /// Irradiance from each emitter per unit of its exitance; `other` is known further irradiance, all bands together.
     fn from(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: f64) -> SmallVec<[f64; 4]> {
         let mut walk = Traversal::new(vantage, self.visibility, surroundings);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, factor: &mut [f64]| {

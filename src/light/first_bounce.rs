@@ -1,16 +1,16 @@
-//! The first bounce: what arrives straight from the emitters, and what of it arrives reflected once, with all shadows.
+//! The first bounce: direct light and the light that was reflected exactly once, with all shadows.
 //!
 //! ```text
-//! D(x) = ∫ κ V E₀ dA_y ,     g(x) = ∫ κ V ρ D dA_y
-//! d_k = ∫ φ_k D dA ,         g_k = ∫ φ_k g dA
+//! D(x) = ∫ κ V E₀ dA_y ,     g(x) = ∫ κ V ρ D dA_y        W m⁻²
+//! d_k = ∫ φ_k D dA ,         g_k = ∫ φ_k g dA             W m⁻² times length
 //! ```
 //!
-//! Where direct light is split off, g feeds the polynomials in place of G ρ d: the shadow edges of D, which no polynomial
-//! holds, then are smoothed by one transport before anything is projected. D itself is never transported by
-//! polynomials; d serves those who read polynomials alone.
+//! Where direct light is split off, g_k replaces G ρ d in the right-hand side: the shadow edges of D, which no
+//! polynomial follows, are then smoothed by one transport before anything is projected. Polynomials never transport D
+//! itself; d serves only to read the solution from polynomials.
 //!
-//! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few for the smooth g,
-//! where the points are exact for φ_k times what varies linearly.
+//! The integrals over x are Gauss rules on m × m cells of each patch: many cells for D with its edges, few for the
+//! smooth g, whose points are exact for φ_k times a linear function.
 
 use rayon::prelude::*;
 
@@ -25,28 +25,28 @@ use crate::light::reflected;
 use crate::light::reflected::{Lit, Reflection};
 use crate::visibility::Visibility;
 
-/// Halvings of a patch in each direction for D and for g; a patch that is a small part of its element takes fewer for g.
+/// Halvings of a patch in each direction for D, and for g unless it is small. Both are chosen, not tuned.
 const DIRECT_HALVINGS: usize = 2;
 const REFLECTED_HALVINGS: usize = 1;
 
-/// Part of its element below which a patch counts as small.
+/// A patch below this part of its element's area is small. Chosen; not tuned.
 const SMALL: f64 = 0.25;
 
-/// Relative accuracy of g at a point where none finer is asked for: what it feeds are means over many points.
+/// Loosest relative accuracy of g at a point: errors average out in the coefficients g_k. Chosen; not tuned.
 pub(crate) const LOOSEST: f64 = 2e-2;
 
-/// Coefficients in the orthonormal bases, element by element, per band.
+/// Coefficients of the first bounce in the orthonormal bases, element by element, per band.
 #[derive(Debug)]
 pub struct Bounce {
-    /// d of the direct irradiance (W m⁻²).
+    /// d, the coefficients of the direct irradiance (W m⁻² times scene length).
     pub direct: Vec<Vec<f64>>,
-    /// g of the irradiance (W m⁻²) that was reflected once.
+    /// g, the coefficients of the irradiance that was reflected exactly once (W m⁻² times scene length).
     pub reflected: Vec<Vec<f64>>,
 }
 
 impl Bounce {
-    /// That of exact direct light on elements with their coatings, one a band, good to about the relative accuracy `eps` and
-    /// to [`LOOSEST`].
+    /// The first bounce of exact direct light on `elements` with one coating per band; its relative accuracy is about
+    /// the smaller of `eps` and [`LOOSEST`].
     pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(elements, coatings, visibility, eps);
@@ -54,7 +54,7 @@ impl Bounce {
         Self::of(elements, coatings, visibility, &lit, eps)
     }
 
-    /// That of any direct light `lit`.
+    /// The first bounce of any direct light `lit`.
     pub fn of(
         elements: &[Element],
         coatings: &[&Coating],
@@ -75,7 +75,7 @@ impl Bounce {
     }
 }
 
-/// Mean reflected radiosity ρ D of each band over the scene.
+/// Mean reflected radiosity ρ D (W m⁻²) of each band over the scene.
 fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
     let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
         let reflectances = elements.iter().zip(&coating.reflectance);
@@ -86,7 +86,7 @@ fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> V
     coatings.iter().zip(direct).map(mean).collect()
 }
 
-/// d of an element, per band.
+/// The coefficients d of an element, per band.
 fn of_direct(element: &Element, index: usize, lit: Lit<'_>, bands: usize) -> Vec<Vec<f64>> {
     let mut sums = Sums::new(element, bands);
     let points = (element.basis.order() >> DIRECT_HALVINGS) + 2;
@@ -96,7 +96,7 @@ fn of_direct(element: &Element, index: usize, lit: Lit<'_>, bands: usize) -> Vec
     sums.finish()
 }
 
-/// g of an element, per band.
+/// The coefficients g of an element, per band.
 fn of_reflected(
     element: &Element,
     index: usize,
@@ -130,7 +130,7 @@ fn cells(patch: &Patch, halvings: usize) -> Vec<Patch> {
     cells
 }
 
-/// About the area of a patch.
+/// Area of a patch by one point at its middle.
 fn area(patch: &Patch) -> f64 {
     patch.node(0.5, 0.5).area
 }
@@ -148,7 +148,7 @@ impl<'a> Sums<'a> {
         Self { element, sums: vec![zero.clone(); bands], raw: zero }
     }
 
-    /// Adds the integral over a cell by so many points along each direction.
+    /// Adds the integral over a cell by the Gauss rule of `points` × `points` points.
     fn add(&mut self, cell: &Patch, points: usize, value: impl Fn(&Node) -> Vec<f64>) {
         let basis = &self.element.basis;
         let rule = UnitRule::of(points);

@@ -1,4 +1,4 @@
-//! Visibility by scan lines: what of lines across a cell blockers hide.
+//! Visibility by scan lines: which parts of lines across a cell are hidden by blockers.
 
 pub(crate) mod projection;
 pub(crate) mod silhouette;

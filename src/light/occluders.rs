@@ -1,7 +1,7 @@
-//! Who may stand between a site, a point or a small piece of surface, and each element.
+//! Occluder lists: the surfaces that may stand between a site (a point or a piece of surface) and each element.
 //!
-//! An obstacle hides nothing of an element from the site if it does not reach into the box around both, lies below the
-//! site's horizon as a whole, or lies behind the element's plane. What is left is tested cell after cell.
+//! An obstacle hides no part of an element from the site if it lies outside the box around both, wholly below the
+//! site's horizon, or wholly behind the element's plane. What remains is tested cell by cell.
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
@@ -14,7 +14,7 @@ use crate::visibility::Visibility;
 pub struct Site<'a> {
     /// Points whose convex hull contains it.
     pub points: &'a [DVec3],
-    /// Unit normal of a plane that all of its points receive from above of, if there is one.
+    /// Unit normal of a plane above which all points of the site receive light, if there is one.
     pub horizon: Option<DVec3>,
     /// Index of the surface it lies on, if any.
     pub surface: Option<usize>,
@@ -28,19 +28,19 @@ impl<'a> Site<'a> {
     }
 }
 
-/// The obstacles between a site and each of some elements.
+/// The obstacles between a site and each of several elements.
 #[derive(Clone, Debug)]
 pub struct Occluders {
-    /// Indices of all surfaces that may stand anywhere between, ascending.
+    /// Indices of all surfaces that may hide any of the elements, ascending.
     pub obstacles: Vec<usize>,
-    /// Places in `obstacles`, element after element.
+    /// Indices into `obstacles`, element after element.
     places: Vec<usize>,
-    /// Where those of each element begin; None where the element is out of sight.
+    /// The range in `places` of each element; None where the element is out of sight.
     ranges: Vec<Option<(usize, usize)>>,
 }
 
 impl Occluders {
-    /// Of a site.
+    /// The occluders between a site and the elements of `trees`.
     pub fn new(visibility: &Visibility, trees: &[Tree], site: &Site) -> Self {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
@@ -84,8 +84,8 @@ impl Occluders {
         Self { obstacles, places, ranges }
     }
 
-    /// The same without those that a plane parts from a site and an element together, where an element is given by the
-    /// points of its hull.
+    /// The occluders without those that certainly miss the shaft between the site and an element; `hulls` has the hull
+    /// points of each element.
     pub fn narrowed(self, visibility: &Visibility, hulls: &[&[DVec3]], site: &Site) -> Self {
         let mut kept = Vec::with_capacity(self.places.len());
         let ranges = self.ranges.iter().zip(hulls).map(|(range, hull)| {
@@ -108,19 +108,19 @@ impl Occluders {
         self.places.is_empty()
     }
 
-    /// Places in `obstacles` of those before an element; None where the element is out of sight.
+    /// Indices into `obstacles` of the occluders of an element; None where the element is out of sight.
     pub fn before(&self, element: usize) -> Option<&[usize]> {
         self.ranges[element].map(|(start, end)| &self.places[start..end])
     }
 }
 
-/// The first of the points that are lowest along a direction.
+/// The first of the points that are lowest along `direction`.
 fn lowest(points: &[DVec3], direction: DVec3) -> DVec3 {
     let lower = |a: &&DVec3, b: &&DVec3| a.dot(direction).total_cmp(&b.dot(direction));
     points.iter().min_by(lower).copied().expect("a site has points")
 }
 
-/// Whether `x` stands over the plane through `point` with that unit normal by more than a trifle of its distance.
+/// Whether `x` is above the plane through `point` by more than [`FLAT`] times its distance.
 fn is_over(x: DVec3, point: DVec3, normal: DVec3) -> bool {
     let offset = x - point;
     offset.dot(normal) > COINCIDENT * offset.length()

@@ -6,16 +6,16 @@ use crate::irradiance::visible_polygon::visible_irradiance;
 use crate::light::occluders::Site;
 use crate::visibility::shadow_volume::Pyramid;
 
-/// A point that receives light along a normal, and the surface that bounds what it sees.
+/// A point and normal for which light is gathered, with the surface under it.
 #[derive(Clone, Copy, Debug)]
 pub struct ReceiverPoint {
     /// The point.
     pub position: DVec3,
-    /// Unit normal of the receiver: E counts cosines against it.
+    /// Unit normal of the receiver, to which the cosines of E refer.
     pub normal: DVec3,
-    /// Unit normal of the surface under the point, where that differs from `normal`: nothing is seen through the surface.
+    /// Unit normal of the surface under the point if it differs from `normal`; nothing is seen through the surface.
     pub ground: Option<DVec3>,
-    /// Index of the surface under the point.
+    /// Index of the surface under the point, if any.
     pub surface: Option<usize>,
 }
 
@@ -36,25 +36,25 @@ impl ReceiverPoint {
         Site { points, horizon: Some(self.ground.unwrap_or(self.normal)), surface: self.surface }
     }
 
-    /// Whether the convex hull of `points` lies below a horizon as a whole.
+    /// Whether the convex hull of `points` lies wholly below a horizon.
     pub fn is_above(&self, points: &[DVec3]) -> bool {
         let below = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) <= 0.0);
         below(self.normal) || self.ground.is_some_and(below)
     }
 
-    /// Whether all of `points` lie above the horizons.
+    /// Whether all `points` lie above all horizons.
     pub fn overlooks(&self, points: &[DVec3]) -> bool {
         let above = |horizon: DVec3| points.iter().all(|y| self.height(*y, horizon) >= 0.0);
         above(self.normal) && self.ground.is_none_or(above)
     }
 
-    /// Whether a ball lies above the horizons as a whole.
+    /// Whether a ball lies wholly above all horizons.
     pub fn clears(&self, center: DVec3, radius: f64) -> bool {
         let above = |horizon: DVec3| (center - self.position).dot(horizon) > radius;
         above(self.normal) && self.ground.is_none_or(above)
     }
 
-    /// Irradiance from the part of a planar convex polygon of exitance 1 that no pyramid hides.
+    /// Irradiance from the part of a planar convex polygon of exitance 1 outside the shadow volumes `pyramids`.
     pub fn factor<'a>(&self, polygon: &[DVec3], pyramids: impl Iterator<Item = &'a Pyramid>) -> f64 {
         match self.ground {
             None => visible_irradiance(self.position, self.normal, polygon, pyramids),
@@ -65,7 +65,7 @@ impl ReceiverPoint {
         }
     }
 
-    /// Height of `y` over a horizon; zero where rounding decides.
+    /// Height of `y` above a horizon; zero within rounding.
     fn height(&self, y: DVec3, horizon: DVec3) -> f64 {
         let offset = y - self.position;
         let height = offset.dot(horizon);

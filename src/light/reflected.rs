@@ -1,11 +1,11 @@
 //! Reflected light, gathered at a point from all surfaces with all shadows.
 //!
 //! ```text
-//! E(x) = ∫ κ(x, y) V(x, y) ρ(y) L(y) dA_y ,
+//! S(x) = ∫ κ(x, y) V(x, y) ρ(y) E(y) dA_y        W m⁻²
 //! ```
 //!
-//! with L the irradiance that arrives at y, as it is there and not as polynomials would have it. The reflected
-//! radiosity is tabulated once per element, and summed over from each point ([`crate::light`]).
+//! E(y) is any known irradiance at the points y, not projected on polynomials. The reflected radiosity ρ E is tabulated
+//! once per element; each point x sums over the tables ([`crate::light`]).
 
 use rayon::prelude::*;
 
@@ -18,14 +18,14 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
 
-/// Error allowed a cell, relative to the irradiance and the accuracy asked: the errors of many cells add up at random.
+/// Error allowed per cell, over irradiance times accuracy: errors of many cells average out. Chosen; not tuned.
 const PER_CELL: f64 = 1.0;
 
-/// What arrives: the irradiance (W m⁻²) per band at a node of an element.
+/// Irradiance (W m⁻²) per band at a node of an element.
 pub(crate) type Lit<'a> = &'a (dyn Fn(usize, &Node) -> Vec<f64> + Sync);
 
-/// Mean over the scene of a radiosity (W m⁻²) by its coefficients in the orthonormal bases, element by element: the scale by
-/// which errors are judged. 1 where nothing shines.
+/// Mean over the scene (W m⁻²) of a radiosity with these coefficients in the orthonormal bases, element by element;
+/// errors are judged by it. 1 where nothing shines.
 pub(crate) fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) -> f64 {
     let area: f64 = elements.iter().map(|element| element.area).sum();
     let constants = elements.iter().flat_map(|element| &element.constant);
@@ -33,19 +33,19 @@ pub(crate) fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) 
     if power > 0.0 { power / area } else { 1.0 }
 }
 
-/// The radiosity that reflecting elements send.
+/// The radiosity that reflecting elements send, tabulated.
 #[derive(Debug)]
 pub struct Reflection<'a> {
     visibility: &'a Visibility,
     trees: Vec<Tree>,
-    /// Size of the radiosity per band.
+    /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
 }
 
 impl<'a> Reflection<'a> {
-    /// That of elements with their coatings, one a band, under the irradiance `lit`; to be gathered to about the relative
-    /// accuracy `eps`. `scale` (positive) is the size of the radiosity per band.
+    /// The light that `elements`, with one coating per band, reflect under the irradiance `lit`, to be gathered to
+    /// about the relative accuracy `eps`. `scale` > 0 is the mean radiosity per band.
     pub fn new(
         elements: &[Element],
         coatings: &[&Coating],
@@ -68,13 +68,12 @@ impl<'a> Reflection<'a> {
         Self { visibility, trees, scale, eps }
     }
 
-    /// What may stand between a site and the reflecting elements.
+    /// Possible occluders between a site and the reflecting elements.
     pub fn around(&self, site: &Site) -> Occluders {
         Occluders::new(self.visibility, &self.trees, site)
     }
 
-    /// Irradiance (W m⁻²) per band at a point of a site; `other` light is known to arrive there as well, and errors are
-    /// judged against both.
+    /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.
     pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
         let mut walk = Traversal::new(vantage, self.visibility, surroundings);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
@@ -86,7 +85,7 @@ impl<'a> Reflection<'a> {
         self.sum(&parts)
     }
 
-    /// Sum over elements, of values per band.
+    /// Sum over the elements, per band.
     fn sum(&self, parts: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.scale.len()];
         for part in parts.chunks_exact(sum.len()) {
@@ -95,7 +94,7 @@ impl<'a> Reflection<'a> {
         sum
     }
 
-    /// Mean of the bands, each in multiples of its scale.
+    /// Mean over the bands of E over the band's scale.
     fn relative(&self, irradiance: &[f64]) -> f64 {
         let sum: f64 = irradiance.iter().zip(&self.scale).map(|(e, scale)| e / scale).sum();
         sum / self.scale.len() as f64

@@ -1,4 +1,8 @@
-//! The walk from a point over the cells of elements.
+//! Hierarchy traversal: visits the trees of cells for a point, and divides a cell only where its rule is too coarse.
+//!
+//! A cell may err by a share ε of the irradiance E of the point, other known light included. E is not known beforehand:
+//! the first pass takes an upper bound b in its place. If E turns out below 0.4 b, the trees with too coarse cells are
+//! visited again.
 
 mod cell_rule;
 
@@ -18,26 +22,26 @@ use crate::light::occluders::Occluders;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::visibility::Visibility;
 
-/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was, and of one of the surface
-/// that the point lies on.
+/// Most quarterings of a cell, of a curved one, whose quarters at a pole stay as near as it was ([`CURVED_DEPTH`]), and
+/// of one on the receiver's own surface ([`OWN_DEPTH`]). All are chosen, not tuned.
 const DEPTH: usize = 24;
 const CURVED_DEPTH: usize = 12;
 const OWN_DEPTH: usize = 8;
 
-/// Most cells that one sum may look at: beyond them every cell is taken as it is, and may err by all that it contributes.
+/// Most cells per sum; further cells are taken undivided, with errors up to all they contribute. Chosen; not tuned.
 const MOST_CELLS: usize = 20_000;
 
-/// How close a point and its normal must come to those of a ball, in parts of its radius.
+/// A receiver within this part of the radius of a ball's inside, in position and normal, lies on it. Chosen; not tuned.
 const ON_DOME: f64 = 1e-9;
 
-/// Part of what might arrive below which a sum is taken again, and below which nothing is told apart from darkness.
+/// Irradiance over its bound below which the sum is repeated, and its lower limit. Both are chosen, not tuned.
 const DARK: f64 = 0.4;
 const LEAST: f64 = 0.05;
 
-/// Distance in multiples of the radius from which on a lamp is taken as a whole.
+/// Least distance, in radii, from which an area light is taken as a whole. Chosen; not tuned.
 const CLOSE: f64 = 2.0;
 
-/// What a vantage point sees of elements.
+/// The traversal for one receiver point.
 pub(crate) struct Traversal<'a> {
     vantage: &'a ReceiverPoint,
     visibility: &'a Visibility,
@@ -45,25 +49,25 @@ pub(crate) struct Traversal<'a> {
     shadows: Shadows<'a>,
     /// Largest error of a cell so far, in multiples of the scales.
     coarsest: f64,
-    /// Cells looked at in this sum.
+    /// Cells visited in this sum.
     visited: usize,
 }
 
-/// The walk over one element.
+/// The visit of one tree.
 struct Pass<'a> {
     tree: &'a Tree,
-    /// Error allowed a cell, in multiples of the channels' scales.
+    /// Error allowed per cell, in multiples of the channels' scales.
     tolerance: f64,
     deepest: usize,
     /// Whether the point lies on the element's surface.
     own: bool,
-    /// The kernel, where the surface is a ball around the point: 1/(4πR²) everywhere.
+    /// The constant kernel 1/(4πR²), if the surface is the inside of a ball that the point lies on.
     dome: Option<f64>,
     out: &'a mut [f64],
 }
 
 impl<'a> Traversal<'a> {
-    /// From a receiver point `vantage` of the site that the occluders `surroundings` belong to.
+    /// For a receiver point `vantage` of the site that the occluders `surroundings` were listed for.
     pub(crate) fn new(
         vantage: &'a ReceiverPoint,
         visibility: &'a Visibility,
@@ -79,17 +83,14 @@ impl<'a> Traversal<'a> {
         }
     }
 
-    /// Whether all obstacles are flat, so that flat cells that shine evenly are exact.
+    /// Whether all obstacles are planar; then flat cells of even radiosity are exact.
     pub(crate) fn is_flat(&self) -> bool {
         self.shadows.all_flat()
     }
 
-    /// The irradiance from each of `trees`, those of the surroundings, channel after channel, as `add` adds that from one with a
-    /// given tolerance: `share` of the irradiance from all, about which `other` comes on top, in multiples of the scales.
-    /// `level` tells the irradiance in the same multiples.
-    ///
-    /// The irradiance is not known beforehand. Where it turns out to be much less than it might have been, trees are walked
-    /// again, finer, of which cells were taken too coarsely for that.
+    /// The irradiance from each of `trees`, channel after channel; each cell may err by `share` times the irradiance of
+    /// the point, with the known further irradiance `other` included, all in multiples of the scales. `add` adds the
+    /// irradiance from one tree with a given tolerance, `level` converts irradiance to multiples of the scales.
     pub(crate) fn within_share(
         &mut self,
         trees: &[Tree],
@@ -120,7 +121,7 @@ impl<'a> Traversal<'a> {
         parts
     }
 
-    /// About the most that can arrive from element `index`, in multiples of the scales.
+    /// Approximate upper bound of the irradiance from element `index`, in multiples of the scales.
     fn bound(&self, index: usize, tree: &Tree) -> f64 {
         if self.is_out_of_sight(index, tree) {
             return 0.0;
@@ -134,8 +135,7 @@ impl<'a> Traversal<'a> {
         tree.roots().iter().map(bound).sum()
     }
 
-    /// Adds the irradiance from element `index`, channel after channel, to `out`; each cell is allowed the error
-    /// `tolerance` times the scale of the channel.
+    /// Adds the irradiance from element `index` to `out`, per channel; a cell may err by `tolerance` times the scale.
     pub(crate) fn add(&mut self, index: usize, tree: &Tree, tolerance: f64, out: &mut [f64]) {
         let Some(places) = self.surroundings.before(index) else { return };
         if self.is_out_of_sight(index, tree) {
@@ -155,8 +155,8 @@ impl<'a> Traversal<'a> {
         }
     }
 
-    /// Irradiance from all of element `index`, a lamp of exitance 1, good to `tolerance` over its brightness `brightness`; None
-    /// where it is too near to be taken as a whole.
+    /// Irradiance from element `index`, an area light of exitance 1, with the error `tolerance` over its brightness
+    /// `brightness`; None where it is too near to be taken as a whole.
     pub(crate) fn lamp(
         &mut self,
         index: usize,
@@ -207,7 +207,7 @@ impl<'a> Traversal<'a> {
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
-            // Lines are only as good as the tolerance.
+            // Line quadrature is only as accurate as the tolerance.
             let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));
             let error = if by_points { estimate.error.min(pass.tolerance) } else { pass.tolerance };
             self.coarsest = self.coarsest.max(error);
@@ -223,7 +223,7 @@ impl<'a> Traversal<'a> {
         }
     }
 
-    /// The kernel between any two points of the inside of a ball, of which `surface` is the whole, if the point is one.
+    /// The constant kernel of the inside of a ball, if `surface` is a whole one and the point lies on it.
     fn dome(&self, surface: usize) -> Option<f64> {
         let (center, radius) = self.visibility.whole_dome(surface)?;
         let ReceiverPoint { position, normal, ground, .. } = *self.vantage;

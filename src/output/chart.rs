@@ -14,10 +14,10 @@ use crate::studies::convergence::Run;
 #[error("the chart could not be drawn: {0}")]
 pub struct ChartError(String);
 
-/// Width and height of the chart in SVG units; the PNG has twice as many pixels.
+/// Width and height of the chart in SVG units; the PNG has twice as many pixels. Chosen.
 const SIZE: (u32, u32) = (980, 470);
 
-/// Colours told apart by most eyes, in grey too (Okabe and Ito).
+/// Colours that most eyes distinguish, in grey too (Okabe and Ito).
 pub const COLOURS: [RGBColor; 6] = [
     RGBColor(0, 114, 178),
     RGBColor(213, 94, 0),
@@ -27,14 +27,14 @@ pub const COLOURS: [RGBColor; 6] = [
     RGBColor(230, 159, 0),
 ];
 
-/// What a chart shows.
+/// The content of a chart.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// The line above it.
     pub title: String,
     /// The line below the title: what the errors are measured against.
     pub caption: String,
-    /// Runs, those of the same number of layers in a row; those without an error above 0 are not shown.
+    /// Runs, sorted by the number of layers; runs without an error above 0 are not shown.
     pub runs: &'a [Run],
 }
 
@@ -63,7 +63,7 @@ impl Chart<'_> {
         Ok(picture)
     }
 
-    /// Draws at `zoom` pixels a unit.
+    /// Draws with `zoom` pixels per unit.
     fn draw<B: DrawingBackend>(&self, root: &DrawingArea<B, Shift>, zoom: i32) -> Result<(), DrawError<B>> {
         root.fill(&WHITE)?;
         let (width, _) = root.dim_in_pixel();
@@ -114,7 +114,7 @@ impl Chart<'_> {
             drawn.label(layer_label(*layers)).legend(move |(x, y)| {
                 PathElement::new(vec![(x, y), (x + 18 * zoom, y)], colour.stroke_width(2 * zoom as u32))
             });
-            // A dot with the order beside it.
+            // A dot with the order next to it.
             let letters = text(11 * zoom).color(&colour);
             chart.draw_series(points.iter().map(|point| {
                 EmptyElement::at(point.place)
@@ -136,7 +136,7 @@ impl Chart<'_> {
         Ok(())
     }
 
-    /// Points per number of layers.
+    /// The points for each number of layers.
     fn series(&self, abscissa: &impl Fn(&Run) -> f64) -> Vec<(usize, Vec<Point>)> {
         let groups = self.runs.chunk_by(|a, b| a.layers == b.layers);
         let point = |run: &Run| {

@@ -9,14 +9,14 @@
 
 use super::field::Field;
 
-/// A signed difference per pixel with its figures, all in percent of the mean of the other.
+/// A signed difference per pixel with statistics, all in percent of the other picture's mean.
 #[derive(Clone, Debug)]
 pub struct Difference {
-    /// Per pixel that both see.
+    /// The difference at pixels that see something in both pictures.
     pub field: Field,
-    /// Root of the mean square over those pixels.
+    /// Root mean square over those pixels.
     pub rms: f64,
-    /// Largest size.
+    /// Largest absolute value.
     pub largest: f64,
 }
 

@@ -35,7 +35,7 @@ impl Field {
         self.pixels().filter(|(_, coverage)| *coverage > 0.0).map(|(value, _)| value)
     }
 
-    /// The size that all but the largest fiftieth of the numbers keep below; 0 where nothing is seen.
+    /// The 98th percentile of the absolute values; 0 where nothing is seen.
     pub fn usual_size(&self) -> f64 {
         let mut sizes: Vec<f64> = self.seen().map(f64::abs).collect();
         sizes.sort_by(f64::total_cmp);

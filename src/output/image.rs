@@ -12,8 +12,7 @@ pub struct Image {
 }
 
 impl Image {
-    /// The colours of radiosities times `balance`: three bands are red, green and blue; any other number is averaged to
-    /// grey.
+    /// The colours of radiosities times `balance`: three bands are red, green and blue; others are averaged to grey.
     pub fn new(raster: &Raster, balance: [f64; 3]) -> Self {
         let colour = |values: &[f64]| match *values {
             [red, green, blue] => [red * balance[0], green * balance[1], blue * balance[2]],
@@ -23,8 +22,8 @@ impl Image {
         Self { width, height, pixels: raster.pixels().map(colour).collect() }
     }
 
-    /// Exposure that brings the brightest fiftieth of the pixels that are not black to white: 1 over the
-    /// 98th percentile of their largest channel; 1 for a black picture.
+    /// Exposure that brings the brightest fiftieth of the non-black pixels to white: 1 over the 98th percentile of
+    /// their largest channel; 1 for a black picture.
     pub fn automatic_exposure(&self) -> f64 {
         let mut levels: Vec<f64> =
             self.pixels.iter().map(|p| p.iter().copied().fold(0.0, f64::max)).filter(|x| *x > 0.0).collect();

@@ -6,13 +6,12 @@ use super::scale::Scale;
 
 const PAPER: Colour = [255; 3];
 const INK: Colour = [0; 3];
-/// Space around the bar, and its breadth (pixels at the smallest letters).
+/// Space around the bar, its breadth, and the length of a tick (pixels at the smallest letters). Chosen.
 const MARGIN: i32 = 12;
 const BAR: i32 = 18;
-/// Length of a tick.
 const TICK: i32 = 5;
 
-/// What stands beside a picture in false colours.
+/// The legend of a picture in false colours.
 #[derive(Clone, Debug)]
 pub struct Legend<'a> {
     /// The colours and their numbers.

@@ -8,8 +8,8 @@ use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::output::reader::{Light, Reader};
 
-/// Cosine between a probe's normal and its surface's from which on they count as the same where only polynomials are
-/// known, and where light is gathered along any normal.
+/// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
+/// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
 const SAME_NORMAL: f64 = 0.9999;
 const EQUAL_NORMAL: f64 = 1.0 - 1e-14;
 
@@ -22,10 +22,10 @@ pub struct Probe {
     pub normal: DVec3,
 }
 
-/// What a probe shows.
+/// The result of a probe.
 #[derive(Clone, Debug)]
 pub struct Reading {
-    /// Where and along which normal.
+    /// The probe itself.
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
@@ -40,25 +40,26 @@ pub struct OnSurface {
     pub surface: usize,
     /// Its parameters there, in [−1, 1]².
     pub parameters: [f64; 2],
-    /// Radiosity per band (W m⁻²), by the irradiance along the surface's own normal.
+    /// Radiosity per band (W m⁻²), from the irradiance along the surface's own normal.
     pub radiosity: Vec<f64>,
 }
 
-/// Why a probe cannot be read: polynomials are known on surfaces alone, along their normals.
+/// Why a probe cannot be read: polynomials exist on surfaces only, for their own normals.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum ProbeFault {
     /// The probe lies on no surface.
     #[error("the point lies on no surface that its normal leaves")]
     OffSurface,
-    /// The probe looks another way than its surface.
+    /// The probe's normal differs from its surface's.
     #[error("the normal is not that of the surface under the point")]
     Tilted,
 }
 
-/// Reads every probe; `middle` is what was taken off the scene's coordinates ([`Scene::middle`](crate::scene::Scene::middle)), and `progress` hears (probes done, probes in all), from any thread.
+/// Reads every probe; `middle` was subtracted from the scene's coordinates
+/// ([`Scene::middle`](crate::scene::Scene::middle)), and `progress` gets (probes done, probes in all), from any thread.
 ///
 /// # Errors
-/// The index of the first probe that polynomials say nothing of, unless all light is gathered.
+/// The index of the first probe that polynomials cannot answer, unless all light is gathered.
 pub fn probe(
     reader: &Reader,
     probes: &[Probe],

@@ -1,4 +1,4 @@
-//! Presets: how finely a scene is solved and read, from a draft to the last digit that is worth having.
+//! Presets: how finely a scene is solved and read, from a draft to the last useful digit.
 //!
 //! | quality | order | transfers | their shadows | gathered light | points a cell side, direct and gathered |
 //! | --- | --- | --- | --- | --- | --- |
@@ -7,9 +7,9 @@
 //! | fine | 4 | 1e-3 | 3e-3 | 7e-4 | 4, 2 |
 //! | finest | 4 | 1e-3 | 3e-3 | 4e-4, twice | 4, 3 |
 //!
-//! Chosen on the Cornell box, where the errors of all stages are then about alike. Shadows of the draft's transfers may be
-//! rough: cells and points gather their light behind exact ones, and of what polynomials show in pictures they are the least
-//! error.
+//! Chosen on the Cornell box (`cargo run --release --example read_off`) so that the errors of all stages are similar.
+//! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
+//! read from polynomials the error of the basis dominates.
 
 use crate::output::grid::Rates;
 use crate::output::reader::Read;
@@ -21,7 +21,7 @@ use crate::solve::Options;
 pub enum Quality {
     /// A draft.
     Quick,
-    /// What most need.
+    /// For most purposes.
     #[default]
     Default,
     /// A higher order, gathered more accurately.
@@ -33,7 +33,7 @@ pub enum Quality {
 /// How light is read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reading {
-    /// From what, where cells and points are read.
+    /// The source of light at cells and points.
     pub read: Read,
     /// Relative accuracy of gathered light.
     pub eps: f64,
@@ -42,7 +42,7 @@ pub struct Reading {
 }
 
 impl Quality {
-    /// Options to solve with, the rest those of [`Options::default`].
+    /// Options to solve with; all others are as in [`Options::default`].
     pub fn options(self) -> Options {
         let (order, eps, shadow_eps) = match self {
             Self::Quick => (2, 5e-2, 0.2),
@@ -53,7 +53,7 @@ impl Quality {
         Options { order, eps, shadow_eps, ..Options::default() }
     }
 
-    /// How to read what was solved so.
+    /// How to read a scene that was solved with [`Quality::options`].
     pub fn reading(self) -> Reading {
         let (read, eps, direct, indirect) = match self {
             Self::Quick => (Read::Gather, 2e-3, 3, 1),

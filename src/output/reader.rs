@@ -1,4 +1,4 @@
-//! What values at points and means over cells are read from.
+//! Readers: the sources of values at points and means over cells.
 
 use radiosity_geom::DVec3;
 
@@ -8,7 +8,7 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// What irradiance is read from.
+/// The source of irradiance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Read {
@@ -22,7 +22,7 @@ pub enum Read {
     GatherTwice,
 }
 
-/// A solution ready to be read.
+/// A solution with the light that is recomputed from it.
 #[derive(Debug)]
 pub struct Reader<'a> {
     solution: &'a Solution,
@@ -30,7 +30,7 @@ pub struct Reader<'a> {
     light: Light<'a>,
 }
 
-/// What a [`Reader`] recomputes.
+/// The light that a [`Reader`] recomputes.
 #[derive(Debug)]
 pub enum Light<'a> {
     /// Nothing.
@@ -42,7 +42,7 @@ pub enum Light<'a> {
 }
 
 impl<'a> Reader<'a> {
-    /// Prepares to read `solution`; what is recomputed is good to about the relative accuracy `eps`.
+    /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
             Read::Basis => Light::Basis,
@@ -61,12 +61,12 @@ impl<'a> Reader<'a> {
         self.solution
     }
 
-    /// What stands in the scene.
+    /// The obstacles of the scene.
     pub fn visibility(&self) -> &'a Visibility {
         self.visibility
     }
 
-    /// What is recomputed.
+    /// The light that is recomputed.
     pub fn light(&self) -> &Light<'a> {
         &self.light
     }

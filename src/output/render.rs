@@ -1,7 +1,7 @@
-//! Pictures of a solution: camera rays against the true surfaces, radiosity read off where they arrive.
+//! Pictures of a solution: camera rays meet the true surfaces, where radiosity is read.
 //!
-//! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular
-//! grid; a ray that meets the back of a surface, or nothing, is black.
+//! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular grid; a ray
+//! that meets the back of a surface, or nothing, is black.
 
 use radiosity_geom::{DVec3, Ray};
 use rayon::prelude::*;
@@ -15,13 +15,13 @@ use crate::scene::Camera;
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-/// Accuracy of recomputed light in pictures, relative: finer than eight bits of colour show.
+/// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
 const GATHERED: f64 = 3e-3;
 
-/// Most rows handed out to a thread at once: rows of one picture take very different times.
+/// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const AT_ONCE: usize = 4;
 
-/// Renders `solution` through `camera`; `progress` hears (rows done, rows in all), from any thread.
+/// Renders `solution` through `camera`; `progress` gets (rows done, rows in all), from any thread.
 ///
 /// The pixels hold radiosity, W m⁻² (radiance times π), in the bands of the solution.
 pub fn render(
@@ -53,7 +53,7 @@ pub fn render(
     Raster::new([camera.width, camera.height], bands, values, coverage)
 }
 
-/// What is seen through a pixel.
+/// The radiosity seen through a pixel.
 struct Seen {
     /// Mean over the pixel, per band.
     radiosity: Vec<f64>,
@@ -78,10 +78,10 @@ fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Se
     Seen { radiosity, coverage: f64::from(count) * scale }
 }
 
-/// What a camera ray needs to become radiosities.
+/// The data that turn a camera ray into radiosities.
 struct Eye<'a> {
     reader: Reader<'a>,
-    /// Of the scene's bounding box.
+    /// Diagonal of the scene's bounding box.
     diagonal: f64,
 }
 
@@ -91,12 +91,12 @@ impl Eye<'_> {
         let (surface, hit) = self.reader.visibility().nearest(ray)?;
         let elements = self.reader.solution().elements();
         let seen = elements.shape(surface).jet(hit.u, hit.v).normal.dot(ray.direction) < 0.0;
-        // Where two surfaces meet, light is the limit from within the one that is seen.
+        // Where two surfaces meet, light is the limit from within the visible one.
         let spot = seen.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
         Some(self.radiosity(spot.element, &spot.place, spot.normal))
     }
 
-    /// Radiosity per band; what polynomials undershoot is cut off at zero.
+    /// Radiosity per band; negative values of polynomials are cut off at zero.
     fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
         let irradiance = match self.reader.light() {
             Light::Direct(direct) => {
@@ -111,8 +111,8 @@ impl Eye<'_> {
     }
 }
 
-/// Factors that make the emitted light of a three-band scene white, as a camera would: the lamps' own colour is taken
-/// away. All are 1 if a band emits nothing, and for any other number of bands.
+/// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if a band
+/// emits nothing, and for any other number of bands.
 pub fn white_balance(solution: &Solution) -> [f64; 3] {
     if solution.bands().len() != 3 {
         return [1.0; 3];

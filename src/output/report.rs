@@ -9,7 +9,7 @@ use crate::solved::Solved;
 use crate::studies::adaptation::{Achieved, End};
 use crate::transport::PairCounts;
 
-/// What a run did, what it cost and how its result judges itself.
+/// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
     /// Name of the scene.
@@ -18,7 +18,7 @@ pub struct Report {
     pub bands: Vec<String>,
     /// Number of surfaces.
     pub surfaces: usize,
-    /// What was done to their shapes to fit them together when the scene was read.
+    /// How their shapes were changed to fit together when the scene was read.
     pub fitted: Fitted,
     /// Number of elements.
     pub elements: usize,
@@ -26,7 +26,7 @@ pub struct Report {
     pub unknowns: usize,
     /// Total degree where a surface does not state its own.
     pub order: usize,
-    /// Name of the solver that did it.
+    /// Name of the solver that was used.
     pub solver: String,
     /// Threads used.
     pub threads: usize,
@@ -34,32 +34,32 @@ pub struct Report {
     pub version: &'static str,
     /// Wall time per stage.
     pub seconds: Seconds,
-    /// Largest memory in use, where the system tells it.
+    /// Peak memory, where the system reports it.
     pub peak_bytes: Option<u64>,
-    /// How many pairs of elements went which way.
+    /// Numbers of pairs of elements by how they were treated.
     pub pairs: PairCounts,
     /// Terms of the kernel's quadrature rules.
     pub kernel_samples: u64,
-    /// Kernel evaluations: less than the terms where the kernel is known to repeat.
+    /// Kernel evaluations; fewer than the terms where kernel values repeat.
     pub kernel_samples_distinct: u64,
     /// Segments tested for visibility.
     pub shadow_rays: u64,
-    /// The largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
+    /// Largest error that unresolved parts leave in a block, relative to the larger of its largest entry and a
     /// hundredth of its row's; zero where every part was resolved.
     pub accuracy_reached: f64,
-    /// Estimated relative error of the radiosity, where an accuracy was asked for and more than one run could be done.
+    /// Estimated relative error of the radiosity, where an accuracy was wanted.
     pub accuracy_estimate: Option<f64>,
     /// How direct light entered: `split` or `projected`.
     pub direct: &'static str,
-    /// Iterations of the solver, the most of any band.
+    /// Iterations of the solver, largest over the bands.
     pub iterations: usize,
-    /// ‖b − e − ρ G b‖₂ / ‖e‖₂, the largest of any band.
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂, largest over the bands.
     pub residual: f64,
     /// Whether the solver reached its tolerance.
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
-    /// What the user should know.
+    /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
 
@@ -72,13 +72,13 @@ pub struct Seconds {
     pub elements: f64,
     /// Blocks of G, visibility within them included.
     pub blocks: f64,
-    /// Looking for surfaces that can cast a shadow.
+    /// Finding surfaces that can cast a shadow.
     pub visibility: f64,
     /// Direct light and its first bounce, where they are split off.
     pub direct: f64,
     /// The linear systems.
     pub solve: f64,
-    /// The error told from light gathered anew, where an accuracy is wanted.
+    /// Estimation of the error from gathered light, where an accuracy is wanted.
     pub estimate: f64,
     /// Pictures, grids and files.
     pub output: f64,
@@ -98,7 +98,7 @@ pub struct Warning {
 }
 
 impl Report {
-    /// The report of a solved scene; times of loading and output, and the total, are the caller's.
+    /// The report of a solved scene; the caller sets the times of loading and output, and the total.
     pub fn new(solved: &Solved) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
@@ -164,7 +164,7 @@ fn unconverged(outcome: &Outcome) -> Warning {
     warning("not-converged", message)
 }
 
-/// What a wanted accuracy did not come to.
+/// Warnings if a wanted accuracy was not reached.
 fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     let mut warnings = Vec::new();
     if let Some(why) = why(achieved.end) {
@@ -182,7 +182,7 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
     warnings
 }
 
-/// Why no finer run followed and what to do; None where none was needed.
+/// Why no finer run followed and what to do; None if none was needed.
 fn why(end: End) -> Option<&'static str> {
     match end {
         End::Reached => None,
@@ -200,7 +200,7 @@ fn why(end: End) -> Option<&'static str> {
     }
 }
 
-/// What elements and transfers miss.
+/// Warnings about what elements and transfers miss.
 fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
     let mut warnings = Vec::new();
     let mut warn = |code: &str, message: String| warnings.push(warning(code, message));
@@ -222,7 +222,7 @@ fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
         );
         warn("accuracy-reached", message);
     }
-    // The rules of 1993 take no accuracy.
+    // The rules of 1993 have no accuracy.
     let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };
     let excess = outcome.checks.row_sum_max - 1.0;
     if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
@@ -244,7 +244,7 @@ fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
     warnings
 }
 
-/// Peak resident memory, from the system's own account (Linux); None elsewhere.
+/// Peak resident memory as Linux reports it; None elsewhere.
 fn peak_bytes() -> Option<u64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;

@@ -1,10 +1,10 @@
-//! Scales: numbers to colours, with round numbers to label them by.
+//! Scales: from numbers to colours, with labels at round numbers.
 
 use colorous::Gradient;
 
 use super::picture::Colour;
 
-/// A range of numbers mapped onto a perceptually uniform sequence of colours; what lies outside takes the end's.
+/// A range of numbers mapped to perceptually uniform colours; numbers outside take the colours of the ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Scale {
     gradient: Gradient,
@@ -69,7 +69,7 @@ fn power_below(size: f64) -> f64 {
     10f64.powi(size.log10().floor() as i32)
 }
 
-/// `value`, a multiple of `step`, with no more digits than tell it from its neighbours.
+/// `value`, a multiple of `step`, with just enough digits to differ from its neighbours.
 fn label(value: f64, step: f64) -> String {
     let digits = -(step * (1.0 + 1e-9)).log10().floor();
     // Without the −0 of rounding.

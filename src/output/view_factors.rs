@@ -1,8 +1,8 @@
 //! View factors as CSV, JSON or NPY.
 //!
-//! The matrix is written row by row, N × N, F_ij in row i and column j. NPY is the format of NumPy, version 1.0: a magic
-//! text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the numbers as
-//! little-endian f64 in C order.
+//! The matrix is written row by row, N × N, F_ij in row i and column j. NPY is the format of NumPy, version 1.0: a
+//! magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the
+//! numbers as little-endian f64 in C order.
 
 use std::io::{self, Write};
 
@@ -26,7 +26,7 @@ pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// NPY, an array of shape (N, N).
+/// NPY, an array of shape (N, N); the magic text, version and length take 10 bytes.
 ///
 /// # Errors
 /// What `out` reports.
@@ -55,7 +55,7 @@ pub fn json(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
     writeln!(out)
 }
 
-/// Of the pairs (i, j) alone, CSV with 17 digits.
+/// The pairs (i, j) only, as CSV with 17 digits.
 ///
 /// # Errors
 /// What `out` reports.
@@ -69,7 +69,7 @@ pub fn pairs_csv(factors: &ViewFactors, pairs: &[[usize; 2]], out: impl Write) -
     writer.flush()
 }
 
-/// Of the pairs (i, j) alone, JSON.
+/// The pairs (i, j) only, as JSON.
 ///
 /// # Errors
 /// What `out` reports.

@@ -1,14 +1,14 @@
 //! The borders of elements as a camera sees them: hidden lines removed, curved borders curved.
 //!
-//! Camera rays at `samples × samples` points a pixel find the element seen at each. A point is on a border if its right
-//! or its lower neighbour sees another one. With e = 1 there and S points along a pixel's side, a pixel with its middle
-//! at (x, y) is covered by
+//! Camera rays at `samples × samples` points per pixel find the visible elements. A point is on a border if its right
+//! or its lower neighbour sees another element. With e = 1 there and S points along a pixel's side, the coverage of a
+//! pixel with its middle at (x, y) is
 //!
 //! ```text
 //! 1/S Σ e(a, b) Λ(a − x) Λ(b − y) ,     Λ(x) = max(0, 1 − |x|) ,
 //! ```
 //!
-//! a line about one pixel broad. At the outlines of what is seen stand borders too.
+//! a line about one pixel broad. Outlines of visible surfaces count as borders too.
 
 use rayon::prelude::*;
 
@@ -17,7 +17,7 @@ use crate::elements::Elements;
 use crate::scene::Camera;
 use crate::visibility::Visibility;
 
-/// Nothing is seen, or no element.
+/// No element is seen.
 const NOTHING: u32 = u32::MAX;
 
 /// The part of each pixel that borders cover, in row order.

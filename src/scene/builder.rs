@@ -99,8 +99,8 @@ impl SceneBuilder {
         self
     }
 
-    /// Makes corners and planes agree within `length` (scene length) instead of within the rounding of their coordinates; 0 leaves
-    /// all corners where they are.
+    /// Makes corners and planes agree within `length` (scene length) instead of within the rounding of their
+    /// coordinates; 0 leaves all corners where they are.
     pub fn tolerance(&mut self, length: f64) -> &mut Self {
         self.tolerance = Some(length);
         self

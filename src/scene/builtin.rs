@@ -13,7 +13,7 @@ use crate::scene::error::Fault;
 pub struct Builtin {
     /// Its name.
     pub name: &'static str,
-    /// What can be set.
+    /// Its parameters.
     pub parameters: &'static [Parameter],
     text: Text,
 }
@@ -29,7 +29,7 @@ pub struct Parameter {
     pub range: [f64; 2],
     /// Whether it is a whole number.
     pub whole: bool,
-    /// What it is, with its unit.
+    /// Its meaning, with the unit.
     pub meaning: &'static str,
 }
 

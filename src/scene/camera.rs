@@ -7,14 +7,14 @@ use crate::scene::{
     ranges::{check_fov, check_pixels},
 };
 
-/// A pinhole camera. Those of scenes look somewhere, and their up vector is not along the view.
+/// A pinhole camera. A scene's camera has a view direction, and its up vector is not along it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Camera {
     /// The pinhole.
     pub eye: DVec3,
     /// A point in the middle of the picture.
     pub target: DVec3,
-    /// What points up in the picture; any length, not along the view.
+    /// The direction that is up in the picture; any length, not along the view.
     pub up: DVec3,
     /// Vertical angle of view in degrees, 0 < fov < 180.
     pub fov: f64,
@@ -27,12 +27,12 @@ pub struct Camera {
 impl Camera {
     /// Looks from `eye` to `target`; up is +z, the angle of view 40 degrees, the picture 512 × 512 pixels.
     ///
-    /// Change what is to differ: `Camera { fov: 60.0, ..Camera::new(eye, target) }`. It is checked when it is given to a scene.
+    /// Change the rest: `Camera { fov: 60.0, ..Camera::new(eye, target) }`. A scene checks its camera.
     pub fn new(eye: DVec3, target: DVec3) -> Self {
         Self { eye, target, up: DVec3::Z, fov: 40.0, width: 512, height: 512 }
     }
 
-    /// The same in coordinates about `middle`.
+    /// The camera after `middle` was subtracted from all coordinates.
     pub(super) fn about(self, middle: DVec3) -> Self {
         Self { eye: self.eye - middle, target: self.target - middle, ..self }
     }
@@ -40,8 +40,8 @@ impl Camera {
     /// Checks that the camera has a view.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or `up`
-    /// lies along the view.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or
+    /// `up` lies along the view.
     pub(super) fn checked(self) -> Result<Self, Fault> {
         let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
         if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {

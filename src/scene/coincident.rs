@@ -1,10 +1,10 @@
 //! Whether two surfaces lie in one another: light between them, and the nearest hit of a ray, would be undefined.
 //!
-//! Planar regions coincide if they share a plane and some area. Of other pairs each is pierced by short rays along the
-//! other's normals, from 8 × 8 places off every symmetry of the parameter square: they coincide if such a place and one to
-//! each side of it lie on the other, with its normal. That finds copies and parts of one another, whatever shapes made
-//! them; it passes over an overlap narrower than an eighth of both. Surfaces that touch in a point or along a line do
-//! not coincide.
+//! Planar regions coincide if they share a plane and some area. For other pairs short rays along the normals of one
+//! surface test the other, at 8 × 8 places off every symmetry of the parameter square: the surfaces coincide if such a
+//! place, and one to each side of it, lies on the other surface with the same normal. That finds copies and parts of
+//! one another, whatever shapes made them, except overlaps narrower than an eighth of both. Surfaces that touch in a
+//! point or along a line do not coincide.
 
 use std::sync::Arc;
 
@@ -12,21 +12,21 @@ use radiosity_geom::{
     Aabb, COINCIDENT, DVec3, PlanarRegion, Ray, Rect, Surface, polygon_area, polygon_width, touching,
 };
 
-/// Sine of the angle between planes that are the same.
+/// Sine of the angle between planes below which they are the same. Chosen; not tuned.
 const PARALLEL: f64 = 1e-6;
 
-/// Width of what two regions must have in common, as a part of the smaller extent, and of the breadth of the narrower: edges that
-/// touch overlap by rounding, to single precision in many models.
+/// Regions overlap if their common part is wider than this part of the smaller extent and than the part `OF_BREADTH` of
+/// the narrower breadth: edges that touch overlap by rounding, in many models of single precision. Chosen; not tuned.
 const WIDTH: f64 = 1e-6;
 const OF_BREADTH: f64 = 1e-3;
 
-/// Where along each parameter a surface is tried, no two symmetric and none where shapes like to touch.
+/// Tested values of each parameter, no two symmetric, and none where shapes are likely to touch. Chosen; not tuned.
 const PLACES: [f64; 8] = [-0.913, -0.671, -0.437, -0.172, 0.089, 0.323, 0.582, 0.864];
 
-/// How far to the side of a place the surface is tried again.
+/// Distance in parameters to the tests beside a place. Chosen; not tuned.
 const ASIDE: f64 = 0.02;
 
-/// A shape and the box around it: nearly all pairs are told apart by their boxes.
+/// A shape and its bounding box, which rules out nearly all pairs.
 #[derive(Debug)]
 pub(super) struct Occupied {
     shape: Arc<dyn Surface>,
@@ -35,7 +35,7 @@ pub(super) struct Occupied {
 }
 
 impl Occupied {
-    /// What `shape` occupies.
+    /// The space of `shape`.
     pub(super) fn new(shape: &Arc<dyn Surface>) -> Self {
         let bounds = match shape.region() {
             Some(region) => Aabb::around(region.outer().iter().copied()),
@@ -45,12 +45,12 @@ impl Occupied {
         Occupied { shape: Arc::clone(shape), bounds: bounds.inflate(COINCIDENT * extent), extent }
     }
 
-    /// A box around it, with room for rounding.
+    /// Bounding box with a margin for rounding.
     pub(super) fn bounds(&self) -> &Aabb {
         &self.bounds
     }
 
-    /// Whether the fronts of two that coincide face away from each other.
+    /// Whether two coinciding surfaces face away from each other.
     pub(super) fn opposes(&self, other: &Occupied) -> bool {
         match (self.shape.region(), other.shape.region()) {
             (Some(a), Some(b)) => a.normal().dot(b.normal()) < 0.0,
@@ -58,7 +58,7 @@ impl Occupied {
         }
     }
 
-    /// The area that two planar ones have in common; 0 if either is curved.
+    /// The area that two planar surfaces have in common; 0 if either is curved.
     pub(super) fn common_area(&self, other: &Occupied) -> f64 {
         match (self.shape.region(), other.shape.region()) {
             (Some(a), Some(b)) => common_area(a, b),
@@ -78,13 +78,13 @@ impl Occupied {
 
 fn same_plane(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     let (small, large) = if a.extent() <= b.extent() { (a, b) } else { (b, a) };
-    // Over the small one's plane, as uncertain as the small one, the large one may reach far up.
+    // Heights refer to the large region's plane: the small one's is uncertain far away.
     let tolerance = touching(small.extent(), large.extent());
     small.outer().iter().all(|point| large.height(*point).abs() <= tolerance)
         && large.normal().cross(small.normal()).length() <= PARALLEL
 }
 
-/// Whether two regions in one plane have more in common than edges that touch.
+/// Whether two regions in one plane share more than touching edges.
 fn overlap(a: &PlanarRegion, b: &PlanarRegion) -> bool {
     let breadth = |region: &PlanarRegion| region.area() / region.extent();
     let least = (WIDTH * a.extent().min(b.extent())).min(OF_BREADTH * breadth(a).min(breadth(b)));
@@ -96,7 +96,7 @@ pub(super) fn common_area(a: &PlanarRegion, b: &PlanarRegion) -> f64 {
     a.common_parts(b).map(|part| polygon_area(&part)).sum()
 }
 
-/// Whether some of `a`, more than a line of it, lies in `b`.
+/// Whether a part of `a`, more than a line, lies in `b`.
 fn lies_in(a: &Occupied, b: &Occupied) -> bool {
     let size = a.extent.min(b.extent);
     let on = |u: f64, v: f64| {
@@ -104,17 +104,17 @@ fn lies_in(a: &Occupied, b: &Occupied) -> bool {
         let belongs = a.shape.region().is_none_or(|region| region.contains(jet.position));
         belongs && b.bounds.contains(jet.position) && passes_through(&b.shape, jet.position, jet.normal, size)
     };
-    // Surfaces that touch agree along one direction at most.
+    // Surfaces that only touch agree along one direction at most.
     let around = |u: f64, v: f64| on(u, v) && on(u + ASIDE, v) && on(u, v + ASIDE);
     PLACES.iter().any(|u| PLACES.iter().any(|v| around(*u, *v)))
 }
 
-/// Whether `surface` passes through `point` across `normal`.
+/// Whether `surface` passes through `point` perpendicular to `normal`, to a sine of 1e-6 (as `PARALLEL`).
 fn passes_through(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> bool {
     normal_there(surface, point, normal, size).is_some_and(|there| there.cross(normal).length() < 1e-6)
 }
 
-/// The normal of `surface` at `point`, which a line along `normal` finds if it lies there.
+/// The normal of `surface` at `point`, found by a segment of 1e-4 of `size` along `normal`; None if it is not on it.
 fn normal_there(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f64) -> Option<DVec3> {
     let reach = 1e-4 * size * normal;
     let hit = surface.intersect(&Ray::segment(point - reach, point + reach))?;
@@ -122,7 +122,7 @@ fn normal_there(surface: &Arc<dyn Surface>, point: DVec3, normal: DVec3, size: f
     (there.position.distance(point) <= COINCIDENT * size).then_some(there.normal)
 }
 
-/// Whether the normals are opposite wherever a place of `a` lies in `b`, which some do.
+/// Whether the normals are opposite at all places of `a` that lie in `b`, of which there are some.
 fn turns_away(a: &Occupied, b: &Occupied) -> bool {
     let size = a.extent.min(b.extent);
     let places = PLACES.iter().flat_map(|u| PLACES.iter().map(move |v| (*u, *v)));

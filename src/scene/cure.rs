@@ -96,7 +96,7 @@ fn choose<'a>(name: &str, known: impl IntoIterator<Item = &'a str>, what: &str) 
     }
 }
 
-/// What a missing key may look like.
+/// An example of a missing key.
 fn example(key: &str) -> &'static str {
     match key {
         "material" => ", the name of one of [materials.…]",

@@ -1,7 +1,7 @@
 //! Surfaces as they are given, in a file or in code → surfaces of one scene.
 //!
-//! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a size that can
-//! be computed with, has a name of its own, and lies in no other.
+//! A draft becomes one surface, or two if it is two-sided; `patches` in a file become several. Each is of a size that
+//! can be computed with, has a name of its own, and lies in no other.
 
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ pub struct SurfaceDraft {
 /// A shape with the name of the surface it makes.
 pub(super) type NamedShape = (String, Arc<dyn Surface>);
 
-/// Where a draft stands in a file.
+/// The place of a draft in a file.
 #[derive(Debug)]
 pub(super) struct Typed {
     pub place: Place,
@@ -49,7 +49,7 @@ impl SurfaceDraft {
         self
     }
 
-    /// Lets its back emit and receive as well, as a surface named `name:back` that follows it.
+    /// Lets its back emit and receive too, as a surface named `name:back` that follows it.
     pub fn two_sided(&mut self) -> &mut Self {
         self.two_sided = true;
         self
@@ -77,7 +77,7 @@ impl SurfaceDraft {
         }
     }
 
-    /// A fault of what stands at `span` if the draft comes from a file, else one of the surface.
+    /// A fault at `span` if the draft comes from a file, else one of the surface.
     pub(super) fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
         match span {
             Some(span) => Located::at(span, fault),
@@ -85,7 +85,7 @@ impl SurfaceDraft {
         }
     }
 
-    /// Refuses sizes whose powers leave the range of numbers.
+    /// Refuses sizes outside 1e-30 to 1e30, whose fourth powers leave the range of numbers.
     pub(super) fn check_extents(&self) -> Result<(), Located> {
         let span = self.typed.as_ref().map(|typed| &typed.shape);
         self.shapes.iter().try_for_each(|(_, shape)| {
@@ -111,7 +111,6 @@ impl SurfaceDraft {
     }
 }
 
-/// Refuses sizes whose powers leave the range of numbers.
 fn check_extent(shape: &dyn Surface) -> Result<(), Fault> {
     let value = shape.bounds(&Rect::FULL).diagonal();
     if (1e-30..=1e30).contains(&value) {

@@ -251,7 +251,7 @@ impl Located {
         SceneError { origin: source.origin.to_string(), place, owner: self.owner, fault: self.fault }
     }
 
-    /// Of a scene that has no text.
+    /// The error in a scene without a text.
     pub(super) fn in_code(self, name: &str) -> SceneError {
         SceneError { origin: name.to_owned(), place: None, owner: self.owner, fault: self.fault }
     }

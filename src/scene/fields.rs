@@ -54,7 +54,7 @@ impl<'a> Fields<'a> {
     }
 }
 
-/// What turns a node into a value.
+/// A function that turns a node into a value.
 pub(super) type Reader<T> = fn(&Node) -> Result<T, Located>;
 
 fn wrong(node: &Node, expected: &'static str) -> Located {
@@ -96,7 +96,7 @@ pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     }
 }
 
-/// Numbers beyond this leave no room for areas and fourth powers of distances.
+/// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
 const LARGEST: f64 = 1e30;
 
 /// A finite number of a size that can be computed with.
@@ -112,7 +112,7 @@ pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
     Err(Located::at(&node.span, fault))
 }
 
-/// The same without its place.
+/// As [`number`], without its place.
 pub(super) fn real(node: &Node) -> Result<f64, Located> {
     Ok(number(node)?.value)
 }

@@ -1,7 +1,8 @@
-//! Shapes as they were typed → shapes that fit together.
+//! Fitting shapes together after they were read.
 //!
-//! In this order: the middle of a scene far from the origin is taken off ([`middle`]), what agrees to the rounding of the input
-//! is made to agree ([`weld`](mod@weld)), and flat sheets that lie on others are set apart ([`stacked`]).
+//! In this order: the middle of a scene far from the origin is subtracted ([`middle`]), corners and planes that agree
+//! to the rounding of the input are made equal ([`weld`](mod@weld)), and flat sheets on others are set apart
+//! ([`stacked`]).
 
 use std::sync::Arc;
 
@@ -15,13 +16,13 @@ use crate::scene::{
     weld::{Welded, weld},
 };
 
-/// What was done to the shapes of a scene to fit them together.
+/// How the shapes of a scene were changed to fit together.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[non_exhaustive]
 pub struct Fitted {
-    /// Corners and planes that were made to agree.
+    /// Corners and planes that were made equal.
     pub welded: Welded,
-    /// Surfaces that lie on others in one plane, and were set apart from them by a trifle.
+    /// Surfaces that lie on others in one plane, and were moved off them slightly.
     pub lying: Vec<Lying>,
 }
 
@@ -30,12 +31,12 @@ pub struct Fitted {
 pub struct Lying {
     /// Name of the surface.
     pub surface: String,
-    /// Name of the larger one that it lies on.
+    /// Name of the larger surface that it lies on.
     pub on: String,
 }
 
 impl Fitted {
-    /// What was done in one line; none where all shapes are as they were typed.
+    /// The changes in one line; none if all shapes are as they were typed.
     pub fn line(&self) -> Option<String> {
         let welded = (self.welded.corners > 0).then(|| format!("welded: {}", self.welded));
         let lying = match self.lying.len() {
@@ -48,7 +49,7 @@ impl Fitted {
     }
 }
 
-/// Fits the shapes of `drafts` together, `middle` taken off; `tolerance` (scene length) is taken instead of that of the input.
+/// Fits the shapes of `drafts` together and subtracts `middle`; `tolerance` (scene length) replaces that of the input.
 pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<f64>) -> Fitted {
     let mut shapes: Vec<&mut Arc<dyn Surface>> =
         drafts.iter_mut().flat_map(|draft| draft.shapes.iter_mut().map(|(_, shape)| shape)).collect();
@@ -60,7 +61,7 @@ pub(super) fn fit(drafts: &mut [SurfaceDraft], middle: DVec3, tolerance: Option<
     Fitted { welded, lying: set_apart(drafts, &typed) }
 }
 
-/// Moves flat sheets off those that they lie on; `typed` are all shapes before they were welded.
+/// Moves flat sheets off those that they lie on; `typed` are all shapes before welding.
 fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lying> {
     let mut typed = typed.iter();
     let mut sheets = Vec::new();

@@ -1,21 +1,22 @@
-//! The least gap between two flat sheets that the rules of transport tell from none.
+//! The least gap between two flat sheets that the rules of transport can resolve.
 //!
-//! Shadows pass over the ends of segments, and outlines over what is as near to their planes as 1e-9 of the distance that light
-//! goes: of what lies on a large sheet, about its extent. Contours of two small sheets tell smaller gaps apart, but what lies
-//! between them must not be passed over either. Measured with plates, pictures and boxes over floors: row sums hold from
-//! about 4e-9 of the larger extent on (`tests/rounded/gaps.rs`).
+//! Tests of segments ignore their ends, and outlines ignore what is nearer to their planes than 1e-9 of the length of
+//! the ray: on a large sheet that length is about its extent. Contours of two small sheets resolve smaller gaps, but
+//! blockers between them must not be ignored either. Measured with plates, pictures and boxes over floors: row sums
+//! hold from about 4e-9 of the larger extent on (`cargo test --release --test rounded gaps` asserts it).
 
-/// Least gap as a part of the smaller and of the larger extent of two sheets, and the largest part of the smaller that is taken
-/// for none: their view factor is 1 less about four times that.
+/// Least gap as a part of the smaller extent (chosen, not tuned) and of the larger one (`OF_LARGER`, measured, see the
+/// header), at most the part `MOST` of the smaller: the view factor of the two sheets then is 1 less about 4e-5.
 const OF_SMALLER: f64 = 2e-8;
 const OF_LARGER: f64 = 4e-9;
 const MOST: f64 = 1e-5;
 
-/// Gaps that carry nothing to the sides, in multiples of the least: sheets that were set apart, several on each other, too.
+/// Gaps up to this multiple of the least let no light out; sheets that were set apart, also several on each other, have
+/// such gaps. Chosen; not tuned.
 const CLOSED: f64 = 4.0;
 
-/// The gap between sheets with these extents up to which one covers the other: what they see past each other is below 1e-4
-/// of what they exchange, and of sheets of like sizes below 1e-6 (scene length).
+/// Largest gap (scene length) between sheets with these extents at which one covers the other. What they see past each
+/// other is then below 1e-4 of what they exchange, for sheets of like sizes below 1e-6.
 pub(crate) fn closed(a: f64, b: f64) -> f64 {
     CLOSED * least(a, b)
 }

@@ -1,7 +1,7 @@
 //! JSON text → tree.
 //!
-//! `serde_json` reports no positions of values, but lends each value's own piece of the text ([`RawValue`]), and where a
-//! piece starts within the whole is its position. Each level is split into pieces in turn.
+//! `serde_json` reports no positions of values, but gives access to each value's own piece of the text ([`RawValue`]);
+//! the start of the piece within the whole is its position. Each level is split into pieces in turn.
 
 use std::fmt;
 
@@ -14,7 +14,7 @@ use crate::scene::{
     tree::{Node, Value},
 };
 
-/// Deeper nesting is refused; a scene needs six levels.
+/// Deeper nesting is refused; a scene needs six levels. Chosen; not tuned.
 const DEEPEST: usize = 32;
 
 /// Parses a JSON document.
@@ -60,13 +60,13 @@ fn entries(text: &str, piece: &str, span: &Span, depth: usize) -> Result<Vec<(At
     Ok(entries)
 }
 
-/// Reads one level of `piece`; what lies deeper stays text.
+/// Reads one level of `piece`; deeper levels stay text.
 fn inner<'a, T: Deserialize<'a>>(piece: &'a str, span: &Span) -> Result<T, Located> {
     serde_json::from_str(piece).map_err(|error| syntax(span, &error))
 }
 
 fn syntax(span: &Span, message: &dyn fmt::Display) -> Located {
-    // serde_json ends its messages with the place, which stands in front of ours already.
+    // serde_json ends its messages with the place, which our messages begin with.
     let message = message.to_string();
     let message = message.split(" at line ").next().unwrap_or_default().to_owned();
     Located::at(span, Fault::Syntax { language: "JSON", message })

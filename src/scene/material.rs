@@ -1,4 +1,4 @@
-//! What a surface does with light: reflectance ρ and emission, per band.
+//! Materials: reflectance ρ and emission, per band.
 
 use crate::scene::error::Fault;
 

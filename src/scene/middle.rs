@@ -1,17 +1,17 @@
 //! Scenes far from the origin, in coordinates about their own middle.
 //!
-//! Map coordinates spend most digits on where the scene is: at 10⁷ times its size 9 of 16 are left. The middle is taken off
-//! all coordinates before anything is computed, along each axis where it is far; it is a multiple of a power of two about the
-//! size of the scene, so that no difference is rounded.
+//! Map coordinates spend most digits on the place of the scene: at 10⁷ times its size 9 of 16 are left. So the middle
+//! is subtracted from all coordinates before anything is computed, along each axis where it is far. It is a multiple of
+//! a power of two about the size of the scene, so that no difference is rounded.
 
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec3, Motion, Placed, Rect, Surface};
 
-/// Distance from the origin, in sizes of the scene, from which on it is taken off.
+/// Distance from the origin, in sizes of the scene, beyond which the middle is subtracted. Chosen; not tuned.
 const FAR: f64 = 100.0;
 
-/// The middle of what `shapes` occupy, rounded; zero if they are near the origin.
+/// The middle of the `shapes`, rounded; zero if they are near the origin.
 pub(super) fn of<'a>(shapes: impl Iterator<Item = &'a Arc<dyn Surface>>) -> DVec3 {
     let bounds = shapes.fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL)));
     let (center, size) = (bounds.center(), bounds.diagonal());
@@ -23,7 +23,7 @@ pub(super) fn of<'a>(shapes: impl Iterator<Item = &'a Arc<dyn Surface>>) -> DVec
     DVec3::from_array(center.to_array().map(off))
 }
 
-/// The shape with `middle` taken off its coordinates.
+/// The shape with `middle` subtracted from its coordinates.
 pub(super) fn taken_off(shape: &Arc<dyn Surface>, middle: DVec3) -> Arc<dyn Surface> {
     if let Some(Ok(moved)) = shape.with_corners(&|x| x - middle) {
         return Arc::from(moved);

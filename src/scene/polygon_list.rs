@@ -1,8 +1,7 @@
 //! A plain list of polygons → the tree of a scene without materials.
 //!
-//! JSON: `[[[0,0,0],[1,0,0],[0,1,0]], …]`, a list of vertices for each polygon. CSV: a row `name,x,y,z` for each vertex,
-//! with or without that header; rows of one name that follow each other make a polygon. Lines that start with `#` are
-//! left out.
+//! JSON: `[[[0,0,0],[1,0,0],[0,1,0]], …]`, a list of vertices per polygon. CSV: a row `name,x,y,z` per vertex, with or
+//! without that header; successive rows of one name make a polygon. Lines that start with `#` are left out.
 
 use crate::scene::csv_rows::{Row, Unreadable, rows};
 use crate::scene::{

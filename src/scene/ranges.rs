@@ -1,14 +1,14 @@
-//! Ranges of the numbers that files and code give alike; those of materials stand with [`Material`](crate::scene::Material).
+//! Ranges of numbers in files and code; those of materials are in [`Material`](crate::scene::Material).
 
 use crate::scene::error::Fault;
 
-/// The highest order of a basis.
+/// The highest order of a basis. Chosen; not tuned.
 pub const MAX_ORDER: usize = 20;
 
-/// The finest `subdivide`, elements along one parameter.
+/// The finest `subdivide`, elements along one parameter. Chosen; not tuned.
 pub const MAX_PARTS: usize = 256;
 
-/// Pictures are at most this wide and high.
+/// Largest width and height of a picture. Chosen; not tuned.
 const MAX_PIXELS: usize = 16384;
 
 /// 0 ≤ order ≤ [`MAX_ORDER`].

@@ -77,7 +77,7 @@ impl ShapeFile {
         self.kind == "patches"
     }
 
-    /// Where the field a shape error names stands (`vertices`, `holes[1]`); the whole shape if it names none of ours.
+    /// The place of the field that a shape error names (`vertices`, `holes[1]`); the whole shape if there is none.
     pub(super) fn span_of(&self, field: &str) -> &Span {
         self.fields.iter().find(|(name, _)| name == field).map_or(&self.span, |(_, span)| span)
     }

@@ -2,10 +2,10 @@
 
 use std::{fmt, ops::Range, sync::Arc};
 
-/// Longest line that is kept for messages, bytes.
+/// Longest line that is kept for messages, bytes. Chosen; not tuned.
 const LONGEST_LINE: usize = 4096;
 
-/// Characters are counted ahead at every so many bytes.
+/// Characters before every so many bytes are counted once. Chosen; not tuned.
 const STRIDE: usize = 1024;
 
 /// A mark that some editors put before a text.
@@ -37,15 +37,15 @@ pub struct Source {
     pub origin: Arc<str>,
     /// The whole text, without a byte-order mark before it.
     pub text: Arc<str>,
-    /// Distance within which corners and planes are made to agree (scene length), instead of that of the input.
+    /// Distance (scene length) within which corners and planes are made to agree, instead of that of the input.
     pub tolerance: Option<f64>,
-    /// Where lines start, ascending: every surface asks for its place.
+    /// Starts of lines, ascending, since every surface looks up its place.
     line_starts: Arc<[usize]>,
     /// Characters before each [`STRIDE`] bytes of the text.
     characters: Arc<[usize]>,
 }
 
-/// A line and a column of a source, with the line's text to show beside a message.
+/// A line and a column of a source, with the line's text for messages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Place {
     /// Name of the source.

@@ -1,11 +1,11 @@
-//! Flat sheets that lie in one plane and share some area of it: what stands on something, or hangs on it.
+//! Flat sheets that lie in one plane and share some area of it, such as a body on a floor or a picture on a wall.
 //!
-//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It follows from what they are. A face
-//! that shares its border with others belongs where those are: the bottom of a box on a floor goes up into the box, the wall of a
-//! room beside another stays with its room. A sheet by itself lies on the front of a larger one, as a picture on a wall. Else what
-//! was typed decides, if it is more than rounding; what nothing tells apart is refused. The smaller one is moved off the larger
-//! by a trifle, for which the rules of transport hold: what stands on a floor exchanges with it alone, as it does in the limit
-//! of no gap.
+//! The sign of the gap between two such sheets is lost, and with it what each of them sees. It is restored as follows.
+//! A face that shares its border with others is on their side: the bottom of a box on a floor belongs up to the box,
+//! the wall of a room beside another room to its own room. A sheet by itself lies on the front of a larger one, as a
+//! picture on a wall. Otherwise the gap as typed decides, if it is more than rounding; if nothing decides, the scene is
+//! refused. The smaller sheet is moved off the larger by a small gap for which the rules of transport hold: a face on a
+//! floor exchanges light with the floor alone, as it does in the limit of no gap.
 
 use std::cmp::Ordering;
 use std::collections::HashMap;
@@ -15,10 +15,10 @@ use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, distance_to_segmen
 
 use crate::scene::{coincident::Occupied, gap};
 
-/// Distance by which a sheet is moved off another, in multiples of the least gap.
+/// Distance by which a sheet is moved off another, in multiples of the least gap. Chosen; not tuned.
 const OFF: f64 = 1.5;
 
-/// Part of an area that rounding may take for another.
+/// Areas that differ by less than this part are equal within rounding. Chosen; not tuned.
 const SAME_AREA: f64 = 1e-6;
 
 /// A flat sheet that may lie on others.
@@ -26,17 +26,17 @@ const SAME_AREA: f64 = 1e-6;
 pub(super) struct Sheet {
     /// The surface as it stands in the scene.
     pub(super) shape: Arc<dyn Surface>,
-    /// As it was read.
+    /// The surface as it was read.
     pub(super) typed: Arc<dyn Surface>,
-    /// Whether its back emits and receives as well.
+    /// Whether its back emits and receives too.
     pub(super) two_sided: bool,
     /// Whether its front is that of the shape turned over.
     pub(super) flip: bool,
-    /// Its name: a sheet and the one called `name:back` are two sides of one.
+    /// Its name: a sheet and one called `name:back` are two sides of one surface.
     pub(super) name: String,
 }
 
-/// A sheet that was found to lie on another, both by their places in the list.
+/// A sheet that lies on another one, both by index.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Lying {
     pub(super) sheet: usize,
@@ -62,8 +62,8 @@ impl Sheet {
         self.region().map_or(0.0, PlanarRegion::extent)
     }
 
-    /// What decides which of two sheets that coincide lies on the other: the smaller, or of equal ones the one whose middle as it
-    /// was typed, or else whose normal, comes later.
+    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose typed middle,
+    /// or else normal, comes later.
     fn rank(&self) -> [f64; 7] {
         let corners = self.typed.corners();
         let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
@@ -77,7 +77,7 @@ impl Sheet {
         pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
     }
 
-    /// Mean height of its corners over another sheet, as they were typed.
+    /// Mean height of its typed corners over another sheet.
     fn typed_height(&self, other: &Sheet) -> f64 {
         let corners = self.typed.corners();
         let Some(region) = other.typed.region() else { return 0.0 };
@@ -90,12 +90,12 @@ impl Sheet {
     }
 }
 
-/// Moves sheets that lie on others off them. Returns which do; those that nothing tells apart stay.
+/// Moves sheets that lie on others off them, and returns them; sheets for which nothing decides stay.
 pub(super) fn set_apart(sheets: &mut [Sheet]) -> Vec<Lying> {
     let mut steps: HashMap<usize, Step> = HashMap::new();
     for (sheet, lower) in layers(sheets) {
         for (on, direction) in lower {
-            // What lies on something that is moved itself goes along.
+            // A sheet on another one moves along with it.
             let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
             let step = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
             let known = steps.entry(sheet).or_insert(Step { on, by: step });
@@ -115,13 +115,13 @@ pub(super) fn set_apart(sheets: &mut [Sheet]) -> Vec<Lying> {
     lying
 }
 
-/// By how much a sheet is moved, and off which.
+/// The move of a sheet, and the sheet that it is moved off.
 struct Step {
     on: usize,
     by: DVec3,
 }
 
-/// A sheet with those that it lies on and the directions off them.
+/// A sheet with those that it lies on and the directions away from them.
 type Layer = (usize, Vec<(usize, DVec3)>);
 
 /// The sheets that lie on others, lower ones first.
@@ -163,12 +163,12 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
 struct Pair<'a> {
     sheet: &'a Sheet,
     on: &'a Sheet,
-    /// Height of what shares its border with either, over the front of the larger one; 0 where there is nothing.
+    /// Heights, over the front of the larger sheet, of what shares its border with either; 0 without such surfaces.
     bodies: [f64; 2],
 }
 
 impl Pair<'_> {
-    /// The unit vector from the larger sheet towards the smaller one; None where nothing tells.
+    /// The unit vector from the larger sheet towards the smaller one; None if nothing decides.
     fn direction(&self, own: &Occupied, other: &Occupied) -> Option<DVec3> {
         let (up, normal) = (self.on.normal(), self.sheet.normal());
         let common = own.common_area(other);
@@ -176,10 +176,10 @@ impl Pair<'_> {
         let is_copy = is_within && common > (1.0 - SAME_AREA) * self.on.area();
         let is_alike = normal.dot(up) > 0.0;
         if is_copy && self.bodies[0] * self.bodies[1] > 0.0 {
-            // The inner and the outer skin of one shell: their backs are together.
+            // The inner and the outer skin of one shell, back to back.
             return (!is_alike).then_some(-up);
         }
-        // A face whose body is behind it stands on what has its body before it, as a box on a tile of a room, and on loose tiles.
+        // A face with its body behind it stands on a sheet with its body in front (box on tile), and on loose tiles.
         let stands_on = self.bodies[1] < 0.0 && self.bodies[0] * normal.dot(up) >= 0.0;
         let is_tile = self.bodies[0] == 0.0 && is_within && !self.sheet.two_sided;
         if !is_alike && stands_on && (is_tile || self.bodies[0] != 0.0 && !is_within) {
@@ -194,7 +194,7 @@ impl Pair<'_> {
         };
         let rounding = touching(0.0, self.reach());
         match (self.sheet.two_sided, self.on.two_sided) {
-            // Two plates in one plane: either may be in front, but what was typed twice is a mistake.
+            // Two plates in one plane: either may be in front, but typing one twice is a mistake.
             (true, true) if self.is_typed_twice() => None,
             (true, true) => by_sign(0.0).or((!is_copy).then_some(up)),
             _ if is_copy => by_sign(rounding),
@@ -205,7 +205,7 @@ impl Pair<'_> {
         }
     }
 
-    /// The farthest that the larger sheet was typed from the origin.
+    /// The largest distance from the origin of a typed corner of the larger sheet.
     fn reach(&self) -> f64 {
         self.on.typed.corners().iter().map(|x| x.length()).fold(0.0, f64::max)
     }
@@ -217,8 +217,8 @@ impl Pair<'_> {
     }
 }
 
-/// Height over a sheet's plane of what shares its border: of sheets in other planes with a side along one of its own. Faces of one
-/// body run along it the other way; of others only where there are none.
+/// Mean height over a sheet's plane of its body: of sheets in other planes with a side along one of its own. Faces of
+/// the same body run along that side in the other direction; only if there are none do other sheets count.
 fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
     let Some(region) = sheets[own].region() else { return 0.0 };
     let tolerance = touching(region.extent(), bounds.center().length());
@@ -236,7 +236,7 @@ fn body(own: usize, sheets: &[Sheet], tree: &Bvh, bounds: &Aabb) -> f64 {
     [of_body, of_all].into_iter().find(|height| height.abs() > tolerance).unwrap_or(0.0)
 }
 
-/// Whether a side of another sheet lies on one of a sheet's own: positive where both run the same way about their fronts.
+/// If a side of another sheet lies on a side of this one: positive if both run in the same direction.
 fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
     let way = if own.flip == other.flip { 1.0 } else { -1.0 };
     sides(other.region()?.outer()).find_map(|[a, b]| {

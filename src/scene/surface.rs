@@ -6,7 +6,7 @@ use radiosity_geom::Surface;
 
 use crate::scene::{material::Material, source::Place};
 
-/// A shape with a name, a material and wishes for its elements. Its front alone emits and receives; its back blocks.
+/// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct SceneSurface {
@@ -16,7 +16,7 @@ pub struct SceneSurface {
     pub kind: &'static str,
     /// The shape, already flipped if the file says so.
     pub shape: Arc<dyn Surface>,
-    /// What it does with light; black if the file names no material.
+    /// Its material; black if the file names none.
     pub material: Material,
     /// The material's name in the file, if one is given.
     pub material_name: Option<String>,

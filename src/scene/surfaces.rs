@@ -1,4 +1,4 @@
-//! Drafts → the surfaces of one scene: their shapes fitted together, each with a name of its own, none lying in another.
+//! Drafts → the surfaces of one scene: shapes fitted together, names unique, no surface in another.
 
 use radiosity_geom::{Aabb, Bvh, DVec3};
 
@@ -13,16 +13,16 @@ use crate::scene::{
     surface::SceneSurface,
 };
 
-/// The surfaces of a scene with what was done to their shapes.
+/// The surfaces of a scene, and how their shapes were changed.
 pub(super) struct Surfaces {
     pub(super) list: Vec<SceneSurface>,
-    /// What was taken off all coordinates.
+    /// The vector subtracted from all coordinates.
     pub(super) middle: DVec3,
     pub(super) fitted: Fitted,
 }
 
-/// The surfaces of all drafts, in their order, each with a name of its own and none in another. Their shapes are fitted together
-/// within `tolerance` (scene length), or within that of the input.
+/// The surfaces of all drafts, in order, with unique names and none in another. Their shapes are fitted together within
+/// `tolerance` (scene length), or within that of the input.
 pub(super) fn fitted_surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
     tolerance: Option<f64>,
@@ -40,7 +40,7 @@ pub(super) fn fitted_surfaces(
     }
 }
 
-/// The surfaces of all drafts, each with a name of its own and none in another.
+/// The surfaces of all drafts, with unique names and none in another.
 fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
     let mut names = UniqueNames::default();
     let mut claims = Vec::new();
@@ -65,7 +65,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
     Ok(surfaces)
 }
 
-/// Refuses lengths that are none.
+/// Refuses a tolerance that is no length.
 fn check_tolerance(value: f64) -> Result<(), Located> {
     match value.is_finite() && value >= 0.0 {
         true => Ok(()),
@@ -76,7 +76,7 @@ fn check_tolerance(value: f64) -> Result<(), Located> {
     }
 }
 
-/// What a surface occupies, with its name and where its shape stands in a file.
+/// The space that a surface occupies, with its name and the place of its shape in a file.
 struct Claim {
     name: String,
     occupied: Occupied,
@@ -84,13 +84,13 @@ struct Claim {
 }
 
 impl Claim {
-    /// Whether one is the other side of the other: named as backs are, and turned away.
+    /// Whether one is the back of the other: named so, and facing away.
     fn is_back_of(&self, front: &Claim) -> bool {
         self.name.strip_suffix(":back") == Some(front.name.as_str()) && self.occupied.opposes(&front.occupied)
     }
 }
 
-/// Refuses the first surface that lies in one before it, backs excepted.
+/// Refuses the first surface that lies in an earlier one, except backs.
 fn check_apart(claims: &[Claim]) -> Result<(), Located> {
     let boxes: Vec<Aabb> = claims.iter().map(|claim| *claim.occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);

@@ -5,7 +5,7 @@ use crate::scene::source::At;
 /// A value and where it stands.
 pub(super) type Node = At<Value>;
 
-/// What a value can be.
+/// A value by kind.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Value {
     /// A string.

@@ -1,4 +1,4 @@
-//! As typed → valid: bands, materials, camera and surfaces of a scene.
+//! Scene file → valid scene: bands, materials, camera and surfaces.
 
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -31,7 +31,7 @@ pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Resu
     Ok(names.value.into_iter().map(|name| name.value).collect())
 }
 
-/// Checks the names of bands, each given with its line in a file; an error tells the index of the name.
+/// Checks the names of bands, each given with its line in a file; an error has the index of the name.
 pub(super) fn check_bands<'a>(
     names: impl IntoIterator<Item = (&'a str, Option<usize>)>,
 ) -> Result<(), (usize, Fault)> {
@@ -90,7 +90,7 @@ fn spread(
     }
 }
 
-/// A camera with a view; what the file does not say is as in [`Camera::new`].
+/// The camera; defaults are those of [`Camera::new`].
 pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
     let usual = Camera::new(file.eye, file.target);
     let camera = Camera {

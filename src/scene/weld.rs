@@ -1,17 +1,20 @@
-//! Corners and planes that agree to the rounding of the input are made to agree, once, when a scene is read.
+//! Welding: corners and planes that agree to the rounding of the input are made equal when a scene is read.
 //!
-//! Models come in single precision or with few decimals: corners that are meant to be one miss each other, quadrilaterals
-//! are not quite planar, feet hover over floors or reach into them by a trifle. The rules of transport tell touching from
-//! apart, so all that is within the tolerance of the input is moved together here:
+//! Models come in single precision or with few decimals: corners that are meant to be one differ, quadrilaterals are
+//! not quite planar, bodies hover over floors or reach into them slightly. The rules of transport distinguish touching
+//! from apart, so corners within the tolerance of the input are moved together:
 //!
 //! 1. corners nearer to each other than the tolerance become one ([`corners`]);
-//! 2. a corner so near to a flat sheet belongs to its plane, and sheets all of whose corners do share a plane ([`planes`]);
-//! 3. all corners move as little as possible, in the sense of least squares, until each lies in its planes ([`flatten`]).
+//! 2. a corner within tolerance of a flat sheet belongs to its plane, and sheets whose corners all do share a plane
+//!    ([`planes`]);
+//! 3. all corners move as little as possible, in the sense of least squares, until each lies in its planes
+//!    ([`flatten`]).
 //!
-//! Flat sheets that lie wholly before each other, however close, are left as they are: the rules hold for every gap, and
-//! the sign of the gap says who is in front. What agrees to rounding already does not move, so clean scenes keep their bits.
+//! Flat sheets that lie wholly in front of each other, however close, are left as they are: the rules hold for every
+//! gap, and the sign of the gap says which is in front. Corners that agree to rounding do not move, so clean scenes
+//! keep their bits.
 //!
-//! The tolerance is that of the two sheets in question ([`tolerance`]), or the length that was asked for.
+//! The tolerance is that of the two sheets in question ([`tolerance`]), or the length that the user gave.
 
 mod forest;
 mod tolerance;
@@ -30,10 +33,10 @@ use corners::Corners;
 use planes::Planes;
 use sheet::Sheets;
 
-/// What was moved when a scene was read.
+/// Corners that were moved when a scene was read.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Welded {
-    /// Corners moved, each counted once however many surfaces share it.
+    /// Number of moved corners, each counted once however many surfaces share it.
     pub corners: usize,
     /// The largest move (scene length).
     pub largest: f64,
@@ -46,8 +49,8 @@ impl fmt::Display for Welded {
     }
 }
 
-/// Moves the corners of `shapes` as the module says. Their coordinates were rounded before `middle` was taken off; `asked` is the
-/// tolerance (scene length) instead of that of the input.
+/// Moves the corners of `shapes` as the module says. Their coordinates were rounded before `middle` was subtracted;
+/// `asked` is a tolerance (scene length) instead of that of the input.
 pub(super) fn weld(shapes: &mut [&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Welded {
     let sheets = Sheets::of(shapes, middle, asked);
     let apart = apart::pairs(&sheets);
@@ -68,8 +71,7 @@ pub(super) fn weld(shapes: &mut [&mut Arc<dyn Surface>], middle: DVec3, asked: O
     welded
 }
 
-/// The shapes with corners in other places; none for those that keep all of theirs. Corners of a shape that would collapse stay, in
-/// all shapes.
+/// The shapes with moved corners; None if unchanged. Corners of a shape that would collapse stay, in all shapes.
 fn rebuilt(
     shapes: &[&mut Arc<dyn Surface>],
     corners: &Corners,

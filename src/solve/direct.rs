@@ -1,7 +1,7 @@
 //! Whether direct light is split off.
 //!
-//! Split off, D is known as sharply as it is, but for the power that its own quadrature misses; projected, it is as smooth
-//! as polynomials, and power is kept to rounding. Sharp shadows need the one, furnaces the other.
+//! Split off, D is as sharp as it is in truth, but loses the power that its quadrature misses; projected, it is as
+//! smooth as polynomials, and power is kept to rounding. Sharp shadows need the first, furnaces the second.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::visibility::Visibility;
 
-/// Part of the scene's area that emits from which on direct light counts as smooth.
+/// Emitting part of the scene's area above which direct light counts as smooth. Chosen; not tuned.
 const LARGE: f64 = 0.25;
 
 /// How light that comes straight from emitters enters the solution.
@@ -26,8 +26,8 @@ pub enum Direct {
 }
 
 impl Direct {
-    /// Whether direct light of elements with their coatings, one a band, is split off; `plain` tells whether the transfers are
-    /// those of the default kernel as they are.
+    /// Whether direct light is split off; there is one coating per band. `plain`: the transfers are those of the
+    /// default kernel without changes.
     pub(super) fn splits(
         self,
         elements: &[Element],
@@ -43,9 +43,9 @@ impl Direct {
     }
 }
 
-/// Whether all emitters and all that may stand before them are flat, something does, and not much emits.
+/// Whether all emitters and all possible blockers are flat, there is a blocker, and emitters are small.
 fn casts_flat_shadows(elements: &[Element], coatings: &[&Coating], visibility: &Visibility) -> bool {
-    // What is covered sends and receives nothing but what it exchanges with what covers it.
+    // A covered element exchanges light only with what covers it.
     let is_open = |element: &&Element| element.contact.is_none();
     let emits =
         |i: &usize| is_open(&&elements[*i]) && coatings.iter().any(|coating| coating.exitance[*i] > 0.0);

@@ -1,4 +1,4 @@
-//! What needs less memory.
+//! Changes that reduce the memory of a run.
 
 use std::fmt;
 
@@ -9,9 +9,9 @@ pub enum Fit {
     ConjugateGradients,
     /// A lower order.
     Order(usize),
-    /// A lower order, which no run for a wanted accuracy takes.
+    /// A lower order, for runs without a wanted accuracy only.
     OrderAlone(usize),
-    /// Surfaces that are not cut.
+    /// No cuts of surfaces.
     WholeSurfaces,
 }
 
@@ -26,7 +26,7 @@ impl fmt::Display for Fit {
     }
 }
 
-/// What would fit, in words.
+/// The changes in words.
 pub(super) fn list(fits: &[Fit]) -> String {
     if fits.is_empty() {
         return "no lower order and no other solver would fit".to_owned();

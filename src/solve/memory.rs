@@ -1,16 +1,16 @@
-//! How much memory a solution will take, told before anything is allocated.
+//! An estimate of a solution's memory, before anything is allocated.
 //!
-//! With m_i functions on element i, n unknowns in the band that has most, and P the pairs of elements that see each other
-//! as far as the planes of their surfaces tell,
+//! With m_i functions on element i, n unknowns in the band that has most, and P the pairs of elements whose planes
+//! allow them to see each other, in bytes
 //!
 //! ```text
-//! elements   8 Σ m_i²                      (the bases)
-//! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; what is known of each pair)
+//! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
+//! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
 //! system     8 n² , twice for a method that factors the matrix
 //! ```
 //!
-//! Blocks as integrated are gone before the system is set up, so the peak is the larger of the two sums. Pairs that repeat
-//! or are hidden make it less, which is not known beforehand.
+//! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the
+//! two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
 use radiosity_geom::{DVec3, PlanarRegion, Rect};
 use radiosity_solvers::method::Method;
@@ -18,39 +18,39 @@ use radiosity_solvers::method::Method;
 use crate::elements::{CutSize, Discretization, cut_sizes};
 use crate::scene::{Scene, SceneSurface};
 
-/// Bytes of a number.
+/// Bytes of an f64.
 const NUMBER: u64 = 8;
 
-/// Bytes of an element beside its basis: patches, hull, coefficients of all bands.
+/// Bytes of an element beside its basis: patches, hull, coefficients of all bands. Chosen; not tuned.
 const ELEMENT: u64 = 3000;
 
-/// Bytes of what is known of a pair beside its block.
+/// Bytes of a pair beside its block. Chosen; not tuned.
 const PAIR: u64 = 300;
 
-/// Bytes of the program itself.
+/// Bytes of the program itself. Chosen; not tuned.
 const PROGRAM: u64 = 10_000_000;
 
-/// Unknowns up to which `auto` factors the matrix.
+/// Most unknowns for which `auto` factors the matrix: `DIRECT` of `radiosity-solvers` with faer.
 const FACTORED: u64 = 500;
 
-/// Heights below this part of the pair's size are none.
+/// Heights below this part of the pair's size count as zero. Chosen; not tuned.
 const FLAT: f64 = 1e-9;
 
-/// Bytes that a solution takes at each of its stages.
+/// Bytes of a solution at each of its stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Footprint {
     /// The elements with their bases.
     pub elements: u64,
-    /// The blocks of G as stored.
+    /// The stored blocks of G.
     pub blocks: u64,
-    /// What is known of the pairs while their blocks are integrated.
+    /// Data of the pairs while their blocks are integrated.
     pub pairs: u64,
-    /// The matrix of one band, and its factors if the method makes some.
+    /// The matrix of one band, with its factors if the method makes some.
     pub system: u64,
 }
 
 impl Footprint {
-    /// That of `scene` cut as `how` says and solved by `method`.
+    /// The footprint of `scene`, cut as `how` says and solved by `method`.
     pub fn of(scene: &Scene, how: &Discretization, method: &Method) -> Self {
         let sizes = cut_sizes(scene, how);
         let elements =
@@ -75,7 +75,7 @@ impl Footprint {
         Self { elements: elements.sum(), blocks, pairs, system }
     }
 
-    /// The most that is needed at any time.
+    /// Largest sum at any time.
     pub fn peak(&self) -> u64 {
         PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)
     }
@@ -89,7 +89,7 @@ fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
     (0..scene.bands.len()).map(of_band).max().unwrap_or(0)
 }
 
-/// The matrix itself, and a copy that becomes its factors.
+/// 1 for the matrix, 2 if a copy becomes its factors.
 fn copies(method: &Method, unknowns: u64) -> u64 {
     let factors = match method.name {
         "auto" => unknowns <= FACTORED,
@@ -98,11 +98,11 @@ fn copies(method: &Method, unknowns: u64) -> u64 {
     if factors { 2 } else { 1 }
 }
 
-/// What tells whether a surface can see others.
+/// The outline of a surface, to find whether it can see others.
 struct Outline {
-    /// A point, the normal and the tolerance of its plane, if it is flat.
+    /// A point, the unit normal and the tolerance of its plane, if it is flat.
     plane: Option<(DVec3, DVec3, f64)>,
-    /// Points whose convex hull holds it.
+    /// Points whose convex hull contains it.
     hull: Vec<DVec3>,
 }
 
@@ -114,7 +114,7 @@ impl Outline {
         Self { plane: shape.region().map(plane), hull: shape.hull(&Rect::FULL) }
     }
 
-    /// Whether some of `other` lies before the plane, where there is one.
+    /// Whether some of `other` lies in front of the plane; true for a curved surface.
     fn reaches_before(&self, other: &Outline) -> bool {
         self.plane.is_none_or(|(origin, normal, tolerance)| {
             other.hull.iter().any(|point| (*point - origin).dot(normal) > tolerance)
@@ -122,7 +122,7 @@ impl Outline {
     }
 }
 
-/// Whether neither surface lies wholly behind the plane of the other, or in it.
+/// Whether neither surface lies wholly behind or in the plane of the other.
 fn exchanging(a: &Outline, b: &Outline) -> bool {
     a.reaches_before(b) && b.reaches_before(a)
 }

@@ -5,6 +5,7 @@ use std::num::NonZero;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
+use super::direct::Direct;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
@@ -13,8 +14,6 @@ use crate::transport::Accuracy;
 use crate::visibility::{Hiding, Shadows};
 use crate::zatz1993::masked_light::Masking;
 use crate::zatz1993::transfers;
-
-use super::direct::Direct;
 
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -35,7 +34,7 @@ pub struct Options {
     pub shadow_eps: f64,
     /// How surfaces hide each other.
     pub shadows: Hiding,
-    /// Direct light as polynomials times shadow masks, made so; None takes it as `direct` tells.
+    /// How direct light is masked, as polynomials times shadow masks; None treats it as `direct` says.
     pub masks: Option<Masking>,
     /// How direct light enters.
     pub direct: Direct,
@@ -46,9 +45,10 @@ pub struct Options {
     pub tolerance: f64,
     /// Most iterations of the linear solve.
     pub max_iterations: usize,
-    /// Whether the best there is counts as a solution where the solver does not converge.
+    /// Whether the best iterate counts as a solution if the solver does not converge.
     pub keep_partial: bool,
-    /// Most bytes to use ([`Footprint`](crate::solve::memory::Footprint)); what needs more is refused before it begins.
+    /// Most bytes to use ([`Footprint`](crate::solve::memory::Footprint)); a run that needs more is refused before it
+    /// begins.
     #[serde(skip)]
     pub memory: Option<u64>,
     /// Threads; the result does not depend on it.
@@ -81,15 +81,15 @@ impl Default for Options {
 }
 
 impl Options {
-    /// What accuracy the blocks are asked to have.
+    /// Accuracy of the blocks.
     pub fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
     }
 
-    /// The elements of `scene`, cut as `how` says: whole surfaces for the rules of 1993, which know no footings.
+    /// The elements of `scene`, cut as `how` says; for the rules of 1993, which know no footings, with whole surfaces.
     ///
     /// # Errors
-    /// Those of [`Elements::new`].
+    /// As for [`Elements::new`].
     pub fn elements(&self, scene: &Scene, how: &Discretization) -> Result<Elements, ElementError> {
         if self.kernel.is_some() {
             Elements::of_whole_surfaces(scene, how)
@@ -100,7 +100,7 @@ impl Options {
 }
 
 impl From<&Options> for Shadows {
-    /// How surfaces hide each other in a solution of these options, and where it is read.
+    /// The shadows with which a scene is solved by these options, and read.
     fn from(options: &Options) -> Self {
         options.shadows.shadows(options.accuracy().shadow_eps)
     }
@@ -110,7 +110,7 @@ fn all_threads() -> usize {
     std::thread::available_parallelism().map_or(1, NonZero::get)
 }
 
-/// A solver as its name.
+/// A solver, (de)serialised by its name.
 mod method_name {
     use radiosity_solvers::method::Method;
     use serde::{Deserialize, Deserializer, Serializer, de::Error};

@@ -1,12 +1,13 @@
-//! Adaptation: the discretisation that a wanted accuracy needs, found by solving on finer and finer ones.
+//! Adaptation: solves on finer and finer discretisations until a wanted accuracy is reached.
 //!
-//! Every run is finer than the one before in its polynomials or its elements, and its transfers are more accurate. Its error
-//! is told from light gathered anew at points (`estimate`), what transfers and shadows may miss added. Against exact answers
-//! and much finer runs the estimate is within a factor of three of the error (tests/stress: estimate, convex).
+//! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is estimated
+//! from light gathered at points (`estimate`), plus what transfers and shadows may miss. Against exact answers and much
+//! finer runs the estimate is within a factor of three of the error (`cargo test --release --test stress --
+//! --ignored`).
 //!
-//! In a scene without shadows the radiosity is smooth but for the edges where surfaces meet, and layers graded towards them
-//! converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away from what lights it, where
-//! its horizon crosses that: there the elements are cut evenly.
+//! In a scene without shadows the radiosity is smooth except at edges where surfaces meet, and layers graded towards
+//! them converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away from its light,
+//! where the light crosses its horizon: there the elements are cut evenly.
 
 mod estimate;
 
@@ -27,31 +28,31 @@ use estimate::estimate;
 /// What is wanted.
 #[derive(Clone, Copy, Debug)]
 pub struct Goal {
-    /// Relative error of the radiosity in L2, less what is emitted, all bands pooled.
+    /// Relative L2 error of the radiosity without the emitted exitance, all bands pooled.
     pub accuracy: f64,
-    /// No run with more unknowns per band is begun, the first excepted.
+    /// A run with more unknowns per band is not begun, except the first.
     pub most_unknowns: usize,
 }
 
 impl Goal {
-    /// `accuracy` with at most 8000 unknowns a band: half a gigabyte for each matrix.
+    /// `accuracy` with at most 8000 unknowns per band, whose matrix has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64) -> Self {
         Self { accuracy, most_unknowns: 8000 }
     }
 }
 
-/// The finest run with what it may miss.
+/// The finest run and its accuracy.
 #[derive(Debug)]
 pub struct Adapted {
-    /// The finest run that could be done.
+    /// The finest possible run.
     pub outcome: Outcome,
     /// Its options.
     pub options: Options,
-    /// How far it came.
+    /// The accuracy that it reached.
     pub achieved: Achieved,
 }
 
-/// How far an adaptation came.
+/// The accuracy that an adaptation reached.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Achieved {
     /// Estimated relative error of the finest run; None where its solver did not converge.
@@ -73,13 +74,13 @@ impl Achieved {
 pub enum End {
     /// The estimate is as small as wanted.
     Reached,
-    /// There is no finer run in the sequence.
+    /// The sequence has no finer run.
     Finest,
     /// The next run would have more unknowns than allowed.
     Unknowns,
     /// The next run would need more memory than allowed.
     Memory,
-    /// The solver did not converge in the next run; where there is no run before, in this one.
+    /// The solver did not converge in the next run, or in the first.
     NotConverged,
 }
 
@@ -92,7 +93,7 @@ struct Rung {
     cuts: Option<usize>,
 }
 
-/// For scenes in which nothing hides anything and nothing bends away.
+/// For scenes without shadows and kinks. Chosen; not tuned.
 const GRADED: [Rung; 8] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 4, layers: 0, cuts: None },
@@ -104,7 +105,7 @@ const GRADED: [Rung; 8] = [
     Rung { order: 10, layers: 3, cuts: None },
 ];
 
-/// For scenes with shadows or kinks.
+/// For scenes with shadows or kinks. Chosen; not tuned.
 const EVEN: [Rung; 6] = [
     Rung { order: FIRST_ORDER, layers: 0, cuts: None },
     Rung { order: 3, layers: 0, cuts: Some(2) },
@@ -114,20 +115,20 @@ const EVEN: [Rung; 6] = [
     Rung { order: 8, layers: 0, cuts: Some(8) },
 ];
 
-/// Order of the first rungs.
+/// Order of the first rungs. Chosen; not tuned.
 const FIRST_ORDER: usize = 2;
 
-/// Accuracies of transfers and shadows fall by this factor from run to run.
+/// Factor on the accuracies of transfers and shadows from run to run. Chosen; not tuned.
 const SHARPENING: f64 = 0.7;
 
-/// Solves `scene` on finer and finer discretisations until the estimated error is as small as wanted, or the next would
-/// be too large. A finer run that does not fit into memory, or whose solver does not converge, ends the sequence as well.
+/// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next run would
+/// be too large. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
 ///
-/// Of `options`, order and layers are the least to begin with, `eps` and `shadow_eps` the loosest; cuts that are given
-/// stay. `progress` hears every run from its beginning.
+/// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. `progress` is
+/// called for every run from its beginning.
 ///
 /// # Errors
-/// Whatever fails in the first run, and what else fails later.
+/// Any error of the first run; of later runs those that do not end the sequence.
 pub fn adapt(
     scene: &Scene,
     options: &Options,
@@ -168,7 +169,7 @@ pub fn adapt(
     Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
 }
 
-/// A run after the first, or why it ends the sequence.
+/// A run after the first, or the reason why it ends the sequence.
 fn finer(
     scene: &Scene,
     options: &Options,
@@ -184,7 +185,7 @@ fn finer(
     }
 }
 
-/// Orders below the first rung's can be had only without a wanted accuracy.
+/// Adds that lower orders than that of the first run are possible only without a wanted accuracy.
 fn advise(failure: Failure) -> Failure {
     let Failure::Memory { needed, allowed, fits } = failure else { return failure };
     let fit = |fit| match fit {

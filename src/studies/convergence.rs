@@ -1,8 +1,8 @@
 //! Convergence: one scene solved at rising orders, and on meshes with more and more layers; how its error falls.
 //!
-//! The error of a run is its [distance](crate::studies::error_norm) from a reference; without one, from the finest run, whose own
-//! error is then unknown and, as long as errors fall, part of what every other run is said to miss. Between two runs of
-//! n and n′ unknowns on the same number of layers the rate is
+//! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the finest
+//! run, whose own unknown error then adds to that of every other run. Between two runs of n and n′ unknowns on the same
+//! number of layers the rate is
 //!
 //! ```text
 //! log(error / error′) / log(n′ / n) .
@@ -35,22 +35,21 @@ pub struct Run {
     pub seconds: f64,
     /// Relative error; None for the run that is itself the reference.
     pub error: Option<f64>,
-    /// Order of convergence in the unknowns against the run before; None where there is none to compare with,
-    /// or it has as many unknowns.
+    /// Order of convergence in the unknowns from the run before; None without one, or with equal unknowns.
     pub rate: Option<f64>,
 }
 
-/// What errors are measured against.
+/// The reference that errors are measured against.
 pub enum Reference<'a> {
     /// The last and finest run.
     FinestRun,
-    /// Whatever gives the error of a solution.
+    /// A function that gives the error of a solution.
     Given(&'a dyn Fn(&Solution) -> f64),
 }
 
 /// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest.
 ///
-/// `progress` hears the part of the work that is done, rising from 0 to 1; from any thread.
+/// `progress` gets the finished part of the work, from 0 to 1; from any thread.
 ///
 /// # Errors
 /// The first run that fails.
@@ -86,7 +85,7 @@ fn plan(options: &Options) -> Vec<Options> {
     (0..=options.layers.count).flat_map(of_layers).collect()
 }
 
-/// About the number of pairs of basis functions.
+/// Work of a run: about the number of pairs of basis functions.
 fn work(options: &Options) -> f64 {
     let cells = (1 + 2 * options.layers.count).pow(2);
     ((cells * options.space.count(options.order)) as f64).powi(2)

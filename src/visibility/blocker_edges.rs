@@ -1,8 +1,8 @@
-//! Edges of planar blockers, which bound what they hide.
+//! Edges of planar blockers, which bound shadows.
 //!
-//! What a polygon hides from x is bounded by the planes through x and its sides. Of a convex body only those edges count that
-//! lie between a face with x before it and one with x behind: where all points of a convex set lie before both, or behind both,
-//! the edge bounds nothing for any of them.
+//! The planes through x and the sides of a polygon bound what it hides from x. Of a convex body only the edges between
+//! a face that x lies in front of and one that x lies behind count. If all points of a convex set lie in front of both
+//! faces, or behind both, the edge bounds no shadow for any of them.
 
 use radiosity_geom::{COINCIDENT, DVec3, sides};
 use smallvec::SmallVec;
@@ -12,11 +12,11 @@ use smallvec::SmallVec;
 pub struct Rim {
     /// Its ends.
     pub ends: [DVec3; 2],
-    /// A point and the unit normal out of the body of each of the two faces that meet there; none of a lone polygon.
+    /// A point and the outward unit normal of each of the two faces that meet there; empty for a single polygon.
     pub(super) faces: SmallVec<[(DVec3, DVec3); 2]>,
 }
 
-/// On which side of a plane points lie.
+/// The side of a plane on which points lie.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Side {
     Before,
@@ -25,12 +25,12 @@ enum Side {
 }
 
 impl Rim {
-    /// Those of a lone polygon.
+    /// The edges of a single polygon.
     pub(super) fn all_of(polygon: &[DVec3]) -> impl Iterator<Item = Self> {
         sides(polygon).map(|ends| Self { ends, faces: SmallVec::new() })
     }
 
-    /// Whether it may bound what is hidden from some point of the convex hull of `cell`, of some of that of `polygon`.
+    /// Whether the edge may bound what some point in the hull of `cell` does not see of the hull of `polygon`.
     pub fn may_part(&self, cell: &[DVec3], polygon: &[DVec3]) -> bool {
         let sides = self.faces.iter().map(|(point, outward)| side(cell, *point, *outward));
         let is_outline = match sides.collect::<SmallVec<[Side; 2]>>()[..] {
@@ -40,8 +40,8 @@ impl Rim {
         is_outline && self.parts(cell, polygon)
     }
 
-    /// Whether planes through it and a point of `cell` may part `polygon`: the determinant of both and the edge is linear in
-    /// either, so that its signs at the corners are those of the hulls.
+    /// Whether a plane through the edge and a point of `cell` may divide `polygon`. The determinant of both points and
+    /// the edge is linear in each point, so its signs at the corners decide for the hulls.
     fn parts(&self, cell: &[DVec3], polygon: &[DVec3]) -> bool {
         let [a, b] = self.ends;
         let normals = cell.iter().map(|x| (x - a).cross(b - a));
@@ -58,7 +58,7 @@ impl Rim {
     }
 }
 
-/// The side of a plane that points lie on, but for rounding.
+/// The side of a plane on which points lie, within rounding.
 fn side(points: &[DVec3], point: DVec3, outward: DVec3) -> Side {
     let height = |x: &DVec3| (x - point).dot(outward) / (x - point).length().max(f64::MIN_POSITIVE);
     if points.iter().all(|x| height(x) >= -COINCIDENT) {

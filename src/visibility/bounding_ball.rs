@@ -1,8 +1,8 @@
-//! Balls around points: what is far from a segment, or from the hull of two other balls, is told at once.
+//! Bounding balls, which quickly rule out what is far from a segment, or from the hull of two other balls.
 
 use radiosity_geom::{Aabb, DVec3, ROUNDING, sides};
 
-/// A ball around points, and thereby around their convex hull.
+/// A ball around points, and so around their convex hull.
 #[derive(Clone, Copy, Debug)]
 pub struct Ball {
     center: DVec3,
@@ -10,7 +10,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// A ball around `points`, about the middle of their box.
+    /// The ball around `points` about the centre of their bounding box.
     pub fn around(points: &[DVec3]) -> Self {
         let bounds = Aabb::around(points.iter().copied());
         let center = 0.5 * (bounds.min + bounds.max);
@@ -28,18 +28,18 @@ impl Ball {
         self.radius
     }
 
-    /// Whether it has no point in common with the segment from `x` to `y`.
+    /// Whether the ball certainly misses the segment from `x` to `y`.
     pub(super) fn misses(&self, x: DVec3, y: DVec3) -> bool {
         self.distance(x, y) > self.radius
     }
 
-    /// Whether it certainly has no point in common with the convex hull of two balls.
+    /// Whether the ball certainly misses the convex hull of two balls.
     pub(super) fn misses_between(&self, a: &Self, b: &Self) -> bool {
         self.distance(a.center, b.center) > self.radius + a.radius.max(b.radius)
     }
 
-    /// Whether it certainly has no point in common with the convex hull of a point and a ball: of all balls with the centre
-    /// x + t a and the radius t R, 0 ≤ t ≤ 1, where the point lies outside the ball.
+    /// Whether the ball certainly misses the convex hull of a point and a ball: all balls about x + t a with the radius
+    /// t R, 0 ≤ t ≤ 1. False where the point lies in that ball.
     pub(super) fn misses_cone(&self, x: DVec3, center: DVec3, radius: f64) -> bool {
         let (a, d) = (center - x, self.center - x);
         let length = a.length_squared() - radius * radius;
@@ -51,8 +51,8 @@ impl Ball {
         d.distance(t * a) > self.radius + t * radius + rounding
     }
 
-    /// Whether a plane through `x` and a side of the convex polygon `piece` certainly has the piece on one side and all of the ball
-    /// on the other: the piece then hides nothing of it from x.
+    /// Whether some plane through `x` and a side of the convex polygon `piece` certainly separates the piece from the
+    /// ball, so that the piece hides nothing of the ball from x.
     pub(super) fn is_beside(&self, piece: &[DVec3], x: DVec3) -> bool {
         let (middle, center) = (piece.iter().sum::<DVec3>() / piece.len() as f64 - x, self.center - x);
         sides(piece).any(|[a, b]| {
@@ -62,7 +62,7 @@ impl Ball {
         })
     }
 
-    /// Of its centre from the segment from `x` to `y`, from below.
+    /// Lower bound of the distance of the centre from the segment from `x` to `y`.
     fn distance(&self, x: DVec3, y: DVec3) -> f64 {
         let (along, to_center) = (y - x, self.center - x);
         let length = along.length_squared();

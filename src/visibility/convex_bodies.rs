@@ -1,17 +1,17 @@
-//! Convex bodies: planar surfaces that close a convex solid, which is opaque as a whole.
+//! Convex bodies: planar surfaces that close a convex solid, which hides as a whole.
 //!
 //! From a point x outside, a convex body hides
 //!
 //! ```text
-//! H(x) = the cone from x over its outline ∩ what lies behind each of the faces that x lies before ,
+//! H(x) = the cone from x over its outline ∩ what lies behind every face that x lies in front of ,
 //! ```
 //!
-//! its inside included: on the segment from x the body begins where the last of these faces is passed. The outline is made
-//! of the edges between a face that x lies before and one that it does not. H is convex, where the shadows of the faces
-//! overlap and touch: one pyramid in place of five for a block.
+//! its inside included: on a segment from x the body begins where the last of these faces is passed. The outline
+//! consists of the edges between a face that x lies in front of and one that it does not. H is convex, while the
+//! shadows of the faces overlap: a block has one shadow volume instead of five.
 //!
-//! A face may be missing where the whole scene lies on the body's side of its plane, as with a block on a floor: no
-//! segment between points of the scene passes through there.
+//! One face may be missing if the whole scene lies on the body's side of its plane, as for a block on a floor: no
+//! segment between points of the scene passes there.
 
 use std::collections::HashMap;
 
@@ -22,13 +22,13 @@ use crate::visibility::blocker_edges::Rim;
 use crate::visibility::bounding_ball::Ball;
 use crate::visibility::shadow_volume::Pyramid;
 
-/// Fewest faces of a body, the missing one not counted.
+/// Fewest faces of a body, without the missing one: a tetrahedron has four.
 const FEWEST: usize = 3;
 
-/// Depth of a body below each of its faces, in parts of its own size.
+/// Least depth of a body below each of its faces, over its diameter. Chosen; not tuned.
 const THINNEST: f64 = 1e-6;
 
-/// A planar surface without holes, seen as a face.
+/// A planar surface without holes, as a face.
 #[derive(Debug)]
 pub(super) struct Face<'a> {
     /// Index of the surface.
@@ -43,22 +43,22 @@ pub(super) struct Face<'a> {
 #[derive(Debug)]
 pub(super) struct Bodies {
     list: Vec<Body>,
-    /// Of each surface, where it is a face of one.
+    /// The body of each surface, by index, if it has one.
     of_surface: Vec<Option<usize>>,
 }
 
 #[derive(Debug)]
 pub(super) struct Body {
-    /// Its faces' surfaces, ascending.
+    /// The surfaces of its faces, ascending.
     pub(super) surfaces: Vec<usize>,
-    /// Its corners, at least once each.
+    /// Its corners, some more than once.
     pub(super) hull: Vec<DVec3>,
-    /// Around them.
+    /// Ball around the corners.
     pub(super) ball: Ball,
     pub(super) bounds: Aabb,
     /// Mean of its corners.
     middle: DVec3,
-    /// The faces, and last the missing one, where there is one.
+    /// The planes of its faces; the last one may be the missing face.
     planes: Vec<Plane>,
     is_open: bool,
     edges: Vec<Edge>,
@@ -78,7 +78,7 @@ impl Plane {
     }
 }
 
-/// An edge between two faces, by their places.
+/// An edge between two faces, given by their indices.
 #[derive(Debug)]
 struct Edge {
     ends: [DVec3; 2],
@@ -86,7 +86,7 @@ struct Edge {
 }
 
 impl Bodies {
-    /// Those that `faces` close in a scene of so many surfaces within the hull of `points`.
+    /// The bodies that `faces` close in a scene of `surfaces` surfaces inside the hull of `points`.
     pub(super) fn new(faces: &[Face], surfaces: usize, points: &[DVec3]) -> Self {
         let mut bodies = Self { list: Vec::new(), of_surface: vec![None; surfaces] };
         let twins = twins(faces);
@@ -103,21 +103,21 @@ impl Bodies {
         bodies
     }
 
-    /// The body that a surface is a face of.
+    /// The body that a surface belongs to.
     pub(super) fn of(&self, surface: usize) -> Option<&Body> {
         self.place(surface).map(|body| &self.list[body])
     }
 
-    /// Its index.
+    /// The index of that body.
     pub(super) fn place(&self, surface: usize) -> Option<usize> {
         self.of_surface[surface]
     }
 }
 
-/// For each side of each face the face at the other side of that edge: the one that runs along it the other way.
+/// For each side of each face the face beyond that edge: the only one with a side along it in the other direction.
 fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
     let key = |[a, b]: [DVec3; 2]| {
-        // A power of two, the same for both ways along an edge; the factor keeps usual lengths away from where it jumps.
+        // A power of two, equal for both directions of an edge; 1.37 keeps round lengths away from where it jumps.
         let tolerance = touching((1.37 * a.distance(b)).log2().floor().exp2(), 0.0);
         [a, b].map(|x| (x / tolerance).round().to_array().map(|x| x as i64))
     };
@@ -132,7 +132,7 @@ fn twins(faces: &[Face]) -> Vec<Vec<Option<usize>>> {
     faces.iter().map(|face| sides(face.outline).map(twin).collect()).collect()
 }
 
-/// The faces that hang together with `first` by their edges; nothing if they were `seen` before.
+/// The faces connected with `first` through edges; empty if `seen` already contains it.
 fn group(first: usize, twins: &[Vec<Option<usize>>], seen: &mut [bool]) -> Vec<usize> {
     let (mut group, mut open) = (Vec::new(), vec![first]);
     while let Some(face) = open.pop() {
@@ -145,7 +145,7 @@ fn group(first: usize, twins: &[Vec<Option<usize>>], seen: &mut [bool]) -> Vec<u
 }
 
 impl Body {
-    /// That of a group of faces, if they close one.
+    /// The body that a group of faces closes, if any.
     fn of(group: &[usize], faces: &[Face], twins: &[Vec<Option<usize>>], points: &[DVec3]) -> Option<Self> {
         if group.len() < FEWEST {
             return None;
@@ -192,7 +192,7 @@ impl Body {
         self.edges.iter().map(move |edge| Rim { ends: edge.ends, faces: edge.between.map(face).into() })
     }
 
-    /// What it hides from `x`; None where x does not lie outside of it, and its faces hide each for itself.
+    /// The shadow volume of the body from `x`; None where x is not outside, and each face hides by itself.
     pub(super) fn pyramid(&self, x: DVec3) -> Option<Pyramid> {
         let margin = COINCIDENT * x.distance(self.middle);
         let heights: SmallVec<[f64; 8]> = self.planes.iter().map(|plane| plane.height(x)).collect();
@@ -207,7 +207,7 @@ impl Body {
     }
 }
 
-/// The plane of the face that closes a body along its rim, if there is one and the whole scene lies behind it.
+/// The plane of the face that would close a body along `rim`, if it is flat and the whole scene lies behind it.
 fn missing_face(rim: &[[DVec3; 2]], points: &[DVec3], size: f64) -> Option<Plane> {
     let point = rim[0][0];
     let area: DVec3 = rim.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
@@ -232,7 +232,7 @@ mod tests {
         vec![face(a, b, c), face(-a, c, b), face(b, c, a), face(-b, a, c), face(c, a, b), face(-c, b, a)]
     }
 
-    /// What encloses a body of `outlines`, all of them seen as faces in their order, in a scene with `others`.
+    /// The bodies that the faces with these `outlines` close, in a scene with the further points `others`.
     fn bodies(outlines: &[Vec<DVec3>], others: &[DVec3]) -> Bodies {
         let normal = |outline: &[DVec3]| (outline[1] - outline[0]).cross(outline[2] - outline[0]).normalize();
         let face = |(surface, outline): (usize, &'_ Vec<DVec3>)| (surface, normal(outline));

@@ -1,46 +1,45 @@
-//! How shadows are found, and to what accuracy.
+//! How shadows are computed, and how accurately.
 
 use serde::{Deserialize, Serialize};
 
-/// Errors of exact shadows relative to those of the transfers: they have one sign where those of rules have either, and add
-/// up in rows.
+/// Accuracy of exact shadows over that of the transfers: errors of shadows have one sign and add up in rows, while
+/// errors of rules have either sign. Chosen; not tuned.
 const EXACT: f64 = 0.25;
 
-/// Whether surfaces hide each other.
+/// Whether and how surfaces hide each other, with the accuracy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shadows {
-    /// Everything sees everything it faces.
+    /// Nothing hides anything.
     Off,
-    /// Rays against the candidates of each pair. A curved blocker that reaches into the shaft of a pair by less
-    /// than this part of the breadth of the narrower of the two is passed over: it hides about that part
-    /// of the light between them at the most.
+    /// Rays against the candidate blockers of each pair. A curved blocker that reaches into the shaft by less than this
+    /// part of the narrower patch's breadth is ignored: it hides at most about that part of the light between them.
     Rays(f64),
-    /// The same, but planar surfaces behind planar blockers by their outlines.
+    /// As `Rays`, but for planar blockers by their outlines, if at least one of the two surfaces is planar.
     Outlines(f64),
 }
 
-/// How it is found out what surfaces hide from each other.
+/// How shadows are computed, as the user chooses.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Hiding {
-    /// Nothing hides anything.
+    /// No shadows.
     Off,
-    /// Rays wherever something can stand between.
+    /// Rays wherever something may stand between.
     Rays,
-    /// Planar surfaces behind planar blockers by their outlines, all else by rays.
+    /// Planar blockers by their outlines, all others by rays.
     #[default]
     Auto,
-    /// The same, to the accuracy of the transfers.
+    /// As `Auto`, to the accuracy of the transfers.
     Exact,
 }
 
 impl Hiding {
-    /// Accuracy of visibility within a transfer of accuracy `eps`, where `shadow_eps` is asked for.
+    /// Accuracy of the shadows for transfers of accuracy `eps`, if `shadow_eps` is asked for.
     pub fn accuracy(self, eps: f64, shadow_eps: f64) -> f64 {
         if self == Self::Exact { shadow_eps.min(EXACT * eps) } else { shadow_eps }
     }
 
-    /// The shadows of this kind to the accuracy `eps`.
+    /// The shadows of this mode to the accuracy `eps`.
     pub fn shadows(self, eps: f64) -> Shadows {
         match self {
             Self::Off => Shadows::Off,

@@ -1,4 +1,4 @@
-//! A surface that may stand between others, and how it lies to itself.
+//! A surface as an obstacle, and how it bends relative to its tangent planes.
 
 use std::sync::{Arc, OnceLock};
 
@@ -7,29 +7,29 @@ use radiosity_geom::{DVec3, Jet, Rect, Surface};
 use crate::visibility::bounding_ball::Ball;
 use crate::visibility::silhouette_mesh::SilhouetteMesh;
 
-/// A segment may touch surfaces within this part of its length at both ends.
+/// A segment may touch surfaces within this part of its length at both ends. Chosen; not tuned.
 pub(crate) const END: f64 = 1e-9;
 
-/// Points in each parameter at which a curved surface is looked at.
+/// Sample points along each parameter of a curved surface. Chosen; not tuned.
 const LOOKS: usize = 5;
 
-/// Cosine between any two normals of a surface that is taken for flat when it may hide itself.
+/// A surface whose normals all have at least this cosine (0.8°) to each other counts as flat. Chosen; not tuned.
 const ALIKE: f64 = 0.9999;
 
-/// A surface with what is asked of it time and again.
+/// A surface with its data for visibility tests.
 #[derive(Debug)]
 pub(super) struct Obstacle {
     pub(super) shape: Arc<dyn Surface>,
     pub(super) hull: Vec<DVec3>,
-    /// Around the hull.
+    /// Ball around the hull.
     pub(super) ball: Ball,
-    /// Convex pieces of a planar obstacle. One that is a single piece can hide a pair by itself.
+    /// Convex pieces of a planar obstacle; a single piece can hide a whole pair.
     pub(super) pieces: Option<Vec<Vec<DVec3>>>,
     /// How it lies to itself.
     pub(super) bend: Bend,
-    /// Places and normals of a curved one, here and there.
+    /// Sampled points and normals of a curved obstacle.
     pub(super) looks: Vec<(DVec3, DVec3)>,
-    /// Made when it is first asked for.
+    /// Silhouette mesh, made when first needed.
     pub(super) net: OnceLock<SilhouetteMesh>,
 }
 
@@ -44,36 +44,36 @@ impl Obstacle {
         Self { shape, ball, hull, pieces, bend, looks, net: OnceLock::new() }
     }
 
-    /// Whether it is a single flat convex piece.
+    /// Whether it is one flat convex piece.
     pub(super) fn is_convex(&self) -> bool {
         self.pieces.as_ref().is_some_and(|pieces| pieces.len() == 1)
     }
 
-    /// Whether its normals differ by more than a trifle.
+    /// Whether its sampled normals differ noticeably.
     pub(super) fn is_bent(&self) -> bool {
         self.looks.iter().any(|(_, normal)| normal.dot(self.looks[0].1) < ALIKE)
     }
 }
 
-/// A net of points of a surface.
+/// Jets at a grid of points of a surface.
 fn looks(shape: &dyn Surface) -> Vec<Jet> {
     let at = |k: usize| 2.0 * k as f64 / (LOOKS - 1) as f64 - 1.0;
     (0..LOOKS * LOOKS).map(|k| shape.jet(at(k / LOOKS), at(k % LOOKS))).collect()
 }
 
-/// How a surface lies to the tangent planes of its points.
+/// How a surface lies relative to the tangent planes of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Bend {
-    /// Behind each of them, or much the same plane everywhere: it hides nothing of itself from any point.
+    /// Behind all of them, or nearly flat: it hides nothing of itself.
     Outward,
-    /// Before each of them, as the inside of a ball: its points see each other.
+    /// In front of all of them, like the inside of a ball: all its points see each other.
     Inward,
     /// Neither.
     Mixed,
 }
 
 impl Bend {
-    /// Judged by a net of points, none of a planar one.
+    /// Classifies by sampled `jets`; a planar surface has none.
     fn of(jets: &[Jet]) -> Self {
         let size = jets.iter().map(|y| y.position.distance(jets[0].position)).fold(0.0, f64::max);
         let all = |holds: &dyn Fn(&Jet, &Jet) -> bool| jets.iter().all(|x| jets.iter().all(|y| holds(x, y)));

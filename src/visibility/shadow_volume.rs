@@ -1,14 +1,13 @@
-//! What a convex polygon or body hides from a point: a pyramid with the point at its tip, cut off at what hides.
+//! Shadow volumes: the pyramid with its tip at a point, cut off at a convex blocker, that the blocker hides.
 //!
-//! The planes through the point and the sides of the outline bound it, and the planes of what hides: behind all of them
-//! nothing is seen. A plane is an inequality a·inward > depth of a = y − x. What lies outside of one plane as a whole is clear
-//! of the pyramid, and what lies inside all of them is hidden; a quadrilateral with corners m ± a ± b + (±)(±) c reaches
+//! Its planes are those through the point and the sides of the outline, and those of the blocker's front faces. In
+//! terms of a = y − x each is an inequality a·inward > depth. What lies wholly outside one plane is clear; what lies
+//! inside all planes is hidden. A quadrilateral with corners m ± a ± b + (±)(±) c extends along n, and likewise against
+//! it, up to
 //!
 //! ```text
 //! n·m + max(|n·a + n·b| + n·c, |n·a − n·b| − n·c)
 //! ```
-//!
-//! along n, and likewise against it.
 
 use core::iter;
 
@@ -17,16 +16,16 @@ use smallvec::SmallVec;
 
 use crate::visibility::bounding_ball::Ball;
 
-/// Planes of most shadows, of a block as a whole among them.
+/// Planes that are stored without allocation: enough for most shadow volumes, also of a block.
 const PLANES: usize = 10;
 
-/// Corners of a convex polygon as seen from a point, which is the origin.
+/// Corners of a convex polygon relative to a point.
 pub(crate) type Corners = SmallVec<[DVec3; 8]>;
 
-/// A number for each of them.
+/// One height per corner.
 type Heights = SmallVec<[f64; 8]>;
 
-/// The half-space a·inward > depth of what is seen from a point.
+/// The half-space a·inward > depth, a relative to a point.
 #[derive(Clone, Copy, Debug)]
 struct Plane {
     /// Unit normal.
@@ -39,7 +38,7 @@ impl Plane {
         a.dot(self.inward) - self.depth
     }
 
-    /// Heights of the corners of a polygon within `reach` of the point; zero where rounding decides.
+    /// Heights of the corners of a polygon no farther from the point than `reach`; zero within rounding.
     fn heights(&self, polygon: &[DVec3], reach: f64) -> Heights {
         let height = |a: &DVec3| {
             let h = self.height(*a);
@@ -48,7 +47,7 @@ impl Plane {
         polygon.iter().map(height).collect()
     }
 
-    /// Leaves the part inside of a convex polygon within `reach` of the point; nothing where it merely touches the plane.
+    /// Cuts off the part of a convex polygon outside the plane; empties a polygon that only touches it.
     fn cut(&self, polygon: &mut Corners, reach: f64) {
         let heights = self.heights(polygon, reach);
         if !heights.iter().any(|h| *h > 0.0) {
@@ -59,38 +58,38 @@ impl Plane {
     }
 }
 
-/// The part of a convex polygon above the horizon of unit normal `n`; nothing where it merely touches it.
+/// Cuts a convex polygon at the horizon of unit normal `n`; empties a polygon that only touches it.
 pub(crate) fn cut_at_horizon(n: DVec3, polygon: &mut Corners) {
     let reach = reach(polygon);
     Plane { inward: n, depth: 0.0 }.cut(polygon, reach);
 }
 
-/// Largest distance of corners from the point.
+/// Largest distance of a corner from the point.
 pub(crate) fn reach(polygon: &[DVec3]) -> f64 {
     let longer =
         |longest: f64, a: &DVec3| if a.length_squared() > longest { a.length_squared() } else { longest };
     polygon.iter().fold(0.0, longer).sqrt()
 }
 
-/// The part of a convex polygon where its corners' heights, some of them positive, are not below zero.
+/// The part of a convex polygon of height ≥ 0, given the heights of its corners, some of them positive.
 fn kept(polygon: &[DVec3], heights: &[f64]) -> Corners {
     let mut kept = Corners::new();
     clip_by_heights(polygon, heights, |a| kept.push(a));
     kept
 }
 
-/// How a set of points stands to what a blocker hides.
+/// How a set of points lies relative to a shadow volume.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cover {
-    /// Nothing of its convex hull is hidden.
+    /// No point of its convex hull is hidden.
     Clear,
     /// All of it is hidden.
     Hidden,
-    /// Some of it may be.
+    /// A part may be hidden.
     Mixed,
 }
 
-/// The corners of a quadrilateral, m ± a ± b + (±)(±) c, of which two may be the same.
+/// A quadrilateral with corners m ± a ± b + (±)(±) c, of which two may coincide.
 #[derive(Clone, Copy, Debug)]
 pub struct Quad {
     /// Mean m of the corners.
@@ -100,13 +99,13 @@ pub struct Quad {
 }
 
 impl Quad {
-    /// That of these corners, in order.
+    /// The quadrilateral with these corners, in order.
     pub fn new([p, q, r, s]: [DVec3; 4]) -> Self {
         let axes = [q + r - p - s, r + s - p - q, p + r - q - s].map(|axis| 0.25 * axis);
         Self { middle: 0.25 * (p + q + r + s), axes }
     }
 
-    /// How far it reaches from its middle against and along a unit vector.
+    /// How far it extends from its mean corner against and along the unit vector `n`.
     fn reach(&self, n: DVec3) -> [f64; 2] {
         let [a, b, c] = self.axes.map(|axis| axis.dot(n));
         let (sum, difference) = ((a + b).abs(), (a - b).abs());
@@ -114,7 +113,7 @@ impl Quad {
         [larger(sum - c, difference + c), larger(sum + c, difference - c)]
     }
 
-    /// Distance of the farthest corner from the middle.
+    /// Largest distance of a corner from their mean.
     pub fn radius(&self) -> f64 {
         let [a, b, c] = self.axes;
         let corners = [a + b + c, b - a - c, c - a - b, a - b - c];
@@ -122,7 +121,7 @@ impl Quad {
     }
 }
 
-/// The region that a convex polygon hides from a point: inside all of these half-spaces.
+/// A shadow volume: the intersection of half-spaces that is hidden from a point.
 #[derive(Clone, Debug)]
 pub struct Pyramid {
     eye: DVec3,
@@ -130,7 +129,8 @@ pub struct Pyramid {
 }
 
 impl Pyramid {
-    /// What the convex `polygon` hides from `x`; None where x lies in its plane and nothing is hidden.
+    /// The shadow volume of the convex `polygon` from `x`; None where x lies in its plane and nothing is hidden (within
+    /// 1e-9 of the distance, as `TOUCHING`).
     pub fn over(polygon: &[DVec3], x: DVec3) -> Option<Self> {
         let middle = polygon.iter().sum::<DVec3>() / polygon.len() as f64;
         let normal: DVec3 =
@@ -144,8 +144,8 @@ impl Pyramid {
         Some(Self::bounded(x, middle, sides, iter::once((normal * height.signum(), height.abs()))))
     }
 
-    /// What lies within the planes through `x` and each of `sides`, on the side of `middle`, and beyond each of the planes
-    /// of `beyond`, given by unit normals away from x and distances from it.
+    /// The region inside the planes through `x` and each of `sides`, on the side of `middle`, and beyond the planes
+    /// `beyond`, given by unit normals away from x and distances from x.
     pub(crate) fn bounded(
         x: DVec3,
         middle: DVec3,
@@ -162,17 +162,17 @@ impl Pyramid {
         Self { eye: x, planes }
     }
 
-    /// Whether one of its planes has all of a ball outside.
+    /// Whether a ball lies wholly outside one of the planes.
     pub(crate) fn misses(&self, ball: &Ball) -> bool {
         let middle = ball.center() - self.eye;
         self.planes.iter().any(|plane| plane.height(middle) <= -ball.radius())
     }
 
-    /// Whether it hides the convex hull of `points`, which the ball of `radius` around `center` holds; what merely touches a
-    /// bounding plane lies outside it.
+    /// How the convex hull of `points`, which the ball of `radius` about `center` contains, lies relative to the
+    /// volume. What only touches a plane lies outside it.
     pub fn cover(&self, points: &[DVec3], center: DVec3, radius: f64) -> Cover {
         let middle = center - self.eye;
-        // Planes that cross the ball, the one first that is the likeliest to leave all points outside.
+        // Planes that cross the ball; the one most likely to have all points outside comes first.
         let mut open: SmallVec<[&Plane; PLANES]> = SmallVec::new();
         let mut lowest = f64::INFINITY;
         for plane in &self.planes {
@@ -196,7 +196,7 @@ impl Pyramid {
         cover_by(open.into_iter(), &seen, reach(&seen))
     }
 
-    /// Whether it hides a quadrilateral within `radius` of its middle; what merely touches a bounding plane lies outside it.
+    /// As [`Pyramid::cover`], for a quadrilateral within `radius` of its mean corner.
     pub fn cover_of_quad(&self, quad: &Quad, radius: f64) -> Cover {
         let middle = quad.middle - self.eye;
         let tolerance = COINCIDENT * (middle.abs().element_sum() + radius);
@@ -220,28 +220,28 @@ impl Pyramid {
         cover
     }
 
-    /// How the convex hull of `points` stands to what it hides.
+    /// As [`Pyramid::cover`], without a known ball.
     pub fn cover_of(&self, points: &[DVec3]) -> Cover {
         let seen: Corners = points.iter().map(|y| y - self.eye).collect();
         self.cover_seen(&seen)
     }
 
-    /// The same of points as seen from the eye.
+    /// As [`Pyramid::cover`], for points relative to the tip.
     pub(crate) fn cover_seen(&self, points: &[DVec3]) -> Cover {
         self.cover_within(points, reach(points))
     }
 
-    /// The same of points no farther from the eye than `reach`.
+    /// As [`Pyramid::cover`], for points relative to the tip and no farther from it than `reach`.
     pub(crate) fn cover_within(&self, points: &[DVec3], reach: f64) -> Cover {
         cover_by(self.planes.iter(), points, reach)
     }
 
-    /// Whether it hides the point `y`.
+    /// Whether the point `y` is hidden.
     pub fn hides(&self, y: DVec3) -> bool {
         self.planes.iter().all(|plane| plane.height(y - self.eye) > 0.0)
     }
 
-    /// The s between which it hides the points `start` + s `along` of a line.
+    /// The interval of s in which the points `start` + s `along` of a line are hidden.
     pub fn shadow_on(&self, start: DVec3, along: DVec3) -> Option<[f64; 2]> {
         let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
         for plane in &self.planes {
@@ -257,19 +257,19 @@ impl Pyramid {
         (low < high).then_some([low, high])
     }
 
-    /// The point at its tip.
+    /// The tip.
     pub(crate) fn eye(&self) -> DVec3 {
         self.eye
     }
 
-    /// What it hides of a convex polygon seen from the eye.
+    /// The hidden part of a convex polygon, relative to the tip.
     pub(crate) fn hidden_part(&self, polygon: &[DVec3]) -> Corners {
         let (mut hidden, reach) = (Corners::from_slice(polygon), reach(polygon));
         self.planes.iter().for_each(|plane| plane.cut(&mut hidden, reach));
         hidden
     }
 
-    /// What it hides of such a polygon; what it leaves is added to `parts`, as convex polygons.
+    /// Returns the hidden part of a convex polygon, relative to the tip, and adds the rest to `parts`.
     pub(crate) fn divide(&self, polygon: &[DVec3], parts: &mut Vec<Corners>) -> Corners {
         let mut inside = Corners::from_slice(polygon);
         let reach = reach(polygon);
@@ -288,7 +288,7 @@ impl Pyramid {
     }
 }
 
-/// How the convex hull of points no farther from the eye than `reach` stands to the half-spaces of some planes together.
+/// How the hull of `points`, no farther from the tip than `reach`, lies relative to the intersection of planes.
 fn cover_by<'a>(planes: impl Iterator<Item = &'a Plane>, points: &[DVec3], reach: f64) -> Cover {
     let tolerance = COINCIDENT * reach;
     let mut cover = Cover::Hidden;

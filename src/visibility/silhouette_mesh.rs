@@ -1,35 +1,36 @@
-//! A net over a curved surface: quads of parameters, so fine that normals and edges turn little over each.
+//! Silhouette meshes: quads over a curved surface, so fine that normals and edges turn little over each. They only find
+//! the outline; light never uses them.
 //!
 //! ```text
-//! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   outline from afar: see the module `view`
+//! quad of size h, curvature κ:   distance from the surface ≤ κ h²/8 ,   error of the corrected outline ∝ h⁴
 //! ```
 //!
-//! The quads stand in a tree of boxes that hold the surface itself, so what a region misses is certain. A quad nearer to
-//! the eye than its own size, as far as it bends, is quartered on the spot, again and again: of a surface that the eye lies on,
-//! the chords of a quad would otherwise rise over the eye.
+//! The quads form a tree of boxes that contain the true surface, so what a region misses is certain. A quad nearer to
+//! the eye than its size, reduced where it bends little, is quartered repeatedly: on a surface that the eye lies on,
+//! the chords of a quad would rise above the eye.
 
 use std::borrow::Cow;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, DVec3, Rect, Surface};
 
-/// Largest angle (radians) by which normals and edges turn over a quad, about.
+/// Largest angle (rad), about, by which normals and edges turn over a quad. Chosen; not tuned.
 const TURN: f64 = 0.2;
 
-/// Most quads along a parameter, and places along it where the turning is looked at.
+/// Most quads along a parameter, and sample points along it that measure the turning. Both are chosen, not tuned.
 const MOST: usize = 64;
 const LOOKS: usize = 16;
 
-/// Most quarterings of a quad near the eye; what is left around it then of its own surface is passed over.
+/// Most quarterings of a quad near the eye; parts of the eye's own surface that remain are ignored. Chosen; not tuned.
 const DEPTH: usize = 5;
 
-/// A quad is quartered if it is nearer to the eye than this times its size, as far as it bends.
+/// A quad nearer to the eye than this times its bent size is quartered. Chosen; not tuned.
 const NEAR: f64 = 0.7;
 
 /// Pairs of corners of a quad.
 const PAIRS: [(usize, usize); 6] = [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)];
 
-/// A surface as a net.
+/// The silhouette mesh of a surface.
 #[derive(Debug)]
 pub struct SilhouetteMesh {
     shape: Arc<dyn Surface>,
@@ -41,13 +42,13 @@ pub struct SilhouetteMesh {
 pub struct Knot {
     /// Parameters of the surface.
     pub parameters: [f64; 2],
-    /// Where it is.
+    /// The point.
     pub position: DVec3,
     /// Unit normal of the surface.
     pub normal: DVec3,
 }
 
-/// The part of a surface over a rectangle of its parameters, taken for the quad of its corners.
+/// The part of a surface over a rectangle of its parameters, replaced by the quad of its corners.
 #[derive(Clone, Copy, Debug)]
 pub struct Quad {
     /// Corners, counter-clockwise in the parameters.
@@ -64,24 +65,24 @@ struct Node {
 
 #[derive(Debug)]
 enum Kind {
-    /// Indices of both halves.
+    /// Indices of the two halves.
     Halves([usize; 2]),
     Leaf(Box<Quad>),
 }
 
-/// Where the quads are looked for.
+/// The region in which quads are looked for.
 pub trait Region {
-    /// The point they are seen from.
+    /// The point that sees.
     fn eye(&self) -> DVec3;
     /// Whether a box may reach into the region.
     fn reaches(&self, bounds: &Aabb) -> bool;
-    /// Where the eye lies on the surface: the unit normal there, and the angle (sine) from it below which the normals of a
-    /// quad around the eye keep it out of the region.
+    /// If the eye lies on the surface: its unit normal there, and the sine of the angle to it below which the normals
+    /// of a quad around the eye keep that quad out of the region.
     fn ground(&self) -> Option<(DVec3, f64)>;
 }
 
 impl SilhouetteMesh {
-    /// Of a surface.
+    /// The mesh of a surface.
     pub fn new(shape: &Arc<dyn Surface>) -> Self {
         let mut net = Self { shape: Arc::clone(shape), nodes: Vec::new() };
         let counts = [false, true].map(|transposed| quads_along(shape.as_ref(), transposed));
@@ -89,7 +90,7 @@ impl SilhouetteMesh {
         net
     }
 
-    /// Adds the node of a range of quads; returns its index.
+    /// Adds the node of a range of quads and its children; returns its index.
     fn grow(&mut self, u: [usize; 2], v: [usize; 2], counts: [usize; 2]) -> usize {
         let index = self.nodes.len();
         let place = |k: usize, count: usize| 2.0 * k as f64 / count as f64 - 1.0;
@@ -120,7 +121,7 @@ impl SilhouetteMesh {
         Knot { parameters: [u, v], position: jet.position, normal: jet.normal }
     }
 
-    /// The quarters of a quad, with boxes that leave them twice the room that an arc would need.
+    /// The quarters of a quad, in boxes with a margin of size · turn/4, twice the sagitta of an arc.
     fn quarters(&self, quad: &Quad) -> [Quad; 4] {
         let center = self.knot(quad.rect.center());
         let middles: [Knot; 4] = std::array::from_fn(|k| {
@@ -152,7 +153,7 @@ impl SilhouetteMesh {
         })
     }
 
-    /// Hands every quad that may reach into `region` to `take`.
+    /// Calls `take` for every quad that may reach into `region`, quartered near the eye.
     pub fn visit<'a>(&'a self, region: &impl Region, take: &mut impl FnMut(Cow<'a, Quad>)) {
         let mut stack = vec![0];
         while let Some(index) = stack.pop() {
@@ -194,7 +195,7 @@ impl SilhouetteMesh {
 }
 
 impl Quad {
-    /// Whether an edge, from this corner to the next, lies at the border of the surface's parameters.
+    /// Whether an edge, from this corner to the next, lies on the border of the surface's parameters.
     pub fn is_border(&self, edge: usize) -> bool {
         let [a, b] = [edge, (edge + 1) % 4].map(|corner| self.knots[corner].parameters);
         (0..2).any(|k| a[k] == b[k] && a[k].abs() == 1.0)
@@ -205,7 +206,7 @@ impl Quad {
         self.knots[0].position.distance(self.knots[2].position)
     }
 
-    /// About the size that a quad as far from its surface would have that turns by [`TURN`] over its diagonal: of the side
+    /// Size of a quad of the same sagitta that turns by [`TURN`] over its diagonal, at most the true size: on the side
     /// of a column only the breadth counts.
     fn bent_size(&self) -> f64 {
         let sagitta = |(i, j): (usize, usize)| {
@@ -215,13 +216,13 @@ impl Quad {
         (PAIRS.into_iter().map(sagitta).fold(0.0, f64::max) / TURN).min(self.size())
     }
 
-    /// Whether all of its normals are at a smaller angle (sine) from `normal` than this.
+    /// Whether all normals lean from `normal` by a smaller sine than `least`.
     fn leans_less(&self, normal: DVec3, least: f64) -> bool {
         let lean = |knot: &Knot| knot.normal.cross(normal).length();
         self.knots.iter().all(|knot| knot.normal.dot(normal) > 0.0 && lean(knot) < least)
     }
 
-    /// Sine of the angle by which normals may differ over it.
+    /// Largest sine of the angle between two of its normals.
     fn turn(&self) -> f64 {
         let normal = |k: usize| self.knots[k].normal;
         let sine = |(i, j): (usize, usize)| normal(i).cross(normal(j)).length_squared();
@@ -229,7 +230,7 @@ impl Quad {
     }
 }
 
-/// How many quads a surface needs along u, or along v.
+/// Number of quads that a surface needs along u, or along v if `transposed`.
 fn quads_along(shape: &dyn Surface, transposed: bool) -> usize {
     let at = |k: usize| 2.0 * (k as f64 + 0.5) / LOOKS as f64 - 1.0;
     let mut sharpest = 0.0f64;

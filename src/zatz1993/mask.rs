@@ -1,27 +1,26 @@
-//! Shadow masks: what part of an emitter each place of an element sees.
+//! Shadow masks: the part of an emitter that each place of an element sees.
 //!
-//! Zatz 1993, section 5.1: light from an emitter h is kept without its shadows as a polynomial of the receiver i, and
-//! multiplied by a mask wherever it is looked at or sent on:
+//! Zatz 1993, section 5.1: light from an emitter h is kept without shadows as a polynomial of the receiver i, and
+//! multiplied by a mask wherever it is read or sent on:
 //!
 //! ```text
-//! E_i(x) = M_{i←h}(x) Σ_k p_k φ_k(x) ,      p = G°_{ih} b_h      (G°: without visibility)
+//! E_i(x) = M_{i←h}(x) Σ_k p_k φ_k(x) ,      p = G°_{ih} b_h      (G°: without visibility),   0 ≤ M ≤ 1
 //!
 //! plain:     M = ∬ V du dv / ∬ du dv                 (eq. 28)
 //! weighted:  M = ∫ κ V dA_h / ∫ κ dA_h
 //! ```
 //!
-//! The plain mask is the paper's; it ignores cosines and distance, and a finer mask does not converge to the truth. The weighted
-//! one is exact at its nodes for a uniform emitter. Both are known at the corners of equal cells of the element's
-//! coordinates and bilinear in between. Where something stands on the element there is nothing to see:
-//! such nodes take the value of the nearest one that is free, or else the interpolation would darken the rim around it.
+//! The plain mask is the paper's; it ignores cosines and distance, and finer masks do not converge to the truth. The
+//! weighted one is exact at its nodes for an even emitter. Both are known at the corners of equal cells of the
+//! element's coordinates and bilinear in between. Nodes where something stands on the element have no value of their
+//! own; they take that of the nearest free node, so that the interpolation does not darken the rim around the contact.
 
 use std::num::NonZeroUsize;
 
-/// What is known at coordinates in [−1, 1]²: the mask, or None where the element is covered or ends.
+/// The mask at coordinates in [−1, 1]²; None where the element is covered or does not reach.
 pub type Sample<'a> = &'a dyn Fn([f64; 2]) -> Option<f64>;
 
-/// A function of an element's coordinates between 0 and 1, by its values at (cells + 1)² nodes, the second coordinate running
-/// fastest.
+/// A function on an element with values in [0, 1], given at (cells + 1)² nodes, the second coordinate fastest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mask {
     cells: usize,
@@ -42,7 +41,7 @@ impl Mask {
         Some(Self { cells, values: filled.collect::<Option<_>>()? })
     }
 
-    /// Its value at coordinates in [−1, 1]²; those outside count as on the rim.
+    /// Value at coordinates in [−1, 1]²; coordinates outside count as on the border.
     pub fn at(&self, coordinates: [f64; 2]) -> f64 {
         let scaled = coordinates.map(|x| (0.5 * (x + 1.0)).clamp(0.0, 1.0) * self.cells as f64);
         let [i, j] = scaled.map(|x| (x as usize).min(self.cells - 1));
@@ -57,7 +56,7 @@ fn bilinear([c00, c01, c10, c11]: [f64; 4], [a, b]: [f64; 2]) -> f64 {
     (1.0 - a) * ((1.0 - b) * c00 + b * c01) + a * ((1.0 - b) * c10 + b * c11)
 }
 
-/// The known value nearest to a place, of places and values; the earliest of equally near ones.
+/// The known value nearest to `place`; the earliest of equally near ones.
 fn nearest<'a>(place: [f64; 2], known: impl Iterator<Item = ([f64; 2], &'a Option<f64>)>) -> Option<f64> {
     let mut best: Option<(f64, f64)> = None;
     for (other, value) in known {
@@ -89,7 +88,8 @@ mod tests {
             prop_assert!((mask.at([u, v]) - f([u, v])).abs() < 1e-14);
         }
 
-        /// Where the shadow's edge does not pass it tells light from dark; no value leaves the range of the samples.
+        /// Except near the shadow's edge a mask has the values of light or dark; no value leaves the range of the
+        /// samples.
         #[test]
         fn steps_stay_where_they_are(angle in 0.0..std::f64::consts::TAU, u in -1.0..1.0, v in -1.0..1.0) {
             let (sin, cos) = angle.sin_cos();

@@ -6,11 +6,11 @@
 //! D_i(x) = Σ_{h masked for i} M_{i←h}(x) Σ_k (G°_ih e_h)_k φ_k(x) + Σ_{h not masked} Σ_k (G_ih e_h)_k φ_k(x)
 //! ```
 //!
-//! with G° without visibility and G with it (Zatz 1993, eq. 29). D is sent on through its masks: it stands where the exact direct
-//! light stands in `light::first_bounce`. What an emitter reflects is no part of it and is shadowed within its blocks.
+//! with G° without visibility and G with it (Zatz 1993, eq. 29). D with its masks takes the place of exact direct light
+//! in `light::first_bounce`. The light that an emitter reflects is not part of it; its shadows are in the blocks.
 //!
-//! Masks are placed where they matter: between elements between which something stands, and of whose unshadowed light more is
-//! hidden somewhere than the accuracy of shadows times all that arrives.
+//! A pair is masked if something may stand between the two elements and hides, somewhere, more of the unshadowed light
+//! than the accuracy of shadows times all arriving light.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -29,19 +29,19 @@ use crate::transport::{Accuracy, Blocks};
 use crate::visibility::Visibility;
 use crate::zatz1993::mask::Mask;
 
-/// Rays along each direction of a patch of the emitter for the plain average, at the middles of equal parts.
+/// Rays along each direction of an emitter's patch, at centres of equal parts, in a plain average. Chosen; not tuned.
 const RAYS: usize = 16;
 
 /// How masks are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Masking {
-    /// Cells along each side of an element, at the corners of which they are sampled.
+    /// Cells along each side of an element; masks are sampled at their corners.
     pub cells: NonZeroUsize,
-    /// What is sampled.
+    /// The average that is sampled.
     pub average: Average,
 }
 
-/// What a mask is at its nodes.
+/// The value of a mask at its nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
@@ -57,37 +57,37 @@ pub enum Average {
 pub struct MaskedLight {
     /// The masked emitters of each receiver.
     masked: Vec<Vec<MaskedEmitter>>,
-    /// Light of the others in the raw polynomials of each receiver, per band.
+    /// Light of the other emitters in the raw polynomials of each receiver, per band.
     plain: Vec<Vec<Vec<f64>>>,
 }
 
-/// An emitter as a receiver sees it.
+/// An emitter that is masked for a receiver.
 #[derive(Debug)]
 struct MaskedEmitter {
     /// Exitance per band (W m⁻²).
     exitance: Vec<f64>,
     mask: Mask,
-    /// Its irradiance without shadows, per unit of exitance, in the receiver's raw polynomials.
+    /// Raw coefficients on the receiver of its irradiance without shadows, per unit of exitance.
     unshadowed: Vec<f64>,
 }
 
-/// What the scene is to masks.
+/// The data from which masks are made.
 #[derive(Clone, Copy)]
 pub struct Setting<'a> {
     /// The elements.
     pub elements: &'a Elements,
-    /// Their coatings, one a band.
+    /// One coating per band.
     pub coatings: &'a [&'a Coating],
-    /// With all obstacles.
+    /// The scene with all obstacles.
     pub visibility: &'a Visibility,
-    /// With none.
+    /// The scene without obstacles.
     pub open: &'a Visibility,
-    /// Of the blocks.
+    /// Accuracy of the blocks.
     pub accuracy: Accuracy,
 }
 
 impl MaskedLight {
-    /// That of a scene.
+    /// The masked light of a scene.
     pub fn new(setting: &Setting, how: Masking) -> Self {
         let Setting { elements, coatings, visibility, open, accuracy } = *setting;
         let list = elements.list();
@@ -124,7 +124,7 @@ impl MaskedLight {
         Self { masked: list.iter().map(|_| Vec::new()).collect(), plain: vec![dark; bands] }
     }
 
-    /// Adds light that needs no mask, given in raw polynomials per unit of exitance.
+    /// Adds light of an emitter that needs no mask; `raw` are coefficients per unit of exitance.
     fn add_plain(&mut self, receiver: usize, exitance: &[f64], raw: &[f64]) {
         for (plain, exitance) in self.plain.iter_mut().zip(exitance) {
             plain[receiver].iter_mut().zip(raw).for_each(|(sum, part)| *sum += exitance * part);
@@ -157,7 +157,7 @@ impl MaskedLight {
     }
 }
 
-/// Irradiance from one emitter of exitance 1, in the raw polynomials of each element.
+/// Raw coefficients on each element of the irradiance from one emitter of exitance 1.
 fn arriving(list: &[Element], emitter: usize, blocks: &Blocks) -> Vec<Vec<f64>> {
     let starts = blocks.starts();
     let mut sent = vec![0.0; blocks.dim()];
@@ -170,14 +170,14 @@ fn arriving(list: &[Element], emitter: usize, blocks: &Blocks) -> Vec<Vec<f64>> 
 /// An element whose masks are being made.
 struct Receiver<'a> {
     setting: &'a Setting<'a>,
-    /// With all obstacles, and with none.
+    /// Direct light with all obstacles, and without obstacles.
     lights: &'a [DirectLight<'a>; 2],
     index: usize,
-    /// Irradiance from each emitter, seen and unshadowed, at the nodes visited so far.
+    /// Visible and unshadowed irradiance from each emitter at the nodes visited so far.
     known: RefCell<BTreeMap<[u64; 2], Option<Vec<Arriving>>>>,
 }
 
-/// What arrives from an emitter of exitance 1.
+/// Irradiance at a node from an emitter of exitance 1.
 #[derive(Clone, Copy, Debug)]
 struct Arriving {
     emitter: usize,
@@ -194,7 +194,7 @@ impl<'a> Receiver<'a> {
         &self.setting.elements.list()[self.index]
     }
 
-    /// The masks that it needs, by emitter.
+    /// The masks it needs, by emitter.
     fn masks(&self, how: Masking) -> Vec<(usize, Mask)> {
         let masks = self.lights[0].emitters().filter_map(|emitter| {
             let blockers = self.blockers(emitter);
@@ -222,8 +222,8 @@ impl<'a> Receiver<'a> {
         self.setting.visibility.candidates(&self.element().hull, &other.hull, surfaces)
     }
 
-    /// Whether more is hidden of an emitter's light at some node visited than the accuracy of shadows times what arrives
-    /// without shadows, and not all of it at all nodes.
+    /// Whether an emitter needs a mask: at some visited node more of its light is hidden than the accuracy of shadows
+    /// times all unshadowed light, but not all of it at all nodes.
     fn is_needed(&self, emitter: usize) -> bool {
         let known = self.known.borrow();
         let power = |other: usize| self.setting.coatings.iter().map(|c| c.exitance[other]).sum::<f64>();
@@ -269,7 +269,7 @@ impl<'a> Receiver<'a> {
         Some(seen / all)
     }
 
-    /// The point at coordinates in [−1, 1]², with its normal; None where the element does not reach.
+    /// Point and normal at coordinates in [−1, 1]²; None where the element does not reach.
     fn point(&self, [a, b]: [f64; 2]) -> Option<(DVec3, DVec3)> {
         let element = self.element();
         match (element.basis.frame(), element.plane) {

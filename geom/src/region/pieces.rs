@@ -1,9 +1,9 @@
 //! Cutting a polygon with holes into convex pieces of three or four vertices.
 //!
-//! The constrained Delaunay triangulation of the rings, the one of best-shaped triangles, without what lies in
-//! the holes. Rings may touch: vertices closer than what counts as zero are one, and an edge that passes through a
-//! vertex of another ring is cut there, so that the edges meet in common vertices only. Then pairs of neighbours
-//! that form a convex quadrilateral are merged, those with the largest least sine of a corner first.
+//! The constrained Delaunay triangulation of the rings has the best-shaped triangles; triangles in the holes are
+//! dropped. Rings may touch: vertices within tolerance become one, and an edge that passes through a vertex of another
+//! ring is cut there, so that edges meet in common vertices only. Then pairs of neighbours that form a convex
+//! quadrilateral are merged, those with the largest least sine of a corner first.
 
 use super::rings::{TOUCH, encloses, signed_area, to_segment};
 use crate::ShapeError;
@@ -11,8 +11,7 @@ use glam::{DVec2, DVec3};
 use spade::{ConstrainedDelaunayTriangulation, Point2, Triangulation, mitigate_underflow};
 use std::collections::BTreeMap;
 
-/// Corners flatter than this sine are not made: two triangles integrate better than one needle-shaped
-/// quadrilateral.
+/// Corners of a smaller sine are not made: two triangles integrate better than a needle. Chosen; not tuned.
 const LEAST_SINE: f64 = 0.02;
 
 /// A triangulation: indices into `points`, counter-clockwise.
@@ -64,7 +63,7 @@ fn triangulate(flat: &[Vec<DVec2>]) -> Option<Mesh> {
     let expected: f64 = flat.iter().map(|ring| signed_area(ring)).sum();
     let mut mesh = Mesh { points, triangles: Vec::new() };
     for triangle in triangles.into_iter().map(|t| t.map(|k| vertices[k])) {
-        // What rounding opens between edges that touch has no area.
+        // Triangles that rounding opens between touching edges have no area.
         if mesh.area(&triangle) > 1e-12 * expected && mesh.lies_in(&triangle, flat) {
             mesh.triangles.push(triangle);
         }
@@ -95,7 +94,7 @@ fn vertices(points: &[DVec2], corners: &[usize], tolerance: f64) -> Vec<usize> {
     vertices
 }
 
-/// For each point the first one that it coincides with, itself if with none.
+/// For each point the first point that coincides with it, or itself.
 fn corners(points: &[DVec2], tolerance: f64) -> Vec<usize> {
     let first = |k: usize| (0..k).find(|j| points[*j].distance(points[k]) <= tolerance).unwrap_or(k);
     (0..points.len()).map(first).collect()
@@ -108,7 +107,7 @@ fn edges<'a>(flat: &'a [Vec<DVec2>], corners: &'a [usize]) -> impl Iterator<Item
     starts.zip(flat.iter().map(Vec::len)).flat_map(ring).map(|edge| edge.map(|k| corners[k]))
 }
 
-/// The parts of an edge between the vertices it passes through, in order, by their places among the vertices.
+/// The parts of an edge between the vertices that it passes through, in order, as indices of vertices.
 fn cut([from, to]: [usize; 2], points: &[DVec2], vertices: &[usize], tolerance: f64) -> Vec<[usize; 2]> {
     let (p, q) = (points[from], points[to]);
     let on = |k: &usize| *k == from || *k == to || to_segment(points[*k], [p, q]) <= tolerance;

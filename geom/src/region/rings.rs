@@ -4,7 +4,7 @@
 use crate::ShapeError;
 use glam::{DVec2, DVec3};
 
-/// Lengths below this multiple of the region's extent count as zero.
+/// Lengths below this multiple of the region's extent count as zero. Chosen; not tuned.
 pub(super) const TOUCH: f64 = 1e-9;
 
 /// ½ Σ xᵢ × xᵢ₊₁, positive for counter-clockwise rings.

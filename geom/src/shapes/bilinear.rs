@@ -35,7 +35,8 @@ impl Bilinear {
     ///
     /// # Errors
     ///
-    /// Numbers that are not finite, coinciding neighbours, corners on one line, a planar outline that is not strictly convex.
+    /// Numbers that are not finite, coinciding neighbours, corners on one line, a planar outline that is not strictly
+    /// convex.
     pub fn new(vertices: [DVec3; 4]) -> Result<Bilinear, ShapeError> {
         let [p, q, r, s] = vertices;
         for x in vertices {
@@ -54,8 +55,8 @@ impl Bilinear {
         if normal.length() <= 1e-12 * extent * extent {
             return Err(ShapeError::Folded { field: "vertices".into() });
         }
-        // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first; a
-        // little less than the region allows, so that rounding cannot make it refuse.
+        // The corners lie d · n above and below the middle plane, 2 d · n off the plane through the first corner. 0.499
+        // instead of ½, so that rounding cannot make the region refuse.
         let planar = d.dot(normal.normalize()).abs() <= 0.499 * PLANARITY * extent;
         if planar && !is_convex(&vertices, normal) {
             return Err(ShapeError::Folded { field: "vertices".into() });
@@ -114,7 +115,7 @@ impl Surface for Bilinear {
         Some(Bilinear::new(self.vertices.map(place)).map(|moved| Box::new(moved) as Box<dyn Surface>))
     }
 
-    /// What lies on the patch lies there once, and a descent from anywhere finds it.
+    /// A point on the patch has one pair of parameters, and a descent from anywhere finds it.
     fn project(&self, point: DVec3) -> Foot {
         foot_from_middle(self, point).unwrap_or_else(|| nearest_foot(self, point))
     }

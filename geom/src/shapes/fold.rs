@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-/// Places per parameter at which normals are compared.
+/// Places per parameter at which normals are compared. Chosen; not tuned.
 const PLACES: u32 = 15;
 
 /// The places, inside [0, 1].
@@ -13,7 +13,7 @@ pub(super) fn places() -> impl Iterator<Item = f64> + Clone {
     (1..=PLACES).map(|k| f64::from(k) / f64::from(PLACES + 1))
 }
 
-/// Whether all of these `normals`, of any length, are parallel, and some opposite to others.
+/// Whether all `normals`, of any length, are parallel, and some opposite to others.
 pub(super) fn turns_back(normals: &[DVec3]) -> bool {
     let longest = normals.iter().map(|n| n.length()).fold(0.0, f64::max);
     let clear = || normals.iter().filter(|n| n.length() > 1e-9 * longest).map(|n| n.normalize());

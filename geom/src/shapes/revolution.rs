@@ -20,7 +20,7 @@ use crate::zeros::zeros;
 use crate::{Aabb, Hit, Jet, Ray, Rect, ShapeError, Surface};
 use glam::{DMat2, DVec2, DVec3};
 
-/// Equal pieces of s the curve is cut into, to look for rays only where they pass.
+/// Equal pieces of s into which the curve is cut, to look for rays only where they pass. Chosen; not tuned.
 const PIECES: usize = 8;
 
 /// A piece of the profile with the box around it.

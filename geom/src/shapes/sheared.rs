@@ -1,17 +1,18 @@
 //! Sheared boxes around bicubic tiles: which rays certainly miss a tile, and which certainly meet it.
 //!
-//! A tile has an affine frame (a, b, h): its mean tangents become the units of a and b, h is the height along its
-//! mean normal. As the tile lies in the hull of its control points, the ranges of their coordinates make a
-//! box around it, the thinner the flatter the tile: a ray that misses the box misses the tile. The four sides of the tile
-//! lie in the hulls of their own control points. Where these leave a core between them,
+//! A tile has an affine frame (a, b, h): its mean tangents become the units of a and b, h is the height along its mean
+//! normal. The tile lies in the hull of its control points, so the ranges of their coordinates make a box around it,
+//! the thinner the flatter the tile: a ray that misses the box misses the tile. The four sides of the tile lie in the
+//! hulls of their own control points. If these leave a core between them,
 //!
 //! ```text
 //! max a of the side s = 0  <  a  <  min a of the side s = 1 ,     max b of t = 0  <  b  <  min b of t = 1 ,
 //! ```
 //!
-//! a ray that passes the whole height of the box within the core meets the tile: in the difference of X(s, t) and the
-//! ray's point at w each coordinate changes its sign between two opposite faces of a box of (s, t, w), so that
-//! it vanishes somewhere (Poincaré and Miranda). This holds for any frame; a degenerate tile takes that of space.
+//! a ray that passes the whole height of the box within the core meets the tile: each coordinate of the difference of
+//! X(s, t) and the ray's point at w changes its sign between two opposite faces of a box of (s, t, w), so the
+//! difference vanishes somewhere (Poincaré and Miranda). This holds for any frame; a degenerate tile takes that of
+//! space.
 //!
 //! Compare Gottschalk, Lin, Manocha, *OBBTree*, 1996, whose boxes are turned but not sheared.
 
@@ -19,9 +20,9 @@ use crate::slabs::inverted;
 use crate::{Aabb, Ray};
 use glam::{DMat3, DVec2, DVec3, Vec3Swizzles};
 
-/// Room around a box for seams and rounding, as a part of the tile's size.
+/// Margin of a box for seams (1e-9) and rounding, as a part of the tile's size.
 const ROOM: f64 = 1e-8;
-/// Mean tangents at a smaller sine of their angle make no frame.
+/// Mean tangents with a smaller sine between them make no frame. Chosen; not tuned.
 const SLENDER: f64 = 1e-6;
 
 /// A box in the frame of a tile.
@@ -36,7 +37,7 @@ pub(super) struct Sheared {
     core: [DVec2; 2],
 }
 
-/// What a box can tell of a ray and its tile.
+/// The result of testing a ray against a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passage {
     /// The ray misses it.
@@ -63,7 +64,7 @@ impl Sheared {
         Self { origin, frame, range: [whole.min, whole.max], core }
     }
 
-    /// What the box tells of a ray.
+    /// How a ray passes the box.
     pub(super) fn passage(&self, ray: &Ray) -> Passage {
         let from = self.frame * (ray.origin - self.origin);
         let along = self.frame * ray.direction;

@@ -1,8 +1,8 @@
 //! Bicubic patches as quadtrees of tiles, to look for rays only where they pass.
 //!
-//! A ray goes from the whole patch to the quarters that it may meet, by their boxes ([`Sheared`]), until one tells that
-//! it does, or down to the smallest tiles. Seen along the ray the control points of these form planar nets, whose
-//! zeros are bracketed ([`zeros`]).
+//! A ray descends from the whole patch to the quarters that it may meet, by their boxes ([`Sheared`]), until a box
+//! shows that it meets the patch, or down to the smallest tiles. Seen along the ray, their control points form planar
+//! nets, whose zeros are bracketed ([`zeros`]).
 
 use super::net::{part, sample};
 use super::sheared::{Passage, Sheared};
@@ -11,7 +11,7 @@ use crate::zeros::zeros;
 use crate::{Hit, Ray, Rect};
 use glam::{DVec2, DVec3, DVec4};
 
-/// How often a patch is quartered.
+/// Quarterings of a patch. Chosen; not tuned.
 const DEPTH: usize = 3;
 /// Extent of the smallest tiles along either parameter.
 const WIDTH: f64 = 2.0 / (1 << DEPTH) as f64;
@@ -49,7 +49,7 @@ impl Control for DVec4 {
 /// A patch cut into tiles.
 #[derive(Clone, Debug)]
 pub(super) struct Tiles<T> {
-    /// Of all levels of the quadtree, the whole patch first; each level by rows of equal u.
+    /// Boxes of all levels of the quadtree, the whole patch first; each level by rows of equal u.
     boxes: Vec<Sheared>,
     /// Control nets of the smallest tiles, by rows of equal u.
     nets: Vec<[[T; 4]; 4]>,
@@ -201,8 +201,8 @@ mod tests {
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(64))]
 
-        /// On sheets from nearly flat to tangled ones, plain and rational: segments between points anywhere, and between
-        /// points of the sheet, where boxes tell least.
+        /// On sheets from nearly flat to tangled ones, plain and rational: segments between any points, and between
+        /// points of the sheet, where boxes say least.
         #[test]
         fn rays_meet_what_all_tiles_together_meet(
             offsets in prop::collection::vec(prop::array::uniform3(-1.0..1.0), 16),

@@ -1,9 +1,9 @@
-//! A cell: a patch with a field at its 2 × 2 Gauss points.
+//! A cell: a patch with the values of a field at its 2 × 2 Gauss points.
 //!
-//! The field is kept per channel (a band, or the constant 1). What decides about division is kept in multiples of a scale
-//! per channel, the largest over the channels: how bright the cell is, how much the field varies over it, and how far its
-//! mean is off that of its quarters. Quarters that were not given their own field take the bilinear interpolant of the four
-//! points; they are made when they are first asked for, and kept near the root, where many ask.
+//! The field has one or more channels (a band each, or the constant 1). Brightness, variation and detail of a cell
+//! decide about its division; each is the largest over the channels, in multiples of the channel's scale. Quarters
+//! without a field of their own take the bilinear interpolant of the four points. They are made when first needed, and
+//! kept near the root, where many points need them.
 
 use std::ops::Deref;
 use std::sync::OnceLock;
@@ -15,57 +15,57 @@ use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::visibility::shadow_volume::Quad;
 
-/// Length over breadth above which a curved cell is only cut across.
+/// A curved cell longer than this multiple of its breadth is cut across its length only. Chosen; not tuned.
 const LONG: f64 = 2.0;
 
-/// Gauss points of a cell, index 2 a + b for the a-th along s and the b-th along t.
+/// Number of Gauss points, index 2 a + b for the a-th along s and the b-th along t.
 pub(crate) const POINTS: usize = 4;
 
-/// Levels below the root down to which quarters are kept.
+/// Levels below the root down to which quarters are kept. Chosen; not tuned.
 const KEPT: u8 = 5;
 
-/// Cosine between its normals from which on a cell with straight sides is much like a flat one.
+/// A cell with straight sides whose normals have at least this cosine to each other counts as flat. Chosen; not tuned.
 const LEVEL: f64 = 0.999;
 
-/// A patch with a field at its Gauss points.
+/// A patch with the values of a field at its Gauss points.
 #[derive(Clone, Debug)]
 pub struct Cell {
     patch: Patch,
-    /// Quarterings that made it.
+    /// Number of quarterings that made it.
     level: u8,
     quarters: OnceLock<Box<[Cell; 4]>>,
-    /// Points whose convex hull contains it: its corners if it is flat.
+    /// Points whose convex hull contains the cell: its corners if it is flat.
     pub hull: SmallVec<[DVec3; 4]>,
-    /// The Gauss points; the area of each is its part of the cell's.
+    /// The Gauss points; the area of each is its share of the cell's.
     pub nodes: [Node; POINTS],
-    /// Their places, component by component.
+    /// The positions of the Gauss points, component by component.
     pub lanes: [[f64; POINTS]; 3],
-    /// The field at each point, channel after channel.
+    /// Values of the field, point after point, channels fastest.
     values: SmallVec<[f64; 12]>,
-    /// Places and normals at the corners of a curved cell and at its Gauss points.
+    /// Positions and normals at the corners and the Gauss points of a curved cell.
     pub facets: Vec<(DVec3, DVec3)>,
-    /// Middle of the hull.
+    /// Mean of the points of the hull.
     pub center: DVec3,
-    /// Radius of the ball around the middle that holds the hull.
+    /// Radius of the ball about the centre that contains the hull.
     pub radius: f64,
-    /// Its corners and the radius around their mean, where its hull is that of four points or fewer.
+    /// The corners, and the radius about their mean, where the cell counts as a flat quadrilateral.
     pub quad: Option<(Quad, f64)>,
-    /// Largest mean over the scale.
+    /// Largest mean of a channel over its scale.
     pub brightness: f64,
-    /// Largest difference from the mean over the scale.
+    /// Largest difference of a value from the mean, over the channel's scale.
     pub spread: f64,
-    /// Largest difference of the mean from that of the quarters, over the scale.
+    /// Largest difference between the cell's mean and that of its quarters, over the channel's scale.
     pub detail: f64,
     /// Smallest cosine between two normals.
     pub bend: f64,
-    /// Whether its border is the polygon of its hull: Lambert's form follows the border alone.
+    /// Whether its border is the polygon of its hull, which Lambert's formula follows.
     pub is_straight: bool,
-    /// About how far a curved cell lies from the quad of its corners, in its plane or out of it, over its radius.
+    /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
     pub warp: f64,
 }
 
 impl Cell {
-    /// A patch of an element without a field.
+    /// A cell without a field.
     pub fn bare(patch: Patch) -> Self {
         Self::at_level(patch, 0)
     }
@@ -114,7 +114,7 @@ impl Cell {
         }
     }
 
-    /// The same cell with a field at its points.
+    /// The cell with `values` of a field at its points; `scale` has one positive number per channel.
     pub fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
         self.values = values;
         for (channel, scale) in scale.iter().enumerate() {
@@ -127,24 +127,24 @@ impl Cell {
         self
     }
 
-    /// The field at a point.
+    /// Value of a channel at a Gauss point.
     pub fn value(&self, point: usize, channel: usize) -> f64 {
         self.values[point * (self.values.len() / POINTS) + channel]
     }
 
-    /// Mean of the field over the cell's area.
+    /// Mean of a channel over the cell's area.
     pub fn mean(&self, channel: usize) -> f64 {
         let area = self.area();
         let sum: f64 = (0..POINTS).map(|k| self.nodes[k].area * self.value(k, channel)).sum();
         if area > 0.0 { sum / area } else { 0.0 }
     }
 
-    /// Area by the Gauss rule.
+    /// Area by the Gauss rule (scene length²).
     pub fn area(&self) -> f64 {
         self.nodes.iter().map(|node| node.area).sum()
     }
 
-    /// Its corners in order, each once.
+    /// The corners in order, without repetitions (to 1e-9 of the radius).
     pub fn outline(&self) -> Vec<DVec3> {
         let mut corners = self.patch.corners().to_vec();
         let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= 1e-9 * self.radius;
@@ -155,22 +155,22 @@ impl Cell {
         corners
     }
 
-    /// Whether it lies in a plane.
+    /// Whether the cell lies in a plane.
     pub fn is_flat(&self) -> bool {
         self.patch.is_flat()
     }
 
-    /// Whether the field is the same everywhere on it.
+    /// Whether the field is constant over the cell.
     pub fn is_uniform(&self) -> bool {
         self.spread == 0.0 && self.detail == 0.0
     }
 
-    /// Whether it is a flat parallelogram.
+    /// Whether the cell is a flat parallelogram.
     pub fn is_parallelogram(&self) -> bool {
         self.patch.is_parallelogram()
     }
 
-    /// Gives it its quarters, with the same field, and takes over what they show of it.
+    /// Stores its quarters, which carry the same field, and updates spread and detail from them.
     pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         for (channel, scale) in scale.iter().enumerate() {
@@ -186,7 +186,7 @@ impl Cell {
         self.quarters = OnceLock::from(Box::new(quarters));
     }
 
-    /// The four quarters, index 2 a + b like the points.
+    /// The four quarters, index 2 a + b as for the points.
     pub fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
         if self.level < KEPT || self.quarters.get().is_some() {
             Quarters::Kept(self.quarters.get_or_init(|| Box::new(self.interpolated(scale))))
@@ -195,7 +195,7 @@ impl Cell {
         }
     }
 
-    /// The directions in which it is halved: a long curved cell, as at a pole, twice along its length.
+    /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its length.
     fn directions(&self) -> [Direction; 2] {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
@@ -214,12 +214,12 @@ impl Cell {
         [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
     }
 
-    /// The four quarters with the bilinear interpolant of the field, which does not leave the range of the four points.
+    /// The four quarters with the bilinear interpolant of the field, cut off at the range of the four values.
     fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
         let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
         let directions = self.directions();
-        // Share of the points at the far side of the cell in a direction, at the c-th point of a quarter.
+        // Weight of the far side in a direction, at the c-th point of a quarter.
         let share = |direction: Direction, [a, b]: [usize; 2], c: usize| {
             let place = match directions.map(|halved| halved == direction) {
                 [true, true] => 0.25 * ((2 * a + b) as f64 + places[c]),
@@ -250,9 +250,9 @@ impl Cell {
 
 /// The quarters of a cell.
 pub enum Quarters<'a> {
-    /// Kept with it.
+    /// Kept by the cell.
     Kept(&'a [Cell; 4]),
-    /// Made for once.
+    /// Made for this call.
     Passing(Box<[Cell; 4]>),
 }
 

@@ -1,6 +1,6 @@
-//! The cells of an element with its radiosity.
+//! The tree of cells of an element, with its radiosity.
 //!
-//! A tree is as fine as the radiosity varies, and so fine that the points of its cells see every polynomial.
+//! A tree is as fine as the radiosity varies, and at least so fine that its points see every polynomial.
 
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::smallvec;
@@ -9,41 +9,41 @@ use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::cell::{Cell, POINTS};
 
-/// Levels of quarters below the patches of an element.
+/// Most levels of quarters below the patches of an element. Chosen; not tuned.
 const DEEPEST: usize = 4;
 
-/// Variation of the field, relative to its scale, below which a cell is not divided, in multiples of the accuracy asked.
+/// A cell whose field varies by less than this multiple of the accuracy is not divided. Chosen; not tuned.
 const FINE: f64 = 30.0;
 
-/// An element as an emitter.
+/// An element as a sender of light.
 #[derive(Debug)]
 pub struct Tree {
-    /// The cells that cover the element, one a patch.
+    /// The cells that cover the element, one per patch.
     roots: Vec<Cell>,
     scale: Vec<f64>,
     /// Index of its surface.
     pub surface: usize,
-    /// A point and the unit normal of its plane, where it is flat.
+    /// A point of the element's plane and the unit normal, if it is flat.
     pub plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
     pub bounds: Aabb,
 }
 
-/// A field over an element: writes the channels at a node of a patch.
+/// A field over an element: writes the value of each channel at a node of a patch.
 pub(crate) type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 impl Tree {
-    /// An element with the constant 1 in a single channel, that counts as `brightness` (positive) times the scale.
+    /// The tree of an element of exitance 1 in one channel, whose brightness is `brightness` > 0 times the scale.
     pub fn uniform(element: &Element, brightness: f64) -> Self {
         Self::grown(element, &[1.0 / brightness], |bare, scale| {
             with_field(bare, scale, &|_, out| out.fill(1.0))
         })
     }
 
-    /// An element with `field`, whose channels are measured by `scale` (positive), kept so finely that differences of `eps`
-    /// times that are followed.
+    /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
+    /// the accuracy `eps` relative to the scale.
     pub fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
-        // So many quarterings that 2 × 2 points a cell see every polynomial of the element.
+        // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
         let least = element.basis.total_degree().div_ceil(4);
         Self::grown(element, scale, |bare, scale| {
             let growth = Growth { field, scale, least, rough: FINE * eps };
@@ -61,7 +61,7 @@ impl Tree {
         }
     }
 
-    /// The cells that cover the element, one a patch.
+    /// The cells that cover the element, one per patch.
     pub fn roots(&self) -> &[Cell] {
         &self.roots
     }
@@ -72,11 +72,11 @@ impl Tree {
     }
 }
 
-/// How cells are divided for a field.
+/// The rule by which cells are divided for a field.
 struct Growth<'a> {
     field: Field<'a>,
     scale: &'a [f64],
-    /// Levels that are divided anyhow.
+    /// Levels that are divided in any case.
     least: usize,
     /// Variation over the scale above which a cell is divided.
     rough: f64,

@@ -1,9 +1,9 @@
-//! What blockers hide of the lines of a screen.
+//! Hidden spans: the parts of the scan lines of a projection plane that blockers hide.
 //!
-//! A planar piece hides an interval of a line. Of a curved blocker each quad of its net meets the plane through the eye and
-//! the line in a segment, which hides an interval; the intervals of all quads are put together, and only the ends of what
-//! is left are corrected from the net to the surface itself ([`crate::light::lines::silhouette`]). The correction is what counts for the
-//! result: the net only has to find the outline.
+//! A planar blocker hides an interval of a line. Each quad of a curved blocker's silhouette mesh meets the plane
+//! through the eye and the line in a segment, which hides an interval. These intervals are joined, and only the ends of
+//! the union are corrected from the mesh to the true surface ([`crate::light::lines::silhouette`]). The accuracy of the
+//! result is that of the correction; the mesh only has to find the outline.
 
 use std::borrow::Cow;
 
@@ -15,35 +15,35 @@ use crate::light::lines::silhouette::{Crossing, outline};
 use crate::visibility::shadow_volume::Pyramid;
 use crate::visibility::silhouette_mesh::{Quad, Region, SilhouetteMesh};
 
-/// Ends so near each other, in parts of the screen, are both corrected, and the farther counts.
+/// Two ends nearer than this part of the screen's side are both corrected; the farther counts. Chosen; not tuned.
 const CLOSE: f64 = 0.02;
 
-/// Ends so far outside a line, in parts of it, are still corrected: the surface may reach farther than its net.
+/// Ends so far outside a line, over its length, are corrected too: the surface may exceed its mesh. Chosen; not tuned.
 const OUTSIDE: f64 = 0.1;
 
-/// How much farther normals may turn between the corners of a quad than at them.
+/// How much farther normals may turn inside a quad than between its corners. Chosen; not tuned.
 const STEEPER: f64 = 1.5;
 
-/// A correction is believed up to this part of the quad's size as it is seen.
+/// Largest correction that is accepted, over the projected size of the quad. Chosen; not tuned.
 const BELIEVED: f64 = 1.0;
 
-/// Ends within one net without an outline between them are no farther apart than this part of a quad's breadth where only
-/// quads of different sizes gape.
+/// Between two ends in one mesh without an outline a gap up to this part of a quad's projected breadth is a crack
+/// between quads of different sizes. Chosen; not tuned.
 const CRACK: f64 = 0.25;
 
-/// Blockers before a screen.
+/// The blockers before a projection plane.
 #[derive(Debug)]
 pub(crate) struct HiddenSpans<'a> {
     screen: ProjectionPlane,
     quads: Vec<Facet<'a>>,
-    /// Lowest and highest t at which each quad is seen.
+    /// Range of t that each quad covers.
     heights: Vec<[f64; 2]>,
     pyramids: Vec<&'a Pyramid>,
-    /// Sides of the outline of what shines, in no order, if not all of the screen does.
+    /// Sides, in no order, of the outline of the part that shines; None if the whole polygon does.
     lit: Option<Vec<[[f64; 2]; 2]>>,
 }
 
-/// A quad as it is seen.
+/// A quad in projection.
 #[derive(Debug)]
 struct Facet<'a> {
     net: &'a SilhouetteMesh,
@@ -52,32 +52,32 @@ struct Facet<'a> {
     seen: [DVec3; 4],
 }
 
-/// A hidden part of a line.
+/// A hidden interval of a line.
 #[derive(Clone, Copy, Debug)]
 struct Hidden {
     low: End,
     high: End,
 }
 
-/// An end of a hidden part, with the quads at whose edges it lies.
+/// An end of a hidden interval, with the edges of quads that it lies on.
 #[derive(Clone, Copy, Debug)]
 struct End {
     s: f64,
     causes: [Option<(usize, Crossing)>; 2],
 }
 
-/// An end of a hidden part as the surface shows it.
+/// An end of a hidden interval, corrected to the surface.
 #[derive(Clone, Copy)]
 struct Place<'a> {
     s: f64,
-    /// The net that it lies within, with the breadth of its quad as it is seen, where no outline was found.
+    /// The mesh that contains the end, with the projected breadth of its quad, where no outline was found.
     within: Option<(&'a SilhouetteMesh, f64)>,
 }
 
-/// The quads before a screen, of a surface that the eye may lie on.
+/// The region before a screen, for a surface that the eye may lie on.
 struct Ahead<'a> {
     screen: &'a ProjectionPlane,
-    /// Its unit normal there, and the least sine of the screen's height over it, if it does.
+    /// If the eye lies on the surface: its unit normal there and the least sine of the screen's elevation.
     ground: Option<(DVec3, f64)>,
 }
 
@@ -96,12 +96,12 @@ impl Region for Ahead<'_> {
 }
 
 impl<'a> HiddenSpans<'a> {
-    /// Before `screen`, nothing yet.
+    /// No blockers before `screen` yet.
     pub(crate) fn new(screen: ProjectionPlane) -> Self {
         Self { screen, quads: Vec::new(), heights: Vec::new(), pyramids: Vec::new(), lit: None }
     }
 
-    /// Before a screen of which only what lies within an outline shines, given by its sides in (s, t); nothing yet.
+    /// No blockers yet; only the inside of an outline, given by its sides in (s, t), shines.
     pub(crate) fn before_lamp(screen: ProjectionPlane, sides: Vec<[[f64; 2]; 2]>) -> Self {
         Self { lit: Some(sides), ..Self::new(screen) }
     }
@@ -111,8 +111,8 @@ impl<'a> HiddenSpans<'a> {
         self.pyramids.push(pyramid);
     }
 
-    /// Adds a curved blocker; `ground` is its unit normal at the eye, where the eye lies on it. If the screen stands for a
-    /// piece of the blocker itself, only what lies well before it counts.
+    /// Adds a curved blocker; `ground` is its unit normal at the eye if the eye lies on it. `is_own`: the screen stands
+    /// for a piece of the blocker itself, and only quads well before it count.
     pub(crate) fn add_curved(&mut self, net: &'a SilhouetteMesh, ground: Option<DVec3>, is_own: bool) {
         let far = if is_own { 1.0 - self.screen.width() } else { f64::INFINITY };
         let ground = ground.map(|normal| (normal, self.screen.rise(normal)));
@@ -127,12 +127,12 @@ impl<'a> HiddenSpans<'a> {
         });
     }
 
-    /// Whether nothing stands before the screen.
+    /// Whether there is no blocker.
     pub(crate) fn is_empty(&self) -> bool {
         self.quads.is_empty() && self.pyramids.is_empty()
     }
 
-    /// The same with s and t exchanged: lines run the other way.
+    /// The same spans with s and t exchanged: lines run in the other direction.
     pub(crate) fn transposed(&self) -> Self {
         let quads: Vec<_> = self.quads.iter().map(Facet::transposed).collect();
         let heights = quads.iter().map(|facet| height(&facet.seen)).collect();
@@ -158,7 +158,7 @@ impl<'a> HiddenSpans<'a> {
         parts.filter(|[start, end]| start < end).collect()
     }
 
-    /// The visible parts of line `t` between `low` and `high`, ascending, into `out`.
+    /// Writes the visible parts of line `t` between `low` and `high` to `out`, ascending.
     pub(crate) fn visible(&self, t: f64, [low, high]: [f64; 2], out: &mut Vec<[f64; 2]>) {
         out.clear();
         let outside = OUTSIDE * (high - low);
@@ -179,7 +179,7 @@ impl<'a> HiddenSpans<'a> {
         out.push([last.s, high]);
     }
 
-    /// The hidden parts by the net, ascending and apart.
+    /// The hidden intervals of line `t` by the meshes, ascending and disjoint.
     fn hidden(&self, t: f64, [low, high]: [f64; 2]) -> Vec<Hidden> {
         let mut parts = Vec::new();
         for (index, [bottom, top]) in self.heights.iter().enumerate() {
@@ -202,7 +202,7 @@ impl<'a> HiddenSpans<'a> {
         apart
     }
 
-    /// An end as the surface itself shows it; `side` is +1 for the high end.
+    /// An end of a hidden interval, corrected to the surface; `side` is +1 for the high end, −1 for the low one.
     fn corrected(&self, t: f64, end: End, side: f64) -> Place<'_> {
         let size = |seen: &[DVec3; 4]| seen.iter().map(|p| (p.x / p.z - end.s).abs()).fold(0.0, f64::max);
         let found = end.causes.iter().flatten().filter_map(|(index, crossing)| {
@@ -223,7 +223,7 @@ impl<'a> HiddenSpans<'a> {
 }
 
 impl Place<'_> {
-    /// Whether what lies between two ends is a crack between quads of different sizes.
+    /// Whether the gap between two ends is a crack between quads of different sizes.
     fn is_crack(&self, next: &Self) -> bool {
         match (self.within, next.within) {
             (Some((net, size)), Some((other, width))) => {
@@ -239,7 +239,7 @@ impl Facet<'_> {
         Self { net: self.net, quad: self.quad.clone(), seen: self.seen.map(|p| DVec3::new(p.y, p.x, p.z)) }
     }
 
-    /// What the quad hides of line `t`: between pairs of edges that the line crosses.
+    /// The intervals of line `t` that the quad hides: between pairs of edges that the line crosses.
     fn hide(&self, index: usize, t: f64, out: &mut Vec<Hidden>) {
         let height = self.seen.map(|p| p.y - t * p.z);
         let above = height.map(|h| h > 0.0);
@@ -263,7 +263,7 @@ impl Facet<'_> {
     }
 }
 
-/// Lowest and highest t at which a quad is seen.
+/// Range of t that a quad covers.
 fn height(seen: &[DVec3; 4]) -> [f64; 2] {
     if seen.iter().any(|p| p.z <= COINCIDENT) {
         return [f64::NEG_INFINITY, f64::INFINITY];
@@ -272,7 +272,7 @@ fn height(seen: &[DVec3; 4]) -> [f64; 2] {
     [t.into_iter().fold(f64::INFINITY, f64::min), t.into_iter().fold(f64::NEG_INFINITY, f64::max)]
 }
 
-/// What a segment before the screen hides of its line.
+/// The interval of its line that a segment before the screen hides.
 fn between(a: (DVec3, Crossing), b: (DVec3, Crossing), index: usize) -> Option<Hidden> {
     let (near, far) = (COINCIDENT, 1.0 - COINCIDENT);
     let (low, high) = (a.0.z.min(b.0.z), a.0.z.max(b.0.z));
@@ -295,7 +295,7 @@ impl Hidden {
         if a.s <= b.s { Self { low: a, high: b } } else { Self { low: b, high: a } }
     }
 
-    /// Takes in a part that begins at or after its own beginning.
+    /// Joins an interval that begins at or after the beginning of this one.
     fn join(&mut self, other: &Self) {
         if other.low.s <= self.low.s + CLOSE {
             self.low.causes[1] = self.low.causes[1].or(other.low.causes[0]);

@@ -1,15 +1,16 @@
-//! How much of a planar cell is seen past blockers, line by line.
+//! Line quadrature: how much of a planar cell is visible past blockers.
 //!
 //! ```text
-//! shares_k = ∫∫_visible κ N_k ds dt / ∫∫ κ ds dt
+//! shares_k = ∫∫_visible κ N_k ds dt / ∫∫ κ ds dt ,     Σ_k shares_k ≤ 1 ,
 //! ```
 //!
 //! with N_k the bilinear functions of the cell's 2 × 2 points. Along a line the visible parts are known
-//! ([`crate::light::lines::hidden_spans`]), and κ is integrated over each by Gauss's rule. Across the lines the integrand is continuous, with
-//! bends where the outline meets the border of the cell and roots where it touches a line: Simpson's rule on halves of
-//! halves, as long as a half's two estimates differ by more than the tolerance. Where the outline runs along the lines, so
-//! that one sees all and another nothing, lines of the other direction are taken. So they are before a whole lamp of which
-//! every line sees all, or none: what is seen, or hidden, beside the edge of a column may lie between two lines.
+//! ([`crate::light::lines::hidden_spans`]), and κ is integrated over each by Gauss's rule. Across lines the integrand
+//! is continuous, with bends where the outline meets the border of the cell and roots where it touches a line. It is
+//! integrated by Simpson's rule on panels that are halved while two estimates differ by more than the tolerance. If the
+//! outline runs along the lines, so that some see all and others nothing, lines of the other direction are taken. The
+//! same is done for a whole area light if every line sees all of it, or none: a visible or hidden strip beside the edge
+//! of a column may lie between two lines.
 
 use std::f64::consts::PI;
 
@@ -19,21 +20,21 @@ use crate::elements::rule::UnitRule;
 use crate::light::lines::hidden_spans::HiddenSpans;
 use crate::light::receiver_point::ReceiverPoint;
 
-/// Gauss points on a visible part of a line.
+/// Gauss points on each visible part of a line. Chosen; not tuned.
 const POINTS: usize = 3;
 
-/// Panels across at first, of a cell and of a whole lamp, and most halvings of one.
+/// Initial panels of a cell and of a whole area light, and most halvings of a panel. All are chosen, not tuned.
 const PANELS: usize = 3;
 const LAMP_PANELS: usize = 10;
 const DEEPEST: usize = 6;
 
-/// Part of the difference between two estimates by which the better of them errs where the integrand has a bend.
+/// Error of the better of two estimates over their difference, where the integrand has a bend. Chosen; not tuned.
 const BEND: f64 = 0.7;
 
-/// Variation of the visible part from line to line above which an outline is taken to run along the lines.
+/// Variation of the visible part between lines above which the outline is taken to run along them. Chosen; not tuned.
 const ALONG: f64 = 0.6;
 
-/// Of one line, and their integrals: what is visible by point, and all.
+/// Integrals along a line or over a panel: visible, weighted with each N_k, and unoccluded.
 #[derive(Clone, Copy, Debug, Default)]
 struct Sums {
     visible: [f64; 4],
@@ -51,41 +52,41 @@ impl Sums {
     }
 }
 
-/// A planar cell in lines.
+/// The quadrature of a planar cell by lines.
 pub(crate) struct LineQuadrature<'a> {
     vantage: &'a ReceiverPoint,
     facets: &'a HiddenSpans<'a>,
     gauss: &'a UnitRule,
-    /// Places of the cell's points along a side.
+    /// Gauss points of the cell along a side.
     places: &'a [f64],
-    /// Whether the lines run the other way already.
+    /// Whether lines already run in the other direction.
     is_turned: bool,
-    /// Whether they cross a whole lamp, of which a small part may be all that is seen.
+    /// Whether the lines cross a whole area light, of which only a small part may be visible.
     is_of_lamp: bool,
     room: Vec<[f64; 2]>,
 }
 
 impl<'a> LineQuadrature<'a> {
-    /// Of the polygon that is the screen of `facets`, from a point.
+    /// For the polygon of the projection plane of `facets`, seen from `vantage`.
     pub(crate) fn new(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
         let places = &UnitRule::of(2).nodes;
         let gauss = UnitRule::of(POINTS);
         Self { vantage, facets, gauss, places, is_turned: false, is_of_lamp: false, room: Vec::new() }
     }
 
-    /// The same of a screen before a whole lamp.
+    /// As [`LineQuadrature::new`], for the projection plane of a whole area light.
     pub(crate) fn of_lamp(vantage: &'a ReceiverPoint, facets: &'a HiddenSpans<'a>) -> Self {
         Self { is_of_lamp: true, ..Self::new(vantage, facets) }
     }
 
-    /// The shares of the four points in what is seen, good to about `tolerance` each: their sum is 1 if all is seen.
+    /// The visible shares of the four points, each accurate to about `tolerance`; they sum to 1 without blockers.
     pub(crate) fn shares(&mut self, tolerance: f64) -> [f64; 4] {
         let sums = self.sums(tolerance);
         if sums.all > 0.0 { sums.visible.map(|visible| visible / sums.all) } else { [0.0; 4] }
     }
 
-    /// The irradiance from what is seen of what shines on the screen with exitance 1, good to about `tolerance` of that from all
-    /// of it, and that from all of it.
+    /// Visible and unoccluded irradiance from exitance 1 on the part of the screen that shines; the first is accurate
+    /// to about `tolerance` times the second.
     pub(crate) fn irradiances(&mut self, tolerance: f64) -> [f64; 2] {
         let sums = self.sums(tolerance);
         let screen = self.facets.screen();
@@ -125,13 +126,13 @@ impl<'a> LineQuadrature<'a> {
         sums
     }
 
-    /// Lowest and highest t of the cell.
+    /// Range of t of the cell.
     fn heights(&self) -> (f64, f64) {
         let heights = || self.facets.screen().outline.iter().map(|[_, t]| *t);
         (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max))
     }
 
-    /// Integral over a panel with the lines at its ends and in its middle.
+    /// Integral over a panel; a, b, c are the lines at its start, middle and end.
     fn panel(&mut self, low: f64, width: f64, [a, b, c]: [Sums; 3], error: f64, rest: usize) -> Sums {
         let whole = simpson(width, [a, b, c]);
         let half = 0.5 * width;
@@ -146,7 +147,7 @@ impl<'a> LineQuadrature<'a> {
         left.plus(self.panel(low + half, half, [b, right, c], error, rest - 1), 1.0)
     }
 
-    /// One line.
+    /// Integrals along one line.
     fn line(&mut self, t: f64) -> Sums {
         let mut sums = Sums::default();
         let Some(range) = self.range(t) else { return sums };
@@ -163,7 +164,7 @@ impl<'a> LineQuadrature<'a> {
         sums
     }
 
-    /// Where line `t` lies within the cell and above the horizons.
+    /// The interval of line `t` within the cell and above the horizons.
     fn range(&self, t: f64) -> Option<[f64; 2]> {
         let screen = self.facets.screen();
         let (mut low, mut high) = crossed(&screen.outline, t)?;
@@ -180,7 +181,7 @@ impl<'a> LineQuadrature<'a> {
         (low < high).then_some([low, high])
     }
 
-    /// ∫ κ N_k ds, but for a factor that is the same everywhere.
+    /// ∫ κ N_k ds, except for a constant factor.
     fn over(&self, t: f64, [low, high]: [f64; 2]) -> [f64; 4] {
         let ReceiverPoint { position, normal, .. } = *self.vantage;
         let screen = self.facets.screen();
@@ -199,13 +200,13 @@ impl<'a> LineQuadrature<'a> {
     }
 }
 
-/// Largest difference of the part that is seen between lines.
+/// Largest difference between lines of the part that is visible.
 fn variation(lines: &[Sums]) -> f64 {
     let parts = || lines.iter().filter(|line| line.all > 0.0).map(|line| line.seen() / line.all);
     parts().fold(f64::NEG_INFINITY, f64::max) - parts().fold(f64::INFINITY, f64::min)
 }
 
-/// Linear functions that are 1 at one of two places and 0 at the other.
+/// The linear functions that are 1 at one of two places and 0 at the other.
 fn shape(x: f64, places: &[f64]) -> [f64; 2] {
     let far = (x - places[0]) / (places[1] - places[0]);
     [1.0 - far, far]
@@ -215,7 +216,7 @@ fn simpson(width: f64, [a, b, c]: [Sums; 3]) -> Sums {
     Sums::default().plus(a, width / 6.0).plus(b, 4.0 * width / 6.0).plus(c, width / 6.0)
 }
 
-/// Lowest and highest s of a convex outline on line `t`.
+/// Range of s of a convex outline on line `t`.
 fn crossed(outline: &[[f64; 2]], t: f64) -> Option<(f64, f64)> {
     let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
     for (k, [s, here]) in outline.iter().enumerate() {

@@ -1,38 +1,39 @@
-//! A plane that a point looks at, with what stands before it seen in perspective.
+//! The projection plane ("screen"): a plane in which a point sees blockers in perspective.
 //!
-//! With a corner o of the screen, its axes a, b, and the eye x, every point is
+//! With a corner o of the screen, its sides a and b from there, and the eye x, every point P is
 //!
 //! ```text
-//! P − x = λ (o − x) + S a + T b ,      (S, T, λ) = [a, b, o − x]⁻¹ (P − x)
+//! P − x = λ (o − x) + S a + T b ,      (S, T, λ) = [a, b, o − x]⁻¹ (P − x) .
 //! ```
 //!
-//! so it is seen at (s, t) = (S, T)/λ, and it lies before the screen if 0 < λ < 1. The plane through x and the line t of the
-//! screen is T − t λ = 0, linear in P.
+//! It is seen at (s, t) = (S, T)/λ and lies before the screen if 0 < λ < 1. The plane through x and the line t = const
+//! is T − t λ = 0, linear in P.
 
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
 /// The plane of a convex polygon with at least three corners, seen from a point.
 #[derive(Clone, Debug)]
 pub(crate) struct ProjectionPlane {
-    /// The point.
+    /// The point x that sees.
     pub eye: DVec3,
     /// First corner of the polygon.
     pub origin: DVec3,
-    /// Along its first side.
+    /// First side of the polygon.
     pub along: DVec3,
-    /// Along its last side, backwards.
+    /// Last side of the polygon, reversed.
     pub across: DVec3,
     dual: [DVec3; 3],
     /// The polygon in (s, t).
     pub outline: Vec<[f64; 2]>,
-    /// Inward normals of planes through the eye, and how low, times them, what the polygon stands for reaches.
+    /// Inward normals of the planes through the eye and the sides, each with the least height of the hull.
     sides: Vec<(DVec3, f64)>,
-    /// Largest depth of what the polygon stands for.
+    /// Largest λ of the hull, at least 1.
     depth: f64,
 }
 
 impl ProjectionPlane {
-    /// Of a polygon that stands for a piece of surface within a hull; None where the eye lies in the polygon's plane.
+    /// For a polygon that stands for a piece of surface inside `hull`; None where the eye lies in the polygon's plane,
+    /// to 1e-12 (chosen, not tuned).
     pub(crate) fn new(eye: DVec3, polygon: &[DVec3], hull: &[DVec3]) -> Option<Self> {
         let (origin, along, across) =
             (polygon[0], polygon[1] - polygon[0], polygon[polygon.len() - 1] - polygon[0]);
@@ -55,7 +56,7 @@ impl ProjectionPlane {
         Some(Self { eye, origin, along, across, dual, outline, sides, depth })
     }
 
-    /// The same with s and t exchanged.
+    /// The same plane with s and t exchanged.
     pub(crate) fn transposed(&self) -> Self {
         let [s, t, depth] = self.dual;
         Self {
@@ -97,13 +98,13 @@ impl ProjectionPlane {
             && self.sides.iter().all(|(side, low)| top(*side) > *low)
     }
 
-    /// How much of its depth the polygon is wide.
+    /// Largest distance of a corner of the polygon from the first one, over the first one's distance from the eye.
     pub(crate) fn width(&self) -> f64 {
         let far = self.outline.iter().map(|[s, t]| s * self.along + t * self.across);
         far.map(|y| y.length()).fold(0.0, f64::max) / self.origin.distance(self.eye)
     }
 
-    /// Least sine of the height of the polygon over the plane through the eye with unit normal `normal`.
+    /// Least sine of the elevation of a corner above the plane through the eye with the unit normal `normal`.
     pub(crate) fn rise(&self, normal: DVec3) -> f64 {
         let corner = |[s, t]: &[f64; 2]| (self.at(*s, *t) - self.eye).normalize_or_zero().dot(normal);
         self.outline.iter().map(corner).fold(f64::INFINITY, f64::min)

@@ -1,36 +1,36 @@
-//! Where the outline of a curved surface crosses a line of a screen.
+//! The crossing of a curved surface's outline with a scan line.
 //!
-//! The outline of a surface X(u, v) from x consists of its borders and of its silhouette g = n · (X − x) = 0. A net shows
-//! about where it crosses the line: on an edge of a quad. From there
+//! The outline of a surface X(u, v) from x consists of its borders and of its silhouette g = n · (X − x) = 0. A
+//! silhouette mesh gives a first approximation of the crossing, on an edge of a quad. From there Newton steps solve
 //!
 //! ```text
 //! border      h(w)    = m · (X(w) − x) = 0                 m the normal of the plane through x and the line
 //! silhouette  h(u, v) = 0 ,   g(u, v) = 0
 //! ```
 //!
-//! are solved by Newton steps, with the slopes of g taken from the corners of the quad. A place that is off the silhouette by
-//! ε is seen off the outline by κ ε²/2 only, and the outline crosses the line where its tangent, in the plane of X − x and
-//! the silhouette, does: along m × n. So one step from a net of width h leaves an error of order h⁴.
+//! with the slopes of g taken from the corners of the quad. A point off the silhouette by ε is seen off the outline by
+//! κ ε²/2 only (κ: curvature), and the outline crosses the line where its tangent along m × n does. So one step from a
+//! mesh of width h leaves an error of order h⁴.
 //!
-//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n: that side of the silhouette is
-//! hidden, and tells the beginning of a hidden part from its end where a quad shows both.
+//! Along the view d the surface leaves its tangent plane by −|d|²/2 · (dg/dd)/|X − x| along n. That side of the
+//! silhouette is hidden, which tells the beginning of a hidden interval from its end where a quad shows both.
 
 use radiosity_geom::{DVec2, DVec3, Jet, Surface};
 
 use crate::light::lines::projection::ProjectionPlane;
 use crate::visibility::silhouette_mesh::Quad;
 
-/// Steps towards a border and, at the most, towards a silhouette.
+/// Newton steps towards a border, and most steps towards a silhouette ([`STEPS`]). Both are chosen, not tuned.
 const BORDER_STEPS: usize = 2;
 const STEPS: usize = 5;
 
-/// Sine of the angle between view and surface below which a place counts as on the silhouette.
+/// Sine of the angle between view and surface below which a point is on the silhouette. Chosen; not tuned.
 const GRAZING: f64 = 1e-2;
 
-/// Sine of the angle to the plane of the line below which a place counts as on it.
+/// Sine of the angle to the plane of the line below which a point is on the line. Chosen; not tuned.
 const ON_LINE: f64 = 1e-3;
 
-/// Where a line of a screen crosses the edge of a quad.
+/// The crossing of a scan line with the edge of a quad.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Crossing {
     /// The edge, from this corner to the next.
@@ -39,9 +39,9 @@ pub(crate) struct Crossing {
     pub place: f64,
 }
 
-/// Where the true outline crosses line `t`, near where the net's does; None where it is not found.
+/// s of the crossing of the true outline with line `t`, near that of the mesh; None where it is not found.
 ///
-/// Of two places, of a border and of a silhouette, the one farther towards `side` (±1) counts.
+/// If both a border and a silhouette are crossed, the crossing farther towards `side` (±1) counts.
 pub(crate) fn outline(
     screen: &ProjectionPlane,
     t: f64,
@@ -69,7 +69,7 @@ pub(crate) fn outline(
 
 struct Line<'a> {
     screen: &'a ProjectionPlane,
-    /// Of the plane through the eye and the line.
+    /// Normal of the plane through the eye and the line.
     normal: DVec3,
 }
 
@@ -121,7 +121,7 @@ impl Line<'_> {
         None
     }
 
-    /// Whether the surface lies on the hidden side of its silhouette at `offset` from the eye: before an end for side +1.
+    /// Whether the surface is on the hidden side of its silhouette at `offset` from the eye: before an end for side 1.
     fn ends(&self, jet: &Jet, offset: DVec3, slope: DVec2, side: f64) -> bool {
         let view = offset.reject_from(jet.normal);
         let [uu, uv, vv] = [jet.du.dot(jet.du), jet.du.dot(jet.dv), jet.dv.dot(jet.dv)];
@@ -130,7 +130,7 @@ impl Line<'_> {
         slope.dot(along) * jet.normal.dot(self.screen.along) * side >= 0.0
     }
 
-    /// Where the plane through the eye that touches the surface at `offset` from it, but for a trifle, meets the line.
+    /// s where the tangent plane through the eye at `offset` meets the line; `normal` may be slightly off.
     fn tangent(&self, offset: DVec3, normal: DVec3) -> Option<f64> {
         let along = self.normal.cross(normal.reject_from(offset));
         at_line(self.screen.see_direction(if along.dot(offset) < 0.0 { -along } else { along }))

@@ -1,4 +1,4 @@
-//! One element in the file, and whether it is the element of its scene.
+//! One element in the file, and its comparison with an element of the scene.
 
 use std::ops::Range;
 
@@ -11,8 +11,8 @@ use crate::elements::space::Space;
 use crate::scene::Scene;
 use crate::solution::{Band, Solution};
 
-/// Difference of the two forms of a polynomial that is still rounding, relative to the largest coefficient. Conversion
-/// to products amplifies rounding on elements that fill their frame badly.
+/// Difference of the two forms of a polynomial, over the largest coefficient, that counts as rounding: conversion to
+/// products amplifies rounding on elements that fill only a small part of their frame. Chosen; not tuned.
 const SAME: f64 = 1e-6;
 
 /// An element with its polynomials.
@@ -21,7 +21,7 @@ pub(super) struct SavedElement {
     surface: String,
     /// Parameter rectangle [[u0, u1], [v0, v1]].
     rectangle: [[f64; 2]; 2],
-    /// Whether it is the part of the surface on which another lies, and not of the rest.
+    /// Whether it is the part of the surface that another surface covers.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     covered: bool,
     order: usize,
@@ -30,15 +30,15 @@ pub(super) struct SavedElement {
     area: f64,
     /// Per band.
     reflectance: Vec<f64>,
-    /// Per band.
+    /// Per band (W m⁻²).
     exitance: Vec<f64>,
-    /// Per band, in products of Legendre polynomials.
+    /// Coefficients in products of Legendre polynomials (W m⁻²), per band.
     irradiance: Vec<Vec<f64>>,
     /// In the orthonormal basis.
     pub(super) orthonormal: Orthonormal,
 }
 
-/// Coefficients h and G e per band, in the orthonormal basis.
+/// Coefficients h and G e (or d) per band, in the orthonormal basis (W m⁻² times scene length).
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Orthonormal {
     pub(super) irradiance: Vec<Vec<f64>>,
@@ -101,7 +101,7 @@ fn saved(
 }
 
 impl SavedElement {
-    /// Whether this is `element` of `scene`, with coefficients for it.
+    /// Compares this with `element` of `scene`, and checks the number of coefficients.
     pub(super) fn check(&self, scene: &Scene, element: &Element) -> Result<(), Mismatch> {
         let surface = &scene.surfaces[element.surface];
         let fits = |holds: bool, what| if holds { Ok(()) } else { Err(Mismatch(what)) };

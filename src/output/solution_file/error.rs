@@ -2,12 +2,11 @@
 
 use thiserror::Error;
 
+use super::version::VERSION;
 use crate::elements::ElementError;
 use crate::scene::SceneError;
 
-use super::version::VERSION;
-
-/// A solution file that cannot be used. Displays as `file: message`; the cure is apart, see [`SolutionError::cure`].
+/// A solution file that cannot be used. Displays as `file: message`; the cure is separate, see [`SolutionError::cure`].
 #[derive(Debug, Error)]
 #[error("{origin}: {fault}")]
 pub struct SolutionError {
@@ -28,7 +27,7 @@ pub enum SolutionFault {
         line: usize,
         /// Column, counted from 1.
         column: usize,
-        /// What the parser said.
+        /// The parser's message.
         message: String,
     },
     /// A version that this program does not read.
@@ -59,7 +58,7 @@ pub enum SolutionFault {
     },
 }
 
-/// What of a file does not fit the scene in it, e.g. `the rectangle`.
+/// The part of a file that does not fit the scene in it, e.g. `the rectangle`.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 #[error("{0}")]
 pub struct Mismatch(pub(super) &'static str);

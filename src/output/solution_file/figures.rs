@@ -1,5 +1,5 @@
-//! What a solution cost and how it judges itself, as the file keeps it; times and threads are left out, so that the
-//! same input makes the same file.
+//! Cost and self-checks of a solution as the file keeps them; without times and threads, so that the same input makes
+//! the same file.
 
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
@@ -18,7 +18,7 @@ pub(super) struct Figures {
     converged: bool,
     iterations: usize,
     residual: f64,
-    /// Whether direct light was split off; never in files that do not tell.
+    /// Whether direct light was split off; false in files without this key.
     #[serde(default)]
     split: bool,
     /// Relative residual of each band.
@@ -27,7 +27,7 @@ pub(super) struct Figures {
     kernel_samples_distinct: u64,
     shadow_rays: u64,
     accuracy_reached: f64,
-    /// How far the run came, where an accuracy was wanted.
+    /// The accuracy that the run reached, where one was wanted.
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
     pairs: PairCounts,
@@ -35,7 +35,7 @@ pub(super) struct Figures {
 }
 
 impl Figures {
-    /// Those of `solved`.
+    /// The figures of `solved`.
     pub(super) fn of(solved: &Solved) -> Self {
         let outcome = &solved.outcome;
         let bands = outcome.solution.bands();
@@ -56,7 +56,7 @@ impl Figures {
         }
     }
 
-    /// The outcome again; no time was spent on it. None if there is no such solver.
+    /// The outcome again, with zero times. None if there is no such solver.
     pub(super) fn outcome(self, solution: Solution) -> Option<Outcome> {
         Some(Outcome {
             solution,

@@ -1,7 +1,7 @@
 //! From the file back to the solved scene.
 //!
-//! The scene is read and cut again, and every element of the file is held against it, so that a file which was damaged or
-//! changed is refused. The coefficients are taken as they are.
+//! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or changed
+//! file is refused. The coefficients are taken as they are.
 
 use serde::Deserialize;
 
@@ -18,7 +18,7 @@ use crate::solved::Solved;
 use crate::system::Coefficients;
 use crate::visibility::Visibility;
 
-/// What tells a solution file of any version.
+/// The keys that identify a solution file of any version.
 #[derive(Deserialize)]
 struct Header {
     #[serde(default)]
@@ -31,7 +31,7 @@ struct Header {
 pub fn is_solution(text: &str) -> bool {
     let quoted = format!("\"{FORMAT}\"");
     let likely = text.trim_start().starts_with('{') && text.contains(&quoted);
-    // One that cannot be parsed holds the word and is JSON: its faults are better told as a solution's.
+    // Text that contains the word but is not valid JSON is reported as a damaged solution.
     likely && serde_json::from_str(text).map_or(true, |header: Header| header.format == FORMAT)
 }
 
@@ -53,7 +53,7 @@ fn parse(text: &str) -> Result<SolutionFile, SolutionFault> {
     serde_json::from_str(text).map_err(|error| syntax(&error))
 }
 
-/// The parser's message without the place, which it puts at the end.
+/// The parser's message without the place at its end.
 fn syntax(error: &serde_json::Error) -> SolutionFault {
     let (line, column) = (error.line(), error.column());
     let message = error.to_string();
@@ -80,7 +80,7 @@ impl SolutionFile {
     }
 }
 
-/// The solution with its masks made again, where it has any: they follow from the scene and the options.
+/// The solution with its masks, if it has any, made again from the scene and the options.
 fn with_masks(solution: Solution, scene: &Scene, options: &Options) -> Solution {
     if options.masks.is_none() {
         return solution;

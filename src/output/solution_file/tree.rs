@@ -44,10 +44,10 @@ pub(super) struct SavedScene {
     pub(super) origin: String,
     /// TOML or JSON; null for a scene built in code, which cannot be read back.
     pub(super) text: Option<String>,
-    /// Distance within which corners were made to agree, where it was asked for (scene length).
+    /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
-    /// What was taken off the coordinates of a scene far from the origin: frames are about this point.
+    /// Vector subtracted from the coordinates of a scene far from the origin: frames refer to this point.
     #[serde(default, skip_serializing_if = "is_origin")]
     middle: [f64; 3],
 }

@@ -1,7 +1,7 @@
-//! What tells a solution file and its version.
+//! The keys by which a solution file and its version are recognised.
 
-/// What the key `format` says.
+/// Value of the key `format`.
 pub(super) const FORMAT: &str = "radiosity-solution";
 
-/// What the key `format_version` says: the one version that is written and read.
+/// Value of the key `format_version`: the only version that is written and read.
 pub const VERSION: u32 = 3;

@@ -9,7 +9,7 @@ const TABLE: &str = include_str!("../../../scenes/teapot-table.toml");
 
 const ROOM: &str = include_str!("../../../scenes/teapot.toml");
 
-/// As many corners has the floor's hole under the pot, whose bottom touches the floor in one point and rises slowly.
+/// Corners of the floor's hole under the pot, and its radius. The pot's bottom touches the floor in one point.
 const HOLE_CORNERS: usize = 8;
 const HOLE_RADIUS: f64 = 1.3;
 

@@ -1,23 +1,23 @@
 //! The text of the temple: a vaulted nave between two rows of columns, an aisle on either side.
 //!
-//! Metres, z up; the nave runs along y from the wall y = 0 to the dais. The rows are equal after a half turn about the
-//! temple's vertical axis: everything is written for x > 0, and what belongs to a row is turned over to the other side.
-//! A column is one quarter of each of its parts, turned four times. No two surfaces cross: floors end where plinths and
-//! pilasters stand, and base and capital lead from square to circle by exact arcs, so that every contact is a common
-//! edge or a part of one.
+//! All lengths are in metres and are the design of this scene; z points up, the nave runs along y from the wall y = 0
+//! to the dais. A half turn about the temple's vertical axis exchanges the two rows: everything is written for x > 0,
+//! and the parts of a row are turned to the other side. A column consists of quarters, each turned four times. No two
+//! surfaces cross: floors end where plinths and pilasters stand, and base and capital lead from square to circle by
+//! exact arcs, so that every contact is a common edge or a part of one.
 
 use std::fmt::Write;
 
-/// From one column to the next.
+/// Distance between columns.
 const BAY: f64 = 2.2;
-/// Floor of the aisles, two steps above the nave.
+/// Floor of the aisles, two steps above the nave, and depth of a step.
 const UPPER: f64 = 0.32;
 const TREAD: f64 = 0.3;
 /// Where the first step rises from the floor of the nave.
 const STEP: f64 = 2.0;
 /// Depth of the dais between the last step and the wall.
 const DAIS: f64 = 4.0;
-/// Axis of the columns, and half the widths of plinth and beam.
+/// Axis of the columns, half the widths of plinth and beam, radius of the shaft.
 const COLUMN: f64 = 3.0;
 const PLINTH: f64 = 0.42;
 const BEAM: f64 = 0.36;
@@ -69,7 +69,7 @@ emission = [100, 92, 78]
 
 type Point = [f64; 3];
 
-/// The text of the temple of so many bays.
+/// The text of the temple with `bays` bays.
 pub(super) fn text(bays: usize) -> String {
     let mut temple = Temple { text: HEADER.to_owned(), bays, length: BAY * bays as f64 };
     temple.floors();
@@ -89,7 +89,7 @@ struct Temple {
     length: f64,
 }
 
-/// Where a surface written for x > 0 goes.
+/// Where a surface that is written for x > 0 goes.
 #[derive(Clone, Copy)]
 enum Put {
     Here,
@@ -187,7 +187,7 @@ impl Temple {
         }
         pieces.push(("right-jamb", [inner, outer], [UPPER, SOFFIT]));
         pieces.push(("left-jamb", [-outer, -inner], [UPPER, SOFFIT]));
-        // What mouldings hide is part of the wall.
+        // The part of the wall that mouldings hide belongs to the wall.
         pieces.push(("right", [outer, WALL], [UPPER, CORNICE]));
         pieces.push(("left", [-WALL, -outer], [UPPER, CORNICE]));
         for (piece, [x0, x1], [z0, z1]) in pieces {
@@ -202,7 +202,7 @@ impl Temple {
         }
     }
 
-    /// What runs along a whole side: the floor before the columns, the floor and the ceiling of the aisle, the wall's top.
+    /// Surfaces along a whole side: the floor before the columns, floor and ceiling of the aisle, the top of the wall.
     fn side_wall(&mut self, turned: bool) {
         let (side, put, length) = (side(turned), Put::across(turned), [0.0, self.length, 0.0]);
         let across = |x: [f64; 2]| [x[1] - x[0], 0.0, 0.0];
@@ -219,12 +219,12 @@ impl Temple {
         self.rectangle(&format!("{side}-wall-top"), "stone", put, [[WALL, 0.0, PILASTER[2]], top, length]);
     }
 
-    /// What one bay of a side holds between its columns.
+    /// The surfaces of one bay of a side between its columns.
     fn bay(&mut self, bay: usize, turned: bool) {
         let (side, put) = (side(turned), Put::across(turned));
         let name = |part: &str| format!("{side}-{part}-{}", bay + 1);
         let (bays, start, end) = (self.bays, bay as f64 * BAY, (bay + 1) as f64 * BAY);
-        // From what stands at the start of the bay to what stands at its end; nothing stands at the temple's ends.
+        // From column to column; the temple's ends have none.
         let between = |half: f64| {
             let from = if bay == 0 { start } else { start + half };
             let to = if bay + 1 == bays { end } else { end - half };

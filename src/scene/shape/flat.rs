@@ -99,7 +99,7 @@ impl Form for PolygonFile {
     }
 }
 
-/// The surface without its holes; its parameters stay those of the whole.
+/// The surface with its holes cut out; its parameters stay those of the whole.
 fn cut(outer: impl Surface + 'static, holes: &Holes, motion: &Motion) -> Built {
     match holes.is_empty() {
         true => one(outer),

@@ -1,4 +1,4 @@
-//! What every shape of a scene file can do.
+//! The trait of the shapes of a scene file.
 
 use std::fmt::Debug;
 

@@ -1,26 +1,25 @@
-//! Flat sheets that lie before or behind each other, within their tolerance but apart.
+//! Flat sheets that lie in front of or behind each other, within their tolerance but apart.
 //!
-//! A box that hovers over a floor, a picture before a wall, two plates: their gap has a sign in all corners, and light
-//! depends on it. The rules of transport hold for every gap but the [least](gap::least), so such sheets are
-//! not welded, but for gaps within the rounding of their coordinates.
+//! A box that hovers over a floor, a picture before a wall, two plates: their gap has the same sign in all corners, and
+//! light depends on it. The rules of transport hold for every gap but the [least](gap::least), so such sheets are not
+//! welded, except for gaps within the rounding of their coordinates.
 
 use std::collections::HashSet;
 
+use super::sheet::Sheets;
 use crate::scene::{coincident::common_area, gap};
 
-use super::sheet::Sheets;
-
-/// Thickness of the slab that two sheets must lie in to count as parallel, in tolerances: several sheets of one body are judged
-/// by tolerances of their own, and all of them are to be apart or none.
+/// Thickness, in tolerances, of the slab that must contain two parallel sheets. Sheets of one body have different
+/// tolerances, but all or none of them have to be apart. Chosen; not tuned.
 const SLAB: f64 = 100.0;
 
-/// Share of the smaller area that two sheets must have in common, seen along their normal, to lie before each other.
+/// Least common part of two sheets in front of each other, over the smaller area. Chosen; not tuned.
 const SHARED: f64 = 1e-6;
 
-/// Pairs of sheets that are apart, both ways round.
+/// Pairs of sheets that are apart, in both orders.
 pub(super) type Apart = HashSet<(usize, usize)>;
 
-/// All such pairs.
+/// All pairs of sheets that are apart.
 pub(super) fn pairs(sheets: &Sheets) -> Apart {
     let mut apart = Apart::new();
     for (own, sheet) in sheets.list.iter().enumerate() {

@@ -8,16 +8,16 @@ use super::apart::Apart;
 use super::forest::Forest;
 use super::sheet::Sheets;
 
-/// The corners of all sheets, those that are one together.
+/// The corners of all sheets, merged into nodes.
 #[derive(Debug)]
 pub(super) struct Corners {
-    /// Where each node is at first: the corner, or the mean of those that it joins.
+    /// Initial position of each node: the corner, or the mean of those that it joins.
     pub(super) nodes: Vec<DVec3>,
     /// The sheets of each node, ascending.
     pub(super) sheets: Vec<Vec<usize>>,
     /// The largest tolerance of the sheets of each node (scene length).
     pub(super) tolerances: Vec<f64>,
-    /// The node of each position, by its bits.
+    /// The node at each position, by the position's bits.
     of_position: HashMap<[u64; 3], usize>,
 }
 
@@ -27,14 +27,14 @@ fn bits(x: DVec3) -> [u64; 3] {
 }
 
 impl Corners {
-    /// The corners of `sheets` merged, but for those of sheets that are `apart`.
+    /// The corners of `sheets`, merged except for those of sheets that are `apart`.
     pub(super) fn merged(sheets: &Sheets, apart: &Apart) -> Self {
         let places = Places::of(sheets);
         let forest = places.joined(sheets, apart);
         let count = places.list.len();
         let mut members: HashMap<usize, Vec<usize>> = HashMap::new();
         (0..count).for_each(|place| members.entry(forest.root(place)).or_default().push(place));
-        // Chains of corners may join what must not be one: then each of them stands for itself.
+        // Chains may join corners that must not be one: then each of them is a node of its own.
         let broken = members.extract_if(|_, group| places.conflict(group, apart)).collect::<Vec<_>>();
         members.extend(broken.into_iter().flat_map(|(_, group)| group).map(|place| (place, vec![place])));
         let (mut nodes, mut owners, mut starts) = (Vec::new(), Vec::new(), Vec::new());
@@ -56,19 +56,19 @@ impl Corners {
         Self { nodes, sheets: owners, tolerances, of_position }
     }
 
-    /// The node of the corner at that very position.
+    /// The node of the corner at exactly this position.
     pub(super) fn node(&self, position: DVec3) -> Option<usize> {
         self.of_position.get(&bits(position)).copied()
     }
 }
 
-/// The mean of points, whatever their order.
+/// The mean of points, independent of their order.
 fn mean(mut points: Vec<DVec3>) -> DVec3 {
     points.sort_by_key(|x| bits(*x));
     points.iter().sum::<DVec3>() / points.len() as f64
 }
 
-/// Different positions of corners with the sheets that have one there.
+/// The distinct positions of corners, with the sheets that have a corner there.
 struct Places {
     list: Vec<DVec3>,
     sheets: Vec<Vec<usize>>,
@@ -91,7 +91,7 @@ impl Places {
         places
     }
 
-    /// A forest in which places that are one hang together.
+    /// A forest whose trees are the places that become one.
     fn joined(&self, sheets: &Sheets, apart: &Apart) -> Forest {
         let most = |place: usize| {
             self.sheets[place].iter().map(|sheet| sheets.list[*sheet].tolerance.most()).fold(0.0, f64::max)
@@ -110,7 +110,7 @@ impl Places {
         forest
     }
 
-    /// Whether two of a group of places are of one sheet, or of sheets that are apart.
+    /// Whether two of a group of places belong to one sheet, or to sheets that are apart.
     fn conflict(&self, group: &[usize], apart: &Apart) -> bool {
         let pairs = group.iter().enumerate().flat_map(|(k, a)| group[..k].iter().map(move |b| (*a, *b)));
         pairs.into_iter().any(|(a, b)| {
@@ -120,7 +120,7 @@ impl Places {
         })
     }
 
-    /// Whether two places are nearer than the tolerance of a pair of their sheets, but not one to rounding already.
+    /// Whether two places are nearer than the tolerance of a pair of their sheets, but not equal to rounding already.
     fn are_one(&self, own: usize, other: usize, sheets: &Sheets, apart: &Apart) -> bool {
         let distance = self.list[own].distance(self.list[other]);
         let pairs = || self.sheets[own].iter().flat_map(|a| self.sheets[other].iter().map(move |b| (*a, *b)));

@@ -1,18 +1,18 @@
-//! Things that are one, by pairs: a forest of disjoint sets.
+//! A forest of disjoint sets, joined pair by pair.
 
-/// Sets of the numbers 0 to n − 1; the least of each stands for it.
+/// Sets of the numbers 0 to n − 1; the least of each represents it.
 #[derive(Debug)]
 pub(super) struct Forest {
     parents: Vec<usize>,
 }
 
 impl Forest {
-    /// Each number by itself.
+    /// One set per number.
     pub(super) fn new(count: usize) -> Self {
         Self { parents: (0..count).collect() }
     }
 
-    /// The least of the set of `place`.
+    /// The representative of the set of `place`.
     pub(super) fn root(&self, mut place: usize) -> usize {
         while self.parents[place] != place {
             place = self.parents[place];
@@ -20,7 +20,7 @@ impl Forest {
         place
     }
 
-    /// Makes one set of those of `a` and `b`.
+    /// Joins the sets of `a` and `b`.
     pub(super) fn join(&mut self, a: usize, b: usize) {
         let [a, b] = [a, b].map(|place| self.root(place));
         self.parents[a.max(b)] = a.min(b);

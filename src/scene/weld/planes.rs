@@ -1,7 +1,7 @@
 //! Which corners are meant to lie in which planes.
 //!
-//! A plane belongs to one flat sheet or to several that lie in it. It has the corners of all of them, and those of other
-//! sheets that end on one of them: the foot of a box on a floor.
+//! A plane belongs to one flat sheet or to several that lie in it. It has all their corners, and those of other sheets
+//! that end on one of them, such as the foot of a box on a floor.
 
 use std::collections::BTreeSet;
 
@@ -18,17 +18,17 @@ pub(super) struct Planes {
     pub(super) list: Vec<Plane>,
 }
 
-/// A plane and what is meant to lie in it.
+/// A plane and the corners that are meant to lie in it.
 #[derive(Debug)]
 pub(super) struct Plane {
-    /// About its normal, of unit length.
+    /// Unit normal, approximately.
     pub(super) normal: DVec3,
     /// The nodes in it, ascending.
     pub(super) nodes: Vec<usize>,
 }
 
 impl Planes {
-    /// Those of the flat `sheets`, whose corners are merged; sheets that are `apart` share none.
+    /// The planes of the flat `sheets`, whose corners are merged; sheets that are `apart` share none.
     pub(super) fn of(sheets: &Sheets, corners: &Corners, apart: &Apart) -> Self {
         let shared = shared(sheets, apart);
         let mut nodes: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); sheets.list.len()];

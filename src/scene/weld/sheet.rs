@@ -11,7 +11,7 @@ use super::tolerance::{Evidence, Measures, Tolerance, computed, decimal};
 pub(super) struct Sheet {
     /// In the order of [`Surface::corners`].
     pub(super) corners: Vec<DVec3>,
-    /// Of a flat one.
+    /// The region of a flat sheet.
     pub(super) region: Option<PlanarRegion>,
     pub(super) tolerance: Tolerance,
     bounds: Aabb,
@@ -27,7 +27,7 @@ pub(super) struct Sheets {
 }
 
 impl Sheets {
-    /// Those among `shapes`, `middle` taken off their coordinates, with the tolerance that is `asked` for (scene length).
+    /// The sheets among `shapes`, from which `middle` was subtracted; `asked` is the user's tolerance (scene length).
     pub(super) fn of(shapes: &[&mut Arc<dyn Surface>], middle: DVec3, asked: Option<f64>) -> Self {
         let shapes: Vec<&Arc<dyn Surface>> =
             shapes.iter().map(|shape| &**shape).filter(|shape| !shape.corners().is_empty()).collect();
@@ -43,19 +43,19 @@ impl Sheets {
         };
         let mut list: Vec<Sheet> =
             shapes.iter().zip(&measures).map(|(shape, own)| Sheet::of(shape, tolerance(own))).collect();
-        // The same corners to the last bit, whatever the order of the surfaces.
+        // Ordered by corners, independently of the order of the surfaces.
         list.sort_by_cached_key(Sheet::key);
         let boxes: Vec<Aabb> = list.iter().map(|sheet| sheet.bounds).collect();
         let largest = list.iter().flat_map(|sheet| &sheet.corners).map(|x| x.abs().max_element());
         Self { tree: Bvh::build(&boxes), largest: largest.fold(0.0, f64::max), list }
     }
 
-    /// Distances below which all is one in the precision that is computed in (scene length).
+    /// The distance below which points agree to double precision (scene length).
     pub(super) fn reach(&self) -> f64 {
         computed(self.largest)
     }
 
-    /// The sheets whose boxes, with room for their tolerances, overlap `bounds`, ascending.
+    /// The sheets whose boxes, enlarged by their tolerances, overlap `bounds`, ascending.
     pub(super) fn near(&self, bounds: &Aabb) -> Vec<usize> {
         let mut found = Vec::new();
         self.tree.overlapping(bounds, |index| found.push(index));
@@ -79,7 +79,7 @@ impl Sheet {
         bits
     }
 
-    /// The box around it, with room for its tolerance.
+    /// The bounding box, enlarged by the tolerance.
     pub(super) fn bounds(&self) -> &Aabb {
         &self.bounds
     }
@@ -91,7 +91,7 @@ impl Sheet {
     }
 }
 
-/// The region of a quadrilateral that is bent by no more than `tolerance` (scene length): it is meant to be flat.
+/// The region of a quadrilateral that is meant to be flat, being bent by at most `tolerance` (scene length).
 fn flattened(corners: &[DVec3], tolerance: f64) -> Option<PlanarRegion> {
     let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
     let sides = corners.iter().zip(corners.iter().cycle().skip(1));
@@ -102,7 +102,7 @@ fn flattened(corners: &[DVec3], tolerance: f64) -> Option<PlanarRegion> {
     is_flat.then(|| PlanarRegion::new(on_plane, Vec::new()).ok()).flatten()
 }
 
-/// Of a shape with corners; their coordinates were rounded before `middle` was taken off.
+/// The measures of a shape with corners; their coordinates were rounded before `middle` was subtracted.
 fn measures(shape: &Arc<dyn Surface>, middle: DVec3) -> Measures {
     let (corners, region) = (shape.corners(), shape.region());
     let extent = Aabb::around(corners.iter().copied()).diagonal();

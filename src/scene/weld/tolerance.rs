@@ -1,51 +1,51 @@
-//! How far the corners of a sheet may lie off where they are meant to be.
+//! How far the corners of a sheet may lie off their intended positions.
 //!
-//! The rounding of coordinates is told by the coordinates: to single or double precision
-//! ([`coordinate_rounding`](radiosity_geom::coordinate_rounding)), or to so many decimals where all of the scene has no more and
-//! most use the last. Corners off the planes of their own sheets tell as well: all of the scene may be rounded as coarsely. Within
-//! this uncertainty nobody knows which of two sheets is in front. Beside it, a corner is taken to touch a sheet within a
-//! millionth of the extent of the smaller.
+//! The coordinates themselves show their rounding: to single or double precision
+//! ([`coordinate_rounding`](radiosity_geom::coordinate_rounding)), or to a number of decimals if no coordinate of the
+//! scene has more and most use the last one. Corners off the planes of their own sheets show it too: all of the scene
+//! may be rounded as coarsely. Within this uncertainty it is unknown which of two sheets is in front. In addition a
+//! corner touches a sheet within a millionth of the smaller extent.
 
 use radiosity_geom::{DVec3, LOOSE};
 
 /// Unit roundoff of double precision.
 const DOUBLE: f64 = 1.0 / (1u64 << 53) as f64;
 
-/// Most decimals that coordinates are looked at for, and the least extent of a scene in units of the last of them: shorter
-/// numbers may have been typed as they are meant.
+/// Most decimals that are considered, and the least extent of a scene in units of the last one (`LEAST_UNITS`): shorter
+/// numbers may have been typed as meant. Both are chosen, not tuned.
 const DECIMALS: i32 = 9;
 const LEAST_UNITS: f64 = 3e5;
 
-/// By how many roundings a corner may miss a plane through other corners: each misses by up to one, and a plane through
+/// Roundings by which a corner may miss a plane through other corners: each misses by up to one, and a plane through
 /// three adds up to three more where it is extended; twice that.
 const ROUNDINGS: f64 = 8.0;
 
-/// By how much more than off the planes of their own sheets corners may miss others; and the largest part of its own extent that
-/// a sheet believes other sheets of, as much as a flat shape may be off its plane.
+/// Distance from other sheets that corners may have, over that from the planes of their own sheets (chosen, not tuned);
+/// and the largest such distance over a sheet's own extent, equal to `PLANARITY` of flat regions in geom.
 const UNEVEN: f64 = 4.0;
 const MOST_UNEVEN: f64 = 2e-5;
 
-/// Largest part of the shortest side, and of the breadth, of a sheet that its corners may move by.
+/// Largest move of corners over the shortest side, and over the breadth, of their sheet. Both are chosen, not tuned.
 const SHORTEST: f64 = 0.1;
 const BREADTH: f64 = 0.01;
 
-/// Heights of corners that were turned, and over planes through such corners, are rounded some times more.
+/// Rounding of heights of turned corners, and over planes through such corners, in units of 2⁻⁵³. Chosen; not tuned.
 const COMPUTED: f64 = 32.0;
 
 /// The tolerances of one sheet (scene length).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Tolerance {
-    /// Of its coordinates.
+    /// Rounding of its coordinates.
     rounding: f64,
-    /// Of those of the scene, as its corners off planes tell.
+    /// Rounding of the scene's coordinates, judged by corners off their planes.
     noise: f64,
-    /// By its size.
+    /// Tolerance by its size.
     touch: f64,
-    /// What must not be exceeded, or the sheet may collapse.
+    /// Upper bound beyond which the sheet may collapse.
     most: f64,
 }
 
-/// What the tolerance of a sheet is judged by (scene lengths).
+/// Measures of a sheet that decide its tolerance (scene lengths).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measures {
     /// Diagonal of the box around it.
@@ -56,21 +56,21 @@ pub(super) struct Measures {
     pub(super) breadth: f64,
     /// Largest height of a corner over the plane of the outline.
     pub(super) unevenness: f64,
-    /// What its coordinates were rounded by, across its plane.
+    /// Rounding of its coordinates, perpendicular to its plane.
     pub(super) rounding: f64,
 }
 
-/// What all sheets of a scene tell together (scene lengths).
+/// Evidence of rounding from all sheets of a scene (scene lengths).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Evidence {
     /// The largest height of a corner over the plane of its own sheet.
     pub(super) unevenness: f64,
-    /// What coordinates were rounded by that have few decimals.
+    /// Rounding of coordinates with few decimals.
     pub(super) decimal: f64,
 }
 
 impl Tolerance {
-    /// Of a sheet with these measures in a scene with that evidence.
+    /// The tolerance of a sheet with these measures in a scene with that evidence.
     pub(super) fn of(measures: &Measures, evidence: Evidence) -> Self {
         Self {
             rounding: ROUNDINGS * measures.rounding.max(evidence.decimal),
@@ -80,7 +80,7 @@ impl Tolerance {
         }
     }
 
-    /// The `length` (scene length) that was asked for.
+    /// The tolerance `length` (scene length) that the user gave.
     pub(super) fn asked(measures: &Measures, length: f64) -> Self {
         Self { rounding: length, noise: length, touch: length, most: measures.most() }
     }
@@ -90,18 +90,18 @@ impl Tolerance {
         self.uncertainty(other).max(self.touch.min(other.touch)).min(self.most).min(other.most)
     }
 
-    /// The distance within which nobody knows which of two sheets is in front: the coarser rounding of the two, or the finer noise.
+    /// The distance within which either sheet may be in front: the coarser rounding of the two, or the finer noise.
     pub(super) fn uncertainty(&self, other: &Self) -> f64 {
         let rounding = self.rounding.max(other.rounding);
         rounding.max(self.noise.min(other.noise)).min(self.most).min(other.most)
     }
 
-    /// Its own, with a sheet that is rounded and as large as itself.
+    /// Its tolerance with an equal sheet.
     pub(super) fn largest(&self) -> f64 {
         self.with(self)
     }
 
-    /// No pair with this sheet has a larger one.
+    /// Upper bound of its tolerance with any other sheet.
     pub(super) fn most(&self) -> f64 {
         self.most
     }
@@ -113,8 +113,8 @@ impl Measures {
     }
 }
 
-/// What coordinates were rounded by in a scene `extent` wide if all have the same few decimals, and most of them use the last;
-/// else 0 (scene length).
+/// Rounding of the coordinates (scene length) in a scene of the extent `extent` if all have the same few decimals, and
+/// most use the last one; else 0.
 pub(super) fn decimal(corners: impl Iterator<Item = DVec3>, extent: f64) -> f64 {
     let mut coordinates: Vec<f64> = corners.flat_map(|x| x.to_array()).filter(|x| *x != 0.0).collect();
     coordinates.sort_unstable_by(f64::total_cmp);
@@ -128,8 +128,7 @@ pub(super) fn decimal(corners: impl Iterator<Item = DVec3>, extent: f64) -> f64 
     if extent * unit >= LEAST_UNITS && 2 * used > coordinates.len() { 0.5 / unit } else { 0.0 }
 }
 
-/// Rounding of heights and distances of corners with coordinates up to `largest`, in the double precision that all is computed
-/// in: what is nearer is one already.
+/// Rounding in double precision of heights and distances of corners with coordinates up to `largest`.
 pub(super) fn computed(largest: f64) -> f64 {
     COMPUTED * DOUBLE * largest
 }

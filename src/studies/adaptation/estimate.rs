@@ -1,25 +1,25 @@
-//! The error of a run, from light gathered anew at points.
+//! Error estimate of a run, from light gathered at points.
 //!
-//! The polynomials B_h of a run send light; [gathered](crate::gather) at a point x it is
+//! The polynomials B_h of a run send light; its [gathered](crate::gather) irradiance at a point x is
 //!
 //! ```text
 //! E_g(x) = D(x) + ∫ κ(x, y) V(x, y) ρ(y) (D(y) + S_h(y)) dA_y ,
 //! ```
 //!
-//! D the direct light and S_h the polynomials of the rest. What polynomials miss is orthogonal to them: it oscillates, and
-//! the integral takes nearly all of it away, so that E₀ + ρ E_g is much nearer to B than B_h is. Therefore
+//! D the direct light and S_h the polynomial of the rest. The error of polynomials is orthogonal to them: it
+//! oscillates, and the integral removes nearly all of it, so that E₀ + ρ E_g is much nearer to B than B_h is. Therefore
 //!
 //! ```text
 //! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
 //! ```
 //!
-//! the points of a low-discrepancy sequence over the unit square (Roberts's R2, begun elsewhere on each patch), J the area that
-//! belongs to them. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as no rate of
-//! convergence is assumed; a detail that falls between the points does not.
+//! at the points of a low-discrepancy sequence over the unit square (Roberts's R2, shifted from patch to patch); J is
+//! the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as
+//! no rate of convergence is assumed; a detail between the points is missed.
 //!
-//! An error of the transfers does not oscillate. What it does at once is seen in E_g, what that does after further reflections is
-//! not; and it acts on many blocks at random. It is added as a tenth of the largest, as a sum of squares: a guess, too small
-//! where nearly everything reflects nearly all.
+//! An error of the transfers does not oscillate. E_g shows its first effect, but not its effect after further
+//! reflections; and many blocks have such errors at random. A tenth of the largest is added as a sum of squares: a
+//! guess, too small where nearly everything reflects nearly all.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -34,24 +34,24 @@ use crate::solution::{Place, Solution};
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
 use crate::visibility::Visibility;
 
-/// Points in all, and the fewest on a patch.
+/// Points in all, and the fewest per patch ([`FEWEST`]). Chosen; not tuned.
 const POINTS: usize = 256;
 const FEWEST: usize = 1;
 
-/// Steps of the sequence: 1/p and 1/p² with p³ = p + 1.
+/// Steps of the sequence: 1/p and 1/p² with p³ = p + 1 (Roberts 2018).
 const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
 
-/// Accuracy of what is gathered: at first, by what factor it falls, and where it suffices, in multiples of the error found and of
-/// that wanted.
+/// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the part
+/// [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
 const LOOSEST: f64 = 3e-2;
 const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
 const OF_WANTED: f64 = 0.1;
 
-/// Part of what a transfer may miss that the radiosity misses.
+/// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
 const TRANSFERRED: f64 = 0.1;
 
-/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, to be held against `wanted`.
+/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with `wanted`.
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -74,7 +74,7 @@ pub(super) fn estimate(
     Ok(error.hypot(TRANSFERRED * missed(outcome, options)))
 }
 
-/// What the polynomials miss, as light gathered to `eps` tells.
+/// Error of the polynomials, by light gathered to `eps`.
 fn unresolved(
     solution: &Solution,
     visibility: &Visibility,
@@ -102,8 +102,8 @@ fn unresolved(
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }
 
-/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by so many points on each of its patches, the `first` of them so far
-/// along the sequence.
+/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by `points` points on each of its patches, starting at
+/// index `first` of the sequence.
 fn squares(element: usize, solution: &Solution, gather: &Gather, first: usize, points: usize) -> [f64; 2] {
     let own = &solution.elements().list()[element];
     let reflectances: Vec<f64> =
@@ -131,7 +131,7 @@ fn squares(element: usize, solution: &Solution, gather: &Gather, first: usize, p
     sums
 }
 
-/// What the worst transfer may miss, as part of it.
+/// Largest relative error that a transfer may have.
 fn missed(outcome: &Outcome, options: &Options) -> f64 {
     let accuracy = options.accuracy();
     let shadows = if outcome.pairs.partly_hidden > 0 { accuracy.shadow_eps } else { 0.0 };

@@ -1,4 +1,4 @@
-//! All blocks by the rules of 1993: every ordered pair by itself.
+//! All blocks by the rules of 1993, each ordered pair integrated by itself.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -22,9 +22,8 @@ enum Outcome {
     Integrated(Block),
 }
 
-/// Integrates each ordered pair with `extra` points per direction above the order, and turns the paper's K into G, which
-/// is not symmetric then. `progress` hears (ordered pairs done, in all), from any thread; the counts of pairs are of
-/// unordered ones.
+/// Integrates each ordered pair with `extra` points per direction above the order, and converts the paper's K to G,
+/// which is then not symmetric. `progress` gets (ordered pairs done, in all), from any thread; pairs count unordered.
 ///
 /// # Errors
 /// [`NoChart`]: a surface that is neither a parallelogram nor curved.
@@ -95,7 +94,7 @@ fn integrate(
     }
     let free = |x, y| visibility.free(&blockers, x, y);
     let sees: Option<Sees> = if blockers.is_empty() { None } else { Some(&free) };
-    // With one point more on one side, an element's points never meet themselves, where κ is 0/0.
+    // One point more on one side, so that the points of an element with itself never coincide, where κ is 0/0.
     let emitting = emitter.party(extra + usize::from(same));
     let transfer = transfer(receiver.party(extra), emitting, rules, sees);
     let kind = match (same, transfer.edge) {

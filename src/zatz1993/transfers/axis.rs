@@ -40,7 +40,7 @@ impl Axis {
         Self { weight: functions, nodes, weights, values }
     }
 
-    /// The same with the weight (1 − x)^α (1 + x)^β divided out: a rule for ∫ f dx.
+    /// The same points with the weight (1 − x)^α (1 + x)^β divided out: a rule for ∫ f dx.
     pub(super) fn divided(mut self, [a, b]: [u8; 2]) -> Self {
         for (x, w) in self.nodes.iter().zip(&mut self.weights) {
             *w /= (1.0 - x).powi(i32::from(a)) * (1.0 + x).powi(i32::from(b));

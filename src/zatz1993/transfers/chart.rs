@@ -1,24 +1,23 @@
-//! An element as the one parametric patch that the paper's rules want, and blocks with respect to area from K.
+//! An element as a single parametric patch, which the paper's rules need, and conversion of K to G.
 //!
-//! φ = T L, with L the parameter-orthonormal polynomials and T lower triangular. A function Σ_l b_l φ_l has parameter
-//! coefficients Tᵀ b, so that K, which maps one kind of parameter coefficients to another, becomes
+//! φ = T L, with L the parameter-orthonormal polynomials and T lower triangular. A function Σ_l b_l φ_l has the
+//! parameter coefficients Tᵀ b, so K, which maps parameter coefficients to parameter coefficients, becomes
 //!
 //! ```text
 //! G = T_i^−ᵀ K T_jᵀ .
 //! ```
 //!
-//! On a parallelogram T = (2/√A) I and G = √(A_i/A_j) K. On a receiver whose area element varies the paper projects in the
-//! parameters, so that even exact integrals give another G than projection with respect to area.
+//! On a parallelogram T = (2/√A) I and G = √(A_i/A_j) K. On a receiver whose area element varies the paper projects in
+//! the parameters, so that even exact integrals give another G than projection with respect to area.
 
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::zatz1993::transfers::party::Party;
 
-/// How far coordinates may be from ±1 at the corners.
+/// How far coordinates of corners may be from ±1. Chosen; not tuned.
 const TOLERANCE: f64 = 1e-9;
 
-/// A surface whose polynomials are not those of one parametric patch: a polygon other than a parallelogram, or one with
-/// holes.
+/// A surface that is not a single parametric patch: a polygon other than a parallelogram, or one with holes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 #[error("surface {surface} is neither a parallelogram nor curved")]
 pub struct NoChart {
@@ -26,8 +25,7 @@ pub struct NoChart {
     pub surface: usize,
 }
 
-/// An element whose polynomials are polynomials in the parameters of one patch: a parallelogram, or a piece of a curved
-/// surface.
+/// An element that is a single parametric patch: a parallelogram, or a piece of a curved surface.
 #[derive(Clone, Debug)]
 pub struct Chart<'a> {
     /// The element.
@@ -44,7 +42,7 @@ impl<'a> Chart<'a> {
         Self::patch(element).map(|patch| Self { element, patch }).ok_or(NoChart { surface: element.surface })
     }
 
-    /// The patch whose chart [0, 1]² runs as the coordinates [−1, 1]² of the element's polynomials.
+    /// The patch whose chart [0, 1]² runs along the element's coordinates [−1, 1]².
     fn patch(element: &Element) -> Option<Patch> {
         let [patch] = element.patches.as_slice() else { return None };
         if patch.is_flat() && !patch.is_parallelogram() {
@@ -59,13 +57,13 @@ impl<'a> Chart<'a> {
         Some(patch.oriented(first, second))
     }
 
-    /// The element as a party with `extra` points per direction above its order.
+    /// The element with `extra` points per direction above its order.
     pub fn party(&self, extra: usize) -> Party<'_> {
         let order = self.element.basis.order();
         Party { patch: &self.patch, order, points: order + extra }
     }
 
-    /// G, row-major, from K, both with this element as receiver.
+    /// G, row-major, from K, row-major, both with this element as receiver.
     pub fn block(&self, emitter: &Self, transfer: &[f64]) -> Vec<f64> {
         let columns = emitter.element.basis.len();
         let transforms = emitter.element.basis.transform();

@@ -1,4 +1,4 @@
-//! One party of a pair: a patch, and how finely it is treated.
+//! One of the two patches of a pair, with its order and number of points.
 
 use crate::elements::patch::Patch;
 

@@ -1,4 +1,4 @@
-//! K between two patches: the points of the rules chosen, the sum, and back to Legendre functions.
+//! K between two patches: chooses the points of the rule, sums, and converts back to Legendre functions.
 
 use radiosity_core::{basis::total, convert};
 use serde::{Deserialize, Serialize};
@@ -19,7 +19,7 @@ pub enum Rules {
     Hybrid(Reading),
 }
 
-/// How eq. 27 is read; see [`paper`](super).
+/// How eq. 27 is read; see the module `transfers`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Reading {
@@ -33,7 +33,7 @@ pub enum Reading {
     Literal,
 }
 
-/// K between two patches and what it cost.
+/// K between two patches, and its cost.
 #[derive(Clone, Debug)]
 pub struct Transfer {
     /// K^kl, row-major, the receiver's (N + 1)(N + 2)/2 functions by the emitter's, in the order of
@@ -47,7 +47,7 @@ pub struct Transfer {
     pub rays: u64,
 }
 
-/// K^kl from `emitter` to `receiver`; `sees`, where given, tells whether nothing stands between two points.
+/// K^kl from `emitter` to `receiver`; `sees`, where given, says whether the segment between two points is free.
 ///
 /// # Panics
 /// If a party has no points.
@@ -91,9 +91,9 @@ fn emitter_axes(party: Party, reading: Reading, border: Border) -> [Axis; 2] {
     border.placed(along, across)
 }
 
-/// Rows of K_J in the functions of two weights → rows of K in Legendre functions, column by column.
+/// Converts rows of K_J in the functions of two weights to rows of K in Legendre functions, column by column.
 ///
-/// Conversion never raises a degree, so each direction is done by itself within the total degree.
+/// Conversion never raises a degree, so each direction is converted by itself within the total degree.
 fn to_legendre(values: &mut [f64], order: usize, [first, second]: [[u8; 2]; 2]) {
     let columns = values.len() / total::count(order);
     let mut line = vec![0.0; order + 1];
