@@ -63,7 +63,7 @@ impl Checks {
     pub fn of(solution: &Solution, blocks: &Blocks, bounce: Option<&Bounce>) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
-        let transported = blocks.apply(&ones);
+        let transported = blocks.integrated_constant(&ones);
         let open: Vec<f64> = ones.iter().zip(&transported).map(|(c, gc)| c - gc).collect();
         // A covered element sees only what covers it, exactly, or nothing.
         let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();

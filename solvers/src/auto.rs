@@ -25,6 +25,9 @@ const DIRECT: usize = 500;
 /// Unknowns from which no direct method is tried: the copy of the matrix would take 7 GB.
 const HUGE: usize = 30_000;
 
+/// Unknowns up to which the matrix is made entry by entry for a direct method where it is not held so: 72 MB.
+const DENSE: usize = 3000;
+
 /// Tolerance below which a direct method comes first: some 500 rounding errors, which iterations may not reach. Chosen;
 /// not tuned.
 const STRICT: f64 = 1e-13;
@@ -73,7 +76,7 @@ impl Plan {
         let dim = a.partition().dim();
         let direct_only = dim <= DIRECT.saturating_mul(columns.max(1)) || settings.tolerance < STRICT;
         let mut first: Vec<&'static dyn Solver> = Vec::new();
-        if dim >= HUGE {
+        if dim >= HUGE || (dim > DENSE && a.dense().is_none()) {
             if a.symmetric() {
                 first.push(&Cg);
             }

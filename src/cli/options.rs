@@ -10,7 +10,7 @@ use clap::{
 use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{Scene, SceneError, Source};
-use radiosity::solve::Direct;
+use radiosity::solve::{Direct, Transport};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{
@@ -124,6 +124,14 @@ pub(crate) struct MethodArgs {
     /// Rules of the transfers between elements; those of 1993 ignore --eps
     #[arg(long, value_name = "MODE", default_value = "default")]
     pub(crate) kernel: Kernel,
+
+    /// What carries the pairs of elements
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) transport: Transport,
+
+    /// Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    pub(crate) rays: Option<u64>,
 
     /// Solver of the linear system
     #[arg(long, value_name = "NAME", default_value = "auto", value_parser = solver())]

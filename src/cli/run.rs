@@ -139,6 +139,7 @@ impl Run {
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
+            Stage::Rays(done, total) => progress.show("rays", done as usize, total as usize),
             Stage::Estimate(done, total) => progress.show("estimate", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, bands),
             Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
@@ -196,10 +197,20 @@ impl Run {
                 seconds.load
             );
         }
+        let blocks = match self.report.transport.error {
+            Some(error) => {
+                let rays = self.report.transport.rays as f64 / seconds.blocks.max(1e-9) / 1e6;
+                format!("{} rays, {rays:.1} M/s, error {error:.1e}", self.report.transport.rays)
+            }
+            None => {
+                let Report { kernel_samples, shadow_rays, .. } = &self.report;
+                format!("{kernel_samples} kernel samples, {shadow_rays} shadow rays")
+            }
+        };
         format!(
-            "blocks {:.3} s ({} kernel samples, {} shadow rays), {solver} {:.3} s (residual {residual:.1e}), \
+            "blocks {:.3} s ({blocks}), {solver} {:.3} s (residual {residual:.1e}), \
              output {output:.3} s, all {total:.3} s",
-            seconds.blocks, self.report.kernel_samples, self.report.shadow_rays, seconds.solve
+            seconds.blocks, seconds.solve
         )
     }
 
@@ -253,6 +264,8 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         layers: Layers { count: method.layers, ratio: method.ratio },
         eps: method.eps.unwrap_or(defaults.eps),
         kernel: method.kernel.rules(),
+        transport: method.transport,
+        rays: method.rays,
         shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
         shadows: method.shadows.hiding(),
         masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),

@@ -36,6 +36,8 @@ pub struct Report {
     pub seconds: Seconds,
     /// Peak memory, where the system reports it.
     pub peak_bytes: Option<u64>,
+    /// What carried the pairs of elements, why, and how well.
+    pub transport: Transport,
     /// Numbers of pairs of elements by how they were treated.
     pub pairs: PairCounts,
     /// Terms of the kernel's quadrature rules.
@@ -61,6 +63,28 @@ pub struct Report {
     pub checks: Checks,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
+}
+
+/// What carried the pairs of elements.
+#[derive(Clone, Debug, Serialize)]
+pub struct Transport {
+    /// `exact` or `sampled`.
+    pub kind: &'static str,
+    /// Why it was chosen.
+    pub why: String,
+    /// Rays sent; 0 if exact.
+    pub rays: u64,
+    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the bands); none if exact.
+    pub error: Option<f64>,
+}
+
+impl Transport {
+    fn of(outcome: &Outcome) -> Self {
+        let kind = if outcome.choice.sampled { "sampled" } else { "exact" };
+        let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
+        let error = outcome.sampling.map(|sampling| sampling.error);
+        Self { kind, why: outcome.choice.why.clone(), rays, error }
+    }
 }
 
 /// Wall time per stage, s.
@@ -115,6 +139,7 @@ impl Report {
             version: env!("CARGO_PKG_VERSION"),
             seconds: seconds(outcome),
             peak_bytes: peak_bytes(),
+            transport: Transport::of(outcome),
             pairs: outcome.pairs,
             kernel_samples: outcome.samples,
             kernel_samples_distinct: outcome.distinct,

@@ -27,6 +27,12 @@ const ELEMENT: u64 = 3000;
 /// Bytes of a pair beside its block. Chosen; not tuned.
 const PAIR: u64 = 300;
 
+/// Rays that a pair of elements carries, if any; two to ten in real rooms.
+const HITS_PER_PAIR: f64 = 3.0;
+
+/// Bytes of the hits that are counted at a time.
+const CHUNK: u64 = 60_000_000;
+
 /// Bytes of the program itself. Chosen; not tuned.
 const PROGRAM: u64 = 10_000_000;
 
@@ -73,6 +79,21 @@ impl Footprint {
         let unknowns = most_unknowns(scene, &sizes);
         let system = NUMBER * unknowns * unknowns * copies(method, unknowns);
         Self { elements: elements.sum(), blocks, pairs, system }
+    }
+
+    /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
+    pub fn of_rays(scene: &Scene, how: &Discretization, rays: u64) -> Self {
+        let sizes = cut_sizes(scene, how);
+        let elements =
+            sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
+        let areas: Vec<f64> = scene.surfaces.iter().map(|surface| surface.shape.area()).collect();
+        let area: f64 = areas.iter().sum();
+        let shares = sizes.iter().zip(&areas).map(|(cut, own)| cut.functions as f64 * own / area);
+        let functions: f64 = shares.sum();
+        let entries = rays as f64 * functions * functions / HITS_PER_PAIR;
+        let numbers = (NUMBER as f64 * entries) as u64;
+        // Sums of two halves while rays are sent; then the blocks of each half, and a matrix with both triangles.
+        Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system: 4 * numbers }
     }
 
     /// Largest sum at any time.

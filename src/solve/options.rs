@@ -5,6 +5,7 @@ use std::num::NonZero;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
+use super::choice::{Choice, Transport, usual_rays};
 use super::direct::Direct;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
@@ -30,6 +31,10 @@ pub struct Options {
     pub eps: f64,
     /// The rules of 1993 instead of those that keep `eps`.
     pub kernel: Option<transfers::Rules>,
+    /// How pairs of elements are carried.
+    pub transport: Transport,
+    /// Rays of the sampled transport; None: as many as the scene and the accuracy of shadows need.
+    pub rays: Option<u64>,
     /// Accuracy of visibility within a block.
     pub shadow_eps: f64,
     /// How surfaces hide each other.
@@ -66,6 +71,8 @@ impl Default for Options {
             layers: Layers::NONE,
             eps: 1e-3,
             kernel: None,
+            transport: Transport::Auto,
+            rays: None,
             shadow_eps: 3e-3,
             shadows: Hiding::Auto,
             masks: None,
@@ -96,6 +103,21 @@ impl Options {
         } else {
             Elements::new(scene, how)
         }
+    }
+}
+
+impl Options {
+    /// What carries the pairs of `scene`.
+    pub fn choice(&self, scene: &Scene) -> Choice {
+        if self.kernel.is_some() || self.masks.is_some() {
+            return Choice { sampled: false, why: "the methods of 1993 know no rays".to_owned() };
+        }
+        self.transport.choice(scene.surfaces.len(), self.rays.is_some())
+    }
+
+    /// Rays of the sampled transport of `scene`.
+    pub fn ray_budget(&self, scene: &Scene) -> u64 {
+        self.rays.unwrap_or_else(|| usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps))
     }
 }
 

@@ -20,7 +20,7 @@ use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
-use crate::solve::{Failure, Fit, Options, Outcome, Progress, solve, timed};
+use crate::solve::{Failure, Fit, Options, Outcome, Progress, Sampling, solve, timed};
 use crate::visibility::Visibility;
 
 use estimate::estimate;
@@ -118,6 +118,15 @@ const EVEN: [Rung; 6] = [
 /// Order of the first rungs. Chosen; not tuned.
 const FIRST_ORDER: usize = 2;
 
+/// Highest order of elements that rays carry: the largest that their grades know.
+const RAYS_ORDER: usize = 2;
+
+/// Least and largest factor on the rays from run to run. Chosen; not tuned.
+const MORE: [f64; 2] = [2.0, 16.0];
+
+/// Most rays of a run: an hour at a million a second and core.
+const MOST_RAYS: u64 = 4_000_000_000;
+
 /// Factor on the accuracies of transfers and shadows from run to run. Chosen; not tuned.
 const SHARPENING: f64 = 0.7;
 
@@ -135,6 +144,9 @@ pub fn adapt(
     goal: Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
+    if options.choice(scene).sampled {
+        return by_rays(scene, options, goal, progress);
+    }
     let visibility = Visibility::new(scene, options.into());
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
@@ -167,6 +179,39 @@ pub fn adapt(
         }
     };
     Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
+}
+
+/// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is small enough.
+fn by_rays(
+    scene: &Scene,
+    options: &Options,
+    goal: Goal,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Adapted, Failure> {
+    let order = options.order.max(RAYS_ORDER);
+    let mut chosen = Options { order, rays: Some(options.ray_budget(scene)), ..*options };
+    let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
+    loop {
+        let Some(Sampling { rays, error }) = outcome.sampling else { unreachable!("rays carried the pairs") };
+        let end = match () {
+            () if !outcome.converged => Some(End::NotConverged),
+            () if error <= goal.accuracy => Some(End::Reached),
+            () if rays >= MOST_RAYS => Some(End::Finest),
+            () => None,
+        };
+        let ended = |outcome, end| {
+            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
+        };
+        if let Some(end) = end {
+            return ended(outcome, end);
+        }
+        let factor = (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]);
+        let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
+        match finer(scene, &Options { rays: Some(more), ..chosen }, progress)? {
+            Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),
+            Err(end) => return ended(outcome, end),
+        }
+    }
 }
 
 /// A run after the first, or the reason why it ends the sequence.

@@ -25,6 +25,8 @@ pub struct Blocks {
     /// Terms of all rules; logarithms for contour integrals. Blocks that are copies count like those they were copied
     /// from.
     pub samples: u64,
+    /// G c as integrated, c the coefficients of the constant 1, where G was corrected afterwards.
+    pub(crate) integrated: Option<Vec<f64>>,
     /// Kernel evaluations or logarithms: fewer than the terms where kernel values repeat.
     pub distinct: u64,
     /// Segments tested for visibility.
@@ -57,6 +59,7 @@ impl Blocks {
             pairs: PairCounts::default(),
             samples: 0,
             distinct: 0,
+            integrated: None,
             rays: 0,
             reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
@@ -116,6 +119,11 @@ impl Blocks {
     /// The first coefficient of each element, and the dimension at the end.
     pub fn starts(&self) -> &[usize] {
         &self.starts
+    }
+
+    /// G c for the coefficients c of the constant 1, by G as it was integrated, before any correction.
+    pub fn integrated_constant(&self, ones: &[f64]) -> Vec<f64> {
+        self.integrated.clone().unwrap_or_else(|| self.apply(ones))
     }
 
     /// y = G x.

@@ -145,6 +145,15 @@ impl<'a> SampledTransport<'a> {
             self.tally.iter().map(|sums| exchange(list, &densities, &sums, rays)).collect();
         let wanted = self.wanted(rays);
         let factors = closure::factors(&exchanges, &wanted);
+        let integrated = self.uncorrected(&densities, rays);
+        let mut blocks = self.scaled(&densities, &factors, rays);
+        blocks.integrated = Some(integrated);
+        blocks.rays = self.sent.iter().sum();
+        blocks
+    }
+
+    /// d_i G_ij d_j for the factors d.
+    fn scaled(&self, densities: &[f64], factors: &[f64], rays: Rays) -> Blocks {
         let mut blocks = Blocks::empty(self.elements.starts(), true);
         let mut values = Vec::new();
         for sums in self.tally.iter() {
@@ -155,8 +164,13 @@ impl<'a> SampledTransport<'a> {
             blocks.push(row, column, &values);
         }
         self.push_covered(&mut blocks);
-        blocks.rays = self.sent.iter().sum();
         blocks
+    }
+
+    /// G c of the constant 1, before the row sums are corrected.
+    fn uncorrected(&self, densities: &[f64], rays: Rays) -> Vec<f64> {
+        let ones = vec![1.0; densities.len()];
+        self.scaled(densities, &ones, rays).apply(&self.elements.constant())
     }
 
     /// n_i / A_i of the rays that count.

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checks::Checks;
 use crate::solution::Solution;
-use crate::solve::{Outcome, Stages};
+use crate::solve::{Choice, Outcome, Sampling, Stages};
 use crate::solved::Solved;
 use crate::studies::adaptation::Achieved;
 use crate::transport::PairCounts;
@@ -30,6 +30,10 @@ pub(super) struct Figures {
     /// The accuracy that the run reached, where one was wanted.
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
+    /// What carried the pairs of elements.
+    choice: Choice,
+    /// Cost and error of the rays, where they did.
+    sampling: Option<Sampling>,
     pairs: PairCounts,
     checks: Checks,
 }
@@ -51,6 +55,8 @@ impl Figures {
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
             achieved: solved.achieved,
+            choice: outcome.choice.clone(),
+            sampling: outcome.sampling,
             pairs: outcome.pairs,
             checks: outcome.checks,
         }
@@ -61,6 +67,8 @@ impl Figures {
         Some(Outcome {
             solution,
             checks: self.checks,
+            choice: self.choice,
+            sampling: self.sampling,
             pairs: self.pairs,
             samples: self.kernel_samples,
             distinct: self.kernel_samples_distinct,

@@ -1,0 +1,55 @@
+//! Why a scene could not be solved.
+
+use radiosity_solvers::SolveError;
+use rayon::ThreadPoolBuildError;
+
+use crate::elements::ElementError;
+
+use super::fit;
+use super::fit::Fit;
+
+/// Why a scene could not be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum Failure {
+    /// The scene could not be cut into elements.
+    #[error(transparent)]
+    Elements(#[from] ElementError),
+    /// The rules of 1993 were asked for, but they do not know the shape of a surface.
+    #[error(
+        "surface '{surface}': the rules of 1993 know parallelograms and curved surfaces only, without holes: \
+         choose the default kernel, or cut the surface into parallelograms"
+    )]
+    NoChart {
+        /// Name of the surface.
+        surface: String,
+    },
+    /// The linear solver failed.
+    #[error("band '{band}': {source}")]
+    Solver {
+        /// Name of the band.
+        band: String,
+        /// What the solver says.
+        source: SolveError,
+    },
+    /// More memory is needed than allowed.
+    #[error(
+        "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; {}",
+        *needed as f64 / 1e6, *allowed as f64 / 1e6, fit::list(fits)
+    )]
+    Memory {
+        /// Bytes needed, estimated.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+        /// Changes that would fit, if any.
+        fits: Vec<Fit>,
+    },
+    /// No threads could be started.
+    #[error("cannot start {threads} threads: {source}; ask for fewer with --threads")]
+    Threads {
+        /// How many were asked for.
+        threads: usize,
+        /// What the system says.
+        source: ThreadPoolBuildError,
+    },
+}

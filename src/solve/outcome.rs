@@ -1,0 +1,63 @@
+//! The solution with its cost and self-checks.
+
+use std::time::Duration;
+
+use crate::checks::Checks;
+use crate::solution::Solution;
+use crate::transport::PairCounts;
+
+use super::choice::Choice;
+use super::sampling::Sampling;
+
+/// The solution with its cost and self-checks.
+#[derive(Debug)]
+#[non_exhaustive]
+pub struct Outcome {
+    /// Polynomials of irradiance and radiosity.
+    pub solution: Solution,
+    /// Self-checks.
+    pub checks: Checks,
+    /// Numbers of pairs by how they were treated.
+    pub pairs: PairCounts,
+    /// Terms of the kernel's quadrature rules.
+    pub samples: u64,
+    /// Kernel evaluations; fewer than the terms where kernel values repeat.
+    pub distinct: u64,
+    /// Segments tested for visibility.
+    pub rays: u64,
+    /// Largest error that unresolved parts leave in a block, relative to its scale ([`Blocks::accuracy_reached`](crate::transport::Blocks)).
+    pub accuracy_reached: f64,
+    /// Name of the solver that was used, also where the choice was left open.
+    pub solver: &'static str,
+    /// Iterations, largest over the bands.
+    pub iterations: usize,
+    /// Relative residual of the original system, largest over the bands.
+    pub residual: f64,
+    /// Whether direct light was split off.
+    pub split: bool,
+    /// Whether the solver converged in every band; if not, the solution is its best iterate.
+    pub converged: bool,
+    /// What carried the pairs of elements, and why.
+    pub choice: Choice,
+    /// Cost and error of the rays, where they carried the pairs.
+    pub sampling: Option<Sampling>,
+    /// Wall time of each stage.
+    pub seconds: Stages,
+}
+
+/// Wall time per stage.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stages {
+    /// Cutting into elements, with their bases.
+    pub elements: Duration,
+    /// Finding out whether anything can cast a shadow.
+    pub visibility: Duration,
+    /// Blocks of G, visibility within them included.
+    pub blocks: Duration,
+    /// Direct light and its first bounce, where they are split off.
+    pub direct: Duration,
+    /// The linear systems.
+    pub solve: Duration,
+    /// Estimation of the error from gathered light, where an accuracy is wanted.
+    pub estimate: Duration,
+}

@@ -1,0 +1,154 @@
+//! The sampled transport of a scene: rays in two rounds, and what is left of error.
+//!
+//! A pilot round, spread by area, tells about how bright each element is. The second round sends rays by area and brightness:
+//!
+//! ```text
+//! n_i ∝ A_i (1 + β B_i / B̄) ,     B̄ = Σ A_i B_i / Σ A_i ,
+//! ```
+//!
+//! so that small lamps send enough. The scene is then solved with the rays of even and with those of odd number, too. Half of the
+//! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P. Hanrahan, D. Salzman,
+//! L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
+
+use radiosity_solvers::SolveError;
+use serde::{Deserialize, Serialize};
+
+use crate::elements::coating::Coating;
+use crate::elements::{Element, Elements};
+use crate::system::{Coefficients, System};
+use crate::transport::{Blocks, Rays, SampledTransport};
+use crate::visibility::Visibility;
+
+use super::band::solve_band;
+use super::options::Options;
+use super::progress::Progress;
+
+/// Share of the rays that the pilot round sends. Chosen; between 0.05 and 0.2 errors changed by less than a tenth of themselves.
+const PILOT: f64 = 0.1;
+
+/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that sends all light of a scene
+/// gets β/(1 + β) of them.
+const BRIGHTNESS: f64 = 0.3;
+
+/// Fewest rays of an element in the pilot round, and in all. Chosen.
+const FEWEST: [u64; 2] = [4, 16];
+
+/// Relative residual of solutions that only tell brightness or error.
+const ROUGH: f64 = 1e-4;
+
+/// What the sampled transport of a solution cost, and how good it is.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Sampling {
+    /// Rays sent.
+    pub rays: u64,
+    /// Estimate of the relative error that rays leave: L2 over the elements of their mean irradiance, largest of the bands.
+    pub error: f64,
+}
+
+/// A scene ready for rays.
+#[derive(Debug)]
+pub(super) struct Subject<'a> {
+    pub elements: &'a Elements,
+    pub coatings: &'a [Coating],
+    pub visibility: &'a Visibility,
+    pub options: &'a Options,
+}
+
+impl Subject<'_> {
+    /// The blocks by `rays` rays, and what they are worth.
+    ///
+    /// # Errors
+    /// Those of the linear solver.
+    pub(super) fn sample(
+        &self,
+        rays: u64,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<(Blocks, Sampling), SolveError> {
+        let mut transport = SampledTransport::new(self.elements, self.visibility);
+        let pilot = PILOT * rays as f64;
+        transport.send(&self.by_area(pilot), &mut |done| progress(Progress::Rays(done, rays)));
+        let bright = self.brightness(&transport.blocks(Rays::All))?;
+        let sent: u64 = transport.sent().iter().sum();
+        let second = self.by_brightness(rays as f64, &bright, transport.sent());
+        transport.send(&second, &mut |done| progress(Progress::Rays(sent + done, rays)));
+        let blocks = transport.blocks(Rays::All);
+        let error = self.error(&transport)?;
+        let sampling = Sampling { rays: transport.sent().iter().sum(), error };
+        Ok((blocks, sampling))
+    }
+
+    fn area(&self) -> f64 {
+        self.elements.list().iter().map(|element| element.area).sum()
+    }
+
+    fn by_area(&self, rays: f64) -> Vec<u64> {
+        let area = self.area();
+        let own = |share: f64| ((rays * share).ceil() as u64).max(FEWEST[0]);
+        self.elements.list().iter().map(|element| own(element.area / area)).collect()
+    }
+
+    /// Rays that are missing of n_i for relative brightnesses B_i / B̄.
+    fn by_brightness(&self, rays: f64, bright: &[f64], sent: &[u64]) -> Vec<u64> {
+        let weights = self.elements.list().iter().zip(bright);
+        let weights: Vec<f64> = weights.map(|(element, b)| element.area * (1.0 + BRIGHTNESS * b)).collect();
+        let all: f64 = weights.iter().sum();
+        let own = |weight: f64| ((rays * weight / all).ceil() as u64).max(FEWEST[1]);
+        weights.iter().zip(sent).map(|(weight, sent)| own(*weight).saturating_sub(*sent)).collect()
+    }
+
+    /// B_i / B̄ of each element, the mean of the bands that emit.
+    fn brightness(&self, blocks: &Blocks) -> Result<Vec<f64>, SolveError> {
+        let area = self.area();
+        let mut bright = vec![0.0; self.elements.list().len()];
+        let mut bands = 0.0;
+        for coating in self.coatings {
+            let radiosity = self.means(&self.solved(blocks, coating)?.radiosity);
+            let power: f64 = radiosity
+                .iter()
+                .zip(self.elements.list())
+                .map(|(b, element)| b.max(0.0) * element.area)
+                .sum();
+            if power > 0.0 {
+                bands += 1.0;
+                bright.iter_mut().zip(&radiosity).for_each(|(sum, b)| *sum += b.max(0.0) * area / power);
+            }
+        }
+        bright.iter_mut().for_each(|sum| *sum /= f64::max(bands, 1.0));
+        Ok(bright)
+    }
+
+    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands.
+    fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
+        let halves = [Rays::Even, Rays::Odd].map(|rays| transport.blocks(rays));
+        let mut worst: f64 = 0.0;
+        for coating in self.coatings {
+            let [even, odd] = [self.solved(&halves[0], coating)?, self.solved(&halves[1], coating)?]
+                .map(|solved| self.means(&solved.irradiance));
+            let (mut difference, mut sum) = (0.0, 0.0);
+            for ((even, odd), element) in even.iter().zip(&odd).zip(self.elements.list()) {
+                difference += element.area * (even - odd).powi(2);
+                sum += element.area * (even + odd).powi(2);
+            }
+            worst = worst.max(if sum > 0.0 { (difference / sum).sqrt() } else { 0.0 });
+        }
+        Ok(worst)
+    }
+
+    fn solved(&self, blocks: &Blocks, coating: &Coating) -> Result<Coefficients, SolveError> {
+        let system = System::new(self.elements.list(), blocks, coating);
+        let rough =
+            Options { tolerance: ROUGH.max(self.options.tolerance), keep_partial: true, ..*self.options };
+        Ok(solve_band(&system, &rough, &mut |_| ())?.0)
+    }
+
+    /// Mean over each element of what these coefficients stand for.
+    fn means(&self, coefficients: &[f64]) -> Vec<f64> {
+        let mut start = 0;
+        let mean = |element: &Element| {
+            let own = coefficients[start..].iter().zip(&element.constant);
+            start += element.basis.len();
+            own.map(|(h, c)| h * c).sum::<f64>() / element.area
+        };
+        self.elements.list().iter().map(mean).collect()
+    }
+}
