@@ -225,8 +225,27 @@ fn why(end: End) -> Option<&'static str> {
     }
 }
 
+/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such elements at points was
+/// 3 % off in a classroom.
+const ROUGH: f64 = 0.15;
+
+/// A warning where rays leave a large error.
+fn rays(error: f64) -> Option<Warning> {
+    let message = || {
+        format!(
+            "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
+             with --rays, or ask for an --accuracy",
+            100.0 * error
+        )
+    };
+    (error > ROUGH).then(|| warning("sampling-error", message()))
+}
+
 /// Warnings about what elements and transfers miss.
 fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
+    if let Some(sampling) = outcome.sampling {
+        return rays(sampling.error).into_iter().collect();
+    }
     let mut warnings = Vec::new();
     let mut warn = |code: &str, message: String| warnings.push(warning(code, message));
     if outcome.pairs.unresolved > 0 {

@@ -91,6 +91,12 @@ impl<'a> SampledTransport<'a> {
         &self.sent
     }
 
+    /// Share of the rays of each element that met a front; 0 where none was sent.
+    pub fn shares_met(&self) -> Vec<f64> {
+        let share = |(met, sent): (&[f64; 2], &u64)| (met[0] + met[1]) / (*sent).max(1) as f64;
+        self.met.iter().zip(&self.sent).map(share).collect()
+    }
+
     /// Sends so many more rays from each element; covered ones send none. `progress` hears how many are done.
     pub fn send(&mut self, rays: &[u64], progress: &mut dyn FnMut(u64)) {
         let list = self.elements.list();

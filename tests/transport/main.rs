@@ -13,6 +13,7 @@ mod horizons;
 mod paper;
 mod polyhedra;
 mod room;
+mod sampled;
 mod turned;
 mod shapes;
 mod stress;

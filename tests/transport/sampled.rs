@@ -1,0 +1,210 @@
+//! Blocks from rays against exact ones; what they keep: symmetry, closure, bits; and the error that is told.
+
+use radiosity::elements::{Discretization, Elements};
+use radiosity::geom::DVec3;
+use radiosity::geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
+use radiosity::scene::{NamedMaterial, Scene};
+use radiosity::solve::{Options, Outcome, Transport, solve};
+use radiosity::transport;
+use radiosity::transport::{Accuracy, Blocks, Rays, SampledTransport};
+use radiosity::visibility::{Shadows, Visibility};
+use radiosity::{Material, SceneBuilder};
+
+/// The blocks of a scene by `rays` rays from each element.
+fn sampled(scene: &Scene, order: usize, rays: u64) -> Blocks {
+    let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
+    let elements = Elements::new(scene, &Discretization::uniform(order, 1)).expect("surfaces have area");
+    let mut transport = SampledTransport::new(&elements, &visibility);
+    transport.send(&vec![rays; elements.list().len()], &mut |_| ());
+    transport.blocks(Rays::All)
+}
+
+/// Relative L2 difference of all entries of two matrices of blocks, by what they make of unit vectors.
+fn difference(a: &Blocks, b: &Blocks) -> f64 {
+    let (mut far, mut all) = (0.0, 0.0);
+    for k in 0..a.dim() {
+        let mut unit = vec![0.0; a.dim()];
+        unit[k] = 1.0;
+        for (x, y) in a.apply(&unit).iter().zip(b.apply(&unit)) {
+            far += (x - y).powi(2);
+            all += y * y;
+        }
+    }
+    (far / all).sqrt()
+}
+
+fn grey(builder: &mut SceneBuilder) -> NamedMaterial {
+    builder.material("grey", Material::new(vec![0.5], vec![1.0]).expect("within bounds"))
+}
+
+/// A closed can whose wall is seen from inside.
+fn can() -> Scene {
+    let mut builder = SceneBuilder::new("can", ["grey"]);
+    let grey = grey(&mut builder);
+    let wall = Cylinder::new(DVec3::ZERO, 2.0 * DVec3::Z, 1.0, FULL_TURN).expect("a cylinder");
+    let top = 2.0 * DVec3::Z;
+    builder.surface("wall", wall, &grey).flip();
+    builder.surface("floor", Disk::new(DVec3::ZERO, DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a disk"), &grey);
+    builder.surface("top", Disk::new(top, -DVec3::Z, 1.0, 0.0, FULL_TURN).expect("a disk"), &grey);
+    builder.build().expect("a can")
+}
+
+/// A room turned out of all planes of the coordinates, with a ball in it.
+fn turned_room() -> Scene {
+    let mut builder = SceneBuilder::new("room", ["grey"]);
+    let grey = grey(&mut builder);
+    let x = DVec3::new(0.8, 0.5, 0.3).normalize();
+    let y = x.cross(DVec3::new(0.1, 0.2, 1.0)).normalize();
+    let z = x.cross(y);
+    let at = |u: f64, v: f64, w: f64| DVec3::new(3.1, -2.7, 0.9) + x * u + y * v + z * w;
+    for (name, corner, first, second) in [
+        ("floor", at(0.0, 0.0, 0.0), x, y),
+        ("ceiling", at(0.0, 0.0, 1.0), y, x),
+        ("left", at(0.0, 0.0, 0.0), y, z),
+        ("right", at(1.0, 0.0, 0.0), z, y),
+        ("front", at(0.0, 0.0, 0.0), z, x),
+        ("back", at(0.0, 1.0, 0.0), x, z),
+    ] {
+        builder.surface(name, Parallelogram::new(corner, first, second).expect("a square"), &grey);
+    }
+    builder.surface(
+        "ball",
+        Sphere::new(at(0.4, 0.5, 0.6), 0.2, z, [-0.2, 0.2], FULL_TURN).expect("a ball"),
+        &grey,
+    );
+    builder.build().expect("a room")
+}
+
+#[test]
+fn rays_find_the_exact_blocks_and_find_them_better_the_more_there_are() {
+    for (scene, order) in
+        [(Scene::builtin("furnace-cube").expect("built in"), 2), (can(), 1), (turned_room(), 1)]
+    {
+        let visibility = Visibility::new(&scene, Shadows::Rays(1e-4));
+        let elements = Elements::new(&scene, &Discretization::uniform(order, 1)).expect("surfaces have area");
+        let accuracy = Accuracy { eps: 1e-5, shadow_eps: 1e-4 };
+        let exact = transport::assemble(&elements, &visibility, accuracy, &|_, _| {});
+        let [few, many] = [1_000, 64_000].map(|rays| difference(&sampled(&scene, order, rays), &exact));
+        println!("{}: {few:.2e} by 1000 rays from each element, {many:.2e} by 64 000", scene.name);
+        // 64 times as many rays: by N^-½ an eighth; halves of it are left to chance.
+        assert!(many < few / 5.0, "{}: {few} then {many}", scene.name);
+        assert!(many < 0.01, "{}: {many}", scene.name);
+    }
+}
+
+#[test]
+fn no_ray_leaves_a_closed_room() {
+    // Rays start within rounding of edges and corners, too: where one escaped, a row sum would be below 1.
+    for scene in [Scene::builtin("furnace-cube").expect("built in"), can(), turned_room()] {
+        let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+        let elements = Elements::new(&scene, &Discretization::uniform(0, 2)).expect("surfaces have area");
+        let mut transport = SampledTransport::new(&elements, &visibility);
+        transport.send(&vec![20_000; elements.list().len()], &mut |_| ());
+        for (element, share) in elements.list().iter().zip(transport.shares_met()) {
+            // On curved elements weights add up to the area but for quadrature.
+            let tolerance = if element.plane.is_some() { 0.0 } else { 2e-3 };
+            assert!(
+                (share - 1.0).abs() <= tolerance,
+                "{}: surface {} meets {share}",
+                scene.name,
+                element.surface
+            );
+        }
+    }
+}
+
+#[test]
+fn row_sums_agree_with_what_rays_meet() {
+    let blocks = sampled(&turned_room(), 1, 2_000);
+    let elements = Elements::new(&turned_room(), &Discretization::uniform(1, 1)).expect("surfaces have area");
+    let ones = elements.constant();
+    let (corrected, integrated) = (blocks.apply(&ones), blocks.integrated_constant(&ones));
+    let sum = |of: &[f64], element: usize| {
+        let range = blocks.starts()[element]..blocks.starts()[element + 1];
+        let own = ones[range.clone()].iter().zip(&of[range]);
+        own.map(|(c, gc)| c * gc).sum::<f64>() / elements.list()[element].area
+    };
+    let walls = 0..6;
+    assert!(walls.clone().all(|wall| (sum(&corrected, wall) - 1.0).abs() < 1e-5));
+    // The check is of the integrals before that, and can fail.
+    assert!(walls.clone().any(|wall| (sum(&integrated, wall) - 1.0).abs() > 1e-4));
+    assert!(walls.clone().all(|wall| (sum(&integrated, wall) - 1.0).abs() < 0.1));
+}
+
+#[test]
+fn threads_and_rounds_change_no_bit() {
+    let scene = turned_room();
+    let values = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        let blocks = pool.install(|| sampled(&scene, 1, 10_000));
+        blocks.iter().flat_map(|(_, _, values)| values.to_vec()).collect::<Vec<f64>>()
+    };
+    let alone = values(1);
+    assert_eq!(alone, values(2));
+    assert_eq!(alone, values(5));
+}
+
+fn solved(scene: &Scene, transport: Transport, rays: Option<u64>) -> Outcome {
+    let options = Options { transport, rays, threads: 2, ..Options::default() };
+    solve(scene, &options, &|_| {}).expect("the scene can be solved")
+}
+
+/// Relative L2 difference of the mean irradiances of the surfaces, by area.
+fn surfaces_apart(scene: &Scene, a: &Outcome, b: &Outcome) -> f64 {
+    let (mut far, mut all) = (0.0, 0.0);
+    for (index, surface) in scene.surfaces.iter().enumerate() {
+        let [a, b] = [a, b].map(|outcome| outcome.solution.mean_irradiance(0, index));
+        far += surface.shape.area() * (a - b).powi(2);
+        all += surface.shape.area() * b * b;
+    }
+    (far / all).sqrt()
+}
+
+#[test]
+fn the_error_told_is_that_of_a_hundred_times_as_many_rays() {
+    for name in ["cornell-box", "two-boxes", "occluder-box", "teapot", "furnace-cube"] {
+        let scene = Scene::builtin(name).expect("built in");
+        let told = solved(&scene, Transport::Sampled, Some(30_000));
+        let fine = solved(&scene, Transport::Sampled, Some(3_000_000));
+        let error = told.sampling.expect("rays carried the light").error;
+        let truth = surfaces_apart(&scene, &told, &fine);
+        println!("{name}: told {error:.2e} of elements, surfaces are off by {truth:.2e}");
+        // Means over surfaces are better than those over their elements, which the figure is of.
+        assert!(truth < 2.0 * error, "{name}: {truth} beyond what is told, {error}");
+    }
+}
+
+#[test]
+fn surfaces_are_as_bright_as_by_exact_transport() {
+    for name in ["cornell-box", "two-boxes", "occluder-box", "furnace-cube"] {
+        let scene = Scene::builtin(name).expect("built in");
+        let exact = solved(&scene, Transport::Exact, None);
+        let rays = solved(&scene, Transport::Sampled, Some(400_000));
+        let apart = surfaces_apart(&scene, &rays, &exact);
+        println!("{name}: {apart:.2e} apart");
+        assert!(apart < 0.01, "{name}: {apart}");
+        assert!(exact.sampling.is_none() && rays.sampling.is_some_and(|sampling| sampling.rays >= 400_000));
+    }
+}
+
+#[test]
+fn what_lies_on_a_floor_is_carried_exactly() {
+    // A slab upon a floor: where they touch, each sees the other alone.
+    let mut builder = SceneBuilder::new("slab", ["grey"]);
+    let grey = grey(&mut builder);
+    let square = |x: f64, y: f64, side: f64| {
+        Parallelogram::new(DVec3::new(x, y, 0.0), side * DVec3::X, side * DVec3::Y).expect("a square")
+    };
+    builder.surface("floor", square(0.0, 0.0, 1.0), &grey);
+    builder.surface("slab", square(0.25, 0.25, 0.5), &grey).flip();
+    let scene = builder.build().expect("a scene");
+    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+    let elements = Elements::new(&scene, &Discretization::uniform(1, 1)).expect("surfaces have area");
+    let covered = elements.list().iter().filter(|element| element.contact.is_some()).count();
+    assert_eq!(covered, 2);
+    let mut transport = SampledTransport::new(&elements, &visibility);
+    transport.send(&vec![1000; elements.list().len()], &mut |_| ());
+    let exact =
+        transport::assemble(&elements, &visibility, Accuracy { eps: 1e-6, shadow_eps: 1e-3 }, &|_, _| {});
+    assert!(difference(&transport.blocks(Rays::All), &exact) < 1e-12);
+}
