@@ -22,7 +22,7 @@ use obvhs::cwbvh::{CwBvh, builder::build_cwbvh};
 use obvhs::{BvhBuildParams, ray::RayHit};
 use radiosity::scene::Scene;
 use radiosity_geom::shapes::Parallelogram;
-use radiosity_geom::{Aabb, Bvh, Ray, RayTree, Rect, Surface};
+use radiosity_geom::{Aabb, Hit, Ray, RayTree, Rect, Surface};
 
 use random::Random;
 
@@ -46,15 +46,15 @@ struct Start {
 
 fn main() {
     println!(
-        "| scene | surfaces | rays | RayTree, M hits/s | built in, ms | former tree | obvhs, surfaces | obvhs, triangles |"
+        "| scene | surfaces | rays | RayTree, M hits/s | built in, ms | obvhs, surfaces | obvhs, triangles |"
     );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
     compare("hall", &hall());
     for name in ["classroom", "soda"] {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/scenes/mgf");
         let path = folder.join(name).with_extension("json");
         if !path.exists() {
-            println!("| {name} | not there: {} | | | | | | |", path.display());
+            println!("| {name} | not there: {} | | | | | |", path.display());
             continue;
         }
         let scene = Scene::load(&path.to_string_lossy()).expect("the scene can be read");
@@ -67,14 +67,11 @@ fn compare(name: &str, surfaces: &[Shape]) {
     let start = Instant::now();
     let tree = RayTree::new(surfaces.to_vec());
     let built = 1e3 * start.elapsed().as_secs_f64();
-    let boxes: Vec<Aabb> = surfaces.iter().map(|surface| surface.bounds(&Rect::FULL)).collect();
-    let former = Bvh::build(&boxes);
     let (whole, cut) = (Wide::new(surfaces.iter().enumerate().map(Part::whole)), Wide::new(parts(surfaces)));
     for (order, run) in [("random order", 1), ("by surface", RUN)] {
         let starts = starts(surfaces, run);
-        let ways: [&dyn Fn(&Start) -> bool; 4] = [
+        let ways: [&dyn Fn(&Start) -> bool; 3] = [
             &|start| tree.nearest_from(start.own, start.origin, start.direction).is_some(),
-            &|start| former.nearest(&start.ray(), |k, ray| start.hit(surfaces, k, ray)).is_some(),
             &|start| whole.nearest(surfaces, start).is_some(),
             &|start| cut.nearest(surfaces, start).is_some(),
         ];
@@ -109,7 +106,7 @@ impl Start {
     }
 
     /// The hit with a surface, which is not the place where the ray starts.
-    fn hit(&self, surfaces: &[Shape], k: usize, ray: &Ray) -> Option<radiosity_geom::Hit> {
+    fn hit(&self, surfaces: &[Shape], k: usize, ray: &Ray) -> Option<Hit> {
         let surface = &surfaces[k];
         if k != self.own {
             return surface.intersect(ray);

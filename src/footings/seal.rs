@@ -5,7 +5,7 @@
 //! end on the front of a part that is sealed off itself. Parts that hold each other up so have to be the smaller parts of
 //! their surfaces, or a whole room would count as a footing.
 
-use radiosity_geom::{DVec3, PlanarRegion, Ray, touching};
+use radiosity_geom::{DVec3, Encounter, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
 use super::footing::Footing;
@@ -84,11 +84,11 @@ fn fronts_seen(
     for origin in &own.places {
         for direction in directions(axes) {
             let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
-            let (surface, hit) = obstacles.nearest(&ray)?;
-            let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
-            if there.normal.dot(direction) >= 0.0 {
+            let Encounter { surface, hit, front } = obstacles.nearest(&ray)?;
+            if !front {
                 continue;
             }
+            let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
             let holds = |other: &Suspect| {
                 other.is_minor
                     && other.footing.surface == surface
