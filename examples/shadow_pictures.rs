@@ -148,7 +148,7 @@ fn floor_pixels() -> Vec<bool> {
         let (x, y) = (f64::from(index % SIZE), f64::from(index / SIZE));
         let mut rays = offsets().flat_map(|dx| offsets().map(move |dy| (dx, dy)));
         rays.all(|(dx, dy)| {
-            visibility.nearest(&view.ray(x + dx, y + dy)).is_some_and(|(surface, _)| surface == floor)
+            visibility.nearest(&view.ray(x + dx, y + dy)).is_some_and(|met| met.surface == floor)
         })
     };
     (0..SIZE * SIZE).map(pixel).collect()

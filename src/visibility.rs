@@ -15,8 +15,9 @@ mod obstacle;
 mod whole;
 
 use std::cmp::Ordering;
+use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Hit, Jet, Ray, Rect, separated, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, Jet, Ray, RayTree, Rect, separated, touching};
 
 use crate::scene::Scene;
 use bounding_ball::Ball;
@@ -38,6 +39,8 @@ pub struct Visibility {
     boxes: Vec<Aabb>,
     /// Hierarchy of all surfaces.
     tree: Bvh,
+    /// Of all surfaces, for what rays meet first.
+    rays: RayTree,
     /// The surfaces that can stand between two others, ascending.
     standing: Vec<usize>,
     /// Hierarchy of the standing surfaces.
@@ -57,9 +60,10 @@ impl Visibility {
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
+        let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
         let bodies = bodies(&obstacles);
         let places = places(&obstacles);
-        Self { obstacles, boxes, tree, standing, standing_tree, bodies, places, shadows }
+        Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
     }
 
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`, and
@@ -260,26 +264,15 @@ impl Visibility {
         !self.standing.is_empty()
     }
 
-    /// The first surface that a ray meets.
-    ///
-    /// A ray meets both sides of a two-sided surface at once; the back counts as farther by a relative 1e-12, so that
-    /// the front wins (above rounding of t; chosen, not tuned).
-    pub fn nearest(&self, ray: &Ray) -> Option<(usize, Hit)> {
-        self.nearest_but(None, ray)
+    /// The first surface that a ray meets. Front and back of a two-sided surface are met at once, and the front counts.
+    pub fn nearest(&self, ray: &Ray) -> Option<Encounter> {
+        self.rays.nearest(ray)
     }
 
-    /// The first surface that a ray meets, other than `own`; see [`Visibility::nearest`].
-    pub fn nearest_but(&self, own: Option<usize>, ray: &Ray) -> Option<(usize, Hit)> {
-        self.tree.nearest(ray, |index, ray| {
-            if own == Some(index) {
-                return None;
-            }
-            let shape = &self.obstacles[index].shape;
-            let hit = shape.intersect(ray)?;
-            let back = shape.jet(hit.u, hit.v).normal.dot(ray.direction) > 0.0;
-            let t = if back { hit.t * (1.0 + 1e-12) } else { hit.t };
-            ray.reaches(t).then_some(Hit { t, ..hit })
-        })
+    /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`: not that surface itself, but
+    /// where it bends back.
+    pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
+        self.rays.nearest_from(surface, origin, direction)
     }
 }
 

@@ -13,8 +13,9 @@ use obvhs::{BvhBuildParams, cwbvh::CwBvh, cwbvh::builder::build_cwbvh, ray::RayH
 use radiosity_geom::shapes::{
     Bezier, Bilinear, Cone, Cylinder, Disk, Extrusion, FULL_TURN, Revolution, Sphere, Torus,
 };
-use radiosity_geom::{Aabb, Bvh, Hit, Motion, Placed, Ray, Rect, Surface};
+use radiosity_geom::{Aabb, Bvh, Hit, Motion, Placed, Ray, RayTree, Rect, Surface};
 use std::hint::black_box;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 #[path = "../tests/geometry/random.rs"]
@@ -26,7 +27,7 @@ use random::Random;
 const RAYS: usize = 20_000;
 
 struct Scene {
-    surfaces: Vec<Box<dyn Surface>>,
+    surfaces: Vec<Arc<dyn Surface>>,
     rays: Vec<Ray>,
     /// Cells along each parameter when cut into triangles.
     cells: i32,
@@ -37,7 +38,7 @@ fn mixed(random: &mut Random) -> Scene {
         let (axis, angle) = (random.direction(), random.between(-3.0, 3.0));
         let motion =
             Motion::new(random.vector(-1.0, 1.0), axis, angle, random.between(0.02, 0.06)).expect("a motion");
-        Box::new(Placed::new(shape(k), motion)) as Box<dyn Surface>
+        Arc::new(Placed::new(shape(k), motion)) as Arc<dyn Surface>
     });
     let surfaces = surfaces.collect();
     let rays = (0..RAYS).map(|_| Ray::segment(random.vector(-1.0, 1.0), random.vector(-1.0, 1.0))).collect();
@@ -66,14 +67,14 @@ fn shape(k: usize) -> Box<dyn Surface> {
 }
 
 /// The patches of the teapot.
-fn patches() -> Vec<Box<dyn Surface>> {
+fn patches() -> Vec<Arc<dyn Surface>> {
     let data: serde_json::Value =
         serde_json::from_str(include_str!("../tests/data/teapot.json")).expect("the table");
     let number = |k: usize, axis: usize| data["vertices"][k][axis].as_f64().expect("a number");
     let point = |k: usize| DVec3::new(number(k, 0), number(k, 1), number(k, 2));
     let index = |p: usize, k: usize| data["patches"][p][k].as_u64().expect("an index") as usize;
     let net = |p: usize| std::array::from_fn(|i| std::array::from_fn(|j| point(index(p, 4 * i + j))));
-    (0..32).map(|p| Box::new(Bezier::new(net(p)).expect("a patch")) as Box<dyn Surface>).collect()
+    (0..32).map(|p| Arc::new(Bezier::new(net(p)).expect("a patch")) as Arc<dyn Surface>).collect()
 }
 
 fn teapot(random: &mut Random) -> Scene {
@@ -157,6 +158,7 @@ type Way<'a> = (&'static str, Box<dyn Fn(&Ray) -> bool + 'a>);
 fn compare(c: &mut Criterion, name: &str, scene: &Scene) {
     let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.bounds(&Rect::FULL)).collect();
     let (own, wide) = (Bvh::build(&boxes), Wide::build(&boxes));
+    let tree = RayTree::new(scene.surfaces.clone());
     let triangles = triangles(scene);
     let corners: Vec<Aabb> = triangles.iter().map(|t| Aabb::around(*t)).collect();
     let cut = Wide::build(&corners);
@@ -165,7 +167,7 @@ fn compare(c: &mut Criterion, name: &str, scene: &Scene) {
     let cut_hit = |k: usize, ray: &Ray| hit_triangle(&triangles[k], ray);
     let ways: [Way; 6] = [
         ("nearest, triangles, obvhs", Box::new(|r| cut.nearest(r, |k| cut_hit(k, r)).is_some())),
-        ("nearest, surfaces, own", Box::new(|r| own.nearest(r, hit).is_some())),
+        ("nearest, surfaces, own", Box::new(|r| tree.nearest(r).is_some())),
         ("nearest, surfaces, obvhs", Box::new(|r| wide.nearest(r, |k| hit(k, r).map(|h| h.t)).is_some())),
         ("any, triangles, obvhs", Box::new(|r| cut.any(r, |k| cut_hit(k, r).is_some()))),
         ("any, surfaces, own", Box::new(|r| own.any(r, |k| shadow(k, r)))),
@@ -206,7 +208,7 @@ fn ratios(rays: &[Ray], ways: &[Way]) {
 type Joint = (usize, usize, Ray);
 
 /// Segments between facing points of the teapot, half of them on one patch, as for shadows on curved surfaces.
-fn joints(surfaces: &[Box<dyn Surface>], random: &mut Random) -> Vec<Joint> {
+fn joints(surfaces: &[Arc<dyn Surface>], random: &mut Random) -> Vec<Joint> {
     let mut joints = Vec::new();
     while joints.len() < RAYS {
         let mut patch = || (random.between(0.0, 32.0) as usize).min(31);

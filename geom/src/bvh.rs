@@ -1,4 +1,5 @@
-//! A bounding-volume hierarchy over boxes with any content.
+//! A bounding-volume hierarchy over boxes, whatever is in them: which overlap a box, which a ray may meet. What a ray meets first
+//! of surfaces is for [`RayTree`](crate::RayTree) to tell.
 //!
 //! Built top-down: each node is split between the two of 16 bins of box centres that minimise the expected number of
 //! box tests, Σ area · count (the surface-area heuristic; Goldsmith and Salmon, 1987; binning after Wald, 2007). Only
@@ -6,13 +7,11 @@
 //! reach. Boxes are inflated by 1e-8 of their size, more than the overhang 1e-9 at which a hit is still accepted.
 
 use crate::slabs::Slabs;
-use crate::{Aabb, Hit, Ray};
+use crate::{Aabb, Ray};
 
 const BINS: usize = 16;
-/// Below this depth splits halve the number of boxes (< 2³²): at most 33 further entries of the stack. Chosen; not
-/// tuned.
+/// Below this depth splits halve the number of boxes instead, which bounds the depth.
 const HEURISTIC_DEPTH: usize = 40;
-const STACK: usize = HEURISTIC_DEPTH + 33;
 
 /// A tree of boxes.
 #[derive(Clone, Debug)]
@@ -44,86 +43,35 @@ impl Bvh {
         Bvh { nodes, order }
     }
 
-    /// The hit of lowest t among all boxes' contents, with the index of its box. `test` gets an index and the
-    /// ray, cut off beyond the nearest hit so far; it returns the nearest hit with that box's content.
-    pub fn nearest(
-        &self,
-        ray: &Ray,
-        mut test: impl FnMut(usize, &Ray) -> Option<Hit>,
-    ) -> Option<(usize, Hit)> {
-        let mut best = None;
-        let mut ray = *ray;
-        self.visit(&Slabs::new(&ray), ray.range, |index| {
-            if let Some(hit) = test(index, &ray) {
-                best = Some((index, hit));
-                ray = ray.until(hit.t);
-            }
-            Some(ray.range[1])
-        });
-        best
-    }
-
-    /// Whether `test` returns true for any box the ray may meet; stops at the first.
+    /// Whether `test` returns true for any box the ray may meet, in no particular order; stops at the first.
     pub fn any(&self, ray: &Ray, mut test: impl FnMut(usize) -> bool) -> bool {
-        let mut found = false;
-        self.visit(&Slabs::new(ray), ray.range, |index| {
-            found = test(index);
-            (!found).then_some(ray.range[1])
-        });
-        found
+        let slabs = Slabs::new(ray);
+        let is_met = |node: &Node| slabs.entry(&node.bounds, ray.range[0], ray.range[1]).is_some();
+        self.below(is_met).any(&mut test)
     }
 
     /// Calls `visit` with the index of every box that overlaps `query`.
     pub fn overlapping(&self, query: &Aabb, mut visit: impl FnMut(usize)) {
-        let mut stack: Vec<usize> = if self.nodes.is_empty() { vec![] } else { vec![0] };
-        while let Some(index) = stack.pop() {
-            let node = &self.nodes[index];
-            if !node.bounds.overlaps(query) {
-                continue;
-            }
-            if node.count == 0 {
-                stack.extend([node.first as usize + 1, node.first as usize]);
-            } else {
-                self.content(node).for_each(&mut visit);
-            }
-        }
+        self.below(|node| node.bounds.overlaps(query)).for_each(&mut visit);
     }
 
-    /// Visits the boxes along the ray, near ones first; `at_box` returns the range's new end, or `None` to stop.
-    fn visit(&self, slabs: &Slabs, range: [f64; 2], mut at_box: impl FnMut(usize) -> Option<f64>) {
-        let mut end = range[1];
-        let mut stack = [(0u32, 0.0f64); STACK];
-        let mut depth = 0;
-        if let Some(root) = self.nodes.first()
-            && let Some(entry) = slabs.entry(&root.bounds, range[0], end)
-        {
-            stack[0] = (0, entry);
-            depth = 1;
-        }
-        while depth > 0 {
-            depth -= 1;
-            let (index, entry) = stack[depth];
-            if entry > end {
-                continue;
-            }
-            let node = &self.nodes[index as usize];
-            if node.count > 0 {
-                for index in self.content(node) {
-                    let Some(new_end) = at_box(index) else { return };
-                    end = new_end;
+    /// The content of the leaves below nodes of which `is_met` holds.
+    fn below(&self, is_met: impl Fn(&Node) -> bool) -> impl Iterator<Item = usize> {
+        let mut stack: Vec<usize> = if self.nodes.is_empty() { vec![] } else { vec![0] };
+        let leaves = std::iter::from_fn(move || {
+            while let Some(index) = stack.pop() {
+                let node = &self.nodes[index];
+                if !is_met(node) {
+                    continue;
                 }
-                continue;
-            }
-            let children = [node.first, node.first + 1]
-                .map(|k| (k, slabs.entry(&self.nodes[k as usize].bounds, range[0], end)));
-            let far_first = if children[0].1 > children[1].1 { children } else { [children[1], children[0]] };
-            for (child, entry) in far_first {
-                if let Some(entry) = entry {
-                    stack[depth] = (child, entry);
-                    depth += 1;
+                if node.count > 0 {
+                    return Some(node);
                 }
+                stack.extend([node.first as usize + 1, node.first as usize]);
             }
-        }
+            None
+        });
+        leaves.flat_map(|leaf| self.content(leaf))
     }
 
     fn content(&self, leaf: &Node) -> impl Iterator<Item = usize> + '_ {
@@ -231,7 +179,7 @@ mod tests {
     #[test]
     fn an_empty_hierarchy_hits_nothing() {
         let bvh = Bvh::build(&[]);
-        assert!(bvh.nearest(&Ray::new(DVec3::ZERO, DVec3::X), |_, _| unreachable!()).is_none());
+        assert!(!bvh.any(&Ray::new(DVec3::ZERO, DVec3::X), |_| unreachable!()));
         bvh.overlapping(&Aabb { min: DVec3::NEG_INFINITY, max: DVec3::INFINITY }, |_| unreachable!());
     }
 
@@ -262,10 +210,16 @@ mod tests {
             for r in rays {
                 let direction = DVec3::new(r[3], if flat { 0.0 } else { r[4] }, r[5]);
                 let ray = Ray { origin: DVec3::new(r[0], r[1], r[2]), direction, range: [0.0, 1.0] };
-                let brute = shapes.iter().enumerate().filter_map(|(k, s)| s.intersect(&ray).map(|h| (k, h)));
-                let brute = brute.min_by(|a, b| a.1.t.total_cmp(&b.1.t));
-                prop_assert_eq!(bvh.nearest(&ray, |k, ray| shapes[k].intersect(ray)), brute);
-                prop_assert_eq!(bvh.any(&ray, |k| shapes[k].occludes(&ray)), brute.is_some());
+                let mut visited = Vec::new();
+                bvh.any(&ray, |k| {
+                    visited.push(k);
+                    false
+                });
+                for (k, shape) in shapes.iter().enumerate() {
+                    prop_assert!(!shape.occludes(&ray) || visited.contains(&k));
+                }
+                let is_any_met = shapes.iter().any(|shape| shape.occludes(&ray));
+                prop_assert_eq!(bvh.any(&ray, |k| shapes[k].occludes(&ray)), is_any_met);
             }
             let query = Aabb { min: DVec3::splat(-0.2), max: DVec3::splat(0.3) };
             let mut seen = Vec::new();

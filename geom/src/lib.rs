@@ -37,6 +37,8 @@ mod region;
 
 mod surface;
 
+mod ray_tree;
+
 mod patch;
 
 mod adjacency;
@@ -60,6 +62,7 @@ pub use motion::Motion;
 pub use patch::{Border, Patch};
 pub use placed::Placed;
 pub use ray::{Hit, Ray};
+pub use ray_tree::{Encounter, RayTree};
 pub use rect::Rect;
 pub use region::PlanarRegion;
 pub use rounding::coordinate_rounding;

@@ -5,7 +5,7 @@
 //! also end on the front of a part that is itself sealed off. Parts that depend on each other in this way have to be
 //! the smaller parts of their surfaces; otherwise a whole room would count as a footing.
 
-use radiosity_geom::{DVec3, PlanarRegion, Ray, touching};
+use radiosity_geom::{DVec3, Encounter, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
 use super::footing::Footing;
@@ -85,11 +85,11 @@ fn fronts_seen(
     for origin in &own.places {
         for direction in directions(axes) {
             let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
-            let (surface, hit) = obstacles.nearest(&ray)?;
-            let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
-            if there.normal.dot(direction) >= 0.0 {
+            let Encounter { surface, hit, front } = obstacles.nearest(&ray)?;
+            if !front {
                 continue;
             }
+            let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
             let holds = |other: &Suspect| {
                 other.is_minor
                     && other.footing.surface == surface

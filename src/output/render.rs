@@ -3,7 +3,7 @@
 //! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular grid; a ray
 //! that meets the back of a surface, or nothing, is black.
 
-use radiosity_geom::{DVec3, Ray};
+use radiosity_geom::{DVec3, Encounter, Ray};
 use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
@@ -88,11 +88,10 @@ struct Eye<'a> {
 impl Eye<'_> {
     /// Radiosity per band of the front that a ray meets first, if it is a front.
     fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
-        let (surface, hit) = self.reader.visibility().nearest(ray)?;
+        let Encounter { surface, hit, front } = self.reader.visibility().nearest(ray)?;
         let elements = self.reader.solution().elements();
-        let seen = elements.shape(surface).jet(hit.u, hit.v).normal.dot(ray.direction) < 0.0;
         // Where two surfaces meet, light is the limit from within the visible one.
-        let spot = seen.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
+        let spot = front.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
         Some(self.radiosity(spot.element, &spot.place, spot.normal))
     }
 

@@ -10,6 +10,7 @@
 //!
 //! a line about one pixel broad. Outlines of visible surfaces count as borders too.
 
+use radiosity_geom::Encounter;
 use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
@@ -61,8 +62,7 @@ pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, 
 /// The element whose front is seen through the point (x, y) of the picture.
 fn element(elements: &Elements, visibility: &Visibility, view: &Pinhole, x: f64, y: f64) -> u32 {
     let ray = view.ray(x, y);
-    let Some((surface, hit)) = visibility.nearest(&ray) else { return NOTHING };
-    let front = elements.shape(surface).jet(hit.u, hit.v).normal.dot(ray.direction) < 0.0;
+    let Some(Encounter { surface, hit, front }) = visibility.nearest(&ray) else { return NOTHING };
     let element = elements.at(surface, [hit.u, hit.v]).filter(|_| front);
     element.and_then(|index| u32::try_from(index).ok()).unwrap_or(NOTHING)
 }

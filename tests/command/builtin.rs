@@ -10,7 +10,7 @@ use radiosity::solve::{Options, solve};
 use radiosity::transport;
 use radiosity::transport::Accuracy;
 use radiosity::visibility::{Shadows, Visibility};
-use radiosity_geom::{DVec3, Ray};
+use radiosity_geom::{DVec3, Encounter, Ray};
 
 fn with(name: &str, settings: &[(&str, f64)]) -> Scene {
     Scene::builtin_with(name, settings).unwrap_or_else(|error| panic!("{error}"))
@@ -91,7 +91,7 @@ fn sees_fronts_only(name: &str, settings: &[(&str, f64)], directions: &[DVec3]) 
     let eye = scene.camera.as_ref().expect("there is a camera").eye;
     let visibility = Visibility::new(&scene, Shadows::Off);
     for direction in directions {
-        let (surface, hit) = visibility
+        let Encounter { surface, hit, .. } = visibility
             .nearest(&Ray::new(eye, *direction))
             .unwrap_or_else(|| panic!("{name} is open towards {direction}"));
         let normal = scene.surfaces[surface].shape.jet(hit.u, hit.v).normal;

@@ -92,7 +92,7 @@ impl Surface for Cone {
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let (o, w) = (self.turn.local_point(ray.origin), self.turn.local_vector(ray.direction));
         let size = self.radius1.max(self.radius2) + self.height;
-        let hits = self.meet(o, w).into_iter().filter_map(|t| {
+        let hits = self.meet(o, w).into_iter().filter(|t| ray.reaches(*t)).filter_map(|t| {
             let local = o + t * w;
             Hit::accept(ray, t, self.turn.parameter(local, size), self.along(local))
         });

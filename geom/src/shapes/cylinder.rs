@@ -53,7 +53,7 @@ impl Surface for Cylinder {
         // comparison.
         let reach = (inside / speed).sqrt();
         let size = self.radius + self.height;
-        [nearest - reach, nearest + reach].into_iter().find_map(|t| {
+        [nearest - reach, nearest + reach].into_iter().filter(|t| ray.reaches(*t)).find_map(|t| {
             let local = o + t * w;
             Hit::accept(ray, t, self.turn.parameter(local, size), 2.0 * local.z / self.height - 1.0)
         })

@@ -83,7 +83,8 @@ impl Surface for Sphere {
     }
 
     fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        meet(self.turn.origin, self.radius, ray).into_iter().find_map(|t| {
+        let roots = meet(self.turn.origin, self.radius, ray);
+        roots.into_iter().filter(|t| ray.reaches(*t)).find_map(|t| {
             let local = self.turn.local_point(ray.at(t));
             let latitude = local.z.atan2(local.truncate().length());
             let v = (latitude - self.latitude[0]) / self.latitude[1];

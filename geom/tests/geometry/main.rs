@@ -3,6 +3,7 @@
 mod catalogue;
 mod conformance;
 mod contacts;
+mod first_hits;
 mod gallery;
 mod random;
 mod scenes;

@@ -2,7 +2,9 @@
 
 use crate::random::Random;
 use crate::scenes::Teapot;
-use radiosity_geom::{Adjacency, Bvh, DVec3, Patch, Ray, Rect, Surface};
+use std::sync::Arc;
+
+use radiosity_geom::{Adjacency, Bvh, DVec3, Patch, Ray, RayTree, Rect, Surface};
 
 #[test]
 fn areas_agree_with_the_table() {
@@ -91,13 +93,13 @@ fn the_hierarchy_agrees_with_brute_force() {
     let surfaces = Teapot::load().surfaces();
     let boxes: Vec<_> = surfaces.iter().map(|s| s.bounds(&Rect::FULL)).collect();
     let bvh = Bvh::build(&boxes);
+    let tree = RayTree::new(surfaces.iter().map(|s| -> Arc<dyn Surface> { Arc::new(s.clone()) }).collect());
     let mut random = Random(3);
     for _ in 0..3000 {
         let ray = Ray::segment(random.vector(-4.0, 4.0), random.vector(-3.0, 3.0));
         let all = surfaces.iter().filter_map(|s| s.intersect(&ray)).map(|hit| hit.t);
         let nearest = all.min_by(f64::total_cmp);
-        let found = bvh.nearest(&ray, |k, ray| surfaces[k].intersect(ray));
-        assert_eq!(found.map(|(_, hit)| hit.t), nearest);
+        assert_eq!(tree.nearest(&ray).map(|met| met.hit.t), nearest);
         assert_eq!(bvh.any(&ray, |k| surfaces[k].occludes(&ray)), nearest.is_some());
     }
 }

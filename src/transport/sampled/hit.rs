@@ -1,6 +1,6 @@
 //! Where a ray from one element meets another.
 
-use radiosity_geom::{DVec2, DVec3, Ray};
+use radiosity_geom::{DVec2, DVec3, Encounter};
 
 use crate::elements::{Element, Elements};
 use crate::transport::sampled::sender::Departure;
@@ -23,9 +23,6 @@ pub(super) struct Hit {
     pub to: [f64; 2],
 }
 
-/// How near to its start a ray may meet its own curved surface, as a part of the element's extent.
-const OWN: f64 = 1e-9;
-
 /// What the ray of number `index` from element `source` meets; none where it leaves the scene or meets a back, which absorbs it.
 pub(super) fn hit(
     elements: &Elements,
@@ -36,11 +33,9 @@ pub(super) fn hit(
 ) -> Option<Hit> {
     let Departure { node, direction, weight } = departure;
     let sender = &elements.list()[source];
-    let ray = Ray { range: [OWN * sender.extent, f64::INFINITY], ..Ray::new(node.position, *direction) };
-    let own = sender.plane.is_some().then_some(sender.surface);
-    let (surface, hit) = visibility.nearest_but(own, &ray)?;
-    let jet = elements.shape(surface).jet(hit.u, hit.v);
-    if jet.normal.dot(*direction) >= 0.0 {
+    let Encounter { surface, hit, front } =
+        visibility.nearest_from(sender.surface, node.position, *direction)?;
+    if !front {
         return None;
     }
     let target = elements.at(surface, [hit.u, hit.v])?;

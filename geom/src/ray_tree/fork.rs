@@ -1,0 +1,135 @@
+//! A node of four children: their boxes side by side, tested at once.
+//!
+//! A ray passes a box where its latest entry into a slab comes before its earliest exit from one (Kay and Kajiya, *Ray tracing
+//! complex scenes*, 1986). The signs of its direction tell beforehand which face of a slab it enters by.
+
+use super::frame::{Box32, ROOM, Ray32};
+
+/// Boxes side by side.
+pub(super) const WIDTH: usize = 4;
+
+/// Four boxes and what is in them; missing ones are empty.
+#[derive(Clone, Debug)]
+#[repr(align(64))]
+pub(super) struct Fork {
+    /// Lowest and highest x, lowest and highest y, lowest and highest z.
+    faces: [[f32; WIDTH]; 6],
+    children: [u32; WIDTH],
+}
+
+/// A child that a ray enters, with the place where it does so: comparable by that place.
+pub(super) type Entry = i64;
+
+/// The content of the child.
+pub(super) fn child(entry: Entry) -> u32 {
+    entry as u32
+}
+
+/// Where the ray enters.
+pub(super) fn place(entry: Entry) -> f32 {
+    f32::from_bits((entry >> 32) as u32)
+}
+
+/// The entry of `child` at 0.
+pub(super) fn at_start(child: u32) -> Entry {
+    i64::from(child)
+}
+
+impl Fork {
+    pub(super) fn new(boxes: &[Box32], contents: &[u32]) -> Fork {
+        let at = |k: usize| boxes.get(k).unwrap_or(&Box32::EMPTY);
+        let face = |f: usize| std::array::from_fn(|k| [at(k).min, at(k).max][f % 2][f / 2]);
+        let children = std::array::from_fn(|k| contents.get(k).copied().unwrap_or(0));
+        Fork { faces: std::array::from_fn(face), children }
+    }
+
+    /// All children.
+    #[cfg(test)]
+    pub(super) fn contents(&self) -> impl Iterator<Item = u32> {
+        let is_there = |k: &usize| self.faces[0][*k] <= self.faces[1][*k];
+        (0..WIDTH).filter(is_there).map(|k| self.children[k])
+    }
+
+    /// The children that the ray enters before `end`, the farthest first, and how many they are.
+    #[inline]
+    pub(super) fn entered(&self, ray: &Ray32, end: f32) -> ([Entry; WIDTH], usize) {
+        let (mut entry, mut exit) = ([0.0f32; WIDTH], [end; WIDTH]);
+        for axis in 0..3 {
+            let (near, far) =
+                (&self.faces[2 * axis + ray.signs[axis]], &self.faces[2 * axis + 1 - ray.signs[axis]]);
+            let (origin, inverse) = (ray.origin[axis], ray.inverse[axis]);
+            for k in 0..WIDTH {
+                entry[k] = larger((near[k] - origin) * inverse, entry[k]);
+                exit[k] = smaller((far[k] - origin) * inverse, exit[k]);
+            }
+        }
+        let mut found = [0; WIDTH];
+        let mut count = 0;
+        for k in 0..WIDTH {
+            let meets = entry[k] <= exit[k] * ROOM;
+            let key = i64::from(entry[k].to_bits()) << 32 | i64::from(self.children[k]);
+            found[k] = if meets { key } else { -1 };
+            count += usize::from(meets);
+        }
+        (sorted(found), count)
+    }
+}
+
+/// Written such that it becomes one instruction: the second where either is no number.
+#[inline]
+fn larger(a: f32, b: f32) -> f32 {
+    if a > b { a } else { b }
+}
+
+#[inline]
+fn smaller(a: f32, b: f32) -> f32 {
+    if a < b { a } else { b }
+}
+
+/// In descending order, by the shortest network.
+#[inline]
+fn sorted([a, b, c, d]: [Entry; WIDTH]) -> [Entry; WIDTH] {
+    let pair = |a: Entry, b: Entry| (a.max(b), a.min(b));
+    let ((a, b), (c, d)) = (pair(a, b), pair(c, d));
+    let ((a, c), (b, d)) = (pair(a, c), pair(b, d));
+    let (b, c) = pair(b, c);
+    [a, b, c, d]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ray_tree::frame::Frame;
+    use crate::slabs::Slabs;
+    use crate::{Aabb, Ray};
+    use glam::DVec3;
+    use proptest::prelude::*;
+
+    proptest! {
+        /// No box that the ray meets is left out, and they come in the order of the ray, the last first.
+        #[test]
+        fn boxes_are_entered_far_ones_first(
+            corners in prop::collection::vec(prop::array::uniform6(-1.0..1.0_f64), 0..5),
+            origin in prop::array::uniform3(-1.0..1.0_f64), target in prop::array::uniform3(-1.0..1.0_f64),
+            level in prop::bool::ANY,
+        ) {
+            let point = |x: &[f64]| DVec3::from_slice(x);
+            let boxes: Vec<Aabb> = corners.iter().map(|x| Aabb::around([point(&x[..3]), point(&x[3..])])).collect();
+            let frame = Frame::around(&Aabb { min: DVec3::splat(-1.0), max: DVec3::ONE });
+            let mut direction = point(&target) - point(&origin);
+            direction.y *= if level { 0.0 } else { 1.0 };
+            let ray = Ray { origin: point(&origin), direction, range: [0.0, 1.0] };
+            let ray32 = frame.ray(&ray).expect("it starts within the frame");
+            let single: Vec<Box32> = boxes.iter().map(|bounds| frame.enclose(bounds)).collect();
+            let (entries, count) = Fork::new(&single, &[7, 8, 9, 10][..boxes.len()]).entered(&ray32, ray32.end(1.0));
+            let found: Vec<u32> = entries[..count].iter().map(|entry| child(*entry)).collect();
+            for (k, bounds) in boxes.iter().enumerate() {
+                let is_met = Slabs::new(&ray).entry(bounds, 0.0, 1.0).is_some();
+                prop_assert!(!is_met || found.contains(&(7 + k as u32)), "{k} not in {found:?}");
+                let is_far = Slabs::new(&ray).entry(&bounds.inflate(1e-5), 0.0, 1.0).is_none();
+                prop_assert!(!is_far || !found.contains(&(7 + k as u32)), "{k} in {found:?}");
+            }
+            prop_assert!(entries[..count].is_sorted_by(|a, b| place(*a) >= place(*b)));
+        }
+    }
+}
