@@ -2,7 +2,7 @@
 
 use radiosity_geom::{Aabb, Rect};
 
-use super::{Discretization, Subdivide};
+use super::discretization::{Discretization, Subdivide};
 use crate::scene::{Scene, SceneSurface};
 
 /// Order and cuts of each surface of a scene.

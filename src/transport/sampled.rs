@@ -18,8 +18,8 @@
 //! heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for radiosity*, K. U. Leuven 1999.
 
 mod closure;
-mod hit;
 mod sender;
+mod hit;
 mod tally;
 
 use rayon::prelude::*;

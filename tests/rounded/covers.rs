@@ -4,7 +4,7 @@ use proptest::prelude::*;
 use radiosity::covers::covers;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::scene::Scene;
-use radiosity::solve::{Direct, Options, solve};
+use radiosity::solve::{Direct, Options, Transport, solve};
 use radiosity_geom::polygon_area;
 
 use crate::sheet::{Sheet, cuboid, factors, plate, room, scene, scene_lit_by, sheet, turned};
@@ -68,6 +68,24 @@ fn a_bottom_sees_the_floor_and_nothing_else() {
     let (floor, bottom) = (place("room-bottom"), place("box-bottom"));
     assert!((found.factor(bottom, floor) - 1.0).abs() < 1e-12);
     assert!((found.factor(floor, bottom) - 0.8 / 14.0).abs() < 1e-12);
+}
+
+#[test]
+fn rays_light_a_room_with_a_box_on_its_floor_as_exact_transport_does() {
+    // The bottom and the floor below it send no rays; they see each other alone, exactly.
+    let sheets = [room(), cuboid("box", [1.3, 1.0, 0.0], [2.3, 1.8, 0.6], &[])].concat();
+    let scene = scene_lit_by(&sheets, |name| name == "room-top").expect("a scene");
+    let means = |transport: Transport, rays| {
+        let options = Options { order: 2, transport, rays, direct: Direct::Projected, ..Options::default() };
+        let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+        let mean = |index| outcome.solution.mean_irradiance(0, index);
+        (0..scene.surfaces.len()).map(mean).collect::<Vec<f64>>()
+    };
+    let (exact, rays) = (means(Transport::Exact, None), means(Transport::Sampled, Some(200_000)));
+    for ((surface, exact), rays) in scene.surfaces.iter().zip(&exact).zip(&rays) {
+        println!("{}: {rays:.4} by rays, {exact:.4} exactly", surface.name);
+        assert!((rays - exact).abs() < 0.03 * exact, "{}: {rays} and {exact}", surface.name);
+    }
 }
 
 proptest! {

@@ -186,25 +186,3 @@ fn surfaces_are_as_bright_as_by_exact_transport() {
         assert!(exact.sampling.is_none() && rays.sampling.is_some_and(|sampling| sampling.rays >= 400_000));
     }
 }
-
-#[test]
-fn what_lies_on_a_floor_is_carried_exactly() {
-    // A slab upon a floor: where they touch, each sees the other alone.
-    let mut builder = SceneBuilder::new("slab", ["grey"]);
-    let grey = grey(&mut builder);
-    let square = |x: f64, y: f64, side: f64| {
-        Parallelogram::new(DVec3::new(x, y, 0.0), side * DVec3::X, side * DVec3::Y).expect("a square")
-    };
-    builder.surface("floor", square(0.0, 0.0, 1.0), &grey);
-    builder.surface("slab", square(0.25, 0.25, 0.5), &grey).flip();
-    let scene = builder.build().expect("a scene");
-    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
-    let elements = Elements::new(&scene, &Discretization::uniform(1, 1)).expect("surfaces have area");
-    let covered = elements.list().iter().filter(|element| element.contact.is_some()).count();
-    assert_eq!(covered, 2);
-    let mut transport = SampledTransport::new(&elements, &visibility);
-    transport.send(&vec![1000; elements.list().len()], &mut |_| ());
-    let exact =
-        transport::assemble(&elements, &visibility, Accuracy { eps: 1e-6, shadow_eps: 1e-3 }, &|_, _| {});
-    assert!(difference(&transport.blocks(Rays::All), &exact) < 1e-12);
-}

@@ -1,0 +1,45 @@
+//! How a scene is cut into elements, and which polynomials they carry.
+
+use serde::{Deserialize, Serialize};
+
+use super::cells::Layers;
+use super::space::Space;
+
+/// How the scene is cut and which polynomials it carries.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Discretization {
+    /// Order of every element that does not state its own, ≤ [`HIGHEST_ORDER`](super::basis::HIGHEST_ORDER).
+    pub order: usize,
+    /// Which polynomials of that order.
+    pub space: Space,
+    /// Cuts of surfaces that do not state their own.
+    pub subdivide: Subdivide,
+    /// Further cuts of the outermost cells of every surface.
+    pub layers: Layers,
+}
+
+impl Discretization {
+    /// Total degree `order` on `cuts` × `cuts` cells of every surface, no layers.
+    pub fn uniform(order: usize, cuts: usize) -> Self {
+        let subdivide = Subdivide::Uniform(cuts);
+        Self { order, space: Space::Total, subdivide, layers: Layers::NONE }
+    }
+}
+
+/// Cuts along u and v of a surface that does not state its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Subdivide {
+    /// 2 × 2 where `occluded` and the surface is longer than half the scene, 1 otherwise.
+    Auto {
+        /// Whether anything in the scene can cast a shadow.
+        occluded: bool,
+    },
+    /// The same number along u and v everywhere.
+    Uniform(usize),
+    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order as well.
+    Graded {
+        /// Rays from all surfaces together, spread by area.
+        rays: u64,
+    },
+}
