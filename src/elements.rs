@@ -269,6 +269,8 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
 
 #[cfg(test)]
 mod tests {
+    use super::cells::Layers;
+    use super::space::Space;
     use super::*;
 
     fn graded_box() -> Elements {

@@ -23,6 +23,9 @@
 //! Both are one system: the radiosity is a known part, e (or e + ρ d), plus the unknown √ρ y (or √ρ z); the irradiance
 //! is a known part, 0 (or d), plus that of the first transport, G e (or g), plus G times the unknown radiosity.
 
+use std::collections::HashMap;
+use std::ops::Range;
+
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
 use crate::elements::Element;
@@ -126,16 +129,23 @@ impl<'a> System<'a> {
         Dense::new(partition, values, self.blocks.symmetric())
     }
 
-    /// I − √ρ G √ρ on the reflecting elements: entry by entry where it is small, by its blocks elsewhere.
+    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small; elsewhere by its blocks, which
+    /// solvers that only multiply take from G as it is.
     ///
     /// # Errors
     /// Values that are not finite.
-    pub fn operator(&self, threads: usize) -> Result<Box<dyn Operator>, SolveError> {
-        let dim: usize = self.reflecting.iter().map(|i| self.elements[*i].basis.len()).sum();
-        if dim <= SMALL || !self.blocks.symmetric() {
+    pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
+        if self.unknown_count() <= SMALL || !self.blocks.symmetric() {
             return Ok(Box::new(self.matrix()?));
         }
+        if ["auto", "cg", "gmres"].contains(&method) {
+            return Ok(Box::new(Product::new(self)));
+        }
         Ok(Box::new(self.block_sparse()?.with_threads(threads)))
+    }
+
+    fn unknown_count(&self) -> usize {
+        self.reflecting.iter().map(|i| self.elements[*i].basis.len()).sum()
     }
 
     /// The same by those of its blocks that differ from zero.
@@ -197,7 +207,7 @@ impl<'a> System<'a> {
         &self.emitted
     }
 
-    fn range(&self, element: usize) -> std::ops::Range<usize> {
+    fn range(&self, element: usize) -> Range<usize> {
         let starts = self.blocks.starts();
         starts[element]..starts[element + 1]
     }
@@ -207,6 +217,79 @@ impl<'a> System<'a> {
             .iter()
             .flat_map(|i| self.range(*i).map(|k| value(*i, k)).collect::<Vec<_>>())
             .collect()
+    }
+}
+
+/// I − √ρ G √ρ on the reflecting elements, multiplied by the blocks of G as they are stored.
+struct Product<'a> {
+    system: &'a System<'a>,
+    partition: Partition,
+    /// √ρ of all coefficients.
+    roots: Vec<f64>,
+    /// Blocks G_ii of the elements that see themselves.
+    own: HashMap<usize, &'a [f64]>,
+}
+
+impl<'a> Product<'a> {
+    fn new(system: &'a System<'a>) -> Self {
+        let sizes: Vec<usize> = system.reflecting.iter().map(|i| system.elements[*i].basis.len()).collect();
+        let mut roots = vec![0.0; system.blocks.dim()];
+        for (i, reflectance) in system.coating.reflectance.iter().enumerate() {
+            roots[system.range(i)].fill(reflectance.sqrt());
+        }
+        let own = system.blocks.iter().filter(|(row, column, _)| row == column);
+        let own = own.map(|(row, _, values)| (row, values)).collect();
+        Self { system, partition: Partition::new(&sizes), roots, own }
+    }
+
+    /// √ρ G √ρ x on the unknowns, for the unknowns x of the reflecting elements number `blocks`.
+    fn reflected(&self, blocks: Range<usize>, x: &[f64]) -> Vec<f64> {
+        let mut sent = vec![0.0; self.roots.len()];
+        let mut next = x.iter();
+        for i in &self.system.reflecting[blocks] {
+            let range = self.system.range(*i);
+            let scaled = sent[range.clone()].iter_mut().zip(&self.roots[range]);
+            scaled.zip(&mut next).for_each(|((sent, root), x)| *sent = root * x);
+        }
+        let received = self.system.blocks.apply_in_chunks(&sent);
+        self.system.unknowns(|_, k| self.roots[k] * received[k])
+    }
+}
+
+impl Operator for Product<'_> {
+    fn partition(&self) -> &Partition {
+        &self.partition
+    }
+
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        let reflected = self.reflected(0..self.partition.len(), x);
+        y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
+    }
+
+    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
+        let mut all = vec![0.0; x.len()];
+        self.apply(x, &mut all);
+        y.copy_from_slice(&all[self.partition.range(row)]);
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        let reflected = self.reflected(column..column + 1, x);
+        y.iter_mut().zip(reflected).for_each(|(y, r)| *y -= r);
+        y[self.partition.range(column)].iter_mut().zip(x).for_each(|(y, x)| *y += x);
+    }
+
+    fn diagonal(&self, block: usize, out: &mut [f64]) {
+        let element = self.system.reflecting[block];
+        let reflectance = self.system.coating.reflectance[element];
+        let size = self.partition.size(block);
+        for (k, out) in out.iter_mut().enumerate() {
+            let own = self.own.get(&element).map_or(0.0, |values| values[k % size * size + k / size]);
+            *out = f64::from(u8::from(k % size == k / size)) - reflectance * own;
+        }
+    }
+
+    fn symmetric(&self) -> bool {
+        true
     }
 }
 

@@ -47,8 +47,13 @@ pub(super) fn solve_band(
             ..Settings::default()
         };
         let solver = options.method.solver;
-        let ended =
-            solver.solve(&*system.operator(options.threads)?, &right, &mut unknowns, &settings, observe);
+        let ended = solver.solve(
+            &*system.operator(options.method.name, options.threads)?,
+            &right,
+            &mut unknowns,
+            &settings,
+            observe,
+        );
         needed = Some(effort(ended, options.keep_partial)?);
     }
     Ok((system.coefficients(&unknowns), needed))

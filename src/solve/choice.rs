@@ -12,7 +12,7 @@ const FEW: usize = 300;
 
 /// Rays for each surface, and in all at least, at the default accuracy of shadows. From two real rooms (soda shop, classroom): 3 % of the
 /// light gathered at points.
-const RAYS_PER_SURFACE: u64 = 80;
+const RAYS_PER_SURFACE: u64 = 250;
 const FEWEST_RAYS: u64 = 400_000;
 
 /// Accuracy of shadows for which these are the numbers of rays.

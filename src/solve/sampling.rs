@@ -41,6 +41,8 @@ const ROUGH: f64 = 1e-4;
 pub struct Sampling {
     /// Rays sent.
     pub rays: u64,
+    /// Pairs of elements that were carried exactly beside them.
+    pub exact_pairs: usize,
     /// Estimate of the relative error that rays leave: L2 over the elements of their mean irradiance, largest of the bands.
     pub error: f64,
 }
@@ -69,11 +71,14 @@ impl Subject<'_> {
         transport.send(&self.by_area(pilot), &mut |done| progress(Progress::Rays(done, rays)));
         let bright = self.brightness(&transport.blocks(Rays::All))?;
         let sent: u64 = transport.sent().iter().sum();
+        transport.carry_strong_pairs_exactly(rays as f64 / sent as f64, self.options.accuracy());
         let second = self.by_brightness(rays as f64, &bright, transport.sent());
         transport.send(&second, &mut |done| progress(Progress::Rays(sent + done, rays)));
-        let blocks = transport.blocks(Rays::All);
+        // The halves first: their blocks are gone when the whole ones are made.
         let error = self.error(&transport)?;
-        let sampling = Sampling { rays: transport.sent().iter().sum(), error };
+        let blocks = transport.blocks(Rays::All);
+        let exact_pairs = transport.exact_pairs();
+        let sampling = Sampling { rays: transport.sent().iter().sum(), exact_pairs, error };
         Ok((blocks, sampling))
     }
 
@@ -119,19 +124,29 @@ impl Subject<'_> {
 
     /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands.
     fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
-        let halves = [Rays::Even, Rays::Odd].map(|rays| transport.blocks(rays));
+        let even = self.mean_irradiances(transport, Rays::Even)?;
+        let odd = self.mean_irradiances(transport, Rays::Odd)?;
         let mut worst: f64 = 0.0;
-        for coating in self.coatings {
-            let [even, odd] = [self.solved(&halves[0], coating)?, self.solved(&halves[1], coating)?]
-                .map(|solved| self.means(&solved.irradiance));
+        for (even, odd) in even.iter().zip(&odd) {
             let (mut difference, mut sum) = (0.0, 0.0);
-            for ((even, odd), element) in even.iter().zip(&odd).zip(self.elements.list()) {
+            for ((even, odd), element) in even.iter().zip(odd).zip(self.elements.list()) {
                 difference += element.area * (even - odd).powi(2);
                 sum += element.area * (even + odd).powi(2);
             }
             worst = worst.max(if sum > 0.0 { (difference / sum).sqrt() } else { 0.0 });
         }
         Ok(worst)
+    }
+
+    /// Mean irradiance of each element, band by band, by some of the rays.
+    fn mean_irradiances(
+        &self,
+        transport: &SampledTransport,
+        rays: Rays,
+    ) -> Result<Vec<Vec<f64>>, SolveError> {
+        let blocks = transport.blocks(rays);
+        let means = |coating| Ok(self.means(&self.solved(&blocks, coating)?.irradiance));
+        self.coatings.iter().map(means).collect()
     }
 
     fn solved(&self, blocks: &Blocks, coating: &Coating) -> Result<Coefficients, SolveError> {

@@ -192,7 +192,9 @@ fn by_rays(
     let mut chosen = Options { order, rays: Some(options.ray_budget(scene)), ..*options };
     let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
     loop {
-        let Some(Sampling { rays, error }) = outcome.sampling else { unreachable!("rays carried the pairs") };
+        let Some(Sampling { rays, error, .. }) = outcome.sampling else {
+            unreachable!("rays carried the pairs")
+        };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
             () if error <= goal.accuracy => Some(End::Reached),

@@ -6,9 +6,14 @@ pub(crate) mod reciprocity;
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use reciprocity::Reciprocity;
+
+/// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
+const CHUNKS: usize = 32;
 
 /// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 #[derive(Debug)]
@@ -139,6 +144,38 @@ impl Blocks {
             }
         }
         y
+    }
+
+    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no bit.
+    pub(crate) fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
+        let length = self.stored.len().div_ceil(CHUNKS).max(1);
+        let parts: Vec<Vec<f64>> = self
+            .stored
+            .par_chunks(length)
+            .map(|stored| {
+                let mut y = vec![0.0; self.dim()];
+                stored.iter().for_each(|block| self.add_both_ways(block, x, &mut y));
+                y
+            })
+            .collect();
+        let mut sum = vec![0.0; self.dim()];
+        for part in parts {
+            sum.iter_mut().zip(part).for_each(|(sum, y)| *sum += y);
+        }
+        sum
+    }
+
+    /// Adds G_ij x_j to y_i and G_ijᵀ x_i to y_j.
+    fn add_both_ways(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
+        let (row, column) = (*row as usize, *column as usize);
+        let (rows, columns) = (self.range(row), self.range(column));
+        let values = &self.values[*start..][..rows.len() * columns.len()];
+        for (k, line) in values.chunks_exact(columns.len()).enumerate() {
+            y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+        }
+        if row != column {
+            self.scatter(row, column, values, x, y);
+        }
     }
 
     /// y = Gᵀ x.

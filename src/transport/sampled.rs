@@ -12,6 +12,8 @@
 //! that hit something ([`closure`]). The rays of even and of odd number are two estimates of their own: half of what they differ by
 //! is about the error of their mean.
 //!
+//! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`strong`]).
+//!
 //! What lies on another surface exchanges with it alone, exactly ([`crate::transport::rules::covering`]), and sends no rays.
 //!
 //! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance
@@ -21,16 +23,19 @@ mod closure;
 mod sender;
 mod hit;
 mod tally;
+mod strong;
 
 use rayon::prelude::*;
 
 use crate::elements::{Element, Elements};
 use crate::transport::blocks::Blocks;
+use crate::transport::blocks::block::Accuracy;
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
 use closure::Exchange;
 use hit::{Hit, hit};
 use sender::Sender;
+use strong::Strong;
 use tally::{Sums, Tally};
 
 /// Rays whose hits are held at a time: some 30 MB.
@@ -58,9 +63,12 @@ pub struct SampledTransport<'a> {
     senders: Vec<Sender>,
     /// Rays sent by each element.
     sent: Vec<u64>,
-    /// Sum of the weights of the rays of each element that met a front, in either half.
+    /// Sum of the weights of the rays of each element, in either half.
+    weights: Vec<[f64; 2]>,
+    /// The same of those that met a front.
     met: Vec<[f64; 2]>,
     tally: Tally,
+    strong: Strong,
 }
 
 /// Rays of one element, one after the other.
@@ -81,8 +89,10 @@ impl<'a> SampledTransport<'a> {
             visibility,
             senders: senders.collect(),
             sent: vec![0; list.len()],
+            weights: vec![[0.0; 2]; list.len()],
             met: vec![[0.0; 2]; list.len()],
             tally: Tally::new(list.len()),
+            strong: Strong::default(),
         }
     }
 
@@ -93,8 +103,14 @@ impl<'a> SampledTransport<'a> {
 
     /// Share of the rays of each element that met a front; 0 where none was sent.
     pub fn shares_met(&self) -> Vec<f64> {
-        let share = |(met, sent): (&[f64; 2], &u64)| (met[0] + met[1]) / (*sent).max(1) as f64;
-        self.met.iter().zip(&self.sent).map(share).collect()
+        (0..self.sent.len()).map(|element| self.share_met(element, Rays::All)).collect()
+    }
+
+    fn share_met(&self, element: usize, rays: Rays) -> f64 {
+        match chosen_of(self.weights[element], rays) {
+            0.0 => 0.0,
+            weight => chosen_of(self.met[element], rays) / weight,
+        }
     }
 
     /// Sends so many more rays from each element; covered ones send none. `progress` hears how many are done.
@@ -127,28 +143,49 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    fn run(&mut self, tasks: &[Task]) {
-        let hits: Vec<Vec<Hit>> = tasks.par_iter().map(|task| self.hits(task)).collect();
-        for (Task { element, count, .. }, hits) in tasks.iter().zip(&hits) {
-            self.sent[*element] += count;
-            hits.iter().for_each(|hit| self.met[*element][hit.half as usize] += hit.weight);
-        }
-        self.tally.take(self.elements.list(), &hits.concat());
+    /// Carries those pairs exactly for which that costs less than the rays that would land on them, if `more` times as many are to be
+    /// sent as were; rays that landed on them no longer count.
+    pub fn carry_strong_pairs_exactly(&mut self, more: f64, accuracy: Accuracy) {
+        self.strong = Strong::choose(self.elements, self.visibility, &self.tally, more, accuracy);
     }
 
-    fn hits(&self, task: &Task) -> Vec<Hit> {
+    /// Number of pairs that are carried exactly.
+    pub fn exact_pairs(&self) -> usize {
+        self.strong.len()
+    }
+
+    fn run(&mut self, tasks: &[Task]) {
+        let results: Vec<([f64; 2], Vec<Hit>)> = tasks.par_iter().map(|task| self.hits(task)).collect();
+        let mut hits = Vec::with_capacity(results.iter().map(|(_, hits)| hits.len()).sum());
+        for (Task { element, count, .. }, (weights, own)) in tasks.iter().zip(results) {
+            self.sent[*element] += count;
+            self.weights[*element].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight);
+            own.iter().for_each(|hit| self.met[*element][hit.half as usize] += hit.weight);
+            hits.extend(own);
+        }
+        hits.retain(|hit| !self.strong.holds(hit.source, hit.target));
+        self.tally.take(self.elements.list(), &hits);
+    }
+
+    /// The weights of the rays of a task, by halves, and what they hit.
+    fn hits(&self, task: &Task) -> ([f64; 2], Vec<Hit>) {
         let sender = &self.senders[task.element];
-        let indices = task.first..task.first + task.count;
-        let met = |index| hit(self.elements, self.visibility, task.element, index, &sender.departure(index));
-        indices.filter_map(met).collect()
+        let (mut weights, mut hits) = ([0.0; 2], Vec::new());
+        for index in task.first..task.first + task.count {
+            let departure = sender.departure(index);
+            weights[(index % 2) as usize] += departure.weight;
+            hits.extend(hit(self.elements, self.visibility, task.element, index, &departure));
+        }
+        (weights, hits)
     }
 
     /// Estimate of G by the rays sent so far.
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
         let densities = self.densities(rays);
-        let exchanges: Vec<Exchange> =
-            self.tally.iter().map(|sums| exchange(list, &densities, &sums, rays)).collect();
+        let mut exchanges: Vec<Exchange> =
+            self.sampled().map(|sums| exchange(list, &densities, &sums, rays)).collect();
+        exchanges.extend(self.strong.iter().map(|block| exact_exchange(list, block)));
         let wanted = self.wanted(rays);
         let factors = closure::factors(&exchanges, &wanted);
         let integrated = self.uncorrected(&densities, rays);
@@ -162,15 +199,21 @@ impl<'a> SampledTransport<'a> {
     fn scaled(&self, densities: &[f64], factors: &[f64], rays: Rays) -> Blocks {
         let mut blocks = Blocks::empty(self.elements.starts(), true);
         let mut values = Vec::new();
-        for sums in self.tally.iter() {
-            let Sums { row, column, halves } = sums;
+        for sums in self.sampled() {
+            let Sums { row, column, halves, .. } = sums;
             let factor = factors[row] * factors[column] / (densities[row] + densities[column]);
             values.clear();
             values.extend(chosen(halves, rays).map(|sum| factor * sum));
             blocks.push(row, column, &values);
         }
+        self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, values));
         self.push_covered(&mut blocks);
         blocks
+    }
+
+    /// What is known of the pairs that rays carry.
+    fn sampled(&self) -> impl Iterator<Item = Sums<'_>> {
+        self.tally.iter().filter(|sums| !self.strong.holds(sums.row as u32, sums.column as u32))
     }
 
     /// G c of the constant 1, before the row sums are corrected.
@@ -179,20 +222,16 @@ impl<'a> SampledTransport<'a> {
         self.scaled(densities, &ones, rays).apply(&self.elements.constant())
     }
 
-    /// n_i / A_i of the rays that count.
+    /// n_i / A_i of the rays that count; n_i the sum of their weights, which is nearer to what hits are a share of than their number.
     fn densities(&self, rays: Rays) -> Vec<f64> {
-        let density = |(sent, element): (&u64, &Element)| rays.count(*sent) as f64 / element.area;
-        self.sent.iter().zip(self.elements.list()).map(density).collect()
+        let weights = self.weights.iter().map(|halves| chosen_of(*halves, rays));
+        weights.zip(self.elements.list()).map(|(weight, element)| weight / element.area).collect()
     }
 
     /// A_i s_i, s_i the share of rays that met a front.
     fn wanted(&self, rays: Rays) -> Vec<f64> {
-        let list = self.elements.list();
-        let share = |index: usize| match rays.count(self.sent[index]) {
-            0 => 0.0,
-            count => (chosen_of(self.met[index], rays) / count as f64).min(1.0),
-        };
-        (0..list.len()).map(|index| list[index].area * share(index)).collect()
+        let list = self.elements.list().iter().enumerate();
+        list.map(|(index, element)| element.area * self.share_met(index, rays)).collect()
     }
 
     /// The exact blocks of what lies on each other.
@@ -209,20 +248,10 @@ impl<'a> SampledTransport<'a> {
     }
 }
 
-impl Rays {
-    /// How many of the first `sent` rays count.
-    fn count(self, sent: u64) -> u64 {
-        match self {
-            Self::All => sent,
-            Self::Even => sent.div_ceil(2),
-            Self::Odd => sent / 2,
-        }
-    }
-}
-
 /// The sums of the rays that count.
-fn chosen(halves: [&[f64]; 2], rays: Rays) -> impl Iterator<Item = f64> {
-    halves[0].iter().zip(halves[1]).map(move |(even, odd)| chosen_of([*even, *odd], rays))
+fn chosen(halves: [&[f32]; 2], rays: Rays) -> impl Iterator<Item = f64> {
+    let halves = halves[0].iter().zip(halves[1]);
+    halves.map(move |(even, odd)| chosen_of([*even, *odd].map(f64::from), rays))
 }
 
 fn chosen_of([even, odd]: [f64; 2], rays: Rays) -> f64 {
@@ -235,11 +264,17 @@ fn chosen_of([even, odd]: [f64; 2], rays: Rays) -> f64 {
 
 /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
 fn exchange(list: &[Element], densities: &[f64], sums: &Sums, rays: Rays) -> Exchange {
-    let Sums { row, column, halves } = *sums;
-    let sum = chosen_of([halves[0][0], halves[1][0]], rays);
+    let Sums { row, column, halves, .. } = *sums;
+    let sum = chosen_of([halves[0][0], halves[1][0]].map(f64::from), rays);
     let amount = match densities[row] + densities[column] {
         0.0 => 0.0,
         density => list[row].constant[0] * sum * list[column].constant[0] / density,
     };
-    Exchange { row: row as u32, column: column as u32, amount }
+    Exchange { exact: false, row: row as u32, column: column as u32, amount }
+}
+
+/// The exchange of a pair whose block is known.
+fn exact_exchange(list: &[Element], (row, column, values): (usize, usize, &[f64])) -> Exchange {
+    let amount = list[row].constant[0] * values[0] * list[column].constant[0];
+    Exchange { exact: true, row: row as u32, column: column as u32, amount }
 }

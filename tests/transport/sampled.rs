@@ -101,14 +101,7 @@ fn no_ray_leaves_a_closed_room() {
         let mut transport = SampledTransport::new(&elements, &visibility);
         transport.send(&vec![20_000; elements.list().len()], &mut |_| ());
         for (element, share) in elements.list().iter().zip(transport.shares_met()) {
-            // On curved elements weights add up to the area but for quadrature.
-            let tolerance = if element.plane.is_some() { 0.0 } else { 2e-3 };
-            assert!(
-                (share - 1.0).abs() <= tolerance,
-                "{}: surface {} meets {share}",
-                scene.name,
-                element.surface
-            );
+            assert!((share - 1.0).abs() < 1e-12, "{}: surface {} meets {share}", scene.name, element.surface);
         }
     }
 }

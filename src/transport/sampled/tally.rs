@@ -22,14 +22,16 @@ pub(super) struct Tally {
 #[derive(Clone, Debug, Default)]
 struct Row {
     pairs: Vec<Pair>,
-    /// For each pair the sums of one half, then of the other, row-major.
-    sums: Vec<f64>,
+    /// For each pair the sums of one half, then of the other, row-major. Single precision is far below the noise.
+    sums: Vec<f32>,
 }
 
 /// One pair of a row.
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     column: u32,
+    /// Rays that went either way.
+    hits: u32,
     /// Where its sums start.
     start: usize,
 }
@@ -41,8 +43,10 @@ pub(super) struct Sums<'a> {
     pub row: usize,
     /// The other one.
     pub column: usize,
+    /// Rays that went either way.
+    pub hits: u32,
     /// S of the one and of the other half of the rays, row-major.
-    pub halves: [&'a [f64]; 2],
+    pub halves: [&'a [f32]; 2],
 }
 
 impl Tally {
@@ -78,7 +82,7 @@ impl Tally {
         self.rows.iter().enumerate().flat_map(|(index, row)| {
             row.pairs.iter().enumerate().map(move |(place, pair)| {
                 let (even, odd) = row.sums_of(place).split_at(row.sums_of(place).len() / 2);
-                Sums { row: index, column: pair.column as usize, halves: [even, odd] }
+                Sums { row: index, column: pair.column as usize, hits: pair.hits, halves: [even, odd] }
             })
         })
     }
@@ -94,22 +98,24 @@ impl Row {
     /// The sums over `hits` in `order`, all of them of element `row` and those after it.
     fn of(list: &[Element], row: usize, order: &[(u64, u32)], hits: &[Hit]) -> Self {
         let mut made = Self::default();
+        let mut sums = Vec::new();
         for own in order.chunk_by(|(a, _), (b, _)| a == b) {
             let column = own[0].0 as u32;
             let size = list[row].basis.len() * list[column as usize].basis.len();
             let start = made.sums.len();
-            made.pairs.push(Pair { column, start });
-            made.sums.resize(start + 2 * size, 0.0);
+            sums.clear();
+            sums.resize(2 * size, 0.0);
+            made.pairs.push(Pair { column, hits: own.len() as u32, start });
             for (_, place) in own {
                 let hit = &hits[*place as usize];
-                let sums = &mut made.sums[start + hit.half as usize * size..][..size];
-                add(list, [row, column as usize], hit, sums);
+                add(list, [row, column as usize], hit, &mut sums[hit.half as usize * size..][..size]);
             }
+            made.sums.extend(sums.iter().map(|sum| *sum as f32));
         }
         made
     }
 
-    fn sums_of(&self, place: usize) -> &[f64] {
+    fn sums_of(&self, place: usize) -> &[f32] {
         let end = self.pairs.get(place + 1).map_or(self.sums.len(), |next| next.start);
         &self.sums[self.pairs[place].start..end]
     }
@@ -125,10 +131,12 @@ impl Row {
             let column = |row: &Self, place: usize| row.pairs.get(place).map_or(u32::MAX, |pair| pair.column);
             let next = column(self, i).min(column(other, j));
             let start = both.sums.len();
+            let mut hits = 0;
             for (row, place) in [(self, &mut i), (other, &mut j)] {
                 if column(row, *place) != next {
                     continue;
                 }
+                hits += row.pairs[*place].hits;
                 if both.sums.len() == start {
                     both.sums.extend_from_slice(row.sums_of(*place));
                 } else {
@@ -137,7 +145,7 @@ impl Row {
                 }
                 *place += 1;
             }
-            both.pairs.push(Pair { column: next, start });
+            both.pairs.push(Pair { column: next, hits, start });
         }
         both
     }
