@@ -74,10 +74,6 @@ mod solver;
 
 mod iteration;
 
-mod diagonal;
-
-mod ranking;
-
 mod factors;
 
 mod panel;
@@ -85,6 +81,10 @@ mod panel;
 mod lu_factors;
 
 mod cholesky_factor;
+
+mod diagonal;
+
+mod ranking;
 
 mod condition;
 
