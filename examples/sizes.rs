@@ -12,9 +12,8 @@
 #![expect(clippy::print_stdout, reason = "a table for people")]
 #![expect(clippy::print_stderr, reason = "notes about the table")]
 
-#[path = "../tests/stress/random.rs"]
-#[expect(dead_code, reason = "the tests use the rest")]
-mod random;
+#[path = "halls/boxes.rs"]
+mod boxes;
 #[path = "arguments/words.rs"]
 mod words;
 
@@ -25,17 +24,14 @@ use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
-use radiosity::scene::{Material, NamedMaterial, Scene, SceneBuilder};
 use radiosity::solve::memory::Footprint;
 use radiosity::solve::{Options, in_threads};
 use radiosity::system::System;
 use radiosity::transport;
 use radiosity::visibility::Visibility;
-use radiosity_geom::DVec3;
-use radiosity_geom::shapes::Parallelogram;
 use radiosity_solvers::Settings;
 
-use random::Random;
+use boxes::room;
 use words::words;
 
 const ORDERS: [usize; 3] = [0, 2, 4];
@@ -43,8 +39,6 @@ const ORDERS: [usize; 3] = [0, 2, 4];
 const HIGHEST: usize = 20;
 /// Boxes along the three edges of the room.
 const GRIDS: [[usize; 3]; 6] = [[0, 0, 0], [2, 1, 1], [2, 2, 2], [4, 4, 2], [6, 5, 4], [10, 8, 4]];
-/// The room (m).
-const ROOM: DVec3 = DVec3::new(10.0, 8.0, 4.0);
 const MOST_BYTES: u64 = 2_000_000_000;
 const MOST_SECONDS: f64 = 120.0;
 
@@ -174,47 +168,6 @@ fn measure(grid: [usize; 3], order: usize) {
         seconds[0],
         seconds[1],
     );
-}
-
-/// The room with a box, turned and of random sides, in each cell of a grid.
-fn room(grid: [usize; 3]) -> Scene {
-    let mut room = SceneBuilder::new("boxes", ["grey"]);
-    let grey = room.material("grey", Material::new(vec![0.5], vec![0.0]).expect("½ is a reflectance"));
-    let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    add_box(&mut room, "room", 0.5 * ROOM, axes.map(|axis| -ROOM.dot(axis) * axis), [&glow, &grey]);
-    let cell = ROOM / DVec3::from_array(grid.map(|count| count.max(1) as f64));
-    let mut random = Random(1);
-    for k in 0..grid.iter().product() {
-        let at = [k % grid[0], k / grid[0] % grid[1], k / grid[0] / grid[1]].map(|place| place as f64 + 0.5);
-        let (sin, cos) = random.between(0.0, 1.5).sin_cos();
-        let turned = [DVec3::new(cos, sin, 0.0), DVec3::new(-sin, cos, 0.0), DVec3::Z];
-        let edges = turned.map(|axis| random.between(0.2, 0.6) * cell.min_element() * axis);
-        add_box(&mut room, &format!("box-{k}"), DVec3::from_array(at) * cell, edges, [&grey, &grey]);
-    }
-    room.build().expect("the boxes keep apart")
-}
-
-/// The six faces of the box with three `edges` about `center`, fronts outside, or inside where the edges are left-handed. The
-/// face where the third edge starts has the first material.
-fn add_box(
-    room: &mut SceneBuilder,
-    name: &str,
-    center: DVec3,
-    edges: [DVec3; 3],
-    [first, others]: [&NamedMaterial; 2],
-) {
-    let corner = center - 0.5 * edges.iter().sum::<DVec3>();
-    for k in 0..3 {
-        let [normal, a, b] = [0, 1, 2].map(|step| edges[(k + step) % 3]);
-        let start = if k == 2 { first } else { others };
-        for (side, origin, a, b, material) in
-            [("start", corner, b, a, start), ("end", corner + normal, a, b, others)]
-        {
-            let face = Parallelogram::new(origin, a, b).expect("edges at right angles span it");
-            room.surface(format!("{name}-{k}-{side}"), face, material);
-        }
-    }
 }
 
 /// Processor time of this process so far, in the ticks of Linux: hundredths of a second.
