@@ -150,10 +150,10 @@ fn require_memory(
     rays: Option<u64>,
 ) -> Result<(), Failure> {
     let Some(allowed) = options.memory else { return Ok(()) };
-    let peak = |how: &Discretization, method| match rays {
-        Some(rays) => Footprint::of_rays(scene, how, rays).peak(),
-        None => Footprint::of(scene, how, method).peak(),
-    };
+    if let Some(rays) = rays {
+        return require_memory_of_rays(scene, how, rays, allowed);
+    }
+    let peak = |how: &Discretization, method| Footprint::of(scene, how, method).peak();
     let needed = peak(how, options.method);
     if needed <= allowed {
         return Ok(());
@@ -187,6 +187,29 @@ fn blocks(
     };
     transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
+}
+
+/// The same for the sampled transport, whose elements follow from the number of rays where nothing else is asked for.
+fn require_memory_of_rays(
+    scene: &Scene,
+    how: &Discretization,
+    rays: u64,
+    allowed: u64,
+) -> Result<(), Failure> {
+    let peak = |rays: u64| {
+        let subdivide = match how.subdivide {
+            Subdivide::Graded { .. } => Subdivide::Graded { rays },
+            given => given,
+        };
+        Footprint::of_rays(scene, &Discretization { subdivide, ..*how }, rays).peak()
+    };
+    let needed = peak(rays);
+    if needed <= allowed {
+        return Ok(());
+    }
+    let fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
+    let fits = fewer.filter(|rays| peak(*rays) <= allowed).take(1).map(Fit::Rays).collect();
+    Err(Failure::Memory { needed, allowed, fits })
 }
 
 /// The blocks by rays, and what they are worth.

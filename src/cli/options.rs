@@ -171,6 +171,23 @@ pub(crate) struct MethodArgs {
 }
 
 impl MethodArgs {
+    /// Refuses rays together with the methods of 1993, which know none.
+    pub(crate) fn check(&self) -> Result<(), CliError> {
+        let rays = match (self.transport, self.rays) {
+            (Transport::Sampled, _) => "--transport sampled",
+            (_, Some(_)) => "--rays",
+            _ => return Ok(()),
+        };
+        let other = match (self.kernel.rules(), self.shadows, self.transport) {
+            (Some(_), ..) => "--kernel",
+            (_, Shadows::Mask, _) => "--shadows mask",
+            (.., Transport::Exact) => "--transport exact",
+            _ => return Ok(()),
+        };
+        let message = format!("{rays} does not go with {other}");
+        Err(CliError::Refused { message, cure: "leave one of them out".to_owned() })
+    }
+
     /// The relative error wanted, if one is.
     pub(crate) fn wanted_accuracy(&self) -> Option<f64> {
         self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))

@@ -135,6 +135,7 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
+        method.check()?;
         let report_file = report.reserve()?.map(|file| loaded.apart(file)).transpose()?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {

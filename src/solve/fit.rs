@@ -5,6 +5,8 @@ use std::fmt;
 /// A change that makes a run fit into the memory allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fit {
+    /// So many rays.
+    Rays(u64),
     /// A solver that keeps no factors.
     ConjugateGradients,
     /// A lower order.
@@ -18,6 +20,7 @@ pub enum Fit {
 impl fmt::Display for Fit {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
+            Self::Rays(rays) => write!(f, "--rays {rays}"),
             Self::ConjugateGradients => write!(f, "the solver cg"),
             Self::Order(order) => write!(f, "order {order}"),
             Self::OrderAlone(order) => write!(f, "order {order} without a wanted accuracy"),

@@ -90,7 +90,9 @@ impl Footprint {
         let area: f64 = areas.iter().sum();
         let shares = sizes.iter().zip(&areas).map(|(cut, own)| cut.functions as f64 * own / area);
         let functions: f64 = shares.sum();
-        let entries = rays as f64 * functions * functions / HITS_PER_PAIR;
+        let unknowns: u64 = sizes.iter().map(|cut| cut.elements * cut.functions).sum();
+        let all = 0.5 * (unknowns as f64).powi(2);
+        let entries = (rays as f64 * functions * functions / HITS_PER_PAIR).min(all);
         let numbers = (NUMBER as f64 * entries) as u64;
         // Sums of two halves while rays are sent; then the blocks of each half, and a matrix with both triangles.
         Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system: 4 * numbers }

@@ -395,6 +395,18 @@ fn unwritable_output() {
 }
 
 #[test]
+fn rays_with_what_knows_none() {
+    for others in [&["--kernel", "paper-legendre"][..], &["--shadows", "mask"], &["--transport", "exact"]] {
+        let args = [&["solve", "cornell-box", "--rays", "1000"][..], others].concat();
+        refused_command(&args, &["--rays does not go with", "leave one of them out"]);
+    }
+    let args = ["solve", "cornell-box", "--transport", "sampled", "--shadows", "mask"];
+    refused_command(&args, &["--transport sampled does not go with --shadows mask"]);
+    refused_command(&["solve", "cornell-box", "--rays", "0"], &["--rays"]);
+    refused_command(&["solve", "cornell-box", "--transport", "some"], &["exact", "sampled"]);
+}
+
+#[test]
 fn unknown_solver() {
     refused_command(&["solve", "--solver", "gauss"], &["'gauss'", "lu", "gauss-seidel", "southwell"]);
 }

@@ -336,3 +336,25 @@ fn too_little_memory_is_told_before_the_work() {
     assert_eq!(wrong.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&wrong.stderr).contains("such as 500M, 2G or 2GiB"));
 }
+
+#[test]
+fn the_report_tells_what_carried_the_light_and_how_well() {
+    let folder = tempfile::tempdir().unwrap();
+    let transport = |args: &[&str]| {
+        let args = [&["solve", "cornell-box", "--order", "1", "--report", "r.json"][..], args].concat();
+        let output = radiosity(folder.path(), &args);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        json(&folder.path().join("r.json"))["transport"].clone()
+    };
+    let exact = transport(&[]);
+    assert_eq!((&exact["kind"], &exact["rays"], &exact["error"]), (&"exact".into(), &0.into(), &Value::Null));
+    assert!(exact["why"].as_str().unwrap().contains("16 surfaces"));
+    let sampled = transport(&["--rays", "50000"]);
+    assert_eq!(sampled["kind"], "sampled");
+    assert!(sampled["rays"].as_u64().unwrap() >= 50_000);
+    let error = sampled["error"].as_f64().unwrap();
+    assert!(error > 1e-3 && error < 0.2, "{error}");
+    let finer = transport(&["--transport", "sampled", "--accuracy", "0.015"]);
+    assert!(finer["error"].as_f64().unwrap() <= 0.015, "{finer}");
+    assert!(finer["rays"].as_u64().unwrap() > 50_000);
+}
