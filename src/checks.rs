@@ -17,6 +17,7 @@
 //!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use rayon::prelude::*;
@@ -103,7 +104,7 @@ fn reciprocity(list: &[Element], blocks: &Blocks) -> f64 {
     if blocks.symmetric() {
         return blocks.reciprocity.largest;
     }
-    let exchanged = |(i, j, block): (usize, usize, &[f64])| {
+    let exchanged = |(i, j, block): (usize, usize, Cow<'_, [f64]>)| {
         ((i, j), list[i].constant[0] * block[0] * list[j].constant[0])
     };
     let exchanged: BTreeMap<(usize, usize), f64> = blocks.iter().map(exchanged).collect();

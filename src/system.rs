@@ -23,6 +23,7 @@
 //! Both are one system: the radiosity is a known part, e (or e + ρ d), plus the unknown √ρ y (or √ρ z); the irradiance
 //! is a known part, 0 (or d), plus that of the first transport, G e (or g), plus G times the unknown radiosity.
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
@@ -227,7 +228,7 @@ struct Product<'a> {
     /// √ρ of all coefficients.
     roots: Vec<f64>,
     /// Blocks G_ii of the elements that see themselves.
-    own: HashMap<usize, &'a [f64]>,
+    own: HashMap<usize, Cow<'a, [f64]>>,
 }
 
 impl<'a> Product<'a> {

@@ -71,7 +71,7 @@ impl Subject<'_> {
         transport.send(&self.by_area(pilot), &mut |done| progress(Progress::Rays(done, rays)));
         let bright = self.brightness(&transport.blocks(Rays::All))?;
         let sent: u64 = transport.sent().iter().sum();
-        transport.carry_strong_pairs_exactly(rays as f64 / sent as f64, self.options.accuracy());
+        transport.settle(rays as f64 / sent as f64, self.options.accuracy());
         let second = self.by_brightness(rays as f64, &bright, transport.sent());
         transport.send(&second, &mut |done| progress(Progress::Rays(sent + done, rays)));
         // The halves first: their blocks are gone when the whole ones are made.

@@ -4,6 +4,7 @@ pub(crate) mod block;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 
+use std::borrow::Cow;
 use std::collections::HashMap;
 
 use rayon::prelude::*;
@@ -20,6 +21,8 @@ const CHUNKS: usize = 32;
 pub struct Blocks {
     starts: Vec<usize>,
     stored: Vec<Stored>,
+    /// Blocks of which only the first line and the first column are not zero.
+    crosses: Vec<Stored>,
     symmetric: bool,
     /// The values of all blocks, one after the other.
     values: Vec<f64>,
@@ -59,6 +62,7 @@ impl Blocks {
             complete: vec![true; starts.len() - 1],
             starts,
             stored: Vec::new(),
+            crosses: Vec::new(),
             symmetric,
             values: Vec::new(),
             pairs: PairCounts::default(),
@@ -131,10 +135,21 @@ impl Blocks {
         self.integrated.clone().unwrap_or_else(|| self.apply(ones))
     }
 
+    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the line, then
+    /// the rest of the column.
+    pub(crate) fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
+        let start = self.values.len();
+        self.crosses.push(Stored { row: row as u32, column: column as u32, start });
+        self.values.extend_from_slice(values);
+    }
+
     /// y = G x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        if !self.crosses.is_empty() {
+            return self.apply_in_chunks(x);
+        }
         let mut y = vec![0.0; self.dim()];
-        for (row, column, values) in self.iter() {
+        for (row, column, values) in self.full() {
             let (rows, columns) = (self.range(row), self.range(column));
             for (k, line) in values.chunks_exact(columns.len()).enumerate() {
                 y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
@@ -148,21 +163,35 @@ impl Blocks {
 
     /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no bit.
     pub(crate) fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
-        let length = self.stored.len().div_ceil(CHUNKS).max(1);
-        let parts: Vec<Vec<f64>> = self
-            .stored
-            .par_chunks(length)
-            .map(|stored| {
-                let mut y = vec![0.0; self.dim()];
-                stored.iter().for_each(|block| self.add_both_ways(block, x, &mut y));
-                y
-            })
-            .collect();
         let mut sum = vec![0.0; self.dim()];
-        for part in parts {
+        self.add_chunks(&self.stored, &|block, y| self.add_both_ways(block, x, y), &mut sum);
+        self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut sum);
+        sum
+    }
+
+    /// Adds to `sum` what `add` makes of all blocks of a list, chunk by chunk in parallel.
+    fn add_chunks(&self, list: &[Stored], add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
+        let chunks = list.par_chunks(list.len().div_ceil(CHUNKS).max(1));
+        let parts = chunks.map(|blocks| {
+            let mut y = vec![0.0; self.dim()];
+            blocks.iter().for_each(|block| add(block, &mut y));
+            y
+        });
+        for part in parts.collect::<Vec<_>>() {
             sum.iter_mut().zip(part).for_each(|(sum, y)| *sum += y);
         }
-        sum
+    }
+
+    /// As [`Blocks::add_both_ways`] for a block stored as a cross.
+    fn add_cross(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
+        let (rows, columns) = (self.range(*row as usize), self.range(*column as usize));
+        let values = &self.values[*start..][..rows.len() + columns.len() - 1];
+        let (line, rest) = values.split_at(columns.len());
+        y[rows.start] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+        let below = rows.start + 1..rows.end;
+        y[below.clone()].iter_mut().zip(rest).for_each(|(y, g)| *y += g * x[columns.start]);
+        y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * x[rows.start]);
+        y[columns.start] += rest.iter().zip(&x[below]).map(|(g, x)| g * x).sum::<f64>();
     }
 
     /// Adds G_ij x_j to y_i and G_ijᵀ x_i to y_j.
@@ -184,7 +213,7 @@ impl Blocks {
             return self.apply(x);
         }
         let mut y = vec![0.0; self.dim()];
-        self.iter().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
+        self.full().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
         y
     }
 
@@ -198,7 +227,29 @@ impl Blocks {
 
     /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
     /// block stands for its transpose too.
-    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
+    pub fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
+        let full = self.full().map(|(row, column, values)| (row, column, Cow::Borrowed(values)));
+        full.chain(
+            self.crosses
+                .iter()
+                .map(|cross| (cross.row as usize, cross.column as usize, Cow::Owned(self.filled(cross)))),
+        )
+    }
+
+    /// The entries of a block that is stored as a cross, row-major.
+    fn filled(&self, Stored { row, column, start }: &Stored) -> Vec<f64> {
+        let [rows, columns] = [row, column].map(|element| self.range(*element as usize).len());
+        let values = &self.values[*start..][..rows + columns - 1];
+        let mut block = vec![0.0; rows * columns];
+        block[..columns].copy_from_slice(&values[..columns]);
+        for (k, value) in values[columns..].iter().enumerate() {
+            block[(k + 1) * columns] = *value;
+        }
+        block
+    }
+
+    /// The blocks that are stored whole, as [`Blocks::iter`].
+    fn full(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
         self.stored.iter().map(|stored| {
             let (row, column) = (stored.row as usize, stored.column as usize);
             let length = self.range(row).len() * self.range(column).len();

@@ -143,10 +143,11 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    /// Carries those pairs exactly for which that costs less than the rays that would land on them, if `more` times as many are to be
-    /// sent as were; rays that landed on them no longer count.
-    pub fn carry_strong_pairs_exactly(&mut self, more: f64, accuracy: Accuracy) {
+    /// Ends the pilot round, if `more` times as many rays are to be sent in all as were: pairs are carried exactly for which that costs
+    /// less than the rays that would land on them, and of pairs with few hits only a part of their entries is counted.
+    pub fn settle(&mut self, more: f64, accuracy: Accuracy) {
         self.strong = Strong::choose(self.elements, self.visibility, &self.tally, more, accuracy);
+        self.tally.settle(self.elements.list(), more);
     }
 
     /// Number of pairs that are carried exactly.
@@ -185,7 +186,9 @@ impl<'a> SampledTransport<'a> {
         let densities = self.densities(rays);
         let mut exchanges: Vec<Exchange> =
             self.sampled().map(|sums| exchange(list, &densities, &sums, rays)).collect();
-        exchanges.extend(self.strong.iter().map(|block| exact_exchange(list, block)));
+        exchanges.extend(
+            self.strong.iter().map(|(row, column, values)| exact_exchange(list, row, column, values[0])),
+        );
         let wanted = self.wanted(rays);
         let factors = closure::factors(&exchanges, &wanted);
         let integrated = self.uncorrected(&densities, rays);
@@ -200,13 +203,16 @@ impl<'a> SampledTransport<'a> {
         let mut blocks = Blocks::empty(self.elements.starts(), true);
         let mut values = Vec::new();
         for sums in self.sampled() {
-            let Sums { row, column, halves, .. } = sums;
+            let Sums { row, column, is_cross, halves, .. } = sums;
             let factor = factors[row] * factors[column] / (densities[row] + densities[column]);
             values.clear();
             values.extend(chosen(halves, rays).map(|sum| factor * sum));
-            blocks.push(row, column, &values);
+            match is_cross {
+                true => blocks.push_cross(row, column, &values),
+                false => blocks.push(row, column, &values),
+            }
         }
-        self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, values));
+        self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, &values));
         self.push_covered(&mut blocks);
         blocks
     }
@@ -273,8 +279,8 @@ fn exchange(list: &[Element], densities: &[f64], sums: &Sums, rays: Rays) -> Exc
     Exchange { exact: false, row: row as u32, column: column as u32, amount }
 }
 
-/// The exchange of a pair whose block is known.
-fn exact_exchange(list: &[Element], (row, column, values): (usize, usize, &[f64])) -> Exchange {
-    let amount = list[row].constant[0] * values[0] * list[column].constant[0];
+/// The exchange of a pair whose first entry is known.
+fn exact_exchange(list: &[Element], row: usize, column: usize, entry: f64) -> Exchange {
+    let amount = list[row].constant[0] * entry * list[column].constant[0];
     Exchange { exact: true, row: row as u32, column: column as u32, amount }
 }

@@ -244,15 +244,16 @@ fn largest_error(scene: &Scene, order: usize, finest: f64) -> f64 {
     };
     let usual = blocks(Accuracy { eps: 1e-3, shadow_eps: 3e-3 });
     let exact = blocks(Accuracy { eps: finest, shadow_eps: finest });
-    let usual: HashMap<(usize, usize), &[f64]> = usual.iter().map(|(i, j, block)| ((i, j), block)).collect();
+    let usual: HashMap<(usize, usize), std::borrow::Cow<'_, [f64]>> =
+        usual.iter().map(|(i, j, block)| ((i, j), block)).collect();
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let mut rows = vec![0.0f64; elements.list().len()];
     for (i, j, block) in exact.iter() {
         [i, j].iter().for_each(|k| rows[*k] = rows[*k].max(largest(&mut block.iter().copied())));
     }
-    let error = |(i, j, block): (usize, usize, &[f64])| {
-        let found = usual[&(i, j)];
-        largest(&mut block.iter().zip(found).map(|(a, b)| a - b)) / rows[i].min(rows[j])
+    let error = |(i, j, block): (usize, usize, std::borrow::Cow<'_, [f64]>)| {
+        let found = &usual[&(i, j)];
+        largest(&mut block.iter().zip(found.iter()).map(|(a, b)| a - b)) / rows[i].min(rows[j])
     };
     exact.iter().map(error).fold(0.0, f64::max)
 }

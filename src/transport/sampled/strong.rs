@@ -4,6 +4,7 @@
 //! depends on what the pair is. It is taken where fewer rays than that are expected to land on the pair: what is left to the rays are
 //! many weak pairs. Rays that land on a pair of these are not counted.
 
+use std::borrow::Cow;
 use std::collections::HashSet;
 
 use crate::elements::Elements;
@@ -64,7 +65,7 @@ impl Strong {
     }
 
     /// The exact blocks: the element that comes first, the other, and the values, row-major.
-    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
+    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
         self.blocks.iter().flat_map(Blocks::iter)
     }
 }

@@ -6,23 +6,34 @@
 //!
 //! for i ≤ j, the two halves of the rays apart. A ray from an element to itself counts in both directions.
 
+use std::collections::HashSet;
+
 use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
 use crate::transport::sampled::hit::Hit;
 
+/// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop, values of 0, 1 and 4 made
+/// no difference to the light at points beyond a fiftieth of its error.
+const HITS_PER_ENTRY: f64 = 1.0;
+
 /// Sums over hits, by pairs of elements.
+///
+/// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what varies on both sides is noise
+/// there, and it meets the small high coefficients of what is sent.
 #[derive(Debug)]
 pub(super) struct Tally {
     rows: Vec<Row>,
+    /// The pairs of which all entries are counted; none as long as that holds of all.
+    full: Option<HashSet<(u32, u32)>>,
 }
 
 /// The pairs of one element with itself and with those after it.
 #[derive(Clone, Debug, Default)]
 struct Row {
     pairs: Vec<Pair>,
-    /// For each pair the sums of one half, then of the other, row-major. Single precision is far below the noise.
+    /// For each pair the sums of one half, then of the other: row-major, or the first line and the rest of the first column. Single precision is far below the noise.
     sums: Vec<f32>,
 }
 
@@ -32,6 +43,7 @@ struct Pair {
     column: u32,
     /// Rays that went either way.
     hits: u32,
+    is_cross: bool,
     /// Where its sums start.
     start: usize,
 }
@@ -45,14 +57,16 @@ pub(super) struct Sums<'a> {
     pub column: usize,
     /// Rays that went either way.
     pub hits: u32,
-    /// S of the one and of the other half of the rays, row-major.
+    /// Whether only the first line and the rest of the first column are known.
+    pub is_cross: bool,
+    /// S of the one and of the other half of the rays, row-major, or as told by `is_cross`.
     pub halves: [&'a [f32]; 2],
 }
 
 impl Tally {
     /// No hits yet, between so many elements.
     pub(super) fn new(elements: usize) -> Self {
-        Self { rows: vec![Row::default(); elements] }
+        Self { rows: vec![Row::default(); elements], full: None }
     }
 
     /// Adds `hits`; the sums are the same however they are spread over calls, but for rounding.
@@ -66,7 +80,7 @@ impl Tally {
             .par_iter()
             .map(|own| {
                 let row = (own[0].0 >> 32) as usize;
-                (row, Row::of(list, row, own, hits))
+                (row, Row::of(list, row, own, hits, &|column| self.is_cross(list, row, column)))
             })
             .collect();
         made.into_iter().for_each(|(row, made)| fresh[row] = Some(made));
@@ -77,12 +91,42 @@ impl Tally {
         });
     }
 
+    /// From now on counts all entries only of pairs that will have enough hits if `more` times as many rays are sent as were.
+    pub(super) fn settle(&mut self, list: &[Element], more: f64) {
+        let enough = |sums: &Sums| {
+            let entries = list[sums.row].basis.len() * list[sums.column].basis.len();
+            more * f64::from(sums.hits) >= HITS_PER_ENTRY * entries as f64
+        };
+        self.full =
+            Some(self.iter().filter(enough).map(|sums| (sums.row as u32, sums.column as u32)).collect());
+        let rows: Vec<Row> = self
+            .rows
+            .par_iter()
+            .enumerate()
+            .map(|(index, row)| row.reduced(list, index, &|column| self.is_cross(list, index, column)))
+            .collect();
+        self.rows = rows;
+    }
+
+    /// Whether only a cross of the block of a pair is counted.
+    fn is_cross(&self, list: &[Element], row: usize, column: usize) -> bool {
+        let is_small = [row, column].iter().any(|index| list[*index].basis.len() == 1);
+        let full = |full: &HashSet<(u32, u32)>| full.contains(&(row as u32, column as u32));
+        row != column && !is_small && self.full.as_ref().is_some_and(|set| !full(set))
+    }
+
     /// What is known of all pairs between which a ray went, by rows and columns ascending.
     pub(super) fn iter(&self) -> impl Iterator<Item = Sums<'_>> {
         self.rows.iter().enumerate().flat_map(|(index, row)| {
             row.pairs.iter().enumerate().map(move |(place, pair)| {
                 let (even, odd) = row.sums_of(place).split_at(row.sums_of(place).len() / 2);
-                Sums { row: index, column: pair.column as usize, hits: pair.hits, halves: [even, odd] }
+                Sums {
+                    row: index,
+                    column: pair.column as usize,
+                    hits: pair.hits,
+                    is_cross: pair.is_cross,
+                    halves: [even, odd],
+                }
             })
         })
     }
@@ -96,19 +140,28 @@ fn key(hit: &Hit) -> u64 {
 
 impl Row {
     /// The sums over `hits` in `order`, all of them of element `row` and those after it.
-    fn of(list: &[Element], row: usize, order: &[(u64, u32)], hits: &[Hit]) -> Self {
+    fn of(
+        list: &[Element],
+        row: usize,
+        order: &[(u64, u32)],
+        hits: &[Hit],
+        is_cross: &dyn Fn(usize) -> bool,
+    ) -> Self {
         let mut made = Self::default();
         let mut sums = Vec::new();
         for own in order.chunk_by(|(a, _), (b, _)| a == b) {
             let column = own[0].0 as u32;
-            let size = list[row].basis.len() * list[column as usize].basis.len();
+            let is_cross = is_cross(column as usize);
+            let [rows, columns] = [row, column as usize].map(|index| list[index].basis.len());
+            let size = if is_cross { rows + columns - 1 } else { rows * columns };
             let start = made.sums.len();
             sums.clear();
             sums.resize(2 * size, 0.0);
-            made.pairs.push(Pair { column, hits: own.len() as u32, start });
+            made.pairs.push(Pair { column, hits: own.len() as u32, is_cross, start });
             for (_, place) in own {
                 let hit = &hits[*place as usize];
-                add(list, [row, column as usize], hit, &mut sums[hit.half as usize * size..][..size]);
+                let sums = &mut sums[hit.half as usize * size..][..size];
+                add(list, [row, column as usize], hit, is_cross, sums);
             }
             made.sums.extend(sums.iter().map(|sum| *sum as f32));
         }
@@ -118,6 +171,26 @@ impl Row {
     fn sums_of(&self, place: usize) -> &[f32] {
         let end = self.pairs.get(place + 1).map_or(self.sums.len(), |next| next.start);
         &self.sums[self.pairs[place].start..end]
+    }
+
+    /// The same with the sums of those pairs reduced to crosses that `is_cross` tells.
+    fn reduced(&self, list: &[Element], row: usize, is_cross: &dyn Fn(usize) -> bool) -> Self {
+        let mut made = Self::default();
+        for (place, pair) in self.pairs.iter().enumerate() {
+            let (start, sums) = (made.sums.len(), self.sums_of(place));
+            let reduces = !pair.is_cross && is_cross(pair.column as usize);
+            made.pairs.push(Pair { start, is_cross: pair.is_cross || reduces, ..*pair });
+            if !reduces {
+                made.sums.extend_from_slice(sums);
+                continue;
+            }
+            let [rows, columns] = [row, pair.column as usize].map(|index| list[index].basis.len());
+            for half in sums.chunks_exact(rows * columns) {
+                made.sums.extend_from_slice(&half[..columns]);
+                made.sums.extend(half.iter().skip(columns).step_by(columns));
+            }
+        }
+        made
     }
 
     /// The sums of both.
@@ -131,12 +204,13 @@ impl Row {
             let column = |row: &Self, place: usize| row.pairs.get(place).map_or(u32::MAX, |pair| pair.column);
             let next = column(self, i).min(column(other, j));
             let start = both.sums.len();
-            let mut hits = 0;
+            let (mut hits, mut is_cross) = (0, false);
             for (row, place) in [(self, &mut i), (other, &mut j)] {
                 if column(row, *place) != next {
                     continue;
                 }
                 hits += row.pairs[*place].hits;
+                is_cross = row.pairs[*place].is_cross;
                 if both.sums.len() == start {
                     both.sums.extend_from_slice(row.sums_of(*place));
                 } else {
@@ -145,16 +219,22 @@ impl Row {
                 }
                 *place += 1;
             }
-            both.pairs.push(Pair { column: next, hits, start });
+            both.pairs.push(Pair { column: next, hits, is_cross, start });
         }
         both
     }
 }
 
 /// Adds w φ_k(x) φ_l(y) of one hit to the sums of elements `row` and `column`.
-fn add(list: &[Element], [row, column]: [usize; 2], hit: &Hit, sums: &mut [f64]) {
+fn add(list: &[Element], [row, column]: [usize; 2], hit: &Hit, is_cross: bool, sums: &mut [f64]) {
     let ends = if hit.source as usize == row { [hit.from, hit.to] } else { [hit.to, hit.from] };
     let [x, y] = [functions(&list[row], ends[0]), functions(&list[column], ends[1])];
+    if is_cross {
+        let (line, rest) = sums.split_at_mut(y.len());
+        line.iter_mut().zip(&y).for_each(|(sum, y)| *sum += hit.weight * x[0] * y);
+        rest.iter_mut().zip(&x[1..]).for_each(|(sum, x)| *sum += hit.weight * x * y[0]);
+        return;
+    }
     let mut line = |x: &[f64], y: &[f64]| {
         for (sums, x) in sums.chunks_exact_mut(y.len()).zip(x) {
             sums.iter_mut().zip(y).for_each(|(sum, y)| *sum += hit.weight * x * y);
