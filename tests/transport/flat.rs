@@ -127,7 +127,7 @@ pub(crate) fn blocks(scene: &Scene, elements: &Elements, eps: f64) -> Blocks {
 pub(crate) fn block(blocks: &Blocks, row: usize, column: usize) -> Option<Vec<f64>> {
     let stored = |i, j| blocks.iter().find(|(a, b, _)| (*a, *b) == (i, j)).map(|(_, _, values)| values);
     if row <= column {
-        return stored(row, column).map(<[f64]>::to_vec);
+        return stored(row, column).map(|values| values.into_owned());
     }
     let values = stored(column, row)?;
     let columns = blocks.starts()[row + 1] - blocks.starts()[row];
