@@ -32,7 +32,7 @@ use crate::zatz1993::masked_light::{MaskedLight, Setting};
 use crate::zatz1993::transfers;
 
 use band::{Effort, solve_band};
-pub use choice::{Choice, Transport};
+pub use choice::{Choice, MOST_RAYS, Transport};
 pub use direct::Direct;
 pub use failure::Failure;
 pub use fit::Fit;
@@ -93,13 +93,14 @@ fn solve_in_pool(
     progress(Progress::Finished("elements", seconds.elements));
     let coatings: Vec<Coating> =
         (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
-    let (blocks, sampling) = timed(&mut seconds.blocks, || {
+    let (blocks, sampling) = timed(&mut seconds.blocks, || -> Result<_, Failure> {
         if !choice.sampled {
             let report = |done, total| progress(Progress::Blocks(done, total));
             return Ok((blocks(scene, &elements, &visibility, options, &report)?, None));
         }
         let subject = Subject { elements: &elements, coatings: &coatings, visibility: &visibility, options };
-        sampled_blocks(scene, &subject, rays, progress)
+        let (blocks, sampling) = subject.sample(rays, progress);
+        Ok((blocks, Some(sampling)))
     })?;
     progress(Progress::Finished("blocks", seconds.blocks));
     let (masked, bounce) = timed(&mut seconds.direct, || {
@@ -210,18 +211,6 @@ fn require_memory_of_rays(
     let fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
     let fits = fewer.filter(|rays| peak(*rays) <= allowed).take(1).map(Fit::Rays).collect();
     Err(Failure::Memory { needed, allowed, fits })
-}
-
-/// The blocks by rays, and what they are worth.
-fn sampled_blocks(
-    scene: &Scene,
-    subject: &Subject,
-    rays: u64,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<(Blocks, Option<Sampling>), Failure> {
-    let failed = |source| Failure::Solver { band: scene.bands.join(", "), source };
-    let (blocks, sampling) = subject.sample(rays, progress).map_err(failed)?;
-    Ok((blocks, Some(sampling)))
 }
 
 /// The masked direct light, where masks are asked for.

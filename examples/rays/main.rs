@@ -63,7 +63,7 @@ fn rooms(folder: &Path) -> Result<(), Box<dyn Error>> {
                 "| {name} | {} | {} | {seconds:.2} | {:.1} % | {:.2} % | {:.2} % |",
                 scene.surfaces.len(),
                 sampling.rays,
-                100.0 * sampling.error,
+                100.0 * sampling.error.unwrap_or(f64::NAN),
                 100.0 * l2,
                 100.0 * median
             );
@@ -97,7 +97,7 @@ fn halls() -> Result<(), Box<dyn Error>> {
             scene.surfaces.len(),
             sampling.rays,
             most_memory(),
-            100.0 * sampling.error
+            100.0 * sampling.error.unwrap_or(f64::NAN)
         );
     }
     Ok(())

@@ -10,7 +10,7 @@ use clap::{
 use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{Scene, SceneError, Source};
-use radiosity::solve::{Direct, Transport};
+use radiosity::solve::{Direct, MOST_RAYS, Transport};
 use radiosity_solvers::method::Method;
 
 use crate::cli::{
@@ -130,7 +130,7 @@ pub(crate) struct MethodArgs {
     pub(crate) transport: Transport,
 
     /// Rays of the sampled transport [default: by the number of surfaces and --shadow-eps]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..=MOST_RAYS))]
     pub(crate) rays: Option<u64>,
 
     /// Solver of the linear system
@@ -181,6 +181,7 @@ impl MethodArgs {
         let other = match (self.kernel.rules(), self.shadows, self.transport) {
             (Some(_), ..) => "--kernel",
             (_, Shadows::Mask, _) => "--shadows mask",
+            (_, Shadows::Off, _) => "--shadows off",
             (.., Transport::Exact) => "--transport exact",
             _ => return Ok(()),
         };

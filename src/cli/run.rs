@@ -201,7 +201,14 @@ impl Run {
         let blocks = match self.report.transport.error {
             Some(error) => {
                 let rays = self.report.transport.rays as f64 / seconds.blocks.max(1e-9) / 1e6;
-                format!("{} rays, {rays:.1} M/s, error {error:.1e}", self.report.transport.rays)
+                let exact = match self.report.transport.exact_pairs {
+                    0 => String::new(),
+                    pairs => format!(" and {pairs} pairs exactly"),
+                };
+                format!(
+                    "{} rays{exact}, {rays:.1} M/s, rays leave an error of {error:.1e}",
+                    self.report.transport.rays
+                )
             }
             None => {
                 let Report { kernel_samples, shadow_rays, .. } = &self.report;
@@ -232,10 +239,10 @@ impl Run {
             ),
         ];
         lines.extend(self.solved.scene.fitted.line());
+        // Rays tell their own error with the blocks, that of elements apart.
+        let estimate = self.report.accuracy_estimate.filter(|_| self.report.transport.kind == "exact");
         lines.extend(
-            self.report
-                .accuracy_estimate
-                .map(|estimate| format!("estimated relative error of the radiosity {estimate:.1e}")),
+            estimate.map(|estimate| format!("estimated relative error of the radiosity {estimate:.1e}")),
         );
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));

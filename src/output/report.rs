@@ -74,6 +74,8 @@ pub struct Transport {
     pub why: String,
     /// Rays sent; 0 if exact.
     pub rays: u64,
+    /// Pairs of elements that were carried exactly beside the rays.
+    pub exact_pairs: usize,
     /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the bands); none if exact.
     pub error: Option<f64>,
 }
@@ -82,8 +84,9 @@ impl Transport {
     fn of(outcome: &Outcome) -> Self {
         let kind = if outcome.choice.sampled { "sampled" } else { "exact" };
         let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
-        let error = outcome.sampling.map(|sampling| sampling.error);
-        Self { kind, why: outcome.choice.why.clone(), rays, error }
+        let error = outcome.sampling.and_then(|sampling| sampling.error);
+        let exact_pairs = outcome.sampling.map_or(0, |sampling| sampling.exact_pairs);
+        Self { kind, why: outcome.choice.why.clone(), rays, exact_pairs, error }
     }
 }
 
@@ -230,15 +233,17 @@ fn why(end: End) -> Option<&'static str> {
 const ROUGH: f64 = 0.15;
 
 /// A warning where rays leave a large error.
-fn rays(error: f64) -> Option<Warning> {
-    let message = || {
-        format!(
+fn rays(error: Option<f64>) -> Option<Warning> {
+    let message = || match error {
+        None => "rays leave an unknown error: half of them are too few for a solution; send more with --rays"
+            .to_owned(),
+        Some(error) => format!(
             "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
              with --rays, or ask for an --accuracy",
             100.0 * error
-        )
+        ),
     };
-    (error > ROUGH).then(|| warning("sampling-error", message()))
+    error.is_none_or(|error| error > ROUGH).then(|| warning("sampling-error", message()))
 }
 
 /// Warnings about what elements and transfers miss.

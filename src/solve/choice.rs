@@ -15,6 +15,9 @@ const FEW: usize = 300;
 const RAYS_PER_SURFACE: u64 = 250;
 const FEWEST_RAYS: u64 = 400_000;
 
+/// Most rays of a run: more than an hour's on two cores.
+pub const MOST_RAYS: u64 = 4_000_000_000;
+
 /// Accuracy of shadows for which these are the numbers of rays.
 const USUAL_ACCURACY: f64 = 3e-3;
 

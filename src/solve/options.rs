@@ -5,7 +5,7 @@ use std::num::NonZero;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
-use super::choice::{Choice, Transport, usual_rays};
+use super::choice::{Choice, MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
@@ -112,12 +112,16 @@ impl Options {
         if self.kernel.is_some() || self.masks.is_some() {
             return Choice { sampled: false, why: "the methods of 1993 know no rays".to_owned() };
         }
+        if self.shadows == Hiding::Off {
+            return Choice { sampled: false, why: "rays always meet what stands in their way".to_owned() };
+        }
         self.transport.choice(scene.surfaces.len(), self.rays.is_some())
     }
 
     /// Rays of the sampled transport of `scene`.
     pub fn ray_budget(&self, scene: &Scene) -> u64 {
-        self.rays.unwrap_or_else(|| usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps))
+        let usual = || usual_rays(scene.surfaces.len(), self.accuracy().shadow_eps);
+        self.rays.unwrap_or_else(usual).min(MOST_RAYS)
     }
 }
 

@@ -11,12 +11,13 @@
 //! L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
 use radiosity_solvers::SolveError;
+use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::coating::Coating;
 use crate::elements::{Element, Elements};
 use crate::system::{Coefficients, System};
-use crate::transport::{Blocks, Rays, SampledTransport};
+use crate::transport::{Accuracy, Blocks, Rays, SampledTransport};
 use crate::visibility::Visibility;
 
 use super::band::solve_band;
@@ -33,6 +34,9 @@ const BRIGHTNESS: f64 = 0.3;
 /// Fewest rays of an element in the pilot round, and in all. Chosen.
 const FEWEST: [u64; 2] = [4, 16];
 
+/// Accuracy of pairs that are carried exactly, in multiples of n^-½ for n rays in all. Chosen; not tuned.
+const EXACT: f64 = 5.0;
+
 /// Relative residual of solutions that only tell brightness or error.
 const ROUGH: f64 = 1e-4;
 
@@ -43,8 +47,9 @@ pub struct Sampling {
     pub rays: u64,
     /// Pairs of elements that were carried exactly beside them.
     pub exact_pairs: usize,
-    /// Estimate of the relative error that rays leave: L2 over the elements of their mean irradiance, largest of the bands.
-    pub error: f64,
+    /// Estimate of the relative error that rays leave: L2 over the elements of their mean irradiance, largest of the bands. None where
+    /// half the rays are too few for a solution.
+    pub error: Option<f64>,
 }
 
 /// A scene ready for rays.
@@ -57,29 +62,33 @@ pub(super) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The blocks by `rays` rays, and what they are worth.
-    ///
-    /// # Errors
-    /// Those of the linear solver.
-    pub(super) fn sample(
-        &self,
-        rays: u64,
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<(Blocks, Sampling), SolveError> {
+    /// The blocks by `rays` rays after the pilot round, and what they are worth.
+    pub(super) fn sample(&self, rays: u64, progress: &(dyn Fn(Progress) + Sync)) -> (Blocks, Sampling) {
         let mut transport = SampledTransport::new(self.elements, self.visibility);
         let pilot = PILOT * rays as f64;
         transport.send(&self.by_area(pilot), &mut |done| progress(Progress::Rays(done, rays)));
-        let bright = self.brightness(&transport.blocks(Rays::All))?;
+        // Where the pilot tells nothing, all elements count as equally bright.
+        let bright = self
+            .brightness(&transport.blocks(Rays::All))
+            .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let sent: u64 = transport.sent().iter().sum();
-        transport.settle(rays as f64 / sent as f64, self.options.accuracy());
-        let second = self.by_brightness(rays as f64, &bright, transport.sent());
-        transport.send(&second, &mut |done| progress(Progress::Rays(sent + done, rays)));
+        let planned = self.by_brightness(rays as f64, &bright);
+        transport.settle(&planned, self.accuracy(rays));
+        let total = sent + planned.iter().sum::<u64>();
+        transport.send(&planned, &mut |done| progress(Progress::Rays(sent + done, total)));
         // The halves first: their blocks are gone when the whole ones are made.
-        let error = self.error(&transport)?;
+        let error = self.error(&transport).ok();
         let blocks = transport.blocks(Rays::All);
         let exact_pairs = transport.exact_pairs();
         let sampling = Sampling { rays: transport.sent().iter().sum(), exact_pairs, error };
-        Ok((blocks, sampling))
+        (blocks, sampling)
+    }
+
+    /// Accuracy of the pairs that are carried exactly: better than that of most others.
+    fn accuracy(&self, rays: u64) -> Accuracy {
+        let Accuracy { eps, shadow_eps } = self.options.accuracy();
+        let noise = EXACT / (rays as f64).sqrt();
+        Accuracy { eps: eps.min(noise), shadow_eps: shadow_eps.min(noise) }
     }
 
     fn area(&self) -> f64 {
@@ -92,13 +101,12 @@ impl Subject<'_> {
         self.elements.list().iter().map(|element| own(element.area / area)).collect()
     }
 
-    /// Rays that are missing of n_i for relative brightnesses B_i / B̄.
-    fn by_brightness(&self, rays: f64, bright: &[f64], sent: &[u64]) -> Vec<u64> {
+    /// n_i for relative brightnesses B_i / B̄.
+    fn by_brightness(&self, rays: f64, bright: &[f64]) -> Vec<u64> {
         let weights = self.elements.list().iter().zip(bright);
         let weights: Vec<f64> = weights.map(|(element, b)| element.area * (1.0 + BRIGHTNESS * b)).collect();
         let all: f64 = weights.iter().sum();
-        let own = |weight: f64| ((rays * weight / all).ceil() as u64).max(FEWEST[1]);
-        weights.iter().zip(sent).map(|(weight, sent)| own(*weight).saturating_sub(*sent)).collect()
+        weights.iter().map(|weight| ((rays * weight / all).ceil() as u64).max(FEWEST[1])).collect()
     }
 
     /// B_i / B̄ of each element, the mean of the bands that emit.
@@ -151,8 +159,9 @@ impl Subject<'_> {
 
     fn solved(&self, blocks: &Blocks, coating: &Coating) -> Result<Coefficients, SolveError> {
         let system = System::new(self.elements.list(), blocks, coating);
-        let rough =
-            Options { tolerance: ROUGH.max(self.options.tolerance), keep_partial: true, ..*self.options };
+        let method = Method::named("auto").expect("auto is always listed");
+        let tolerance = ROUGH.max(self.options.tolerance);
+        let rough = Options { tolerance, method, keep_partial: false, ..*self.options };
         Ok(solve_band(&system, &rough, &mut |_| ())?.0)
     }
 

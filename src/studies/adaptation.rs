@@ -20,7 +20,7 @@ use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
-use crate::solve::{Failure, Fit, Options, Outcome, Progress, Sampling, solve, timed};
+use crate::solve::{Failure, Fit, MOST_RAYS, Options, Outcome, Progress, Sampling, solve, timed};
 use crate::visibility::Visibility;
 
 use estimate::estimate;
@@ -124,9 +124,6 @@ const RAYS_ORDER: usize = 2;
 /// Least and largest factor on the rays from run to run. Chosen; not tuned.
 const MORE: [f64; 2] = [2.0, 16.0];
 
-/// Most rays of a run: an hour at a million a second and core.
-const MOST_RAYS: u64 = 4_000_000_000;
-
 /// Factor on the accuracies of transfers and shadows from run to run. Chosen; not tuned.
 const SHARPENING: f64 = 0.7;
 
@@ -197,17 +194,17 @@ fn by_rays(
         };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
-            () if error <= goal.accuracy => Some(End::Reached),
+            () if error.is_some_and(|error| error <= goal.accuracy) => Some(End::Reached),
             () if rays >= MOST_RAYS => Some(End::Finest),
             () => None,
         };
         let ended = |outcome, end| {
-            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
+            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: error, end } })
         };
         if let Some(end) = end {
             return ended(outcome, end);
         }
-        let factor = (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]);
+        let factor = error.map_or(MORE[1], |error| (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]));
         let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
         match finer(scene, &Options { rays: Some(more), ..chosen }, progress)? {
             Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! without bias, symmetric, each ray used in both directions; backs absorb. Row sums are then made to agree with the shares of rays
-//! that hit something ([`closure`]). The rays of even and of odd number are two estimates of their own: half of what they differ by
+//! that hit something, as far as these are known better ([`estimate`]). The rays of even and of odd number are two estimates of their own: half of what they differ by
 //! is about the error of their mean.
 //!
 //! Pairs on which many rays would land are carried by the exact rules, if that costs less ([`strong`]).
@@ -19,11 +19,13 @@
 //! References: A. Keller, *Quasi-Monte Carlo radiosity*, EGWR 1996, 101-110; E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance
 //! heuristic); Ph. Bekaert, *Hierarchical and stochastic algorithms for radiosity*, K. U. Leuven 1999.
 
-mod closure;
 mod sender;
 mod hit;
 mod tally;
 mod strong;
+mod rays;
+mod closure;
+mod estimate;
 
 use rayon::prelude::*;
 
@@ -32,11 +34,12 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
-use closure::Exchange;
+use estimate::{Counts, Estimate};
 use hit::{Hit, hit};
+pub use rays::Rays;
 use sender::Sender;
 use strong::Strong;
-use tally::{Sums, Tally};
+use tally::{Sums, Tally, functions};
 
 /// Rays whose hits are held at a time: some 30 MB.
 const CHUNK: u64 = 1 << 19;
@@ -44,29 +47,16 @@ const CHUNK: u64 = 1 << 19;
 /// Rays that one task sends.
 const TASK: u64 = 1 << 12;
 
-/// Which rays an estimate of G takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Rays {
-    /// All.
-    All,
-    /// Those of even number.
-    Even,
-    /// Those of odd number.
-    Odd,
-}
-
 /// Rays sent so far between elements, and what they met.
 #[derive(Debug)]
 pub struct SampledTransport<'a> {
     elements: &'a Elements,
     visibility: &'a Visibility,
     senders: Vec<Sender>,
-    /// Rays sent by each element.
+    /// Rays sent by each element, those of the pilot round included.
     sent: Vec<u64>,
-    /// Sum of the weights of the rays of each element, in either half.
-    weights: Vec<[f64; 2]>,
-    /// The same of those that met a front.
-    met: Vec<[f64; 2]>,
+    starts: Vec<usize>,
+    counts: Counts,
     tally: Tally,
     strong: Strong,
 }
@@ -79,6 +69,18 @@ struct Task {
     count: u64,
 }
 
+/// What became of the rays of a task.
+#[derive(Debug)]
+struct Landed {
+    /// Sum of their weights, in either half.
+    weights: [f64; 2],
+    /// Σ w φ_k(x) of those that met no front, in either half.
+    missed: [Vec<f64>; 2],
+    /// The same of those that landed on pairs that are carried exactly.
+    exact: [Vec<f64>; 2],
+    hits: Vec<Hit>,
+}
+
 impl<'a> SampledTransport<'a> {
     /// No rays yet.
     pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
@@ -89,8 +91,8 @@ impl<'a> SampledTransport<'a> {
             visibility,
             senders: senders.collect(),
             sent: vec![0; list.len()],
-            weights: vec![[0.0; 2]; list.len()],
-            met: vec![[0.0; 2]; list.len()],
+            starts: elements.starts(),
+            counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
             strong: Strong::default(),
         }
@@ -101,16 +103,15 @@ impl<'a> SampledTransport<'a> {
         &self.sent
     }
 
-    /// Share of the rays of each element that met a front; 0 where none was sent.
-    pub fn shares_met(&self) -> Vec<f64> {
-        (0..self.sent.len()).map(|element| self.share_met(element, Rays::All)).collect()
-    }
-
-    fn share_met(&self, element: usize, rays: Rays) -> f64 {
-        match chosen_of(self.weights[element], rays) {
-            0.0 => 0.0,
-            weight => chosen_of(self.met[element], rays) / weight,
-        }
+    /// Share of the rays of each element that count on no pair: they met nothing, or a back, or a pair that is carried exactly.
+    pub fn shares_lost(&self) -> Vec<f64> {
+        let list = self.elements.list().iter().zip(&self.counts.weights).zip(&self.starts);
+        let share = |((element, weights), start): ((&Element, &[f64; 2]), &usize)| {
+            let Counts { missed, exact, .. } = &self.counts;
+            let lost = missed[0][*start] + missed[1][*start] + exact[0][*start] + exact[1][*start];
+            lost * element.area.sqrt() / (weights[0] + weights[1]).max(f64::MIN_POSITIVE)
+        };
+        list.map(share).collect()
     }
 
     /// Sends so many more rays from each element; covered ones send none. `progress` hears how many are done.
@@ -143,11 +144,25 @@ impl<'a> SampledTransport<'a> {
         }
     }
 
-    /// Ends the pilot round, if `more` times as many rays are to be sent in all as were: pairs are carried exactly for which that costs
-    /// less than the rays that would land on them, and of pairs with few hits only a part of their entries is counted.
-    pub fn settle(&mut self, more: f64, accuracy: Accuracy) {
-        self.strong = Strong::choose(self.elements, self.visibility, &self.tally, more, accuracy);
-        self.tally.settle(self.elements.list(), more);
+    /// Ends the pilot round before so many rays are sent from each element: pairs are carried exactly for which that costs less than the
+    /// rays that would land on them, and of pairs with few hits to come only a part of their entries is counted. The pilot's own hits
+    /// are forgotten: pairs that got many by chance are among those chosen.
+    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy) {
+        let list = self.elements.list();
+        let density = |index: usize| {
+            let area = list[index].area;
+            [
+                planned[index] as f64 / area,
+                (self.counts.weights[index][0] + self.counts.weights[index][1]) / area,
+            ]
+        };
+        let expected = |sums: &Sums| {
+            let [[a, b], [c, d]] = [density(sums.row), density(sums.column)];
+            f64::from(sums.hits) * (a + c) / (b + d)
+        };
+        self.strong = Strong::choose(self.elements, self.visibility, &self.tally, &expected, accuracy);
+        self.tally.settle(list, &expected);
+        self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
 
     /// Number of pairs that are carried exactly.
@@ -156,88 +171,62 @@ impl<'a> SampledTransport<'a> {
     }
 
     fn run(&mut self, tasks: &[Task]) {
-        let results: Vec<([f64; 2], Vec<Hit>)> = tasks.par_iter().map(|task| self.hits(task)).collect();
-        let mut hits = Vec::with_capacity(results.iter().map(|(_, hits)| hits.len()).sum());
-        for (Task { element, count, .. }, (weights, own)) in tasks.iter().zip(results) {
+        let results: Vec<Landed> = tasks.par_iter().map(|task| self.landed(task)).collect();
+        let mut hits = Vec::with_capacity(results.iter().map(|landed| landed.hits.len()).sum());
+        for (Task { element, count, .. }, landed) in tasks.iter().zip(results) {
             self.sent[*element] += count;
-            self.weights[*element].iter_mut().zip(weights).for_each(|(sum, weight)| *sum += weight);
-            own.iter().for_each(|hit| self.met[*element][hit.half as usize] += hit.weight);
-            hits.extend(own);
+            for half in 0..2 {
+                self.counts.weights[*element][half] += landed.weights[half];
+                let Counts { missed, exact, .. } = &mut self.counts;
+                for (sums, own) in [(missed, &landed.missed), (exact, &landed.exact)] {
+                    let sums = sums[half][self.starts[*element]..].iter_mut();
+                    sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
+                }
+            }
+            hits.extend(landed.hits);
         }
-        hits.retain(|hit| !self.strong.holds(hit.source, hit.target));
         self.tally.take(self.elements.list(), &hits);
     }
 
-    /// The weights of the rays of a task, by halves, and what they hit.
-    fn hits(&self, task: &Task) -> ([f64; 2], Vec<Hit>) {
+    /// What became of the rays of a task.
+    fn landed(&self, task: &Task) -> Landed {
         let sender = &self.senders[task.element];
-        let (mut weights, mut hits) = ([0.0; 2], Vec::new());
+        let element = &self.elements.list()[task.element];
+        let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
+        let mut landed = Landed { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits: Vec::new() };
         for index in task.first..task.first + task.count {
             let departure = sender.departure(index);
-            weights[(index % 2) as usize] += departure.weight;
-            hits.extend(hit(self.elements, self.visibility, task.element, index, &departure));
+            let half = (index % 2) as usize;
+            landed.weights[half] += departure.weight;
+            let met = hit(self.elements, self.visibility, task.element, index, &departure);
+            let sums = match met {
+                Some(hit) if self.strong.holds(hit.source, hit.target) => &mut landed.exact[half],
+                Some(hit) => {
+                    landed.hits.push(hit);
+                    continue;
+                }
+                None => &mut landed.missed[half],
+            };
+            let values = functions(element, element.basis.frame().coordinates(&departure.node));
+            sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
         }
-        (weights, hits)
+        landed
     }
 
-    /// Estimate of G by the rays sent so far.
+    /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
-        let densities = self.densities(rays);
-        let mut exchanges: Vec<Exchange> =
-            self.sampled().map(|sums| exchange(list, &densities, &sums, rays)).collect();
-        exchanges.extend(
-            self.strong.iter().map(|(row, column, values)| exact_exchange(list, row, column, values[0])),
-        );
-        let wanted = self.wanted(rays);
-        let factors = closure::factors(&exchanges, &wanted);
-        let integrated = self.uncorrected(&densities, rays);
-        let mut blocks = self.scaled(&densities, &factors, rays);
-        blocks.integrated = Some(integrated);
-        blocks.rays = self.sent.iter().sum();
-        blocks
-    }
-
-    /// d_i G_ij d_j for the factors d.
-    fn scaled(&self, densities: &[f64], factors: &[f64], rays: Rays) -> Blocks {
-        let mut blocks = Blocks::empty(self.elements.starts(), true);
-        let mut values = Vec::new();
-        for sums in self.sampled() {
-            let Sums { row, column, is_cross, halves, .. } = sums;
-            let factor = factors[row] * factors[column] / (densities[row] + densities[column]);
-            values.clear();
-            values.extend(chosen(halves, rays).map(|sum| factor * sum));
-            match is_cross {
-                true => blocks.push_cross(row, column, &values),
-                false => blocks.push(row, column, &values),
-            }
-        }
+        let mut blocks = Blocks::empty(self.starts.clone(), true);
         self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, &values));
         self.push_covered(&mut blocks);
+        let exact = blocks.apply(&self.elements.constant());
+        let estimate = Estimate::new(list, &self.starts, &self.tally, &self.counts, &exact, rays);
+        let integrated = estimate.projections(&vec![1.0; list.len()]);
+        blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
+        estimate.push(&mut blocks);
+        self.strong.add_accounts(&mut blocks);
+        blocks.rays = self.sent.iter().sum();
         blocks
-    }
-
-    /// What is known of the pairs that rays carry.
-    fn sampled(&self) -> impl Iterator<Item = Sums<'_>> {
-        self.tally.iter().filter(|sums| !self.strong.holds(sums.row as u32, sums.column as u32))
-    }
-
-    /// G c of the constant 1, before the row sums are corrected.
-    fn uncorrected(&self, densities: &[f64], rays: Rays) -> Vec<f64> {
-        let ones = vec![1.0; densities.len()];
-        self.scaled(densities, &ones, rays).apply(&self.elements.constant())
-    }
-
-    /// n_i / A_i of the rays that count; n_i the sum of their weights, which is nearer to what hits are a share of than their number.
-    fn densities(&self, rays: Rays) -> Vec<f64> {
-        let weights = self.weights.iter().map(|halves| chosen_of(*halves, rays));
-        weights.zip(self.elements.list()).map(|(weight, element)| weight / element.area).collect()
-    }
-
-    /// A_i s_i, s_i the share of rays that met a front.
-    fn wanted(&self, rays: Rays) -> Vec<f64> {
-        let list = self.elements.list().iter().enumerate();
-        list.map(|(index, element)| element.area * self.share_met(index, rays)).collect()
     }
 
     /// The exact blocks of what lies on each other.
@@ -252,35 +241,4 @@ impl<'a> SampledTransport<'a> {
             }
         }
     }
-}
-
-/// The sums of the rays that count.
-fn chosen(halves: [&[f32]; 2], rays: Rays) -> impl Iterator<Item = f64> {
-    let halves = halves[0].iter().zip(halves[1]);
-    halves.map(move |(even, odd)| chosen_of([*even, *odd].map(f64::from), rays))
-}
-
-fn chosen_of([even, odd]: [f64; 2], rays: Rays) -> f64 {
-    match rays {
-        Rays::All => even + odd,
-        Rays::Even => even,
-        Rays::Odd => odd,
-    }
-}
-
-/// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
-fn exchange(list: &[Element], densities: &[f64], sums: &Sums, rays: Rays) -> Exchange {
-    let Sums { row, column, halves, .. } = *sums;
-    let sum = chosen_of([halves[0][0], halves[1][0]].map(f64::from), rays);
-    let amount = match densities[row] + densities[column] {
-        0.0 => 0.0,
-        density => list[row].constant[0] * sum * list[column].constant[0] / density,
-    };
-    Exchange { exact: false, row: row as u32, column: column as u32, amount }
-}
-
-/// The exchange of a pair whose first entry is known.
-fn exact_exchange(list: &[Element], row: usize, column: usize, entry: f64) -> Exchange {
-    let amount = list[row].constant[0] * entry * list[column].constant[0];
-    Exchange { exact: true, row: row as u32, column: column as u32, amount }
 }

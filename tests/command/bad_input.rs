@@ -396,7 +396,12 @@ fn unwritable_output() {
 
 #[test]
 fn rays_with_what_knows_none() {
-    for others in [&["--kernel", "paper-legendre"][..], &["--shadows", "mask"], &["--transport", "exact"]] {
+    for others in [
+        &["--kernel", "paper-legendre"][..],
+        &["--shadows", "mask"],
+        &["--shadows", "off"],
+        &["--transport", "exact"],
+    ] {
         let args = [&["solve", "cornell-box", "--rays", "1000"][..], others].concat();
         refused_command(&args, &["--rays does not go with", "leave one of them out"]);
     }

@@ -31,19 +31,19 @@ pub(super) struct Strong {
 }
 
 impl Strong {
-    /// The pairs of `tally` that are worth it if `more` times as many rays are to be sent as were, with their blocks.
+    /// The pairs of `tally` that are worth it for the number of hits that is `expected` of them, with their blocks.
     pub(super) fn choose(
         elements: &Elements,
         visibility: &Visibility,
         tally: &Tally,
-        more: f64,
+        expected: &dyn Fn(&Sums) -> f64,
         accuracy: Accuracy,
     ) -> Self {
         if elements.list().len() > MOST_ELEMENTS {
             return Self::default();
         }
         let is_worth = |sums: &Sums| {
-            let expected = more * f64::from(sums.hits);
+            let expected = expected(sums);
             expected > FREE && expected > cost(elements, visibility, [sums.row, sums.column])
         };
         let pairs: HashSet<(u32, u32)> =
@@ -62,6 +62,14 @@ impl Strong {
     /// Number of pairs.
     pub(super) fn len(&self) -> usize {
         self.pairs.len()
+    }
+
+    /// Adds what the exact blocks cost, and what they miss, to the accounts of `blocks`.
+    pub(super) fn add_accounts(&self, blocks: &mut Blocks) {
+        if let Some(exact) = &self.blocks {
+            (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
+            (blocks.reciprocity, blocks.accuracy_reached) = (exact.reciprocity, exact.accuracy_reached);
+        }
     }
 
     /// The exact blocks: the element that comes first, the other, and the values, row-major.

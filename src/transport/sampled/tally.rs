@@ -91,21 +91,14 @@ impl Tally {
         });
     }
 
-    /// From now on counts all entries only of pairs that will have enough hits if `more` times as many rays are sent as were.
-    pub(super) fn settle(&mut self, list: &[Element], more: f64) {
+    /// Forgets all hits, and from now on counts all entries only of pairs of which enough are `expected`.
+    pub(super) fn settle(&mut self, list: &[Element], expected: &dyn Fn(&Sums) -> f64) {
         let enough = |sums: &Sums| {
             let entries = list[sums.row].basis.len() * list[sums.column].basis.len();
-            more * f64::from(sums.hits) >= HITS_PER_ENTRY * entries as f64
+            expected(sums) >= HITS_PER_ENTRY * entries as f64
         };
-        self.full =
-            Some(self.iter().filter(enough).map(|sums| (sums.row as u32, sums.column as u32)).collect());
-        let rows: Vec<Row> = self
-            .rows
-            .par_iter()
-            .enumerate()
-            .map(|(index, row)| row.reduced(list, index, &|column| self.is_cross(list, index, column)))
-            .collect();
-        self.rows = rows;
+        let full = self.iter().filter(enough).map(|sums| (sums.row as u32, sums.column as u32)).collect();
+        *self = Self { full: Some(full), ..Self::new(self.rows.len()) };
     }
 
     /// Whether only a cross of the block of a pair is counted.
@@ -173,26 +166,6 @@ impl Row {
         &self.sums[self.pairs[place].start..end]
     }
 
-    /// The same with the sums of those pairs reduced to crosses that `is_cross` tells.
-    fn reduced(&self, list: &[Element], row: usize, is_cross: &dyn Fn(usize) -> bool) -> Self {
-        let mut made = Self::default();
-        for (place, pair) in self.pairs.iter().enumerate() {
-            let (start, sums) = (made.sums.len(), self.sums_of(place));
-            let reduces = !pair.is_cross && is_cross(pair.column as usize);
-            made.pairs.push(Pair { start, is_cross: pair.is_cross || reduces, ..*pair });
-            if !reduces {
-                made.sums.extend_from_slice(sums);
-                continue;
-            }
-            let [rows, columns] = [row, pair.column as usize].map(|index| list[index].basis.len());
-            for half in sums.chunks_exact(rows * columns) {
-                made.sums.extend_from_slice(&half[..columns]);
-                made.sums.extend(half.iter().skip(columns).step_by(columns));
-            }
-        }
-        made
-    }
-
     /// The sums of both.
     fn with(&self, other: &Self) -> Self {
         let mut both = Self {
@@ -247,7 +220,7 @@ fn add(list: &[Element], [row, column]: [usize; 2], hit: &Hit, is_cross: bool, s
 }
 
 /// φ_k at the coordinates of an element's frame.
-fn functions(element: &Element, coordinates: [f64; 2]) -> SmallVec<[f64; 10]> {
+pub(super) fn functions(element: &Element, coordinates: [f64; 2]) -> SmallVec<[f64; 10]> {
     let count = element.basis.len();
     if count == 1 {
         return smallvec![element.area.sqrt().recip()];
