@@ -75,41 +75,22 @@ fn solve_in_pool(
 ) -> Result<Outcome, Failure> {
     let mut seconds = Stages::default();
     let choice = options.choice(scene);
-    let rays = options.ray_budget(scene);
-    let (visibility, subdivide) = timed(&mut seconds.visibility, || {
+    let rays = choice.sampled.then(|| options.ray_budget(scene));
+    let (visibility, how) = timed(&mut seconds.visibility, || {
         let visibility = Visibility::new(scene, options.into());
-        let auto = || match choice.sampled {
-            true => Subdivide::Graded { rays },
-            false => Subdivide::Auto { occluded: visibility.any_shadow() },
-        };
-        let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
-        (visibility, subdivide)
+        let how = discretization(&visibility, options, rays);
+        (visibility, how)
     });
-    let how =
-        Discretization { order: options.order, space: options.space, subdivide, layers: options.layers };
     progress(Progress::Finished("visibility", seconds.visibility));
-    require_memory(scene, &how, options, choice.sampled.then_some(rays))?;
+    require_memory(scene, &how, options, rays)?;
     let elements = timed(&mut seconds.elements, || options.elements(scene, &how))?;
     progress(Progress::Finished("elements", seconds.elements));
     let coatings: Vec<Coating> =
         (0..scene.bands.len()).map(|band| Coating::of(scene, elements.list(), band)).collect();
-    let (blocks, sampling) = timed(&mut seconds.blocks, || -> Result<_, Failure> {
-        if !choice.sampled {
-            let report = |done, total| progress(Progress::Blocks(done, total));
-            return Ok((blocks(scene, &elements, &visibility, options, &report)?, None));
-        }
-        let subject = Subject { elements: &elements, coatings: &coatings, visibility: &visibility, options };
-        let (blocks, sampling) = subject.sample(rays, progress);
-        Ok((blocks, Some(sampling)))
-    })?;
+    let subject = Subject { elements: &elements, coatings: &coatings, visibility: &visibility, options };
+    let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
     progress(Progress::Finished("blocks", seconds.blocks));
-    let (masked, bounce) = timed(&mut seconds.direct, || {
-        let coatings: Vec<&Coating> = coatings.iter().collect();
-        let masked = masked_light(scene, &elements, &coatings, &visibility, options);
-        let by_rules = options.kernel.is_none() && !choice.sampled;
-        let bounce = bounce(&elements, &coatings, &visibility, masked.as_ref(), (options, by_rules));
-        (masked, bounce)
-    });
+    let (masked, bounce) = timed(&mut seconds.direct, || direct_light(scene, &subject, choice.sampled));
     if bounce.is_some() {
         progress(Progress::Finished("direct", seconds.direct));
     }
@@ -141,6 +122,44 @@ fn solve_in_pool(
         sampling,
         seconds,
     })
+}
+
+/// How the scene is cut, given the rays that carry its pairs, if any.
+fn discretization(visibility: &Visibility, options: &Options, rays: Option<u64>) -> Discretization {
+    let auto = || match rays {
+        Some(rays) => Subdivide::Graded { rays },
+        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    Discretization { order: options.order, space: options.space, subdivide, layers: options.layers }
+}
+
+/// The blocks, by that many rays or exactly.
+fn carried(
+    scene: &Scene,
+    subject: &Subject,
+    rays: Option<u64>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<(Blocks, Option<Sampling>), Failure> {
+    if let Some(rays) = rays {
+        let (blocks, sampling) = subject.sample(rays, progress);
+        return Ok((blocks, Some(sampling)));
+    }
+    let report = |done, total| progress(Progress::Blocks(done, total));
+    Ok((blocks(scene, subject.elements, subject.visibility, subject.options, &report)?, None))
+}
+
+/// Masks of direct light, where asked for, and the first bounce, where direct light is masked or split off.
+fn direct_light(
+    scene: &Scene,
+    Subject { elements, coatings, visibility, options }: &Subject,
+    is_sampled: bool,
+) -> (Option<MaskedLight>, Option<Bounce>) {
+    let coatings: Vec<&Coating> = coatings.iter().collect();
+    let masked = masked_light(scene, elements, &coatings, visibility, options);
+    let by_rules = options.kernel.is_none() && !is_sampled;
+    let bounce = bounce(elements, &coatings, visibility, masked.as_ref(), (options, by_rules));
+    (masked, bounce)
 }
 
 /// Refuses a run that needs more memory than allowed.
