@@ -77,6 +77,17 @@ impl Job<'_> {
         if near.is_empty() && clipped.is_empty() {
             return whole.iter().for_each(|(part, gap)| self.apart(outer, part, *gap));
         }
+        self.cut_or_halve(outer, near, clipped, whole);
+    }
+
+    /// Cuts the inner parts of a fan at their horizons together; where some are near, halves the outer part instead.
+    fn cut_or_halve(
+        &mut self,
+        outer: &Patch,
+        mut near: Vec<Patch>,
+        mut clipped: Vec<(Patch, f64)>,
+        whole: Vec<(Patch, f64)>,
+    ) {
         // Beside parts cut by horizons, wholly visible ones are treated the same way: the sum of all is smoother than
         // any of them.
         clipped.extend(whole);
