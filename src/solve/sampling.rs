@@ -47,7 +47,7 @@ pub struct Sampling {
     pub rays: u64,
     /// Pairs of elements that were carried exactly beside them.
     pub exact_pairs: usize,
-    /// Estimate of the relative error that rays leave: L2 over the elements of their mean irradiance, largest of the bands. None where
+    /// Estimate of the relative error that rays, and exact pairs, leave: L2 over the elements of their mean irradiance, largest of the bands. None where
     /// half the rays are too few for a solution.
     pub error: Option<f64>,
 }
@@ -73,14 +73,21 @@ impl Subject<'_> {
             .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let sent: u64 = transport.sent().iter().sum();
         let planned = self.by_brightness(rays as f64, &bright);
-        transport.settle(&planned, self.accuracy(rays));
+        let accuracy = self.accuracy(rays);
+        transport.settle(&planned, accuracy);
         let total = sent + planned.iter().sum::<u64>();
         transport.send(&planned, &mut |done| progress(Progress::Rays(sent + done, total)));
         // The halves first: their blocks are gone when the whole ones are made.
         let error = self.error(&transport).ok();
+        // Both halves share the exact pairs, and what these are off.
+        let of_exact = if transport.exact_pairs() > 0 { accuracy.eps } else { 0.0 };
         let blocks = transport.blocks(Rays::All);
         let exact_pairs = transport.exact_pairs();
-        let sampling = Sampling { rays: transport.sent().iter().sum(), exact_pairs, error };
+        let sampling = Sampling {
+            rays: transport.sent().iter().sum(),
+            exact_pairs,
+            error: error.map(|error| error.hypot(of_exact)),
+        };
         (blocks, sampling)
     }
 
