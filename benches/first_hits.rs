@@ -11,6 +11,8 @@
 
 #[path = "../geom/tests/geometry/random.rs"]
 mod random;
+#[path = "../geom/benches/shared/triangle.rs"]
+mod triangle;
 
 use std::hint::black_box;
 use std::path::PathBuf;
@@ -25,6 +27,7 @@ use radiosity_geom::shapes::Parallelogram;
 use radiosity_geom::{Aabb, Hit, Ray, RayTree, Rect, Surface};
 
 use random::Random;
+use triangle::hit_triangle;
 
 const RAYS: usize = 200_000;
 const ROUNDS: usize = 9;
@@ -216,19 +219,6 @@ fn parts(surfaces: &[Shape]) -> impl Iterator<Item = Part> + '_ {
             .flat_map(|piece| piece[1..].windows(2).map(|side| [piece[0], side[0], side[1]]));
         fans.map(|corners| Part { surface, bounds: Aabb::around(corners), corners: Some(corners) }).collect()
     })
-}
-
-/// Möller and Trumbore, 1997.
-fn hit_triangle([p, q, r]: &[DVec3; 3], ray: &Ray) -> Option<f64> {
-    let (e, f) = (*q - *p, *r - *p);
-    let across = ray.direction.cross(f);
-    let scale = 1.0 / e.dot(across);
-    let from = ray.origin - *p;
-    let a = scale * from.dot(across);
-    let turned = from.cross(e);
-    let b = scale * ray.direction.dot(turned);
-    let t = scale * f.dot(turned);
-    (a >= 0.0 && b >= 0.0 && a + b <= 1.0 && ray.reaches(t)).then_some(t)
 }
 
 /// The hierarchy of obvhs over padded boxes.

@@ -158,7 +158,7 @@ fn direct_light(
     let coatings: Vec<&Coating> = coatings.iter().collect();
     let masked = masked_light(scene, elements, &coatings, visibility, options);
     let by_rules = options.kernel.is_none() && !is_sampled;
-    let bounce = bounce(elements, &coatings, visibility, masked.as_ref(), (options, by_rules));
+    let bounce = bounce(elements, &coatings, visibility, masked.as_ref(), options, by_rules);
     (masked, bounce)
 }
 
@@ -252,7 +252,8 @@ fn bounce(
     coatings: &[&Coating],
     visibility: &Visibility,
     masked: Option<&MaskedLight>,
-    (options, by_rules): (&Options, bool),
+    options: &Options,
+    by_rules: bool,
 ) -> Option<Bounce> {
     let list = elements.list();
     if let Some(masked) = masked {

@@ -130,7 +130,8 @@ impl<'a> System<'a> {
         Dense::new(partition, values, self.blocks.symmetric())
     }
 
-    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small; elsewhere by its blocks, which
+    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small; elsewhere by
+    /// its blocks, which
     /// solvers that only multiply take from G as it is.
     ///
     /// # Errors

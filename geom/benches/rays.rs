@@ -20,8 +20,11 @@ use std::time::{Duration, Instant};
 
 #[path = "../tests/geometry/random.rs"]
 mod random;
+#[path = "shared/triangle.rs"]
+mod triangle;
 
 use random::Random;
+use triangle::hit_triangle;
 
 /// Rays per scene.
 const RAYS: usize = 20_000;
@@ -97,19 +100,6 @@ fn triangles(scene: &Scene) -> Vec<[DVec3; 3]> {
         }
     }
     all
-}
-
-/// Möller and Trumbore, 1997.
-fn hit_triangle([p, q, r]: &[DVec3; 3], ray: &Ray) -> Option<f64> {
-    let (e, f) = (*q - *p, *r - *p);
-    let across = ray.direction.cross(f);
-    let scale = 1.0 / e.dot(across);
-    let from = ray.origin - *p;
-    let a = scale * from.dot(across);
-    let turned = from.cross(e);
-    let b = scale * ray.direction.dot(turned);
-    let t = scale * f.dot(turned);
-    (a >= 0.0 && b >= 0.0 && a + b <= 1.0 && ray.range[0] <= t && t <= ray.range[1]).then_some(t)
 }
 
 /// The hierarchy of obvhs over padded boxes; tests are looked up by its own order.

@@ -37,7 +37,8 @@ pub enum Subdivide {
     },
     /// The same number along u and v everywhere.
     Uniform(usize),
-    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order as well.
+    /// By the area of the surface (`resolution`), as fine as so many rays from all of them support; limits the order
+    /// as well.
     Graded {
         /// Rays from all surfaces together, spread by area.
         rays: u64,

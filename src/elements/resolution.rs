@@ -22,7 +22,8 @@ struct Grade {
     parts: usize,
 }
 
-/// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays leave
+/// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays
+/// leave
 /// eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
 const GRADES: [Grade; 4] = [
     Grade { rays: 7200.0, order: 2, parts: 4 },

@@ -76,7 +76,8 @@ pub struct Transport {
     pub rays: u64,
     /// Pairs of elements that were carried exactly beside the rays.
     pub exact_pairs: usize,
-    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the bands); none if exact.
+    /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the
+    /// bands); none if exact.
     pub error: Option<f64>,
 }
 
@@ -228,7 +229,8 @@ fn why(end: End) -> Option<&'static str> {
     }
 }
 
-/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such elements at points was
+/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
+/// elements at points was
 /// 3 % off in a classroom.
 const ROUGH: f64 = 0.15;
 

@@ -1,8 +1,11 @@
 //! How pairs of elements are carried: exactly, or by rays.
 //!
-//! Exact blocks cost about the square of the number of elements, and most where things hide each other; rays cost about that number,
-//! whatever stands between. An office of 430 polygons took 94 s of CPU exactly, 33 000 of its 37 000 pairs partly hidden, and 1 s by
-//! rays with a smaller error of the light gathered at points; rooms of a hundred surfaces are done exactly in seconds, to an error that
+//! Exact blocks cost about the square of the number of elements, and most where things hide each other; rays cost
+//! about that number,
+//! whatever stands between. An office of 430 polygons took 94 s of CPU exactly, 33 000 of its 37 000 pairs partly
+//! hidden, and 1 s by
+//! rays with a smaller error of the light gathered at points; rooms of a hundred surfaces are done exactly in seconds,
+//! to an error that
 //! rays would take minutes for.
 
 use serde::{Deserialize, Serialize};
@@ -10,7 +13,8 @@ use serde::{Deserialize, Serialize};
 /// Most surfaces of a scene that is carried exactly by default. Chosen between the rooms above.
 const FEW: usize = 300;
 
-/// Rays for each surface, and in all at least, at the default accuracy of shadows. From two real rooms (soda shop, classroom): 3 % of the
+/// Rays for each surface, and in all at least, at the default accuracy of shadows. From two real rooms (soda shop,
+/// classroom): 3 % of the
 /// light gathered at points.
 const RAYS_PER_SURFACE: u64 = 250;
 const FEWEST_RAYS: u64 = 400_000;

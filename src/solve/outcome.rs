@@ -25,7 +25,8 @@ pub struct Outcome {
     pub distinct: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// Largest error that unresolved parts leave in a block, relative to its scale ([`Blocks::accuracy_reached`](crate::transport::Blocks)).
+    /// Largest error that unresolved parts leave in a block, relative to its scale
+    /// ([`Blocks::accuracy_reached`](crate::transport::Blocks)).
     pub accuracy_reached: f64,
     /// Name of the solver that was used, also where the choice was left open.
     pub solver: &'static str,

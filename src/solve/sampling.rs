@@ -1,13 +1,16 @@
 //! The sampled transport of a scene: rays in two rounds, and what is left of error.
 //!
-//! A pilot round, spread by area, tells about how bright each element is. The second round sends rays by area and brightness:
+//! A pilot round, spread by area, tells about how bright each element is. The second round sends rays by area and
+//! brightness:
 //!
 //! ```text
 //! n_i ∝ A_i (1 + β B_i / B̄) ,     B̄ = Σ A_i B_i / Σ A_i ,
 //! ```
 //!
-//! so that small lamps send enough. The scene is then solved with the rays of even and with those of odd number, too. Half of the
-//! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P. Hanrahan, D. Salzman,
+//! so that small lamps send enough. The scene is then solved with the rays of even and with those of odd number, too.
+//! Half of the
+//! difference of these two solutions is about the error of the solution by all rays. (Rays by brightness: P. Hanrahan,
+//! D. Salzman,
 //! L. Aupperle, SIGGRAPH 1991, 197-206, for links.)
 
 use radiosity_solvers::SolveError;
@@ -24,10 +27,12 @@ use super::band::solve_band;
 use super::options::Options;
 use super::progress::Progress;
 
-/// Share of the rays that the pilot round sends. Chosen; between 0.05 and 0.2 errors changed by less than a tenth of themselves.
+/// Share of the rays that the pilot round sends. Chosen; between 0.05 and 0.2 errors changed by less than a tenth of
+/// themselves.
 const PILOT: f64 = 0.1;
 
-/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that sends all light of a scene
+/// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that sends
+/// all light of a scene
 /// gets β/(1 + β) of them.
 const BRIGHTNESS: f64 = 0.3;
 
@@ -47,7 +52,8 @@ pub struct Sampling {
     pub rays: u64,
     /// Pairs of elements that were carried exactly beside them.
     pub exact_pairs: usize,
-    /// Estimate of the relative error that rays, and exact pairs, leave: L2 over the elements of their mean irradiance, largest of the bands. None where
+    /// Estimate of the relative error that rays, and exact pairs, leave: L2 over the elements of their mean
+    /// irradiance, largest of the bands. None where
     /// half the rays are too few for a solution.
     pub error: Option<f64>,
 }

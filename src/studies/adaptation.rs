@@ -178,7 +178,8 @@ pub fn adapt(
     Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
 }
 
-/// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is small enough.
+/// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is
+/// small enough.
 fn by_rays(
     scene: &Scene,
     options: &Options,

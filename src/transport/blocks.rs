@@ -135,7 +135,8 @@ impl Blocks {
         self.integrated.clone().unwrap_or_else(|| self.apply(ones))
     }
 
-    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the line, then
+    /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the
+    /// line, then
     /// the rest of the column.
     pub(crate) fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
         let start = self.values.len();
@@ -149,22 +150,15 @@ impl Blocks {
             return self.apply_in_chunks(x);
         }
         let mut y = vec![0.0; self.dim()];
-        for (row, column, values) in self.full() {
-            let (rows, columns) = (self.range(row), self.range(column));
-            for (k, line) in values.chunks_exact(columns.len()).enumerate() {
-                y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
-            }
-            if self.symmetric && row != column {
-                self.scatter(row, column, values, x, &mut y);
-            }
-        }
+        self.stored.iter().for_each(|block| self.add(block, x, &mut y));
         y
     }
 
-    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no bit.
+    /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no
+    /// bit.
     pub(crate) fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
         let mut sum = vec![0.0; self.dim()];
-        self.add_chunks(&self.stored, &|block, y| self.add_both_ways(block, x, y), &mut sum);
+        self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut sum);
         self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut sum);
         sum
     }
@@ -182,7 +176,7 @@ impl Blocks {
         }
     }
 
-    /// As [`Blocks::add_both_ways`] for a block stored as a cross.
+    /// As [`Blocks::add`] for a block stored as a cross.
     fn add_cross(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
         let (rows, columns) = (self.range(*row as usize), self.range(*column as usize));
         let values = &self.values[*start..][..rows.len() + columns.len() - 1];
@@ -194,15 +188,15 @@ impl Blocks {
         y[columns.start] += rest.iter().zip(&x[below]).map(|(g, x)| g * x).sum::<f64>();
     }
 
-    /// Adds G_ij x_j to y_i and G_ijᵀ x_i to y_j.
-    fn add_both_ways(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
+    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j.
+    fn add(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
         let (row, column) = (*row as usize, *column as usize);
         let (rows, columns) = (self.range(row), self.range(column));
         let values = &self.values[*start..][..rows.len() * columns.len()];
         for (k, line) in values.chunks_exact(columns.len()).enumerate() {
             y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
         }
-        if row != column {
+        if self.symmetric && row != column {
             self.scatter(row, column, values, x, y);
         }
     }

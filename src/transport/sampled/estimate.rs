@@ -1,13 +1,15 @@
 //! Blocks from the sums over hits.
 //!
-//! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j, G_ij = S_ij / D_ij. Two things are known
+//! With W_i the rays of element i (the sum of their weights) and D_ij = W_i/A_i + W_j/A_j, G_ij = S_ij / D_ij. Two
+//! things are known
 //! beside it: the rays of i that count on no pair, and how these are spread over i, tell the projections
 //!
 //! ```text
 //! t_i^k = ∫ φ_k s dA = c_i^k − (A_i/W_i) Σ w φ_k(x)   over the rays that count on no pair ,
 //! ```
 //!
-//! of s, the part of the hemisphere that sampled pairs fill; so do the rays that meet nothing, less what exact pairs fill. Where no ray
+//! of s, the part of the hemisphere that sampled pairs fill; so do the rays that meet nothing, less what exact pairs
+//! fill. Where no ray
 //! is lost this is exact. The blocks tell them too, as Σ_j G_ij c_j. By their variances, α = V/(V + V_own) with
 //!
 //! ```text
@@ -86,7 +88,8 @@ impl<'a> Estimate<'a> {
         estimate
     }
 
-    /// Takes what own rays tell of the next element, from what they missed, what landed on exact pairs, and Σ_j G_ij c_j over these.
+    /// Takes what own rays tell of the next element, from what they missed, what landed on exact pairs, and Σ_j G_ij
+    /// c_j over these.
     fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], fixed: &[f64]) {
         let (element, weight) = (&self.list[index], self.weights[index]);
         if weight == 0.0 {
@@ -114,7 +117,8 @@ impl<'a> Estimate<'a> {
 
     /// Adds the blocks to `blocks`.
     pub(super) fn push(&self, blocks: &mut Blocks) {
-        let exchanges: Vec<Exchange> = self.pairs().map(|(sums, _)| self.exchange(&sums)).collect();
+        let exchanges: Vec<Exchange> =
+            self.pairs().map(|(sums, density)| self.exchange(&sums, density)).collect();
         let trust = self.trust();
         let factors = closure::factors(&exchanges, &self.wanted(&exchanges, &trust));
         let tilts = self.tilts(&factors, &trust);
@@ -131,8 +135,7 @@ impl<'a> Estimate<'a> {
                 let [own, other] = [(row, column), (column, row)]
                     .map(|(tilted, far)| amount / (totals[tilted] * self.list[far].constant[0]));
                 for k in 1..self.list[row].basis.len() {
-                    let place = if is_cross { columns + k - 1 } else { k * columns };
-                    values[place] += own * tilts[self.starts[row] + k];
+                    values[sums.place(k, columns)] += own * tilts[self.starts[row] + k];
                 }
                 for l in 1..columns {
                     values[l] += other * tilts[self.starts[column] + l];
@@ -149,13 +152,13 @@ impl<'a> Estimate<'a> {
     pub(super) fn projections(&self, factors: &[f64]) -> Vec<f64> {
         let mut projected = vec![0.0; self.known.len()];
         for (sums, density) in self.pairs() {
-            let Sums { row, column, is_cross, .. } = sums;
+            let Sums { row, column, .. } = sums;
             let values: Vec<f64> = self.rays.sums(&sums).collect();
             let factor = factors[row] * factors[column] / density;
             let [rows, columns] = [row, column].map(|index| self.list[index].basis.len());
             for k in 0..rows {
-                let place = if is_cross && k > 0 { columns + k - 1 } else { k * columns };
-                projected[self.starts[row] + k] += factor * values[place] * self.list[column].constant[0];
+                let value = values[sums.place(k, columns)];
+                projected[self.starts[row] + k] += factor * value * self.list[column].constant[0];
             }
             if row != column {
                 for l in 0..columns {
@@ -174,9 +177,8 @@ impl<'a> Estimate<'a> {
     }
 
     /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
-    fn exchange(&self, sums: &Sums) -> Exchange {
+    fn exchange(&self, sums: &Sums, density: f64) -> Exchange {
         let [a, b] = [sums.row, sums.column].map(|index| &self.list[index]);
-        let density = self.weights[sums.row] / a.area + self.weights[sums.column] / b.area;
         let first = self.rays.sums(sums).next().unwrap_or(0.0);
         let amount = a.constant[0] * first * b.constant[0] / density;
         Exchange { row: sums.row as u32, column: sums.column as u32, amount }

@@ -23,7 +23,8 @@ pub(super) struct Hit {
     pub to: [f64; 2],
 }
 
-/// What the ray of number `index` from element `source` meets; none where it leaves the scene or meets a back, which absorbs it.
+/// What the ray of number `index` from element `source` meets; none where it leaves the scene or meets a back, which
+/// absorbs it.
 pub(super) fn hit(
     elements: &Elements,
     visibility: &Visibility,

@@ -1,7 +1,9 @@
 //! Pairs that are carried exactly beside the rays: those for which as good a block by rays would cost more.
 //!
-//! A pair that n rays meet has a relative error of about n^-½. An exact block removes it, for the time of a number of rays that
-//! depends on what the pair is. It is taken where fewer rays than that are expected to land on the pair: what is left to the rays are
+//! A pair that n rays meet has a relative error of about n^-½. An exact block removes it, for the time of a number of
+//! rays that
+//! depends on what the pair is. It is taken where fewer rays than that are expected to land on the pair: what is left
+//! to the rays are
 //! many weak pairs. Rays that land on a pair of these are not counted.
 
 use std::borrow::Cow;
@@ -14,7 +16,8 @@ use crate::transport::sampled::tally::{Sums, Tally};
 use crate::transport::schedule::assemble_pairs;
 use crate::visibility::Visibility;
 
-/// Rays that take as long as the exact block of two flat elements with nothing between them; with something between; and of elements of
+/// Rays that take as long as the exact block of two flat elements with nothing between them; with something between;
+/// and of elements of
 /// which one is curved. From blocks of 50 µs, 2.5 ms and 20 ms, and a million rays a second.
 const FREE: f64 = 50.0;
 const PARTLY_HIDDEN: f64 = 2_500.0;

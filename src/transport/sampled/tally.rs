@@ -14,13 +14,15 @@ use smallvec::{SmallVec, smallvec};
 use crate::elements::Element;
 use crate::transport::sampled::hit::Hit;
 
-/// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop, values of 0, 1 and 4 made
+/// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop, values of
+/// 0, 1 and 4 made
 /// no difference to the light at points beyond a fiftieth of its error.
 const HITS_PER_ENTRY: f64 = 1.0;
 
 /// Sums over hits, by pairs of elements.
 ///
-/// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what varies on both sides is noise
+/// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what varies on
+/// both sides is noise
 /// there, and it meets the small high coefficients of what is sent.
 #[derive(Debug)]
 pub(super) struct Tally {
@@ -33,7 +35,8 @@ pub(super) struct Tally {
 #[derive(Clone, Debug, Default)]
 struct Row {
     pairs: Vec<Pair>,
-    /// For each pair the sums of one half, then of the other: row-major, or the first line and the rest of the first column. Single precision is far below the noise.
+    /// For each pair the sums of one half, then of the other: row-major, or the first line and the rest of the first
+    /// column. Single precision is far below the noise.
     sums: Vec<f32>,
 }
 
@@ -61,6 +64,13 @@ pub(super) struct Sums<'a> {
     pub is_cross: bool,
     /// S of the one and of the other half of the rays, row-major, or as told by `is_cross`.
     pub halves: [&'a [f32]; 2],
+}
+
+impl Sums<'_> {
+    /// Where the entry (k, 0) stands among the sums of a half, of a block of so many columns.
+    pub(super) fn place(&self, k: usize, columns: usize) -> usize {
+        if self.is_cross && k > 0 { columns + k - 1 } else { k * columns }
+    }
 }
 
 impl Tally {
