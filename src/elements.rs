@@ -38,6 +38,7 @@ use element::{Part, element};
 pub use fault::ElementError;
 use patch::Patch;
 use resolution::Resolution;
+pub(crate) use resolution::shares;
 
 /// All elements of a scene, surface by surface.
 #[derive(Debug)]
@@ -87,11 +88,11 @@ impl Elements {
         let resolution = Resolution::new(scene, how);
         let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
-            let order = resolution.order(surface);
+            let order = resolution.order(index, surface);
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let breaks = resolution.parts(surface).map(|parts| breaks(parts, how.layers));
+            let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
             let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
             let cut = elements.cut((index, surface), shape, breaks, &own, order)?;
             elements.surfaces.push(cut);
@@ -259,9 +260,10 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     let resolution = Resolution::new(scene, how);
     let covers = covers(scene);
     let size = |(index, surface): (usize, &SceneSurface)| {
-        let [along, across] = resolution.parts(surface).map(|parts| (parts + 2 * how.layers.count) as u64);
+        let [along, across] =
+            resolution.parts(index, surface).map(|parts| (parts + 2 * how.layers.count) as u64);
         let covered = covers::of_surface(&covers, index).count() as u64;
-        let functions = how.space.count(resolution.order(surface)) as u64;
+        let functions = how.space.count(resolution.order(index, surface)) as u64;
         CutSize { elements: along * across + covered, functions }
     };
     scene.surfaces.iter().enumerate().map(size).collect()

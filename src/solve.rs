@@ -1,11 +1,13 @@
 //! The driver: scene → elements → blocks → system per band → solution, timed.
 
 mod direct;
+mod outline;
 pub mod memory;
 mod fit;
 mod failure;
 mod choice;
 mod options;
+mod decision;
 mod progress;
 mod band;
 mod sampling;
@@ -74,7 +76,7 @@ fn solve_in_pool(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
     let mut seconds = Stages::default();
-    let choice = options.choice(scene);
+    let choice = Choice::of(scene, options);
     let rays = choice.sampled.then(|| options.ray_budget(scene));
     let (visibility, how) = timed(&mut seconds.visibility, || {
         let visibility = Visibility::new(scene, options.into());
@@ -171,7 +173,7 @@ fn require_memory(
 ) -> Result<(), Failure> {
     let Some(allowed) = options.memory else { return Ok(()) };
     if let Some(rays) = rays {
-        return require_memory_of_rays(scene, how, rays, allowed);
+        return require_memory_of_rays(scene, how, options.method, rays, allowed);
     }
     let peak = |how: &Discretization, method| Footprint::of(scene, how, method).peak();
     let needed = peak(how, options.method);
@@ -213,6 +215,7 @@ fn blocks(
 fn require_memory_of_rays(
     scene: &Scene,
     how: &Discretization,
+    method: &Method,
     rays: u64,
     allowed: u64,
 ) -> Result<(), Failure> {
@@ -221,7 +224,7 @@ fn require_memory_of_rays(
             Subdivide::Graded { .. } => Subdivide::Graded { rays },
             given => given,
         };
-        Footprint::of_rays(scene, &Discretization { subdivide, ..*how }, rays).peak()
+        Footprint::of_rays(scene, &Discretization { subdivide, ..*how }, method, rays).peak()
     };
     let needed = peak(rays);
     if needed <= allowed {

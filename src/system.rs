@@ -27,14 +27,16 @@ use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
 
+use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::transport::Blocks;
 
-/// Unknowns up to which the matrix is held entry by entry: 72 MB.
-const SMALL: usize = 3000;
+/// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
+/// some four times as long for each entry. Chosen.
+const THIN: f64 = 0.125;
 
 /// The system of one band.
 #[derive(Debug)]
@@ -130,17 +132,20 @@ impl<'a> System<'a> {
         Dense::new(partition, values, self.blocks.symmetric())
     }
 
-    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small; elsewhere by
-    /// its blocks, which
-    /// solvers that only multiply take from G as it is.
+    /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and not thin;
+    /// elsewhere by its blocks, which solvers that only multiply take from G as it is.
     ///
     /// # Errors
     /// Values that are not finite.
     pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
-        if self.unknown_count() <= SMALL || !self.blocks.symmetric() {
+        let unknowns = self.unknown_count();
+        let only_multiplies = ["auto", "cg", "gmres"].contains(&method);
+        let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
+        let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
+        if unknowns <= most || !self.blocks.symmetric() {
             return Ok(Box::new(self.matrix()?));
         }
-        if ["auto", "cg", "gmres"].contains(&method) {
+        if only_multiplies {
             return Ok(Box::new(Product::new(self)));
         }
         Ok(Box::new(self.block_sparse()?.with_threads(threads)))

@@ -9,7 +9,8 @@
 //!
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
-//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements) and `schedule` (all pairs).
+//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `schedule` (all pairs),
+//! `price` (what a block costs) and `sampled` (blocks from rays).
 
 pub(crate) mod moments;
 pub(crate) mod contact;
@@ -19,6 +20,7 @@ pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;
 mod schedule;
+pub(crate) mod price;
 pub(crate) mod sampled;
 
 pub use blocks::Blocks;

@@ -50,10 +50,37 @@ impl Points {
         Ok(serde_json::from_str(&std::fs::read_to_string(path)?)?)
     }
 
+    /// So many points spread over all elements of a scene by area, with what `solution` says of them.
+    pub(crate) fn of(scene: &Scene, solution: &Solution, count: usize) -> Self {
+        let list = solution.elements().list();
+        let area: f64 = list.iter().map(|element| element.area).sum();
+        let mut spread = Points { points: Vec::new() };
+        let mut before = 0.0;
+        for element in list.iter().filter(|element| element.contact.is_none()) {
+            let [low, high] = [before, before + element.area / area * count as f64];
+            before = high;
+            for k in low.ceil() as usize..high.ceil() as usize {
+                // Anywhere on the element: the additive recurrence by the square root of 2 and of 3.
+                let [s, t] = [2f64.sqrt(), 3f64.sqrt()].map(|step| (step * (k + 1) as f64).fract());
+                let node = element.patches[k % element.patches.len()].node(s, t);
+                let [p, n] = [node.position, node.normal].map(|vector| vector.to_array());
+                spread.points.push(Point { p, n, irradiance: 0.0 });
+            }
+        }
+        let known = spread.irradiances(scene, solution);
+        spread.points.iter_mut().zip(known).for_each(|(point, irradiance)| point.irradiance = irradiance);
+        spread
+    }
+
+    /// Irradiances of band 0 by a solution.
+    fn irradiances(&self, scene: &Scene, solution: &Solution) -> Vec<f64> {
+        let lit = Lit::new(scene, solution);
+        self.points.par_iter().map(|point| lit.irradiance(point)).collect()
+    }
+
     /// Relative L2 and median error of the irradiance of band 0.
     pub(crate) fn errors(&self, scene: &Scene, solution: &Solution) -> [f64; 2] {
-        let lit = Lit::new(scene, solution);
-        let found: Vec<f64> = self.points.par_iter().map(|point| lit.irradiance(point)).collect();
+        let found = self.irradiances(scene, solution);
         let pairs: Vec<(f64, f64)> =
             found.into_iter().zip(&self.points).map(|(found, point)| (found, point.irradiance)).collect();
         let sum = |term: &dyn Fn(&(f64, f64)) -> f64| pairs.iter().map(term).sum::<f64>();

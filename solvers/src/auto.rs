@@ -20,13 +20,13 @@ use crate::solver::{Report, Solver, Step};
 pub(crate) const NAME: &str = "auto";
 
 /// Unknowns per right-hand side up to which a direct method comes first. Chosen; not tuned.
-const DIRECT: usize = 500;
+pub const DIRECT: usize = 500;
 
 /// Unknowns from which no direct method is tried: the copy of the matrix would take 7 GB.
 const HUGE: usize = 30_000;
 
 /// Unknowns up to which the matrix is made entry by entry for a direct method where it is not held so: 72 MB.
-const DENSE: usize = 3000;
+pub const DENSE: usize = 3000;
 
 /// Tolerance below which a direct method comes first: some 500 rounding errors, which iterations may not reach. Chosen;
 /// not tuned.

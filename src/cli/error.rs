@@ -65,6 +65,16 @@ pub(crate) enum CliError {
         /// Relative residual, the largest of any band.
         residual: f64,
     },
+    /// A solution by fewer rays than were to be sent, written all the same.
+    #[error("{}: stopped after {rays} of {planned} rays; the error that is told is that of these", path.display())]
+    Stopped {
+        /// The output as typed.
+        path: PathBuf,
+        /// Rays sent.
+        rays: u64,
+        /// Rays that were to be sent.
+        planned: u64,
+    },
     /// A picture was asked of a scene without a camera.
     #[error("{origin}: there is no camera to take a picture with")]
     NoCamera {
@@ -126,6 +136,7 @@ impl CliError {
             }
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Partial { .. }
+            | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
             | CliError::Chart(_)
@@ -186,6 +197,7 @@ impl CliError {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }
             CliError::Partial { .. }
+            | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
             | CliError::Chart(_)

@@ -17,21 +17,34 @@ impl Progress {
         let shown = !quiet && stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
-        let style =
-            ProgressStyle::with_template("{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left")
-                .expect("the template is correct")
-                .progress_chars("=> ");
+        let style = ProgressStyle::with_template(
+            "{msg:12} [{bar:30}] {human_pos}/{human_len} {per_sec} {eta} left{prefix}",
+        )
+        .expect("the template is correct")
+        .progress_chars("=> ");
         Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style) }
     }
 
     /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
     pub(crate) fn show(&self, stage: &'static str, done: usize, total: usize) {
+        self.show_with(stage, "", done as u64, total as u64);
+    }
+
+    /// Shows that `done` of `total` rays are sent, and the error that they leave so far.
+    pub(crate) fn show_rays(&self, done: u64, total: u64, error: Option<f64>) {
+        let error = error.map(|error| format!(", error so far {error:.1e}"));
+        self.show_with("rays", &error.unwrap_or_default(), done, total);
+    }
+
+    /// Shows a stage, with a remark at the end of the line.
+    fn show_with(&self, stage: &'static str, remark: &str, done: u64, total: u64) {
         if self.bar.message() != stage {
             self.bar.reset();
             self.bar.set_message(stage);
         }
-        self.bar.set_length(total as u64);
-        self.bar.set_position(done as u64);
+        self.bar.set_prefix(remark.to_owned());
+        self.bar.set_length(total);
+        self.bar.set_position(done);
     }
 
     /// Writes a line about a finished stage, also without a terminal.

@@ -140,7 +140,7 @@ impl Run {
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
-            Stage::Rays(done, total) => progress.show("rays", done as usize, total as usize),
+            Stage::Rays { done, total, error } => progress.show_rays(done, total, error),
             Stage::Estimate(done, total) => progress.show("estimate", done, total),
             Stage::Solve(band, _, _) => progress.show("solve", band, bands),
             Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),

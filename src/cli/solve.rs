@@ -4,10 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity::output::solution_file::SolutionFile;
-use radiosity::solve::{Options, Outcome};
+use radiosity::solve::{Choice, Options, Outcome, Sampling};
 
 use crate::cli::{
     error::CliError,
+    interrupt,
     options::{MethodArgs, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
@@ -26,7 +27,7 @@ pub(crate) struct SolveArgs {
     #[arg(short, long, value_name = "FILE.json")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Writes the best there is where the solver does not converge, and still fails
+    /// Writes the best there is where the solver does not converge, or where Ctrl-C ends the rays, and still fails
     #[arg(long)]
     pub(crate) keep_partial: bool,
 
@@ -42,11 +43,20 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let output = loaded.reserve(&path, &args.report)?;
     let progress = Progress::new(args.report.quiet);
-    let options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
+    let mut options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
+    if args.keep_partial && Choice::of(&loaded.scene, &options).sampled {
+        options.stop = Some(interrupt::stop_first());
+    }
     let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
-    let Outcome { converged, residual, .. } = run.solved.outcome;
+    let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let file = SolutionFile::new(&run.solved);
     output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
     run.finish(progress, Some(&path.display().to_string()))?;
-    if converged { Ok(()) } else { Err(CliError::Partial { path, residual }) }
+    match sampling {
+        _ if !converged => Err(CliError::Partial { path, residual }),
+        Some(Sampling { rays, planned, .. }) if rays < planned => {
+            Err(CliError::Stopped { path, rays, planned })
+        }
+        _ => Ok(()),
+    }
 }

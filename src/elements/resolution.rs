@@ -1,6 +1,7 @@
 //! Order and cuts of a surface that does not state its own.
 
 use radiosity_geom::{Aabb, Rect};
+use rayon::prelude::*;
 
 use super::discretization::{Discretization, Subdivide};
 use crate::scene::{Scene, SceneSurface};
@@ -11,8 +12,8 @@ pub(super) struct Resolution {
     how: Discretization,
     /// Largest side of the bounding box of the scene (scene length).
     extent: f64,
-    /// Area of all surfaces (scene length²); only where it matters.
-    area: f64,
+    /// Share of each surface in the area of all; empty where it does not matter.
+    shares: Vec<f64>,
 }
 
 /// A surface that sends at least so many rays carries polynomials of at most `order` on `parts` × `parts` elements.
@@ -23,8 +24,7 @@ struct Grade {
 }
 
 /// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays
-/// leave
-/// eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
+/// leave eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
 const GRADES: [Grade; 4] = [
     Grade { rays: 7200.0, order: 2, parts: 4 },
     Grade { rays: 1100.0, order: 2, parts: 2 },
@@ -39,29 +39,29 @@ impl Resolution {
             .iter()
             .fold(Aabb::EMPTY, |bounds, surface| bounds.union(surface.shape.bounds(&Rect::FULL)));
         let extent = (bounds.max - bounds.min).max_element();
-        let area = match how.subdivide {
-            Subdivide::Graded { .. } => scene.surfaces.iter().map(|surface| surface.shape.area()).sum(),
-            Subdivide::Auto { .. } | Subdivide::Uniform(_) => 0.0,
+        let shares = match how.subdivide {
+            Subdivide::Graded { .. } => shares(scene),
+            Subdivide::Auto { .. } | Subdivide::Uniform(_) => Vec::new(),
         };
-        Self { how: *how, extent, area }
+        Self { how: *how, extent, shares }
     }
 
-    /// Order of the polynomials on a surface.
-    pub(super) fn order(&self, surface: &SceneSurface) -> usize {
+    /// Order of the polynomials on the `index`-th surface.
+    pub(super) fn order(&self, index: usize, surface: &SceneSurface) -> usize {
         surface.order.unwrap_or_else(|| match self.how.subdivide {
-            Subdivide::Graded { .. } => {
-                self.grade(surface).map_or(0, |grade| grade.order).min(self.how.order)
+            Subdivide::Graded { rays } => {
+                self.grade(index, rays).map_or(0, |grade| grade.order).min(self.how.order)
             }
             Subdivide::Auto { .. } | Subdivide::Uniform(_) => self.how.order,
         })
     }
 
-    /// Elements of a surface along u and v, layers apart.
-    pub(super) fn parts(&self, surface: &SceneSurface) -> [usize; 2] {
+    /// Elements of the `index`-th surface along u and v, layers apart.
+    pub(super) fn parts(&self, index: usize, surface: &SceneSurface) -> [usize; 2] {
         surface.subdivide.unwrap_or_else(|| {
             let parts = match self.how.subdivide {
                 Subdivide::Uniform(parts) => parts,
-                Subdivide::Graded { .. } => self.grade(surface).map_or(1, |grade| grade.parts),
+                Subdivide::Graded { rays } => self.grade(index, rays).map_or(1, |grade| grade.parts),
                 Subdivide::Auto { occluded } => {
                     let bounds = surface.shape.bounds(&Rect::FULL);
                     let large = (bounds.max - bounds.min).max_element() > 0.5 * self.extent;
@@ -72,9 +72,15 @@ impl Resolution {
         })
     }
 
-    fn grade(&self, surface: &SceneSurface) -> Option<&'static Grade> {
-        let Subdivide::Graded { rays } = self.how.subdivide else { return None };
-        let own = rays as f64 * surface.shape.area() / self.area;
+    fn grade(&self, index: usize, rays: u64) -> Option<&'static Grade> {
+        let own = rays as f64 * self.shares[index];
         GRADES.iter().find(|grade| own >= grade.rays)
     }
+}
+
+/// Share of each surface in the area of all.
+pub(crate) fn shares(scene: &Scene) -> Vec<f64> {
+    let areas: Vec<f64> = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
+    let all: f64 = areas.iter().sum();
+    areas.iter().map(|area| area / all).collect()
 }

@@ -226,6 +226,7 @@ fn why(end: End) -> Option<&'static str> {
         End::NotConverged => Some(
             "the solver did not converge in a finer run: raise --max-iterations, or take another --solver",
         ),
+        End::Stopped => Some("the run was stopped: let it go on, or ask for less"),
     }
 }
 

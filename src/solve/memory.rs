@@ -6,23 +6,28 @@
 //! ```text
 //! elements   Σ (8 m_i² + 3000)             (bases; patches, hulls, coefficients)
 //! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
-//! system     8 n² , twice for a method that factors the matrix
+//! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
+//!            320 n above that for a method that only multiplies, and twice the blocks for others
 //! ```
 //!
 //! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the
 //! two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
-use radiosity_geom::{DVec3, PlanarRegion, Rect};
+use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 
-use crate::elements::{CutSize, Discretization, cut_sizes};
-use crate::scene::{Scene, SceneSurface};
+use crate::elements::{CutSize, Discretization, cut_sizes, shares};
+use crate::scene::Scene;
+use crate::solve::outline::Outline;
 
 /// Bytes of an f64.
 const NUMBER: u64 = 8;
 
 /// Bytes of an element beside its basis: patches, hull, coefficients of all bands. Chosen; not tuned.
 const ELEMENT: u64 = 3000;
+
+/// Vectors of a solver that multiplies by the blocks as they are. Chosen; not tuned.
+const VECTORS: u64 = 40;
 
 /// Bytes of a pair beside its block. Chosen; not tuned.
 const PAIR: u64 = 300;
@@ -35,12 +40,6 @@ const CHUNK: u64 = 60_000_000;
 
 /// Bytes of the program itself. Chosen; not tuned.
 const PROGRAM: u64 = 10_000_000;
-
-/// Most unknowns for which `auto` factors the matrix: `DIRECT` of `radiosity-solvers` with faer.
-const FACTORED: u64 = 500;
-
-/// Heights below this part of the pair's size count as zero. Chosen; not tuned.
-const FLAT: f64 = 1e-9;
 
 /// Bytes of a solution at each of its stages.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -65,7 +64,7 @@ impl Footprint {
         let (mut blocks, mut pairs) = (0, 0);
         for (i, cut) in sizes.iter().enumerate() {
             for (j, other) in sizes.iter().enumerate().take(i + 1) {
-                if exchanging(&outlines[i], &outlines[j]) {
+                if outlines[i].exchanges_with(&outlines[j]) {
                     let count = if i == j {
                         cut.elements * (cut.elements + 1) / 2
                     } else {
@@ -76,26 +75,24 @@ impl Footprint {
                 }
             }
         }
-        let unknowns = most_unknowns(scene, &sizes);
-        let system = NUMBER * unknowns * unknowns * copies(method, unknowns);
+        let system = system(method, most_unknowns(scene, &sizes), blocks);
         Self { elements: elements.sum(), blocks, pairs, system }
     }
 
     /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
-    pub fn of_rays(scene: &Scene, how: &Discretization, rays: u64) -> Self {
+    pub fn of_rays(scene: &Scene, how: &Discretization, method: &Method, rays: u64) -> Self {
         let sizes = cut_sizes(scene, how);
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
-        let areas: Vec<f64> = scene.surfaces.iter().map(|surface| surface.shape.area()).collect();
-        let area: f64 = areas.iter().sum();
-        let shares = sizes.iter().zip(&areas).map(|(cut, own)| cut.functions as f64 * own / area);
-        let functions: f64 = shares.sum();
+        let functions: f64 =
+            sizes.iter().zip(shares(scene)).map(|(cut, share)| cut.functions as f64 * share).sum();
         let unknowns: u64 = sizes.iter().map(|cut| cut.elements * cut.functions).sum();
         let all = 0.5 * (unknowns as f64).powi(2);
         let entries = (rays as f64 * functions * functions / HITS_PER_PAIR).min(all);
         let numbers = (NUMBER as f64 * entries) as u64;
-        // Sums of two halves while rays are sent; then the blocks of each half, and a matrix with both triangles.
-        Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system: 4 * numbers }
+        // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
+        let system = numbers + system(method, unknowns, numbers);
+        Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system }
     }
 
     /// Largest sum at any time.
@@ -112,40 +109,15 @@ fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
     (0..scene.bands.len()).map(of_band).max().unwrap_or(0)
 }
 
-/// 1 for the matrix, 2 if a copy becomes its factors.
-fn copies(method: &Method, unknowns: u64) -> u64 {
-    let factors = match method.name {
-        "auto" => unknowns <= FACTORED,
-        name => matches!(name, "lu" | "cholesky"),
-    };
-    if factors { 2 } else { 1 }
-}
-
-/// The outline of a surface, to find whether it can see others.
-struct Outline {
-    /// A point, the unit normal and the tolerance of its plane, if it is flat.
-    plane: Option<(DVec3, DVec3, f64)>,
-    /// Points whose convex hull contains it.
-    hull: Vec<DVec3>,
-}
-
-impl Outline {
-    fn of(surface: &SceneSurface) -> Self {
-        let shape = &surface.shape;
-        let plane =
-            |region: &PlanarRegion| (region.origin(), shape.jet(0.0, 0.0).normal, FLAT * region.extent());
-        Self { plane: shape.region().map(plane), hull: shape.hull(&Rect::FULL) }
+/// Bytes of the system of a band with so many unknowns, and blocks of so many bytes.
+fn system(method: &Method, unknowns: u64, blocks: u64) -> u64 {
+    let matrix = NUMBER * unknowns * unknowns;
+    match method.name {
+        "lu" | "cholesky" => 2 * matrix,
+        "auto" if unknowns <= DIRECT as u64 => 2 * matrix,
+        _ if unknowns <= DENSE as u64 => matrix,
+        "auto" | "cg" | "gmres" => NUMBER * unknowns * VECTORS,
+        // Blocks and their transposes.
+        _ => 2 * blocks,
     }
-
-    /// Whether some of `other` lies in front of the plane; true for a curved surface.
-    fn reaches_before(&self, other: &Outline) -> bool {
-        self.plane.is_none_or(|(origin, normal, tolerance)| {
-            other.hull.iter().any(|point| (*point - origin).dot(normal) > tolerance)
-        })
-    }
-}
-
-/// Whether neither surface lies wholly behind or in the plane of the other.
-fn exchanging(a: &Outline, b: &Outline) -> bool {
-    a.reaches_before(b) && b.reaches_before(a)
 }

@@ -1,11 +1,12 @@
 //! What to solve and how well.
 
 use std::num::NonZero;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
-use super::choice::{Choice, MOST_RAYS, Transport, usual_rays};
+use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
@@ -56,6 +57,9 @@ pub struct Options {
     /// begins.
     #[serde(skip)]
     pub memory: Option<u64>,
+    /// Raised by another thread to end the sending of rays after the present round; what was sent counts.
+    #[serde(skip)]
+    pub stop: Option<&'static AtomicBool>,
     /// Threads; the result does not depend on it.
     #[serde(skip, default = "all_threads")]
     pub threads: usize,
@@ -82,6 +86,7 @@ impl Default for Options {
             max_iterations: 1000,
             keep_partial: false,
             memory: None,
+            stop: None,
             threads: all_threads(),
         }
     }
@@ -107,15 +112,9 @@ impl Options {
 }
 
 impl Options {
-    /// What carries the pairs of `scene`.
-    pub fn choice(&self, scene: &Scene) -> Choice {
-        if self.kernel.is_some() || self.masks.is_some() {
-            return Choice { sampled: false, why: "the methods of 1993 know no rays".to_owned() };
-        }
-        if self.shadows == Hiding::Off {
-            return Choice { sampled: false, why: "rays always meet what stands in their way".to_owned() };
-        }
-        self.transport.choice(scene.surfaces.len(), self.rays.is_some())
+    /// Whether rays are no longer wanted.
+    pub(super) fn is_stopped(&self) -> bool {
+        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
     }
 
     /// Rays of the sampled transport of `scene`.

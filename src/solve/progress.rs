@@ -7,8 +7,16 @@ use std::time::Duration;
 pub enum Progress {
     /// Pairs of elements integrated, and pairs in all.
     Blocks(usize, usize),
-    /// Rays sent, and rays in all.
-    Rays(u64, u64),
+    /// Rays between elements.
+    Rays {
+        /// Rays sent.
+        done: u64,
+        /// Rays to be sent in all.
+        total: u64,
+        /// Estimate of the error that an earlier round left
+        /// ([`Sampling::error`](super::sampling::Sampling::error)), once there is one.
+        error: Option<f64>,
+    },
     /// Band, iteration and relative residual of the solver.
     Solve(usize, usize, f64),
     /// Elements whose error is estimated, and elements in all.

@@ -20,7 +20,9 @@ use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
-use crate::solve::{Failure, Fit, MOST_RAYS, Options, Outcome, Progress, Sampling, solve, timed};
+use crate::solve::{
+    Choice, Failure, Fit, MOST_RAYS, Options, Outcome, Progress, Sampling, Transport, solve, timed,
+};
 use crate::visibility::Visibility;
 
 use estimate::estimate;
@@ -82,6 +84,8 @@ pub enum End {
     Memory,
     /// The solver did not converge in the next run, or in the first.
     NotConverged,
+    /// The caller raised [`Options::stop`].
+    Stopped,
 }
 
 /// One discretisation of the sequence.
@@ -115,6 +119,9 @@ const EVEN: [Rung; 6] = [
     Rung { order: 8, layers: 0, cuts: Some(8) },
 ];
 
+/// Most surfaces of a small scene. Chosen.
+const FEW: usize = 300;
+
 /// Order of the first rungs. Chosen; not tuned.
 const FIRST_ORDER: usize = 2;
 
@@ -141,9 +148,10 @@ pub fn adapt(
     goal: Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
-    if options.choice(scene).sampled {
+    if is_by_rays(scene, options) {
         return by_rays(scene, options, goal, progress);
     }
+    let options = &Options { transport: Transport::Exact, ..*options };
     let visibility = Visibility::new(scene, options.into());
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
@@ -178,6 +186,12 @@ pub fn adapt(
     Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
 }
 
+/// Whether rays carry the pairs: in small scenes only if they are asked for, because they tell no error of elements.
+fn is_by_rays(scene: &Scene, options: &Options) -> bool {
+    let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
+    Choice::of(scene, options).sampled && (is_asked_for || scene.surfaces.len() > FEW)
+}
+
 /// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is
 /// small enough.
 fn by_rays(
@@ -190,12 +204,13 @@ fn by_rays(
     let mut chosen = Options { order, rays: Some(options.ray_budget(scene)), ..*options };
     let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
     loop {
-        let Some(Sampling { rays, error, .. }) = outcome.sampling else {
+        let Some(Sampling { rays, planned, error, .. }) = outcome.sampling else {
             unreachable!("rays carried the pairs")
         };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
             () if error.is_some_and(|error| error <= goal.accuracy) => Some(End::Reached),
+            () if rays < planned => Some(End::Stopped),
             () if rays >= MOST_RAYS => Some(End::Finest),
             () => None,
         };

@@ -120,6 +120,11 @@ impl Blocks {
         errors.iter().map(relative).fold(0.0, f64::max)
     }
 
+    /// Numbers that are stored.
+    pub fn stored_numbers(&self) -> usize {
+        self.values.len()
+    }
+
     /// Number of coefficients.
     pub fn dim(&self) -> usize {
         self.starts[self.starts.len() - 1]

@@ -156,7 +156,7 @@ impl<'a> SampledTransport<'a> {
     /// rays that would land on them, and of pairs with few hits to come only a part of their entries is counted. The
     /// pilot's own hits
     /// are forgotten: pairs that got many by chance are among those chosen.
-    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy) {
+    pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, progress: &(dyn Fn(usize, usize) + Sync)) {
         let list = self.elements.list();
         let density = |index: usize| {
             let area = list[index].area;
@@ -169,7 +169,8 @@ impl<'a> SampledTransport<'a> {
             let [[a, b], [c, d]] = [density(sums.row), density(sums.column)];
             f64::from(sums.hits) * (a + c) / (b + d)
         };
-        self.strong = Strong::choose(self.elements, self.visibility, &self.tally, &expected, accuracy);
+        let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &expected);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, accuracy, progress);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }

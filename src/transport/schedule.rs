@@ -172,15 +172,15 @@ impl Scene<'_> {
     }
 
     fn sorted(&self, row: usize, column: usize) -> Sorted {
+        if !(self.wanted)(row, column) {
+            return Sorted::Black;
+        }
         let (receiver, emitter) = (&self.list[row], &self.list[column]);
         if let Some(skipped) = self.planes_exchange_nothing(row, column) {
             return skipped;
         }
         if receiver.contact != emitter.contact {
             return Sorted::Hidden;
-        }
-        if !(self.wanted)(row, column) {
-            return Sorted::Black;
         }
         if receiver.contact.is_some() {
             return Sorted::Task(Task::of_contact(row, column));

@@ -1,10 +1,13 @@
 //! Blocks from rays against exact ones; what they keep: symmetry, closure, bits; and the error that is told.
 
+use std::f64::consts::PI;
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use radiosity::elements::{Discretization, Elements};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{NamedMaterial, Scene};
-use radiosity::solve::{Options, Outcome, Transport, solve};
+use radiosity::solve::{Options, Outcome, Progress, Transport, solve};
 use radiosity::transport;
 use radiosity::transport::{Accuracy, Blocks, Rays, SampledTransport};
 use radiosity::visibility::{Shadows, Visibility};
@@ -104,6 +107,84 @@ fn no_ray_leaves_a_closed_room() {
             assert!(share == 0.0, "{}: surface {} loses {share}", scene.name, element.surface);
         }
     }
+}
+
+#[test]
+fn what_crosses_a_wall_hides_what_it_encloses() {
+    // A box through the wall x = 1 and a ball sunk into the floor: of the wall's and the floor's rays those are lost that
+    // start inside, where all backs absorb; of what is outside the room all but those of the faces that cross the wall.
+    let mut builder = SceneBuilder::new("crossing", ["grey"]);
+    let grey = grey(&mut builder);
+    let cube = Scene::builtin("furnace-cube").expect("built in");
+    for surface in &cube.surfaces {
+        builder.surface(&surface.name, surface.shape.clone(), &grey);
+    }
+    let [x, y, z] = [0.4 * DVec3::X, 0.2 * DVec3::Y, 0.3 * DVec3::Z];
+    let corner = DVec3::new(0.8, 0.4, 0.5);
+    for (name, corner, first, second) in [
+        ("bottom", corner, y, x),
+        ("top", corner + z, x, y),
+        ("left", corner, x, z),
+        ("right", corner + y, z, x),
+        ("inner end", corner, z, y),
+        ("outer end", corner + x, y, z),
+    ] {
+        builder.surface(name, Parallelogram::new(corner, first, second).expect("a rectangle"), &grey);
+    }
+    let (radius, height) = (0.2, 0.1);
+    let center = DVec3::new(0.4, 0.5, height);
+    let ball = Sphere::new(center, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball");
+    builder.surface("ball", ball, &grey);
+    let scene = builder.build().expect("a room");
+    let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
+    let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("surfaces have area");
+    let mut transport = SampledTransport::new(&elements, &visibility);
+    transport.send(&vec![20_000; elements.list().len()], &mut |_| ());
+    let shares = transport.shares_lost();
+    let below = 0.5 * (1.0 - height / radius);
+    for (element, share) in elements.list().iter().zip(shares) {
+        let name = scene.surfaces[element.surface].name.as_str();
+        let middle = element.patches[0].node(0.5, 0.5).position;
+        let lost = match name {
+            "outer end" => 1.0,
+            "bottom" | "top" | "left" | "right" => 0.5,
+            "ball" => below,
+            "inner end" => 0.0,
+            _ if (middle.x - 1.0).abs() < 1e-9 => 0.2 * 0.3,
+            _ if middle.z.abs() < 1e-9 => PI * (radius * radius - height * height),
+            _ => 0.0,
+        };
+        println!("{name}: {share} of the rays lost, {lost} by area");
+        assert!((share - lost).abs() < 5e-3, "{name}: {share} instead of {lost}");
+        assert!(lost > 0.0 || share == 0.0, "{name}: {share} leak");
+    }
+}
+
+#[test]
+fn a_stopped_run_counts_the_rays_that_were_sent() {
+    static STOP: AtomicBool = AtomicBool::new(false);
+    let scene = Scene::builtin("occluder-box").expect("built in");
+    let planned = 8_000_000;
+    let options = Options {
+        transport: Transport::Sampled,
+        rays: Some(planned),
+        subdivide: Some(1),
+        stop: Some(&STOP),
+        ..Options::default()
+    };
+    // The second round is the last.
+    let outcome = solve(&scene, &options, &|stage| {
+        if let Progress::Rays { error: Some(error), .. } = stage {
+            assert!(error < 0.1, "{error}");
+            STOP.store(true, Ordering::Relaxed);
+        }
+    });
+    let outcome = outcome.expect("the scene can be solved");
+    let sampling = outcome.sampling.expect("rays carried the light");
+    assert!(sampling.planned > planned && sampling.rays < sampling.planned, "{sampling:?}");
+    assert!(sampling.rays > planned / 8 && sampling.error.is_some_and(|error| error < 0.05), "{sampling:?}");
+    let exact = solved(&scene, Transport::Exact, None);
+    assert!(surfaces_apart(&scene, &outcome, &exact) < 0.01);
 }
 
 #[test]
