@@ -19,7 +19,7 @@ const FINER: u64 = 100;
 const HALL: [usize; 3] = [4, 3, 2];
 
 /// Built-in scenes with their settings, and cuts along u and v of their surfaces.
-const BUILT_IN: [(&str, &[(&str, f64)], usize); 9] = [
+const BUILT_IN: [(&str, &[(&str, f64)], usize); 7] = [
     ("cornell-box", &[], 3),
     ("empty-box", &[], 3),
     ("occluder-box", &[], 3),
@@ -27,8 +27,6 @@ const BUILT_IN: [(&str, &[(&str, f64)], usize); 9] = [
     ("two-boxes", &[], 2),
     ("teapot", &[], 2),
     ("temple", &[("bays", 3.0)], 1),
-    ("parallel-squares", &[("distance", 0.5), ("reflectance", 0.9)], 2),
-    ("hinge-squares", &[("angle", 60.0)], 2),
 ];
 
 /// Prints the table of all scenes.

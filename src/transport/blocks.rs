@@ -140,9 +140,13 @@ impl Blocks {
         self.integrated.clone().unwrap_or_else(|| self.apply(ones))
     }
 
+    /// Whether rays carried the pairs, and G was corrected afterwards.
+    pub fn is_by_rays(&self) -> bool {
+        self.integrated.is_some()
+    }
+
     /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the
-    /// line, then
-    /// the rest of the column.
+    /// line, then the rest of the column.
     pub(crate) fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
         let start = self.values.len();
         self.crosses.push(Stored { row: row as u32, column: column as u32, start });
@@ -181,16 +185,25 @@ impl Blocks {
         }
     }
 
-    /// As [`Blocks::add`] for a block stored as a cross.
+    /// As [`Blocks::add`] for a block stored as a cross, whose row comes before its column.
     fn add_cross(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
         let (rows, columns) = (self.range(*row as usize), self.range(*column as usize));
         let values = &self.values[*start..][..rows.len() + columns.len() - 1];
         let (line, rest) = values.split_at(columns.len());
-        y[rows.start] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
-        let below = rows.start + 1..rows.end;
-        y[below.clone()].iter_mut().zip(rest).for_each(|(y, g)| *y += g * x[columns.start]);
-        y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * x[rows.start]);
-        y[columns.start] += rest.iter().zip(&x[below]).map(|(g, x)| g * x).sum::<f64>();
+        let (first, later) = y.split_at_mut(columns.start);
+        let (own, other) = (&mut first[rows.clone()], &mut later[..columns.len()]);
+        let (sent, received) = (&x[rows], &x[columns]);
+        let (mut along, mut below) = (0.0, 0.0);
+        for ((g, x), y) in line.iter().zip(received).zip(&mut *other) {
+            along += g * x;
+            *y += g * sent[0];
+        }
+        for ((g, x), y) in rest.iter().zip(&sent[1..]).zip(&mut own[1..]) {
+            below += g * x;
+            *y += g * received[0];
+        }
+        own[0] += along;
+        other[0] += below;
     }
 
     /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j.

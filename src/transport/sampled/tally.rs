@@ -19,6 +19,9 @@ use crate::transport::sampled::hit::Hit;
 /// no difference to the light at points beyond a fiftieth of its error.
 const HITS_PER_ENTRY: f64 = 1.0;
 
+/// Values of the functions of an element at a point; of up to order 7 without an allocation.
+pub(super) type Values = SmallVec<[f64; 36]>;
+
 /// Sums over hits, by pairs of elements.
 ///
 /// Of pairs with few hits only the entries that are constant on one side are kept, S_ij^0l and S_ij^k0: what varies on
@@ -230,13 +233,18 @@ fn add(list: &[Element], [row, column]: [usize; 2], hit: &Hit, is_cross: bool, s
 }
 
 /// φ_k at the coordinates of an element's frame.
-pub(super) fn functions(element: &Element, coordinates: [f64; 2]) -> SmallVec<[f64; 10]> {
+pub(super) fn functions(element: &Element, coordinates: [f64; 2]) -> Values {
     let count = element.basis.len();
     if count == 1 {
         return smallvec![element.area.sqrt().recip()];
     }
-    let mut raw: SmallVec<[f64; 10]> = smallvec![0.0; count];
+    let mut raw: Values = smallvec![0.0; count];
     element.basis.raw(coordinates, &mut raw);
-    let value = |row: &[f64]| row.iter().zip(&raw).map(|(t, r)| t * r).sum();
-    element.basis.transform().chunks_exact(count).map(value).collect()
+    let mut values: Values = smallvec![0.0; count];
+    // The transform is lower triangular.
+    for (k, (value, row)) in values.iter_mut().zip(element.basis.transform().chunks_exact(count)).enumerate()
+    {
+        *value = row[..=k].iter().zip(&raw).map(|(t, r)| t * r).sum();
+    }
+    values
 }
