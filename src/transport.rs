@@ -10,7 +10,8 @@
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
 //! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `schedule` (all pairs),
-//! `price` (what a block costs) and `sampled` (blocks from rays).
+//! `price` (what a block costs), `sampled` (blocks from
+//! rays), `unreached` (rays where rules fail) and `assembly` (all blocks).
 
 pub(crate) mod moments;
 pub(crate) mod contact;
@@ -22,7 +23,10 @@ pub(in crate::transport) mod pair;
 mod schedule;
 pub(crate) mod price;
 pub(crate) mod sampled;
+pub(in crate::transport) mod unreached;
+mod assembly;
 
+pub use assembly::{assemble, assemble_pairs, assemble_senders};
 pub use blocks::Blocks;
 pub use blocks::block::{Accuracy, Kind};
 pub use blocks::pair_counts::PairCounts;
@@ -30,4 +34,3 @@ pub use blocks::reciprocity::Reciprocity;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use sampled::{Rays, SampledTransport};
-pub use schedule::{assemble, assemble_pairs, assemble_senders};

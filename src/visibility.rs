@@ -222,8 +222,17 @@ impl Visibility {
 
     /// Whether shadows of `blockers` are computed from outlines: all are planar, and the mode allows it.
     pub fn has_outlines(&self, blockers: &[usize]) -> bool {
-        let is_planar = |index: &usize| self.obstacles[*index].pieces.is_some();
-        matches!(self.shadows, Shadows::Outlines(_)) && blockers.iter().all(is_planar)
+        matches!(self.shadows, Shadows::Outlines(_)) && self.are_planar(blockers)
+    }
+
+    /// Whether surfaces hide each other at all.
+    pub fn casts(&self) -> bool {
+        self.shadows != Shadows::Off
+    }
+
+    /// Whether all of these surfaces are planar.
+    pub fn are_planar(&self, surfaces: &[usize]) -> bool {
+        surfaces.iter().all(|index| self.obstacles[*index].pieces.is_some())
     }
 
     /// Centre and radius of the ball whose whole inside the surface is, if it is one.

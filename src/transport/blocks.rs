@@ -5,12 +5,10 @@ pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 
 use std::borrow::Cow;
-use std::collections::HashMap;
 
 use rayon::prelude::*;
 
 use crate::transport::blocks::pair_counts::PairCounts;
-use crate::transport::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use reciprocity::Reciprocity;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
@@ -97,27 +95,6 @@ impl Blocks {
     /// Whether G is symmetric; it is, except by the rules of 1993 ([`crate::zatz1993::transfers`]).
     pub fn symmetric(&self) -> bool {
         self.symmetric
-    }
-
-    /// The largest error of `errors`, (row, column, absolute error), relative to the scale of its block.
-    pub(crate) fn largest_error(&self, errors: &[(usize, usize, f64)]) -> f64 {
-        if errors.is_empty() {
-            return 0.0;
-        }
-        let mut rows = vec![0.0f64; self.starts.len() - 1];
-        let mut largest = HashMap::new();
-        for (row, column, values) in self.iter() {
-            let most = values.iter().map(|value| value.abs()).fold(0.0, f64::max);
-            rows[row] = rows[row].max(most);
-            rows[column] = rows[column].max(most);
-            largest.insert((row, column), most);
-        }
-        let relative = |(row, column, error): &(usize, usize, f64)| {
-            let block = largest.get(&(*row, *column)).copied().unwrap_or(0.0);
-            let scale = block.max(ROW_SHARE * rows[*row].min(rows[*column]));
-            error / scale.max(SMALLEST_ENTRY)
-        };
-        errors.iter().map(relative).fold(0.0, f64::max)
     }
 
     /// Numbers that are stored.

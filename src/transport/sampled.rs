@@ -33,6 +33,8 @@ mod rays;
 mod closure;
 mod estimate;
 
+use std::collections::HashSet;
+
 use rayon::prelude::*;
 
 use crate::elements::{Element, Elements};
@@ -40,12 +42,15 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
-use estimate::{Counts, Estimate};
+use estimate::{Counts, Estimate, Fixed};
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::Sender;
 use strong::Strong;
 use tally::{Sums, Tally, functions};
+
+/// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
+const EXACT: f64 = 1e-3;
 
 /// Rays whose hits are held at a time: some 30 MB.
 const CHUNK: u64 = 1 << 19;
@@ -65,6 +70,8 @@ pub struct SampledTransport<'a> {
     counts: Counts,
     tally: Tally,
     strong: Strong,
+    /// The pairs on which rays count, if not on all but the strong ones.
+    only: Option<HashSet<(u32, u32)>>,
 }
 
 /// Rays of one element, one after the other.
@@ -90,8 +97,24 @@ struct Landed {
 impl<'a> SampledTransport<'a> {
     /// No rays yet.
     pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
+        Self::of_sequence(elements, visibility, 0)
+    }
+
+    /// For these pairs only, the element that comes first in front; with the rays of one of several independent
+    /// sequences.
+    pub(in crate::transport) fn of_pairs(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        pairs: HashSet<(u32, u32)>,
+        sequence: u64,
+    ) -> Self {
+        Self { only: Some(pairs), ..Self::of_sequence(elements, visibility, sequence) }
+    }
+
+    fn of_sequence(elements: &'a Elements, visibility: &'a Visibility, sequence: u64) -> Self {
         let list = elements.list();
-        let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, place));
+        let senders =
+            list.par_iter().enumerate().map(|(place, element)| Sender::new(element, place, sequence));
         Self {
             elements,
             visibility,
@@ -101,6 +124,7 @@ impl<'a> SampledTransport<'a> {
             counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
             strong: Strong::default(),
+            only: None,
         }
     }
 
@@ -210,7 +234,7 @@ impl<'a> SampledTransport<'a> {
             landed.weights[half] += departure.weight;
             let met = hit(self.elements, self.visibility, task.element, index, &departure);
             let sums = match met {
-                Some(hit) if self.strong.holds(hit.source, hit.target) => &mut landed.exact[half],
+                Some(hit) if !self.counts(hit.source, hit.target) => &mut landed.exact[half],
                 Some(hit) => {
                     landed.hits.push(hit);
                     continue;
@@ -223,6 +247,22 @@ impl<'a> SampledTransport<'a> {
         landed
     }
 
+    /// Whether rays count on the pair of two elements.
+    fn counts(&self, first: u32, second: u32) -> bool {
+        let pair = (first.min(second), first.max(second));
+        self.only.as_ref().map_or_else(|| !self.strong.holds(pair), |only| only.contains(&pair))
+    }
+
+    /// Blocks of the pairs on which rays count, given those of all others: their error, relative to row sums.
+    pub(in crate::transport) fn beside(&self, others: &Blocks, error: f64) -> Blocks {
+        let mut blocks = Blocks::empty(self.starts.clone(), true);
+        let fixed = Fixed { sums: &others.apply(&self.elements.constant()), error, blocks: others };
+        Estimate::new(self.elements.list(), &self.starts, &self.tally, &self.counts, &fixed, Rays::All)
+            .push(&mut blocks);
+        blocks.rays = self.sent.iter().sum();
+        blocks
+    }
+
     /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
@@ -230,7 +270,8 @@ impl<'a> SampledTransport<'a> {
         self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, &values));
         self.push_covered(&mut blocks);
         let exact = blocks.apply(&self.elements.constant());
-        let estimate = Estimate::new(list, &self.starts, &self.tally, &self.counts, &exact, rays);
+        let fixed = Fixed { sums: &exact, error: EXACT, blocks: &blocks };
+        let estimate = Estimate::new(list, &self.starts, &self.tally, &self.counts, &fixed, rays);
         let integrated = estimate.projections(&vec![1.0; list.len()]);
         blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
         estimate.push(&mut blocks);

@@ -19,14 +19,14 @@ use rayon::prelude::*;
 
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
-use crate::transport::blocks::block::{Accuracy, Block};
+use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::blocks::reciprocity::Reciprocity;
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
 use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::CoarseEstimate;
-use crate::transport::estimates::entry_bounds::EntryBounds;
+use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
 use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
@@ -35,6 +35,7 @@ use crate::transport::schedule::congruent::{Panel, Pose};
 use crate::transport::schedule::order::Rank;
 use crate::visibility::Visibility;
 use goal::Goal;
+pub(in crate::transport) use task::Unreached;
 use task::{Scene, Task};
 
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
@@ -73,35 +74,26 @@ enum Source {
     Copy(usize, usize),
 }
 
-/// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
-pub fn assemble(
-    elements: &Elements,
-    visibility: &Visibility,
-    accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Blocks {
-    assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
+/// A pair whose block the rules did not reach.
+#[derive(Debug)]
+pub(in crate::transport) struct Left {
+    pub row: usize,
+    pub column: usize,
+    /// The values by rules and their error, where there are any.
+    pub found: Option<(Vec<f64>, f64)>,
+    /// Whether shadows are a part of it.
+    pub partly_hidden: bool,
 }
 
-/// The blocks of all pairs of which at least one element `sends` light.
-pub fn assemble_senders(
-    elements: &Elements,
-    sends: &(dyn Fn(usize) -> bool + Sync),
-    visibility: &Visibility,
-    accuracy: Accuracy,
-    progress: &(dyn Fn(usize, usize) + Sync),
-) -> Blocks {
-    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
-}
-
-/// The blocks of the pairs that are `wanted`.
-pub fn assemble_pairs(
+/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave. `progress` is called with (pairs
+/// done, pairs to do), from any thread.
+pub(in crate::transport) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
-    accuracy: Accuracy,
+    (accuracy, unreached): (Accuracy, Unreached),
     progress: &(dyn Fn(usize, usize) + Sync),
-) -> Blocks {
+) -> (Blocks, Vec<Left>) {
     let list = elements.list();
     let scene = Scene {
         list,
@@ -113,6 +105,7 @@ pub fn assemble_pairs(
         parts: list.par_iter().map(sectors).collect(),
         visibility,
         accuracy,
+        unreached,
         wanted,
     };
     let mut blocks = Blocks::empty(elements.starts(), true);
@@ -120,16 +113,56 @@ pub fn assemble_pairs(
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
     let integrated = scene.integrate(&tasks, &goals, &sources, progress);
-    let mut errors = Vec::new();
+    let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
+    let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
-        let block = scene.store(&mut blocks, task, source, &tasks, &integrated);
-        if block.error > 0.0 {
-            errors.push((task.row as usize, task.column as usize, block.error));
+        let (Source::Own(place) | Source::Copy(_, place)) = source;
+        let block = &integrated[*place];
+        let error = scales.relative(task, block);
+        if block.untried || (error > accuracy.eps && scene.is_left(task)) {
+            let values = (!block.untried).then(|| block.values.clone());
+            let found = values.map(|values| (values, block.error));
+            let (row, column) = (task.row as usize, task.column as usize);
+            left.push(Left { row, column, found, partly_hidden: block.partly_hidden });
+            blocks.pairs.take(block);
+            continue;
         }
+        blocks.accuracy_reached = blocks.accuracy_reached.max(error);
+        scene.store(&mut blocks, task, source, &tasks, &integrated);
     }
-    blocks.accuracy_reached = blocks.largest_error(&errors);
     blocks.reciprocity = scene.reciprocity(&tasks, &goals, &sources, &integrated);
-    blocks
+    (blocks, left)
+}
+
+/// The scales of errors: the largest entries of the rows.
+struct Scales {
+    rows: Vec<f64>,
+}
+
+impl Scales {
+    fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &[Block]) -> Self {
+        let mut rows = vec![0.0f64; elements];
+        for (task, source) in tasks.iter().zip(sources) {
+            let (Source::Own(place) | Source::Copy(_, place)) = source;
+            let most = largest(&integrated[*place]);
+            for element in [task.row, task.column] {
+                rows[element as usize] = rows[element as usize].max(most);
+            }
+        }
+        Self { rows }
+    }
+
+    /// The error of the block of a task, relative to the largest of: its largest entry, a hundredth of its row's, and
+    /// 1e-8.
+    fn relative(&self, task: &Task, block: &Block) -> f64 {
+        let row = self.rows[task.row as usize].min(self.rows[task.column as usize]);
+        block.error / largest(block).max(ROW_SHARE * row).max(SMALLEST_ENTRY)
+    }
+}
+
+/// Largest entry of a block.
+fn largest(block: &Block) -> f64 {
+    block.values.iter().map(|value| value.abs()).fold(0.0, f64::max)
 }
 
 /// Sorts all pairs and counts those that need no block.
@@ -236,15 +269,21 @@ impl Scene<'_> {
         self.pose_of(task.row as usize, task.column as usize)
     }
 
+    /// Whether a block that misses the accuracy is left to others: rules of flat elements between which nothing, or
+    /// flat things only, stand know their errors better.
+    fn is_left(&self, task: &Task) -> bool {
+        let is_flat = |element: u32| self.list[element as usize].plane.is_some();
+        let are_flat = is_flat(task.row) && is_flat(task.column);
+        self.unreached == Unreached::Left && !(are_flat && self.casts_flat_shadows(task))
+    }
+
+    /// Whether nothing stands between the elements of a task but what has an outline.
+    fn casts_flat_shadows(&self, task: &Task) -> bool {
+        task.blockers.is_empty() || self.visibility.are_planar(&task.blockers)
+    }
+
     /// Stores the block of `task` and adds its cost.
-    fn store<'b>(
-        &self,
-        blocks: &mut Blocks,
-        task: &Task,
-        source: &Source,
-        tasks: &[Task],
-        integrated: &'b [Block],
-    ) -> &'b Block {
+    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Block]) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
         let block = &integrated[*place];
         blocks.pairs.take(block);
@@ -261,7 +300,6 @@ impl Scene<'_> {
                 blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
             }
         }
-        block
     }
 
     /// The block of `task`, from the `values` of the congruent task `first`.
@@ -397,7 +435,16 @@ impl Scene<'_> {
         };
         match goal.outlined {
             Some(limit) => occluded_block(pair, &task.blockers, self.visibility, limit, || block(&[])),
-            None if is_flat => self.hidden_block(places, task, goal).unwrap_or_else(|| block(&task.blockers)),
+            None if is_flat => self.hidden_block(places, task, goal).unwrap_or_else(|| {
+                if self.unreached == Unreached::Left && !self.casts_flat_shadows(task) {
+                    return Block::untried(
+                        pair.map(|own| own.basis.len()).iter().product(),
+                        Kind::Separated,
+                        0,
+                    );
+                }
+                block(&task.blockers)
+            }),
             None => block(&task.blockers),
         }
     }
@@ -425,6 +472,11 @@ impl Scene<'_> {
                 (true, Hidden::None) => blockers = Cow::Borrowed(&[]),
                 _ => blockers.to_mut().extend(met.own),
             }
+        }
+        let is_ball = self.visibility.only_ball(&blockers).is_some();
+        if self.unreached == Unreached::Left && !blockers.is_empty() && !is_ball {
+            let kind = if row == column { Kind::Same } else { Kind::Separated };
+            return Block::untried(receiver.basis.len() * emitter.basis.len(), kind, rays);
         }
         let accuracy = if blockers.is_empty() { accuracy } else { bent };
         let how = (accuracy, sampled);

@@ -58,6 +58,8 @@ pub(crate) struct Block {
     pub partly_hidden: bool,
     /// Whether a near part was left at the smallest size, with unknown accuracy.
     pub unresolved: bool,
+    /// Whether the rules did not try: the values say nothing.
+    pub untried: bool,
     /// Estimate of the largest absolute error of `values` from unresolved parts.
     pub error: f64,
     /// Terms of the rules, or logarithms of contour integrals.
@@ -79,6 +81,7 @@ impl Block {
             kind,
             partly_hidden,
             unresolved: false,
+            untried: false,
             error: 0.0,
         }
     }
@@ -90,6 +93,11 @@ impl Block {
         self
     }
 
+    /// A block of `size` entries that the rules leave to rays, after so many probing rays.
+    pub(crate) fn untried(size: usize, kind: Kind, rays: u64) -> Self {
+        Self { untried: true, kind, ..Self::hidden(size, rays) }
+    }
+
     /// The zero block of `size` entries of a pair of which all `rays` probing rays were blocked.
     pub(crate) fn hidden(size: usize, rays: u64) -> Self {
         Self {
@@ -97,6 +105,7 @@ impl Block {
             kind: Kind::Separated,
             partly_hidden: true,
             unresolved: false,
+            untried: false,
             error: 0.0,
             samples: 0,
             distinct: 0,

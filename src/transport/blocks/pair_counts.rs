@@ -37,6 +37,9 @@ pub struct PairCounts {
     pub partly_hidden: usize,
     /// A near part was left at the smallest size, with unknown accuracy (also counted by contact).
     pub unresolved: usize,
+    /// Carried by rays from both sides, because no rule reached the accuracy (also counted by contact).
+    #[serde(default)]
+    pub by_rays: usize,
 }
 
 impl PairCounts {

@@ -83,6 +83,7 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
         kind: Kind::Contour,
         partly_hidden: false,
         unresolved: false,
+        untried: false,
         error: 0.0,
         samples: terms,
         distinct: terms,

@@ -61,8 +61,16 @@ pub(super) struct Estimate<'a> {
     known: Vec<f64>,
 }
 
-/// Relative error of exact pairs, as far as it matters here. Chosen: the default accuracy of their blocks.
-const EXACT: f64 = 1e-3;
+/// What is known of the pairs on which no ray counts.
+#[derive(Debug)]
+pub(super) struct Fixed<'a> {
+    /// Σ_j G_ij c_j over them, of all coefficients.
+    pub sums: &'a [f64],
+    /// Their error, relative to row sums.
+    pub error: f64,
+    /// Their blocks.
+    pub blocks: &'a Blocks,
+}
 
 impl<'a> Estimate<'a> {
     /// By the rays that count.
@@ -71,7 +79,7 @@ impl<'a> Estimate<'a> {
         starts: &'a [usize],
         tally: &'a Tally,
         counts: &Counts,
-        fixed: &[f64],
+        fixed: &Fixed,
         rays: Rays,
     ) -> Self {
         let weights: Vec<f64> = counts.weights.iter().map(|halves| rays.of(*halves)).collect();
@@ -83,14 +91,16 @@ impl<'a> Estimate<'a> {
             Self { list, starts, tally, rays, weights, variances: Vec::new(), known: Vec::new() };
         for index in 0..list.len() {
             let range = starts[index]..starts[index + 1];
-            estimate.take(index, &missed[range.clone()], &exact[range.clone()], &fixed[range]);
+            let error = if fixed.blocks.is_complete(index) { fixed.error } else { f64::INFINITY };
+            let own = (&fixed.sums[range.clone()], error);
+            estimate.take(index, &missed[range.clone()], &exact[range], own);
         }
         estimate
     }
 
-    /// Takes what own rays tell of the next element, from what they missed, what landed on exact pairs, and Σ_j G_ij
-    /// c_j over these.
-    fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], fixed: &[f64]) {
+    /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which none counts,
+    /// and Σ_j G_ij c_j over these with its relative error.
+    fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], (fixed, error): (&[f64], f64)) {
         let (element, weight) = (&self.list[index], self.weights[index]);
         if weight == 0.0 {
             self.variances.push(f64::INFINITY);
@@ -104,7 +114,8 @@ impl<'a> Estimate<'a> {
             element.area * element.area * (share * (1.0 - share)).max(0.0) / weight
         };
         let counted = variance(missed[0] + exact[0]);
-        let total = variance(missed[0]) + (EXACT * root * fixed[0]).powi(2);
+        let unsure = if error.is_finite() { error * root * fixed[0] } else { error };
+        let total = variance(missed[0]) + unsure * unsure;
         let by_missed = total < counted;
         self.variances.push(total.min(counted));
         let known = (0..missed.len()).map(|k| {

@@ -54,8 +54,8 @@ enum Chart {
 }
 
 impl Sender {
-    /// The sender of an element, the `place`-th of all.
-    pub(super) fn new(element: &Element, place: usize) -> Self {
+    /// The sender of an element, the `place`-th of all, for one of several independent sequences.
+    pub(super) fn new(element: &Element, place: usize, sequence: u64) -> Self {
         let charts: Vec<Chart> = element.patches.iter().flat_map(charts).collect();
         let area: f64 = charts.iter().map(Chart::area).sum();
         let mut before = 0.0;
@@ -64,7 +64,7 @@ impl Sender {
             before = shares[1];
             Piece { shares, chart }
         });
-        Self { pieces: pieces.collect(), shift: shift(place as u64) }
+        Self { pieces: pieces.collect(), shift: shift((sequence << 32) + place as u64) }
     }
 
     /// The ray of that `index`.

@@ -12,7 +12,7 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::price::{Couple, LEAST, price};
 use crate::transport::sampled::tally::{Sums, Tally};
-use crate::transport::schedule::assemble_pairs;
+use crate::transport::schedule::{Unreached, by_rules};
 use crate::visibility::Visibility;
 
 /// Most elements of a scene in which exact pairs are looked for: to sort all pairs takes a second then.
@@ -52,14 +52,14 @@ impl Strong {
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Self {
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
-        let blocks =
-            (!pairs.is_empty()).then(|| assemble_pairs(elements, &wanted, visibility, accuracy, progress));
+        let how = (accuracy, Unreached::Kept);
+        let blocks = (!pairs.is_empty()).then(|| by_rules(elements, &wanted, visibility, how, progress).0);
         Self { pairs, blocks }
     }
 
-    /// Whether the pair of two elements is carried exactly.
-    pub(super) fn holds(&self, first: u32, second: u32) -> bool {
-        self.pairs.contains(&(first.min(second), first.max(second)))
+    /// Whether a pair is carried exactly, the element that comes first in front.
+    pub(super) fn holds(&self, pair: (u32, u32)) -> bool {
+        self.pairs.contains(&pair)
     }
 
     /// Number of pairs.

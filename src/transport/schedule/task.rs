@@ -10,6 +10,15 @@ use crate::visibility::Visibility;
 use super::congruent::Panel;
 use super::order::Rank;
 
+/// What rules do with pairs whose accuracy they do not reach.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::transport) enum Unreached {
+    /// They are stored, and their error is told.
+    Kept,
+    /// They are left to others; so are shadows of curved things, without a try.
+    Left,
+}
+
 /// The elements with the data that sorting needs.
 pub(super) struct Scene<'a> {
     pub(super) list: &'a [Element],
@@ -22,6 +31,7 @@ pub(super) struct Scene<'a> {
     pub(super) parts: Vec<Vec<Patch>>,
     pub(super) visibility: &'a Visibility,
     pub(super) accuracy: Accuracy,
+    pub(super) unreached: Unreached,
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 

@@ -107,6 +107,7 @@ fn integrate(
         kind,
         partly_hidden: !blockers.is_empty(),
         unresolved: false,
+        untried: false,
         error: 0.0,
         samples: transfer.samples,
         distinct: transfer.samples,

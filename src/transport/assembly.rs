@@ -1,0 +1,45 @@
+//! All blocks: by rules where these reach the accuracy, by rays elsewhere.
+
+use crate::elements::Elements;
+use crate::transport::blocks::Blocks;
+use crate::transport::blocks::block::Accuracy;
+use crate::transport::schedule::{Unreached, by_rules};
+use crate::transport::unreached;
+use crate::visibility::Visibility;
+
+/// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
+pub fn assemble(
+    elements: &Elements,
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|_, _| true, visibility, accuracy, progress)
+}
+
+/// The blocks of all pairs of which at least one element `sends` light.
+pub fn assemble_senders(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assemble_pairs(elements, &|a, b| sends(a) || sends(b), visibility, accuracy, progress)
+}
+
+/// The blocks of the pairs that are `wanted`.
+pub fn assemble_pairs(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), progress);
+    if !left.is_empty() {
+        unreached::add(elements, visibility, &mut blocks, &left, accuracy);
+    }
+    blocks
+}
