@@ -274,7 +274,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         kernel: method.kernel.rules(),
         transport: method.transport,
         rays: method.rays,
-        shadow_eps: method.shadow_eps.unwrap_or(defaults.shadow_eps),
+        shadow_eps: method.shadow_eps.or(method.eps).unwrap_or(defaults.shadow_eps),
         shadows: method.shadows.hiding(),
         masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
         direct: method.direct,

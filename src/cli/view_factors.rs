@@ -62,9 +62,9 @@ pub(crate) struct ViewFactorsArgs {
     #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
     pub(crate) eps: f64,
 
-    /// Accuracy of shadows
-    #[arg(long, value_name = "E", default_value = "3e-3", value_parser = fraction)]
-    pub(crate) shadow_eps: f64,
+    /// Accuracy of shadows [default: as --eps]
+    #[arg(long, value_name = "E", value_parser = fraction)]
+    pub(crate) shadow_eps: Option<f64>,
 
     /// How it is found out what surfaces hide from each other
     #[arg(long, value_name = "MODE", default_value = "auto")]
@@ -156,10 +156,14 @@ impl ViewFactorsArgs {
         Ok(format)
     }
 
+    fn accuracy(&self) -> Accuracy {
+        Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
+    }
+
     fn options(&self) -> Options {
         Options {
             subdivide: self.subdivide.0,
-            accuracy: Accuracy { eps: self.eps, shadow_eps: self.shadow_eps },
+            accuracy: self.accuracy(),
             shadows: self.shadows.hiding(),
             threads: self.threads.unwrap_or(solve::Options::default().threads),
         }
@@ -199,7 +203,8 @@ impl ViewFactorsArgs {
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
         let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
         let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
-        let tolerance = 10.0 * self.eps.max(if factors.rays > 0 { self.shadow_eps } else { 0.0 });
+        let Accuracy { eps, shadow_eps } = self.accuracy();
+        let tolerance = 10.0 * eps.max(if factors.rays > 0 { shadow_eps } else { 0.0 });
         let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();
         let mut lines = vec![
             format!(

@@ -32,9 +32,10 @@ const SURE: f64 = 2.0;
 /// Rays of each element and batch in the first round. Chosen.
 const FIRST: u64 = 1 << 11;
 
-/// Rays in all, at an accuracy of 1e-3; the square root of the accuracy decides at others, down to 1e-5. Chosen: one
-/// to two seconds on two cores, and ten to twenty.
-const MOST: f64 = 4e6;
+/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to 1e-5. Chosen: one to two
+/// seconds on two cores, and ten to twenty.
+const MOST: f64 = 8e6;
+const MOST_POWER: f64 = 0.35;
 const MOST_AT: f64 = 1e-3;
 const FINEST: f64 = 1e-5;
 
@@ -68,26 +69,25 @@ pub(in crate::transport) fn add(
     let sequence = |batch| SampledTransport::of_pairs(elements, visibility, pairs.clone(), batch as u64);
     let mut batches: Vec<SampledTransport> = (0..BATCHES).map(sequence).collect();
     let most = most_rays(accuracy.eps);
-    let mut sent = 0;
-    let mut rays = FIRST;
-    let mut open: Vec<usize> = (0..left.len()).collect();
+    let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
+    let (mut sent, mut rays) = (0, FIRST);
+    let mut open: Vec<&Left> = left.iter().collect();
     let found = loop {
-        let mut now = vec![0; elements.list().len()];
-        for pair in &open {
-            for element in [left[*pair].row, left[*pair].column] {
-                now[element] = rays;
-            }
-        }
+        let senders: HashSet<usize> = open.iter().flat_map(|pair| [pair.row, pair.column]).collect();
+        let now: Vec<u64> =
+            (0..elements.list().len()).map(|index| if senders.contains(&index) { rays } else { 0 }).collect();
         batches.iter_mut().for_each(|batch| batch.send(&now, &mut |_| ()));
-        sent += BATCHES as u64 * now.iter().sum::<u64>();
+        let each = (BATCHES * senders.len()) as u64;
+        sent += each * rays;
         let found = judged(elements.list(), blocks, left, &batches, accuracy);
-        let goal = |pair: &usize| if left[*pair].partly_hidden { accuracy.shadow_eps } else { accuracy.eps };
-        open.retain(|pair| found[*pair].relative > goal(pair).max(accuracy.eps));
-        let next = 2 * BATCHES as u64 * rays;
-        if open.is_empty() || sent + next > most {
+        let missing = left.iter().zip(&found).filter(|(pair, found)| found.relative > goal(pair));
+        open = missing.map(|(pair, _)| pair).collect();
+        // As many again as were sent, as far as there are any left.
+        let next = (2 * rays).min(most.saturating_sub(sent) / each);
+        if open.is_empty() || next < rays / 2 {
             break found;
         }
-        rays *= 2;
+        rays = next;
     };
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();
@@ -99,7 +99,7 @@ pub(in crate::transport) fn add(
 
 /// Most rays for an accuracy.
 fn most_rays(eps: f64) -> u64 {
-    (MOST * (MOST_AT / eps.max(FINEST)).sqrt()) as u64
+    (MOST * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
 /// What the batches say of each pair.

@@ -19,6 +19,8 @@ const RAYS: f64 = 1.0;
 /// Samples, as a multiple of those for contacts and horizons together, after which all that is left is summed at once.
 /// Chosen; not tuned.
 const OVERDRAFT: u64 = 2;
+/// Samples that take as long as to look how two parts lie to each other. Chosen: 10 µs against 10 ns.
+const LOOK: u64 = 1000;
 /// Parts that carry less than this times the allowed error of the block are left out. Chosen; not tuned.
 const NEGLIGIBLE: f64 = 1e-3;
 
@@ -35,6 +37,8 @@ pub(super) struct Budget {
     pub row: f64,
     /// Samples spent on horizons.
     pub horizons: u64,
+    /// Pairs of parts that were looked at.
+    pub looks: u64,
 }
 
 impl Budget {
@@ -55,7 +59,8 @@ impl Budget {
 
     /// Whether everything left is summed at once: parts already queued when the samples were spent take some too.
     pub(super) fn overdrawn(&self, moments: &Moments) -> bool {
-        moments.distinct > OVERDRAFT * (self.most(CONTACT_SAMPLES) + self.most_for_horizons())
+        moments.distinct + LOOK * self.looks
+            > OVERDRAFT * (self.most(CONTACT_SAMPLES) + self.most_for_horizons())
     }
 
     /// Whether contacts are refined no more.

@@ -30,6 +30,12 @@ impl Job<'_> {
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
+            self.budget.looks += 1;
+            if self.budget.overdrawn(&self.moments) {
+                let seen = clipped.into_iter().chain(whole).map(|(part, _): (Patch, f64)| part);
+                let rest = near.into_iter().chain(seen).chain(open).chain([part]).collect();
+                return self.tasks.push_front(Task::Fan(outer.clone(), rest));
+            }
             let (p, q) = (outer, &part);
             let share = self.budget.share(p, q);
             let gap = gap(p, q);

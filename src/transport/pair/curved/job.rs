@@ -77,7 +77,7 @@ impl<'a> Job<'a> {
         let unit = (receiver.area * emitter.area).sqrt();
         Self {
             visibility,
-            budget: Budget { accuracy, shadow_error, unit, scale: 1.0, row: 1.0, horizons: 0 },
+            budget: Budget { accuracy, shadow_error, unit, scale: 1.0, row: 1.0, horizons: 0, looks: 0 },
             elements: [receiver, emitter],
             degrees: [receiver.basis.total_degree(), emitter.basis.total_degree()],
             size: receiver.bounds().diagonal().max(emitter.bounds().diagonal()),
