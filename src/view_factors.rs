@@ -55,8 +55,10 @@ pub struct ViewFactors {
     pub rays: u64,
     /// Reciprocity over a sample of pairs that were integrated in both directions.
     pub reciprocity: Reciprocity,
-    /// Largest error that unresolved parts leave in the exchange of two elements ([`Blocks::accuracy_reached`]).
+    /// Largest error that is left in the exchange of two elements ([`Blocks::accuracy_reached`]).
     pub accuracy_reached: f64,
+    /// The surfaces of these elements.
+    pub worst: Option<[usize; 2]>,
     /// Wall time.
     pub elapsed: Duration,
 }
@@ -97,6 +99,7 @@ impl ViewFactors {
             rays: blocks.rays,
             reciprocity: blocks.reciprocity,
             accuracy_reached: blocks.accuracy_reached,
+            worst: blocks.worst.map(|pair| pair.map(|element| elements.list()[element].surface)),
             elapsed: start.elapsed(),
         })
     }

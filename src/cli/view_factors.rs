@@ -90,6 +90,9 @@ pub(crate) enum Format {
     Npy,
 }
 
+/// Errors of a factor by which row sums may miss 1 in a closed scene. Chosen.
+const FROM_ONE: f64 = 3.0;
+
 /// Computes the factors and writes them.
 pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let start = Instant::now();
@@ -186,9 +189,10 @@ impl ViewFactorsArgs {
             lines.extend(self.sums(factors));
         }
         if factors.accuracy_reached > self.eps {
+            let [one, other] = factors.worst.unwrap_or_default().map(|surface| &factors.names[surface]);
             lines.push(format!(
-                "warning: some factors are good to about {:.0e} of their size only: subdivide the surfaces that touch \
-                 others along no common edge, come very near them, or face themselves in part",
+                "warning: the factors between '{one}' and '{other}', perhaps more, are good to about {:.0e} of the \
+                 largest of their row only: a smaller --eps sends more rays",
                 factors.accuracy_reached
             ));
         }
@@ -204,7 +208,8 @@ impl ViewFactorsArgs {
         let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
         let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
         let Accuracy { eps, shadow_eps } = self.accuracy();
-        let tolerance = 10.0 * eps.max(if factors.rays > 0 { shadow_eps } else { 0.0 });
+        let shadows = if factors.rays > 0 { shadow_eps } else { 0.0 };
+        let tolerance = FROM_ONE * eps.max(shadows).max(factors.accuracy_reached);
         let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();
         let mut lines = vec![
             format!(

@@ -39,9 +39,12 @@ pub struct Blocks {
     pub rays: u64,
     /// Reciprocity, from a sample of pairs that were integrated both ways.
     pub reciprocity: Reciprocity,
-    /// Estimate of the largest error of an entry from unresolved parts; zero if there were none. It is relative to the
-    /// largest of: the block's largest entry, a hundredth of its row's, and 1e-8.
+    /// Estimate of the largest error of a block that rules or rays leave; zero if all were resolved. By rules of an
+    /// entry, relative to the largest of: the block's largest entry, a hundredth of its row's, and 1e-8; by rays of the
+    /// view factors of either element, relative to the largest of its row.
     pub accuracy_reached: f64,
+    /// The two elements of that block.
+    pub worst: Option<[usize; 2]>,
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
@@ -70,6 +73,7 @@ impl Blocks {
             rays: 0,
             reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
+            worst: None,
         }
     }
 
@@ -95,6 +99,13 @@ impl Blocks {
     /// Whether G is symmetric; it is, except by the rules of 1993 ([`crate::zatz1993::transfers`]).
     pub fn symmetric(&self) -> bool {
         self.symmetric
+    }
+
+    /// Takes the error of the block of two elements into account.
+    pub(crate) fn tell(&mut self, error: f64, elements: [usize; 2]) {
+        if error > self.accuracy_reached {
+            (self.accuracy_reached, self.worst) = (error, Some(elements));
+        }
     }
 
     /// Numbers that are stored.

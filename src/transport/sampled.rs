@@ -97,24 +97,28 @@ struct Landed {
 impl<'a> SampledTransport<'a> {
     /// No rays yet.
     pub fn new(elements: &'a Elements, visibility: &'a Visibility) -> Self {
-        Self::of_sequence(elements, visibility, 0)
+        Self::numbered(elements, visibility, &|place| place as u64)
     }
 
-    /// For these pairs only, the element that comes first in front; with the rays of one of several independent
-    /// sequences.
+    /// For these pairs only, the element that comes first in front. The rays of element k are those of number
+    /// `numbers[k]`.
     pub(in crate::transport) fn of_pairs(
         elements: &'a Elements,
         visibility: &'a Visibility,
         pairs: HashSet<(u32, u32)>,
-        sequence: u64,
+        numbers: &[u64],
     ) -> Self {
-        Self { only: Some(pairs), ..Self::of_sequence(elements, visibility, sequence) }
+        Self { only: Some(pairs), ..Self::numbered(elements, visibility, &|element| numbers[element]) }
     }
 
-    fn of_sequence(elements: &'a Elements, visibility: &'a Visibility, sequence: u64) -> Self {
+    /// With rays that depend on the number of each element.
+    fn numbered(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        number: &(dyn Fn(usize) -> u64 + Sync),
+    ) -> Self {
         let list = elements.list();
-        let senders =
-            list.par_iter().enumerate().map(|(place, element)| Sender::new(element, place, sequence));
+        let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, number(place)));
         Self {
             elements,
             visibility,

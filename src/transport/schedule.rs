@@ -6,7 +6,7 @@
 //! compared with its row is integrated to a lower relative accuracy ([`crate::transport::estimates::entry_bounds`]).
 //! The result does not depend on the order in which the threads work.
 
-mod order;
+pub(in crate::transport) mod order;
 mod congruent;
 mod task;
 mod goal;
@@ -127,7 +127,7 @@ pub(in crate::transport) fn by_rules(
             blocks.pairs.take(block);
             continue;
         }
-        blocks.accuracy_reached = blocks.accuracy_reached.max(error);
+        blocks.tell(error, [task.row as usize, task.column as usize]);
         scene.store(&mut blocks, task, source, &tasks, &integrated);
     }
     blocks.reciprocity = scene.reciprocity(&tasks, &goals, &sources, &integrated);

@@ -20,6 +20,7 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::sampled::SampledTransport;
 use crate::transport::schedule::Left;
+use crate::transport::schedule::order::Rank;
 use crate::visibility::Visibility;
 
 /// Independent sequences of rays. Chosen.
@@ -66,8 +67,12 @@ pub(in crate::transport) fn add(
     accuracy: Accuracy,
 ) {
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
-    let sequence = |batch| SampledTransport::of_pairs(elements, visibility, pairs.clone(), batch as u64);
-    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(sequence).collect();
+    let ranks = ranks(elements.list());
+    let batch = |batch: usize| {
+        let numbers: Vec<u64> = ranks.iter().map(|rank| (batch * ranks.len() + rank) as u64).collect();
+        SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers)
+    };
+    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(batch).collect();
     let most = most_rays(accuracy.eps);
     let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
     let (mut sent, mut rays) = (0, FIRST);
@@ -93,8 +98,18 @@ pub(in crate::transport) fn add(
     blocks.pairs.by_rays += left.len();
     for Found { row, column, values, relative, .. } in found {
         blocks.push(row, column, &values);
-        blocks.accuracy_reached = blocks.accuracy_reached.max(relative);
+        blocks.tell(relative, [row, column]);
     }
+}
+
+/// The place of each element in an order that does not depend on how the scene lists its surfaces.
+fn ranks(list: &[Element]) -> Vec<usize> {
+    let keys: Vec<Rank> = list.iter().map(Rank::of).collect();
+    let mut order: Vec<usize> = (0..list.len()).collect();
+    order.sort_by(|a, b| keys[*a].order(&keys[*b]));
+    let mut ranks = vec![0; list.len()];
+    order.into_iter().enumerate().for_each(|(rank, element)| ranks[element] = rank);
+    ranks
 }
 
 /// Most rays for an accuracy.

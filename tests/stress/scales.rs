@@ -41,8 +41,8 @@ fn light(scale: f64, curved: bool, order: usize) -> Vec<f64> {
     solution.bands()[0].coefficients.irradiance.iter().map(|h| h / scale).collect()
 }
 
-fn compare(row: &Row, scales: &[f64], order: usize) {
-    for curved in [false, true] {
+fn compare(row: &Row, scales: &[f64], curved: &[bool], order: usize) {
+    for curved in curved.iter().copied() {
         let plain = light(1.0, curved, order);
         let largest = plain.iter().fold(0.0f64, |largest, x| largest.max(x.abs()));
         for scale in scales {
@@ -58,16 +58,20 @@ fn light_has_no_unit_of_length() {
     compare(
         &Row::new("lengths times 2^k", "k = ±20", 0.0, "of the light"),
         &[-20, 20].map(|k| 2f64.powi(k)),
+        &[false, true],
         1,
     );
-    compare(&Row::new("lengths times 10^k", "k = ±6", 1e-12, "of the light"), &[1e-6, 1e6], 1);
+    let tens = [1e-6, 1e6];
+    compare(&Row::new("lengths times 10^k", "k = ±6", 1e-12, "of the light"), &tens, &[false], 1);
+    // Of some million rays, those within rounding of an edge may fall on the other side of it.
+    compare(&Row::new("the same behind a ball", "k = ±6", 1e-5, "of the light"), &tens, &[true], 1);
 }
 
 #[test]
 #[ignore = "many scales"]
 fn light_has_no_unit_of_length_at_all() {
     let two: Vec<f64> = (-20..=20).step_by(5).map(|k| 2f64.powi(k)).collect();
-    compare(&Row::new("lengths times 2^k", "k from −20 to 20", 0.0, "of the light"), &two, 3);
+    compare(&Row::new("lengths times 2^k", "k from −20 to 20", 0.0, "of the light"), &two, &[false, true], 3);
     let ten: Vec<f64> = (-6..=6).map(|k| 10f64.powi(k)).collect();
     compare(&Row::new("lengths times 10^k", "k from −6 to 6", 1e-12, "of the light"), &ten, 3);
 }

@@ -18,4 +18,5 @@ mod turned;
 mod shapes;
 mod stress;
 mod transfers;
+mod unreached;
 mod view_factors;

@@ -1,7 +1,7 @@
 //! Rays that leave an element: from points spread evenly over its area, in cosine-distributed directions.
 //!
 //! The density of points and directions together is cos θ / (π A), that of κ V dA_y over the whole hemisphere. The
-//! numbers are a Kronecker sequence in four dimensions, shifted by a hash of the element's place, so that a ray depends
+//! numbers are a Kronecker sequence in four dimensions, shifted by a hash of a number of the element, so that a ray depends
 //! on its element and its own number only: not on threads, nor on how many rays are sent in all.
 //!
 //! On flat elements points are distributed by area exactly. On curved ones they are distributed by the parameters, and
@@ -54,8 +54,8 @@ enum Chart {
 }
 
 impl Sender {
-    /// The sender of an element, the `place`-th of all, for one of several independent sequences.
-    pub(super) fn new(element: &Element, place: usize, sequence: u64) -> Self {
+    /// The sender of an element; its rays are those of this number.
+    pub(super) fn new(element: &Element, number: u64) -> Self {
         let charts: Vec<Chart> = element.patches.iter().flat_map(charts).collect();
         let area: f64 = charts.iter().map(Chart::area).sum();
         let mut before = 0.0;
@@ -64,7 +64,7 @@ impl Sender {
             before = shares[1];
             Piece { shares, chart }
         });
-        Self { pieces: pieces.collect(), shift: shift((sequence << 32) + place as u64) }
+        Self { pieces: pieces.collect(), shift: shift(number) }
     }
 
     /// The ray of that `index`.
@@ -142,9 +142,9 @@ fn lambert(normal: DVec3, polar: f64, turn: f64) -> DVec3 {
     (along * cos + across * sin) * out + normal * (1.0 - polar).max(0.0).sqrt()
 }
 
-/// Numbers in [0, 1) by which the sequence of the `place`-th element is shifted.
-fn shift(place: u64) -> [f64; 4] {
-    std::array::from_fn(|k| (hash(4 * place + k as u64) >> 11) as f64 / (1u64 << 53) as f64)
+/// Numbers in [0, 1) by which the sequence of that number is shifted.
+fn shift(number: u64) -> [f64; 4] {
+    std::array::from_fn(|k| (hash(4 * number + k as u64) >> 11) as f64 / (1u64 << 53) as f64)
 }
 
 /// SplitMix64: G. Steele, D. Lea, C. Flood, *Fast splittable pseudorandom number generators*, OOPSLA 2014.

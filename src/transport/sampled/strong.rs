@@ -71,7 +71,8 @@ impl Strong {
     pub(super) fn add_accounts(&self, blocks: &mut Blocks) {
         if let Some(exact) = &self.blocks {
             (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
-            (blocks.reciprocity, blocks.accuracy_reached) = (exact.reciprocity, exact.accuracy_reached);
+            blocks.reciprocity = exact.reciprocity;
+            (blocks.accuracy_reached, blocks.worst) = (exact.accuracy_reached, exact.worst);
         }
     }
 

@@ -1,0 +1,101 @@
+//! Pairs that no rule reaches go by rays: right against closed forms, with an error that is true.
+
+use std::f64::consts::PI;
+
+use radiosity::geom::DVec3;
+use radiosity::geom::shapes::{Cylinder, FULL_TURN, Parallelogram, Sphere, Torus};
+use radiosity::scene::Scene;
+use radiosity::transport::Accuracy;
+use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::visibility::Hiding;
+use radiosity::{Material, SceneBuilder};
+
+fn factors(scene: &Scene, eps: f64) -> ViewFactors {
+    let accuracy = Accuracy { eps, shadow_eps: eps };
+    let options = Options { subdivide: None, accuracy, shadows: Hiding::Auto, threads: 2 };
+    ViewFactors::new(scene, &options, &|_, _| {}).expect("all have area")
+}
+
+fn scene(build: impl FnOnce(&mut SceneBuilder, &radiosity::scene::NamedMaterial)) -> Scene {
+    let mut builder = SceneBuilder::new("scene", ["grey"]);
+    let grey = builder.material("grey", Material::new(vec![0.5], vec![1.0]).expect("in range"));
+    build(&mut builder, &grey);
+    builder.build().expect("the scene is valid")
+}
+
+fn ball(radius: f64) -> Sphere {
+    Sphere::new(DVec3::ZERO, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball")
+}
+
+/// Asks the factors for some accuracies; they keep to what is told, and what is told is not much more than is asked.
+fn check(name: &str, scene: &Scene, known: &[(usize, usize, f64)]) {
+    for eps in [3e-3, 3e-4] {
+        let found = factors(scene, eps);
+        let told = found.accuracy_reached.max(eps);
+        for (i, j, exact) in known {
+            let largest = found.row(*i).into_iter().fold(0.0, f64::max);
+            let error = (found.factor(*i, *j) - exact).abs() / largest;
+            println!("{name}, {eps:.0e}: F({i}, {j}) is {error:.1e} of its row off, {told:.1e} are told");
+            assert!(error <= 3.0 * told, "{name}: F({i}, {j}) = {}, not {exact}", found.factor(*i, *j));
+        }
+        assert!(told <= 10.0 * eps, "{name}: {told} is told where {eps} is asked");
+    }
+}
+
+#[test]
+fn a_ball_in_a_cube_that_touches_all_faces_shares_its_light_among_them() {
+    let scene = scene(|builder, grey| {
+        let [x, y, z] = [2.0 * DVec3::X, 2.0 * DVec3::Y, 2.0 * DVec3::Z];
+        let corner = -DVec3::ONE;
+        for (name, origin, a, b) in [
+            ("floor", corner, x, y),
+            ("ceiling", corner + z, y, x),
+            ("front", corner, z, x),
+            ("back", corner + y, x, z),
+            ("left", corner, y, z),
+            ("right", corner + x, z, y),
+        ] {
+            builder.surface(name, Parallelogram::new(origin, a, b).expect("a square"), grey);
+        }
+        builder.surface("ball", ball(1.0), grey);
+    });
+    // A face of 2 × 2 gets a sixth of what the ball of radius 1 sends.
+    let known: Vec<_> = (0..6).flat_map(|face| [(6, face, 1.0 / 6.0), (face, 6, PI / 6.0)]).collect();
+    check("ball in a cube", &scene, &known);
+}
+
+#[test]
+fn spheres_that_nearly_touch_from_inside_see_each_other() {
+    for radius in [0.9, 0.999] {
+        let scene = scene(|builder, grey| {
+            builder.surface("inner", ball(radius), grey);
+            builder.surface("outer", ball(1.0), grey).flip();
+        });
+        let square = radius * radius;
+        check("spheres", &scene, &[(0, 1, 1.0), (1, 0, square), (1, 1, 1.0 - square)]);
+    }
+}
+
+#[test]
+fn the_inside_of_a_torus_sees_itself_alone() {
+    let scene = scene(|builder, grey| {
+        let torus = Torus::new(DVec3::ZERO, DVec3::Z, 1.0, 0.3, FULL_TURN, FULL_TURN).expect("a torus");
+        builder.surface("torus", torus, grey).flip();
+    });
+    check("torus", &scene, &[(0, 0, 1.0)]);
+}
+
+#[test]
+fn long_cylinders_side_by_side_touch_along_a_line() {
+    // Infinitely long F = (√(X² − 1) + asin(1/X) − X)/π, X = 1 + s/d; here s = 0 (Hottel's strings): 1/2 − 1/π. Ends
+    // take about r/L of it.
+    let (length, exact) = (2000.0, 0.5 - 1.0 / PI);
+    let scene = scene(|builder, grey| {
+        for (name, x) in [("left", -1.0), ("right", 1.0)] {
+            let base = DVec3::new(x, 0.0, 0.0);
+            let tube = Cylinder::new(base, length * DVec3::Z, 1.0, FULL_TURN).expect("a cylinder");
+            builder.surface(name, tube, grey);
+        }
+    });
+    check("cylinders", &scene, &[(0, 1, exact), (1, 0, exact)]);
+}
