@@ -10,6 +10,7 @@ pub(crate) mod gap;
 mod middle;
 mod nearest;
 mod source;
+pub mod input;
 mod error;
 mod builtin;
 mod cure;
@@ -112,8 +113,8 @@ impl Scene {
             return Ok(Source::new(source, &text));
         }
         let (origin, text) = match source {
-            "-" => ("<stdin>", io::read_to_string(io::stdin())),
-            path => (path, std::fs::read_to_string(path)),
+            "-" => ("<stdin>", input::text(source)),
+            path => (path, input::text(path)),
         };
         let text = text.map_err(|error| unreadable(source, origin, &error))?;
         if let Some((name, _)) = settings.first() {

@@ -22,6 +22,10 @@ pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
+    /// Fails (exit code 1) where anything looks wrong
+    #[arg(long)]
+    pub(crate) strict: bool,
+
     /// Text for people, or JSON with the same content
     #[arg(long, value_name = "FORMAT", default_value = "text")]
     pub(crate) format: Format,
@@ -47,7 +51,11 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
         }
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
-    Ok(stdout().write_all(text.as_bytes())?)
+    stdout().write_all(text.as_bytes())?;
+    match inspection.warnings.len() {
+        count if args.strict && count > 0 => Err(CliError::LooksWrong { count }),
+        _ => Ok(()),
+    }
 }
 
 fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::Result {

@@ -75,6 +75,12 @@ pub(crate) enum CliError {
         /// Rays that were to be sent.
         planned: u64,
     },
+    /// A strict check found something.
+    #[error("{count} of the findings look wrong")]
+    LooksWrong {
+        /// Number of warnings.
+        count: usize,
+    },
     /// A picture was asked of a scene without a camera.
     #[error("{origin}: there is no camera to take a picture with")]
     NoCamera {
@@ -135,7 +141,8 @@ impl CliError {
                 ExitCode::from(2)
             }
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Partial { .. }
+            CliError::LooksWrong { .. }
+            | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
@@ -196,7 +203,8 @@ impl CliError {
             CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }
-            CliError::Partial { .. }
+            CliError::LooksWrong { .. }
+            | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)

@@ -35,6 +35,15 @@ pub(crate) fn fraction(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
 }
 
+/// A relative accuracy: below 1e-14 rounding decides, and work would never end.
+pub(crate) fn accuracy(text: &str) -> Result<f64, String> {
+    number(
+        text,
+        |x| (1e-14..1.0).contains(&x),
+        "expected a number from 1e-14, near rounding, to below 1, such as 1e-3",
+    )
+}
+
 fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
     text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
 }

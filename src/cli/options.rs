@@ -18,7 +18,7 @@ use crate::cli::{
     masks::MaskArgs,
     memory,
     modes::{Kernel, Order, Shadows, Subdivide, subdivide},
-    numbers::{at_least_one, fraction, not_negative, positive, threads},
+    numbers::{accuracy, at_least_one, fraction, not_negative, positive, threads},
     output_file::OutputFile,
 };
 
@@ -118,7 +118,7 @@ pub(crate) struct MethodArgs {
     pub(crate) ratio: f64,
 
     /// Accuracy of the transfers between elements, between 0 and 1 [default: 1e-3; as --quality says]
-    #[arg(long, value_name = "E", value_parser = fraction)]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) eps: Option<f64>,
 
     /// Rules of the transfers between elements; those of 1993 ignore --eps
@@ -155,7 +155,7 @@ pub(crate) struct MethodArgs {
 
     /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default:
     /// 3e-3; as --quality says]
-    #[arg(long, value_name = "E", value_parser = fraction)]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) shadow_eps: Option<f64>,
 
     #[command(flatten)]

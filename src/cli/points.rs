@@ -3,10 +3,9 @@
 //! Columns x,y,z,nx,ny,nz. With a header line they may stand in any order, and other columns are ignored; without one
 //! there are exactly these six. Lines that start with # are comments. Normals may have any length but 0.
 
-use std::io::{self, Read};
-
 use radiosity::output::probe::Probe;
 use radiosity::scene::csv_rows::{Row, Unreadable, rows};
+use radiosity::scene::input;
 use radiosity_geom::DVec3;
 use thiserror::Error;
 
@@ -42,12 +41,7 @@ impl Points {
     /// Reads a file, or standard input for `-`.
     pub(crate) fn load(source: &str) -> Result<Self, PointsError> {
         let origin = if source == "-" { "<stdin>" } else { source };
-        let mut text = Vec::new();
-        let read = match source {
-            "-" => io::stdin().read_to_end(&mut text).map(drop),
-            path => std::fs::read(path).map(|bytes| text = bytes),
-        };
-        read.map_err(|reason| PointsError {
+        let text = input::bytes(source).map_err(|reason| PointsError {
             origin: origin.to_owned(),
             place: None,
             fault: format!("cannot be read: {reason}"),
@@ -112,6 +106,9 @@ impl Points {
     }
 }
 
+/// Largest coordinate, as in scenes.
+const FARTHEST: f64 = 1e30;
+
 /// What lines of a file should look like.
 const FORM: &str = "write six numbers a line, x,y,z,nx,ny,nz: a point and its normal";
 
@@ -138,6 +135,11 @@ impl Columns {
             *number = parsed.ok_or_else(|| (fault(), "write a number such as 0.25 or 1e-3"))?;
         }
         let [x, y, z, nx, ny, nz] = numbers;
+        if let Some(place) = [x, y, z].iter().position(|x| x.abs() > FARTHEST) {
+            let fault =
+                format!("column {} ({}): farther off than 1e30", self.places[place] + 1, COLUMNS[place]);
+            return Err((fault, "give the point in the unit of the scene, whose numbers end at 1e30"));
+        }
         let normal = DVec3::new(nx, ny, nz);
         // Scaled by the largest component first: squares of very long or short normals leave the range of numbers.
         let largest = normal.abs().max_element();

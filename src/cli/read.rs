@@ -7,7 +7,7 @@ use radiosity::output::grid::Rates;
 use radiosity::output::quality::{Quality, Reading};
 use radiosity::output::reader::Read;
 
-use crate::cli::numbers::fraction;
+use crate::cli::numbers::accuracy;
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
@@ -17,7 +17,7 @@ pub(crate) struct ReadArgs {
     pub(crate) read: Option<Read>,
 
     /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3; as --quality says]
-    #[arg(long, value_name = "E", value_parser = fraction)]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
 

@@ -18,7 +18,7 @@ use crate::cli::{
     error::CliError,
     format,
     modes::{Shadows, Subdivide, subdivide},
-    numbers::{fraction, threads},
+    numbers::{accuracy, threads},
     options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
@@ -58,12 +58,13 @@ pub(crate) struct ViewFactorsArgs {
     #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
     pub(crate) subdivide: Subdivide,
 
-    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row
-    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = fraction)]
+    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of
+    /// its row where rays carry it
+    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = accuracy)]
     pub(crate) eps: f64,
 
     /// Accuracy of shadows [default: as --eps]
-    #[arg(long, value_name = "E", value_parser = fraction)]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) shadow_eps: Option<f64>,
 
     /// How it is found out what surfaces hide from each other

@@ -395,6 +395,14 @@ fn unwritable_output() {
 }
 
 #[test]
+fn accuracies_below_rounding_and_points_beyond_all_scenes_are_refused() {
+    for option in ["--eps", "--shadow-eps"] {
+        refused_command(&["solve", "cornell-box", option, "1e-300"], &["from 1e-14", option]);
+        refused_command(&["view-factors", "cornell-box", option, "1e-300"], &["from 1e-14", option]);
+    }
+}
+
+#[test]
 fn rays_with_what_knows_none() {
     for others in [
         &["--kernel", "paper-legendre"][..],

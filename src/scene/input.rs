@@ -1,0 +1,49 @@
+//! Bytes of a file or of standard input, not more than a scene can need.
+
+use std::fs::File;
+use std::io::{self, Read};
+
+/// Most bytes that are read: some million surfaces. An endless input ends here.
+const MOST: u64 = 1 << 30;
+
+/// The bytes of a file, or of standard input for `-`.
+///
+/// # Errors
+/// What cannot be opened or read, or is longer than 2³⁰ bytes.
+pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
+    match source {
+        "-" => all(io::stdin(), MOST),
+        path => all(File::open(path)?, MOST),
+    }
+}
+
+/// The same as text.
+///
+/// # Errors
+/// As [`bytes`], and what is not UTF-8.
+pub fn text(source: &str) -> io::Result<String> {
+    let no_text = |_| io::Error::new(io::ErrorKind::InvalidData, "stream did not contain valid UTF-8");
+    String::from_utf8(bytes(source)?).map_err(no_text)
+}
+
+fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    input.take(most + 1).read_to_end(&mut bytes)?;
+    if bytes.len() as u64 > most {
+        let message = format!("it is longer than {most} bytes, the most that is read");
+        return Err(io::Error::new(io::ErrorKind::FileTooLarge, message));
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_endless_input_is_refused() {
+        assert_eq!(all(&b"abc"[..], 3).expect("it fits"), b"abc");
+        assert!(all(&b"abcd"[..], 3).is_err());
+        assert!(all(io::repeat(0), 1000).is_err());
+    }
+}
