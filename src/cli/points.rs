@@ -188,6 +188,7 @@ mod tests {
         assert_eq!(message("0,0,0,0,0\n"), "p.csv:1: there are 5 columns instead of 6");
         assert_eq!(message("x,y,z,nx,ny\n0,0,0,0,1\n"), "p.csv:1: the header has no column 'nz'");
         assert_eq!(message(""), "p.csv: there are no points in it");
+        assert_eq!(message("0,0,1e31,0,0,1\n"), "p.csv:1: column 3 (z): farther off than 1e30");
         assert_eq!(message("0,0,inf,0,0,1\n"), "p.csv:1: column 3 (z): 'inf' is no finite number");
     }
 }

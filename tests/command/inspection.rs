@@ -258,3 +258,22 @@ fn the_binary_prints_the_findings_as_text_and_as_json() {
     assert_eq!(json["surfaces"][0]["name"], "floor");
     assert_eq!(json["warnings"], serde_json::json!([]));
 }
+
+#[test]
+fn a_strict_check_fails_where_anything_looks_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let check = |name: &str, surfaces: &[&str], strict: bool| {
+        let list = surfaces.iter().map(|text| text.split_once(" | ").unwrap());
+        let entries =
+            list.map(|(name, shape)| format!("[[surfaces]]\nname = {name:?}\nmaterial = \"m\"\n{shape}\n"));
+        let material = "[materials.m]\nreflectance = 0.5\nemission = 1\n".to_owned();
+        std::fs::write(folder.path().join(name), material + &entries.collect::<String>()).unwrap();
+        let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+        command.current_dir(&folder).args(["check", name]);
+        command.args(strict.then_some("--strict")).output().unwrap().status.code()
+    };
+    assert_eq!(check("cube.toml", &CUBE, true), Some(0));
+    let turned = cube_with(1, "z1 | flip = true\nquad = { vertices = [[0,0,1],[0,1,1],[1,1,1],[1,0,1]] }");
+    assert_eq!(check("turned.toml", &turned, false), Some(0));
+    assert_eq!(check("turned.toml", &turned, true), Some(1));
+}
