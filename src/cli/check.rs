@@ -8,7 +8,7 @@ use std::{
 use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
-use radiosity::inspection::{Contact, Fronts, Inspection, Shell};
+use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Warning};
 use radiosity::scene::{Camera, Lying, Scene, SceneSurface};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
@@ -22,7 +22,7 @@ pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// Fails (exit code 1) where anything looks wrong
+    /// Fails (exit code 1) where anything looks wrong, missing light, materials and camera apart
     #[arg(long)]
     pub(crate) strict: bool,
 
@@ -52,7 +52,8 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
     stdout().write_all(text.as_bytes())?;
-    match inspection.warnings.len() {
+    let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();
+    match inspection.warnings.iter().filter(is_wrong).count() {
         count if args.strict && count > 0 => Err(CliError::LooksWrong { count }),
         _ => Ok(()),
     }

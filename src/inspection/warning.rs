@@ -15,6 +15,11 @@ pub struct Warning {
 }
 
 impl Warning {
+    /// Whether it is of something that only some uses of a scene need: view factors need neither light nor a camera.
+    pub fn is_of_something_missing(&self) -> bool {
+        matches!(self.code, "no-emitter" | "no-camera" | "no-material")
+    }
+
     /// A warning about the surface `name`.
     pub(super) fn about(code: &'static str, name: &str, message: String) -> Self {
         Warning { code, message: format!("surface {name:?} {message}"), surface: Some(name.to_owned()) }
