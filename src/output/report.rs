@@ -268,8 +268,8 @@ fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
     }
     if outcome.accuracy_reached > options.eps {
         let message = format!(
-            "some transfers are good to about {:.0e} of their size only: subdivide the surfaces that touch others along no \
-             common edge, come very near them, or face themselves in part",
+            "some transfers are good to about {:.0e} of the largest of their row only: a smaller --eps sends more rays \
+             there; elsewhere subdivide the surfaces that touch others along no common edge",
             outcome.accuracy_reached
         );
         warn("accuracy-reached", message);

@@ -125,6 +125,7 @@ pub(in crate::transport) fn by_rules(
             let (row, column) = (task.row as usize, task.column as usize);
             left.push(Left { row, column, found, partly_hidden: block.partly_hidden });
             blocks.pairs.take(block);
+            blocks.pairs.unresolved -= usize::from(block.unresolved);
             continue;
         }
         blocks.tell(error, [task.row as usize, task.column as usize]);

