@@ -159,6 +159,8 @@ pub(in crate::transport) fn occluded_block(
 /// The correction from one cell of the outer element.
 struct Sum {
     values: Vec<f64>,
+    /// Points of the rule along and across the cell.
+    points: [usize; 2],
     /// What all points of the rule see.
     shadow: Shadow,
 }
@@ -288,9 +290,11 @@ impl<'a> Work<'a> {
             self.dark = false;
             return;
         }
-        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers));
-        let parts = parts(cell);
-        let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers)).collect();
+        let coarse = coarse.unwrap_or_else(|| self.sum(cell, &blockers, [self.task.points; 2]));
+        let cut = Cut::of(cell);
+        let parts = cut.parts(cell);
+        let points = cut.points(self.task.points, coarse.points);
+        let sums: Vec<Sum> = parts.iter().map(|part| self.sum(part, &blockers, points)).collect();
         let fine = |k: usize| sums.iter().map(|sum| sum.values[k]).sum::<f64>();
         let differences = coarse.values.iter().enumerate().map(|(k, value)| (value - fine(k)).abs());
         let difference = differences.fold(0.0, f64::max) * self.task.unit;
@@ -338,13 +342,13 @@ impl<'a> Work<'a> {
     /// Moments of what is hidden from a cell, receiver's raw functions by emitter's. If the outer element has constants
     /// only, the moments with its two coordinates follow: one number may agree on two levels by chance, three hardly
     /// do.
-    fn sum(&mut self, cell: &Patch, blockers: &[usize]) -> Sum {
+    fn sum(&mut self, cell: &Patch, blockers: &[usize], points: [usize; 2]) -> Sum {
         let (own, other) = (self.task.outer.basis.len(), self.task.inner.basis.len());
         let witnesses = if own == 1 { 2 * other } else { 0 };
         let (mut sum, mut shadow) = (vec![0.0; own * other + witnesses], None);
         let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
-        let rule = UnitRule::of(self.task.points);
-        for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+        let [along, across] = points.map(UnitRule::of);
+        for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
             let x = cell.node(s, t);
             right.fill(0.0);
             let found = self.hidden(&x, blockers, &mut right);
@@ -367,7 +371,7 @@ impl<'a> Work<'a> {
                 row.iter_mut().zip(&right).for_each(|(value, r)| *value += weight * left[0] * place * r);
             }
         }
-        Sum { values: sum, shadow: shadow.unwrap_or(Shadow::Nothing) }
+        Sum { values: sum, points, shadow: shadow.unwrap_or(Shadow::Nothing) }
     }
 
     /// Adds ∫ κ(x, y) R_l(y) dA_y over what is hidden from x to `out`; returns how much is hidden.
@@ -459,15 +463,44 @@ fn points(degree: usize, accuracy: f64) -> usize {
     (0.5 * degree as f64 + 1.5 - accuracy.log10() / 3.0) as usize
 }
 
-/// The quarters of a cell, or the halves of a slender one.
-fn parts(cell: &Patch) -> Vec<Patch> {
-    let [along, across] = cell.extents();
-    let halves = |direction| cell.halves(direction).to_vec();
-    if along > SLENDER * across {
-        halves(Direction::Along)
-    } else if across > SLENDER * along {
-        halves(Direction::Across)
-    } else {
-        halves(Direction::Along).iter().flat_map(|half| half.halves(Direction::Across)).collect()
+/// How a cell is cut: into quarters, or across the longer side of a slender one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Cut {
+    Halves(Direction),
+    Quarters,
+}
+
+impl Cut {
+    fn of(cell: &Patch) -> Self {
+        let [along, across] = cell.extents();
+        if along > SLENDER * across {
+            Self::Halves(Direction::Along)
+        } else if across > SLENDER * along {
+            Self::Halves(Direction::Across)
+        } else {
+            Self::Quarters
+        }
+    }
+
+    fn parts(self, cell: &Patch) -> Vec<Patch> {
+        match self {
+            Self::Halves(direction) => cell.halves(direction).to_vec(),
+            Self::Quarters => {
+                let halves = cell.halves(Direction::Along);
+                halves.iter().flat_map(|half| half.halves(Direction::Across)).collect()
+            }
+        }
+    }
+
+    /// Points of the rule on the parts, of `usual` points per direction, along and across, after a rule of `coarse`
+    /// points on the whole. Halves lie beside the same points as the whole in the direction that is not cut: another
+    /// number of points there tells whether these suffice.
+    fn points(self, usual: usize, coarse: [usize; 2]) -> [usize; 2] {
+        let other = |points: usize| if points == usual { usual + 1 } else { usual };
+        match self {
+            Self::Halves(Direction::Along) => [usual, other(coarse[1])],
+            Self::Halves(Direction::Across) => [other(coarse[0]), usual],
+            Self::Quarters => [usual; 2],
+        }
     }
 }
