@@ -16,6 +16,7 @@ pub mod raster;
 pub mod exr_file;
 pub mod image;
 pub mod render;
+pub mod missed;
 pub mod report;
 pub mod scale;
 pub mod false_colour;

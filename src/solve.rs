@@ -6,6 +6,7 @@ pub mod memory;
 mod fit;
 mod failure;
 mod choice;
+mod stop;
 mod options;
 mod decision;
 mod progress;
@@ -43,6 +44,7 @@ pub use outcome::{Outcome, Stages};
 pub use progress::Progress;
 pub use sampling::Sampling;
 use sampling::Subject;
+pub use stop::Stop;
 
 /// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
 const AT_A_POINT: f64 = 3.0;
@@ -57,7 +59,21 @@ pub fn solve(
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
-    in_threads(options.threads, || solve_in_pool(scene, options, progress))?
+    in_threads(options.threads, || solve_in_pool(scene, options, Choice::of(scene, options), progress))?
+}
+
+/// The same by exact blocks, for the reason `why`.
+///
+/// # Errors
+/// As [`solve`].
+pub(crate) fn solve_exactly(
+    scene: &Scene,
+    options: &Options,
+    why: &str,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Outcome, Failure> {
+    let choice = Choice { sampled: false, why: why.to_owned() };
+    in_threads(options.threads, || solve_in_pool(scene, options, choice, progress))?
 }
 
 /// Runs `work` with that many threads.
@@ -73,10 +89,10 @@ pub fn in_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> R
 fn solve_in_pool(
     scene: &Scene,
     options: &Options,
+    choice: Choice,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
     let mut seconds = Stages::default();
-    let choice = Choice::of(scene, options);
     let rays = choice.sampled.then(|| options.ray_budget(scene));
     let (visibility, how) = timed(&mut seconds.visibility, || {
         let visibility = Visibility::new(scene, options.into());
@@ -106,7 +122,7 @@ fn solve_in_pool(
     let residual = bands.iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
     let solution = Solution::new(elements, bands).with_masks(masked);
     let checks = Checks::of(&solution, &blocks, bounce.as_ref());
-    let Blocks { pairs, samples, distinct, rays, accuracy_reached, .. } = blocks;
+    let Blocks { pairs, samples, distinct, rays, accuracy_reached, miss, .. } = blocks;
     Ok(Outcome {
         solution,
         checks,
@@ -115,6 +131,7 @@ fn solve_in_pool(
         distinct,
         rays,
         accuracy_reached,
+        miss,
         solver,
         iterations,
         residual,
@@ -175,7 +192,8 @@ fn require_memory(
     if let Some(rays) = rays {
         return require_memory_of_rays(scene, how, options.method, rays, allowed);
     }
-    let peak = |how: &Discretization, method| Footprint::of(scene, how, method).peak();
+    let footprint = if options.kernel.is_some() { Footprint::of_1993 } else { Footprint::of };
+    let peak = |how: &Discretization, method| footprint(scene, how, method).peak();
     let needed = peak(how, options.method);
     if needed <= allowed {
         return Ok(());

@@ -21,7 +21,7 @@ use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::Scene;
 use crate::solve::{Failure, in_threads};
 use crate::transport;
-use crate::transport::{Accuracy, Blocks, PairCounts, Reciprocity};
+use crate::transport::{Accuracy, Blocks, Miss, PairCounts, Reciprocity};
 use crate::visibility::{Hiding, Visibility};
 
 /// How well view factors are computed.
@@ -57,8 +57,8 @@ pub struct ViewFactors {
     pub reciprocity: Reciprocity,
     /// Largest error that is left in the exchange of two elements ([`Blocks::accuracy_reached`]).
     pub accuracy_reached: f64,
-    /// The surfaces of these elements.
-    pub worst: Option<[usize; 2]>,
+    /// The two surfaces whose error is the largest multiple of what was asked.
+    pub miss: Option<Miss>,
     /// Wall time.
     pub elapsed: Duration,
 }
@@ -99,7 +99,9 @@ impl ViewFactors {
             rays: blocks.rays,
             reciprocity: blocks.reciprocity,
             accuracy_reached: blocks.accuracy_reached,
-            worst: blocks.worst.map(|pair| pair.map(|element| elements.list()[element].surface)),
+            miss: blocks
+                .miss
+                .map(|miss| Miss { pair: miss.pair.map(|element| elements.list()[element].surface), ..miss }),
             elapsed: start.elapsed(),
         })
     }

@@ -60,7 +60,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
-    let reading = args.read.reading(args.method.quality);
+    let reading = args.read.reading(&args.method);
     let rates = args.read_samples.map_or(reading.rates, |samples| samples.0);
     let cells = run.in_threads(|| {
         let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);

@@ -1,31 +1,23 @@
 //! Ctrl-C ends the program at once and leaves no temporary file, or lets it finish with what it has.
 //!
 //! Only the sending of rays is asked to stop, where what was sent is wanted: other work, such as a factorisation, would
-//! not notice. The handler runs in a thread of its own. It takes the
-//! lock under which temporary files are made, named and removed, so that none is half done, and never releases it.
+//! not notice. The handler runs in a thread of its own. It takes the lock under which temporary files are made, named and
+//! removed, so that none is half done, and never releases it.
 
 use std::collections::BTreeSet;
 use std::io::{Write, stderr};
 use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use radiosity::solve::Stop;
 
 /// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
 const EXIT_CODE: i32 = 130;
 
 static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
-/// Whether work hears [`STOP`].
-static IS_HEARD: AtomicBool = AtomicBool::new(false);
-
 /// Raised by Ctrl-C to let work finish with what it has.
-static STOP: AtomicBool = AtomicBool::new(false);
-
-/// From now on the first Ctrl-C raises the flag that is returned, and only the second ends the program.
-pub(crate) fn stop_first() -> &'static AtomicBool {
-    IS_HEARD.store(true, Ordering::Relaxed);
-    &STOP
-}
+pub(crate) static STOP: Stop = Stop::new();
 
 /// All temporary files; the set has to be locked while one is made, renamed or removed.
 pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
@@ -36,7 +28,7 @@ pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
 pub(crate) fn watch() {
     // Where signals cannot be watched Ctrl-C still ends the program, as it always does.
     let _ = ctrlc::set_handler(|| {
-        if IS_HEARD.load(Ordering::Relaxed) && !STOP.swap(true, Ordering::Relaxed) {
+        if STOP.raise() {
             let _ = stderr().write_all(b"\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
             return;
         }

@@ -154,7 +154,7 @@ pub(crate) struct MethodArgs {
     pub(crate) direct: Direct,
 
     /// Part of the light between two elements that may be in or out of shadow unnoticed, between 0 and 1 [default:
-    /// 3e-3; as --quality says]
+    /// --eps where that is given, else 3e-3, as --quality says]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) shadow_eps: Option<f64>,
 

@@ -80,7 +80,7 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);
-    let reading = args.read.reading(args.method.quality);
+    let reading = args.read.reading(&args.method);
     let readings = run.in_threads(|| {
         let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);
         probe(&reader, &points.probes, scene.middle, &observe)

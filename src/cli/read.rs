@@ -4,10 +4,11 @@ use std::str::FromStr;
 
 use clap::Args;
 use radiosity::output::grid::Rates;
-use radiosity::output::quality::{Quality, Reading};
+use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
 
 use crate::cli::numbers::accuracy;
+use crate::cli::options::MethodArgs;
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
@@ -16,18 +17,20 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
-    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3; as --quality says]
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says, or --eps where that is
+    /// smaller]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
 
 impl ReadArgs {
-    /// As typed, the rest as `quality` says.
-    pub(crate) fn reading(&self, quality: Quality) -> Reading {
-        let usual = quality.reading();
+    /// As typed, the rest as the quality says; no coarser than an accuracy of blocks that was typed.
+    pub(crate) fn reading(&self, method: &MethodArgs) -> Reading {
+        let usual = method.quality.reading();
+        let usual_eps = method.eps.map_or(usual.eps, |eps| eps.min(usual.eps));
         Reading {
             read: self.read.unwrap_or(usual.read),
-            eps: self.read_eps.unwrap_or(usual.eps),
+            eps: self.read_eps.unwrap_or(usual_eps),
             rates: usual.rates,
         }
     }

@@ -1,10 +1,9 @@
 //! Solution files with which others are compared.
 
-use std::fs;
 use std::path::Path;
 
 use radiosity::output::solution_file::{is_solution, read};
-use radiosity::scene::{Scene, Source};
+use radiosity::scene::{Scene, Source, input};
 use radiosity::solved::Solved;
 
 use crate::cli::error::CliError;
@@ -19,7 +18,7 @@ pub(crate) fn solution(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
         cure: cure.to_owned(),
     };
     let cure = "give a file that `radiosity solve` wrote for this scene";
-    let text = fs::read_to_string(path).map_err(|error| refused(&error.to_string(), cure))?;
+    let text = input::text(&path.to_string_lossy()).map_err(|error| refused(&error.to_string(), cure))?;
     if !is_solution(&text) {
         return Err(refused("it is no solution file", cure));
     }

@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 use radiosity::output::solution_file::SolutionFile;
-use radiosity::solve::{Choice, Options, Outcome, Sampling};
+use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
     error::CliError,
-    interrupt,
+    interrupt::STOP,
     options::{MethodArgs, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
@@ -43,10 +43,8 @@ pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let output = loaded.reserve(&path, &args.report)?;
     let progress = Progress::new(args.report.quiet);
-    let mut options = Options { keep_partial: args.keep_partial, ..options(&args.method) };
-    if args.keep_partial && Choice::of(&loaded.scene, &options).sampled {
-        options.stop = Some(interrupt::stop_first());
-    }
+    let stop = args.keep_partial.then_some(&STOP);
+    let options = Options { keep_partial: args.keep_partial, stop, ..options(&args.method) };
     let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
     let file = SolutionFile::new(&run.solved);

@@ -6,10 +6,11 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use radiosity::output::missed::missed;
 use radiosity::output::view_factors as output;
 use radiosity::scene::Scene;
 use radiosity::solve;
-use radiosity::transport::Accuracy;
+use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{
@@ -90,6 +91,9 @@ pub(crate) enum Format {
     /// `NumPy`: N × N numbers of 8 bytes
     Npy,
 }
+
+/// Error of row sums from which they tell nothing of a scene. Chosen.
+const VAGUE: f64 = 0.1;
 
 /// Errors of a factor by which row sums may miss 1 in a closed scene. Chosen.
 const FROM_ONE: f64 = 3.0;
@@ -189,13 +193,9 @@ impl ViewFactorsArgs {
         if self.pairs.is_empty() {
             lines.extend(self.sums(factors));
         }
-        if factors.accuracy_reached > self.eps {
-            let [one, other] = factors.worst.unwrap_or_default().map(|surface| &factors.names[surface]);
-            lines.push(format!(
-                "warning: the factors between '{one}' and '{other}', perhaps more, are good to about {:.0e} of the \
-                 largest of their row only: a smaller --eps sends more rays",
-                factors.accuracy_reached
-            ));
+        if let Some(miss) = factors.miss.filter(Miss::is_real) {
+            let names = miss.pair.map(|surface| &factors.names[surface][..]);
+            lines.push(format!("warning: {}", missed(&miss, names)));
         }
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
         // A closed stderr is no error: nobody would see a message.
@@ -225,6 +225,9 @@ impl ViewFactorsArgs {
                 factors.reciprocity.pairs, factors.reciprocity.largest
             ),
             match losing {
+                _ if tolerance > VAGUE => {
+                    "row sums are known too badly to tell whether the scene is closed".to_owned()
+                }
                 0 => "the scene is closed: all that leaves a surface reaches another".to_owned(),
                 count => {
                     format!(

@@ -3,11 +3,13 @@
 use serde::Serialize;
 
 use crate::checks::Checks;
+use crate::inspection::Inspection;
+use crate::output::missed::missed;
 use crate::scene::{Fitted, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
 use crate::studies::adaptation::{Achieved, End};
-use crate::transport::PairCounts;
+use crate::transport::{Miss, PairCounts};
 
 /// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]
@@ -123,6 +125,10 @@ pub struct Warning {
     pub message: String,
     /// The surface concerned.
     pub surface: Option<String>,
+    /// The other surface, where it concerns a pair.
+    pub other: Option<String>,
+    /// How large it is: the error that is left, or a row sum above 1.
+    pub size: Option<f64>,
 }
 
 impl Report {
@@ -177,11 +183,24 @@ fn warnings(solved: &Solved) -> Vec<Warning> {
     let Solved { scene, options, outcome, achieved, .. } = solved;
     let unconverged = (!outcome.converged).then(|| unconverged(outcome));
     let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
-    unconverged.into_iter().chain(adapted).chain(discretization(options, outcome)).collect()
+    let transfers = discretization(scene, options, outcome);
+    unconverged.into_iter().chain(adapted).chain(transfers).chain(geometry(scene, outcome)).collect()
+}
+
+/// What an inspection finds wrong with a scene that loses power, or elements of which send more than they have. Scenes
+/// of many surfaces are left to `radiosity check`.
+fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
+    let checks = &outcome.checks;
+    let is_odd = checks.energy_lost.abs() > ODD * checks.energy_in || checks.row_sum_max > 1.0 + ODD;
+    if !is_odd || scene.surfaces.len() > FEW {
+        return Vec::new();
+    }
+    let found = Inspection::of(scene).warnings.into_iter().filter(|found| !found.is_of_something_missing());
+    found.map(|found| Warning { surface: found.surface, ..warning(found.code, found.message) }).collect()
 }
 
 fn warning(code: &str, message: String) -> Warning {
-    Warning { code: code.to_owned(), message, surface: None }
+    Warning { code: code.to_owned(), message, surface: None, other: None, size: None }
 }
 
 fn unconverged(outcome: &Outcome) -> Warning {
@@ -230,6 +249,11 @@ fn why(end: End) -> Option<&'static str> {
     }
 }
 
+/// Share of the power that is lost, and of what an element sends too much, from which the geometry is inspected; and the
+/// number of surfaces up to which that takes about a second at most. Chosen.
+const ODD: f64 = 0.01;
+const FEW: usize = 300;
+
 /// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
 /// elements at points was
 /// 3 % off in a classroom.
@@ -250,11 +274,17 @@ fn rays(error: Option<f64>) -> Option<Warning> {
 }
 
 /// Warnings about what elements and transfers miss.
-fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
+fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
     if let Some(sampling) = outcome.sampling {
+        // What exact pairs miss is a part of it.
         return rays(sampling.error).into_iter().collect();
     }
-    let mut warnings = Vec::new();
+    let mut warnings: Vec<Warning> = outcome
+        .miss
+        .filter(Miss::is_real)
+        .map(|miss| inaccurate(scene, outcome, &miss))
+        .into_iter()
+        .collect();
     let mut warn = |code: &str, message: String| warnings.push(warning(code, message));
     if outcome.pairs.unresolved > 0 {
         warn(
@@ -265,14 +295,6 @@ fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
                 outcome.pairs.unresolved
             ),
         );
-    }
-    if outcome.accuracy_reached > options.eps {
-        let message = format!(
-            "some transfers are good to about {:.0e} of the largest of their row only: a smaller --eps sends more rays \
-             there; elsewhere subdivide the surfaces that touch others along no common edge",
-            outcome.accuracy_reached
-        );
-        warn("accuracy-reached", message);
     }
     // The rules of 1993 have no accuracy.
     let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };
@@ -294,6 +316,14 @@ fn discretization(options: &Options, outcome: &Outcome) -> Vec<Warning> {
         warn("spectral-bound", message);
     }
     warnings
+}
+
+/// A warning about transfers that miss what was asked.
+fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &Miss) -> Warning {
+    let list = outcome.solution.elements().list();
+    let [surface, other] = miss.pair.map(|element| &scene.surfaces[list[element].surface].name);
+    let told = warning("accuracy-reached", missed(miss, [surface, other]));
+    Warning { surface: Some(surface.clone()), other: Some(other.clone()), size: Some(miss.error), ..told }
 }
 
 /// Peak resident memory as Linux reports it; None elsewhere.

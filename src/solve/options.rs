@@ -1,13 +1,13 @@
 //! What to solve and how well.
 
 use std::num::NonZero;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
 use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
+use super::stop::Stop;
 use crate::elements::cells::Layers;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
@@ -57,9 +57,9 @@ pub struct Options {
     /// begins.
     #[serde(skip)]
     pub memory: Option<u64>,
-    /// Raised by another thread to end the sending of rays after the present round; what was sent counts.
+    /// Raised by another thread to end the sending of rays; what was sent counts.
     #[serde(skip)]
-    pub stop: Option<&'static AtomicBool>,
+    pub stop: Option<&'static Stop>,
     /// Threads; the result does not depend on it.
     #[serde(skip, default = "all_threads")]
     pub threads: usize,
@@ -114,7 +114,7 @@ impl Options {
 impl Options {
     /// Whether rays are no longer wanted.
     pub(super) fn is_stopped(&self) -> bool {
-        self.stop.is_some_and(|stop| stop.load(Ordering::Relaxed))
+        self.stop.is_some_and(Stop::is_raised)
     }
 
     /// Rays of the sampled transport of `scene`.

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::checks::Checks;
 use crate::solution::Solution;
-use crate::transport::PairCounts;
+use crate::transport::{Miss, PairCounts};
 
 use super::choice::Choice;
 use super::sampling::Sampling;
@@ -28,6 +28,8 @@ pub struct Outcome {
     /// Largest error that unresolved parts leave in a block, relative to its scale
     /// ([`Blocks::accuracy_reached`](crate::transport::Blocks)).
     pub accuracy_reached: f64,
+    /// The block whose error is the largest multiple of what was asked of it.
+    pub miss: Option<Miss>,
     /// Name of the solver that was used, also where the choice was left open.
     pub solver: &'static str,
     /// Iterations, largest over the bands.

@@ -24,6 +24,7 @@ use crate::visibility::Visibility;
 use super::band::solve_band;
 use super::options::Options;
 use super::progress::Progress;
+use super::stop::Stop;
 
 /// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors changed by less than a tenth of
 /// themselves.
@@ -75,23 +76,29 @@ pub(super) struct Subject<'a> {
 impl Subject<'_> {
     /// The blocks by `rays` rays after the pilot, and what they are worth.
     pub(super) fn sample(&self, rays: u64, progress: &(dyn Fn(Progress) + Sync)) -> (Blocks, Sampling) {
+        let _listening = self.options.stop.map(Stop::listen);
         let mut transport = SampledTransport::new(self.elements, self.visibility);
         let sent = |done: u64| progress(Progress::Rays { done, total: rays, error: None });
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
-        transport.send(&self.by_area(pilot), &mut |done| sent(done));
+        transport.send(&self.by_area(pilot), &mut |done| self.goes_on(|| sent(done)));
         // Where the pilot tells nothing, all elements count as equally bright.
         let bright = self
             .brightness(&transport.blocks(Rays::All))
             .unwrap_or_else(|_| vec![1.0; self.elements.list().len()]);
         let planned = self.by_brightness(rays as f64, &bright);
         let accuracy = self.accuracy(rays);
-        transport.settle(&planned, accuracy, &|done, total| progress(Progress::Blocks(done, total)));
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
-        self.send_in_rounds(&mut transport, &planned, progress);
+        if !self.options.is_stopped() {
+            transport.settle(&planned, accuracy, &|done, total| progress(Progress::Blocks(done, total)));
+            self.send_in_rounds(&mut transport, &planned, progress);
+        }
         // The halves first: their blocks are gone when the whole ones are made.
         let error = self.error(&transport).ok();
         // Both halves share the exact pairs, and what these are off.
-        let of_exact = if transport.exact_pairs() > 0 { LEFT * accuracy.eps } else { 0.0 };
+        let of_exact = match transport.exact_pairs() {
+            0 => 0.0,
+            _ => LEFT * accuracy.eps.max(transport.exact_accuracy()),
+        };
         let blocks = transport.blocks(Rays::All);
         let sampling = Sampling {
             rays: blocks.rays,
@@ -102,7 +109,13 @@ impl Subject<'_> {
         (blocks, sampling)
     }
 
-    /// Sends the planned rays, unless the work is stopped between rounds. The error so far is told after rounds
+    /// Tells how far the work is; returns whether it goes on.
+    fn goes_on(&self, tell: impl FnOnce()) -> bool {
+        tell();
+        !self.options.is_stopped()
+    }
+
+    /// Sends the planned rays, unless the work is stopped. The error so far is told after rounds
     /// 1, 2, 4, 8, …: what this costs is a part of what the rays do.
     fn send_in_rounds(
         &self,
@@ -119,11 +132,13 @@ impl Subject<'_> {
                 |round: u64, count: u64| (u128::from(count) * u128::from(round) / u128::from(rounds)) as u64;
             let now: Vec<u64> =
                 planned.iter().map(|count| until(round, *count) - until(round - 1, *count)).collect();
-            transport.send(&now, &mut |more| progress(Progress::Rays { done: done + more, total, error }));
-            done += now.iter().sum::<u64>();
+            transport.send(&now, &mut |more| {
+                self.goes_on(|| progress(Progress::Rays { done: done + more, total, error }))
+            });
             if self.options.is_stopped() {
                 return;
             }
+            done += now.iter().sum::<u64>();
             if round.is_power_of_two() && round < rounds {
                 error = self.error(transport).ok();
             }
@@ -143,8 +158,17 @@ impl Subject<'_> {
 
     fn by_area(&self, rays: f64) -> Vec<u64> {
         let area = self.area();
-        let own = |share: f64| ((rays * share).ceil() as u64).max(FEWEST[0]);
-        self.elements.list().iter().map(|element| own(element.area / area)).collect()
+        self.planned(&|index| rays * self.elements.list()[index].area / area, FEWEST[0])
+    }
+
+    /// So many rays of each element, `fewest` at least; none of those that others cover.
+    fn planned(&self, share: &dyn Fn(usize) -> f64, fewest: u64) -> Vec<u64> {
+        let list = self.elements.list().iter().enumerate();
+        let own = |(index, element): (usize, &Element)| match element.contact {
+            Some(_) => 0,
+            None => (share(index).ceil() as u64).max(fewest),
+        };
+        list.map(own).collect()
     }
 
     /// n_i for relative brightnesses B_i / B̄.
@@ -152,7 +176,7 @@ impl Subject<'_> {
         let weights = self.elements.list().iter().zip(bright);
         let weights: Vec<f64> = weights.map(|(element, b)| element.area * (1.0 + BRIGHTNESS * b)).collect();
         let all: f64 = weights.iter().sum();
-        weights.iter().map(|weight| ((rays * weight / all).ceil() as u64).max(FEWEST[1])).collect()
+        self.planned(&|index| rays * weights[index] / all, FEWEST[1])
     }
 
     /// B_i / B̄ of each element, the mean of the bands that emit.

@@ -21,7 +21,8 @@ use crate::elements::cells::Layers;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
 use crate::solve::{
-    Choice, Failure, Fit, MOST_RAYS, Options, Outcome, Progress, Sampling, Transport, solve, timed,
+    Choice, Failure, Fit, MOST_RAYS, Options, Outcome, Progress, Sampling, Transport, in_threads, solve,
+    solve_exactly, timed,
 };
 use crate::visibility::Visibility;
 
@@ -122,6 +123,9 @@ const EVEN: [Rung; 6] = [
 /// Most surfaces of a small scene. Chosen.
 const FEW: usize = 300;
 
+/// Why small scenes are solved by exact blocks.
+const NO_ERROR_OF_ELEMENTS: &str = "an accuracy is asked for, and rays do not tell the error of elements";
+
 /// Order of the first rungs. Chosen; not tuned.
 const FIRST_ORDER: usize = 2;
 
@@ -148,10 +152,12 @@ pub fn adapt(
     goal: Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
-    if is_by_rays(scene, options) {
+    let choice = in_threads(options.threads, || Choice::of(scene, options))?;
+    if is_by_rays(scene, options, &choice) {
         return by_rays(scene, options, goal, progress);
     }
-    let options = &Options { transport: Transport::Exact, ..*options };
+    let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
+    let exactly = |options: &Options| solve_exactly(scene, options, why, progress);
     let visibility = Visibility::new(scene, options.into());
     let occluded = visibility.any_shadow();
     let rungs: &[Rung] = if occluded || visibility.any_horizon() { &EVEN } else { &GRADED };
@@ -160,7 +166,7 @@ pub fn adapt(
     plan.dedup_by_key(|o| (o.order, o.layers.count, o.subdivide));
     let mut plan = plan.into_iter();
     let mut chosen = plan.next().expect("there is a first rung");
-    let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
+    let mut outcome = exactly(&chosen).map_err(advise)?;
     if !outcome.converged {
         let achieved = Achieved { estimate: None, end: End::NotConverged };
         return Ok(Adapted { outcome, options: chosen, achieved });
@@ -178,7 +184,7 @@ pub fn adapt(
         if unknowns(scene, &options, occluded)? > goal.most_unknowns {
             break End::Unknowns;
         }
-        match finer(scene, &options, progress)? {
+        match finer(exactly(&options))? {
             Ok(finer) => (outcome, chosen) = (finer, options),
             Err(end) => break end,
         }
@@ -187,9 +193,9 @@ pub fn adapt(
 }
 
 /// Whether rays carry the pairs: in small scenes only if they are asked for, because they tell no error of elements.
-fn is_by_rays(scene: &Scene, options: &Options) -> bool {
+fn is_by_rays(scene: &Scene, options: &Options, choice: &Choice) -> bool {
     let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
-    Choice::of(scene, options).sampled && (is_asked_for || scene.surfaces.len() > FEW)
+    choice.sampled && (is_asked_for || scene.surfaces.len() > FEW)
 }
 
 /// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is
@@ -222,7 +228,7 @@ fn by_rays(
         }
         let factor = error.map_or(MORE[1], |error| (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]));
         let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
-        match finer(scene, &Options { rays: Some(more), ..chosen }, progress)? {
+        match finer(solve(scene, &Options { rays: Some(more), ..chosen }, progress))? {
             Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),
             Err(end) => return ended(outcome, end),
         }
@@ -230,12 +236,8 @@ fn by_rays(
 }
 
 /// A run after the first, or the reason why it ends the sequence.
-fn finer(
-    scene: &Scene,
-    options: &Options,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> Result<Result<Outcome, End>, Failure> {
-    match solve(scene, options, progress) {
+fn finer(run: Result<Outcome, Failure>) -> Result<Result<Outcome, End>, Failure> {
+    match run {
         Ok(outcome) if outcome.converged => Ok(Ok(outcome)),
         Ok(_) | Err(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
             Ok(Err(End::NotConverged))

@@ -39,7 +39,7 @@ pub fn assemble_pairs(
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
     let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), progress);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, accuracy);
+        unreached::add(elements, visibility, &mut blocks, &left, accuracy, progress);
     }
     blocks
 }

@@ -1,6 +1,7 @@
 //! The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
 
 pub(crate) mod block;
+pub(crate) mod miss;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 
@@ -9,6 +10,8 @@ use std::borrow::Cow;
 use rayon::prelude::*;
 
 use crate::transport::blocks::pair_counts::PairCounts;
+use block::Block;
+use miss::Miss;
 use reciprocity::Reciprocity;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
@@ -39,12 +42,10 @@ pub struct Blocks {
     pub rays: u64,
     /// Reciprocity, from a sample of pairs that were integrated both ways.
     pub reciprocity: Reciprocity,
-    /// Estimate of the largest error of a block that rules or rays leave; zero if all were resolved. By rules of an
-    /// entry, relative to the largest of: the block's largest entry, a hundredth of its row's, and 1e-8; by rays of the
-    /// view factors of either element, relative to the largest of its row.
+    /// Estimate of the largest error of a block that rules or rays leave ([`Miss::error`]); zero if all were resolved.
     pub accuracy_reached: f64,
-    /// The two elements of that block.
-    pub worst: Option<[usize; 2]>,
+    /// The block whose error is the largest multiple of what was asked of it.
+    pub miss: Option<Miss>,
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
@@ -73,7 +74,7 @@ impl Blocks {
             rays: 0,
             reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
-            worst: None,
+            miss: None,
         }
     }
 
@@ -101,11 +102,19 @@ impl Blocks {
         self.symmetric
     }
 
-    /// Takes the error of the block of two elements into account.
-    pub(crate) fn tell(&mut self, error: f64, elements: [usize; 2]) {
-        if error > self.accuracy_reached {
-            (self.accuracy_reached, self.worst) = (error, Some(elements));
+    /// Takes the error of a block into account.
+    pub(crate) fn tell(&mut self, miss: Miss) {
+        self.accuracy_reached = self.accuracy_reached.max(miss.error);
+        if self.miss.is_none_or(|worst| miss.excess() > worst.excess()) {
+            self.miss = Some(miss);
         }
+    }
+
+    /// Adds what it took to integrate a block.
+    pub(crate) fn take_costs(&mut self, block: &Block) {
+        self.samples += block.samples;
+        self.distinct += block.distinct;
+        self.rays += block.rays;
     }
 
     /// Numbers that are stored.

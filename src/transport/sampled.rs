@@ -42,7 +42,8 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
-use estimate::{Counts, Estimate, Fixed};
+pub(in crate::transport) use estimate::Fixed;
+use estimate::{Counts, Estimate};
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::Sender;
@@ -149,8 +150,9 @@ impl<'a> SampledTransport<'a> {
         list.map(share).collect()
     }
 
-    /// Sends so many more rays from each element; covered ones send none. `progress` hears how many are done.
-    pub fn send(&mut self, rays: &[u64], progress: &mut dyn FnMut(u64)) {
+    /// Sends so many more rays from each element; covered ones send none. `goes_on` hears how many are done, and ends the
+    /// sending where it says no.
+    pub fn send(&mut self, rays: &[u64], goes_on: &mut dyn FnMut(u64) -> bool) {
         let list = self.elements.list();
         let tasks = rays.iter().enumerate().filter(|(element, _)| list[*element].contact.is_none());
         let tasks: Vec<Task> = tasks
@@ -174,7 +176,9 @@ impl<'a> SampledTransport<'a> {
             let (now, later) = rest.split_at(count);
             self.run(now);
             done += now.iter().map(|task| task.count).sum::<u64>();
-            progress(done);
+            if !goes_on(done) {
+                return;
+            }
             rest = later;
         }
     }
@@ -206,6 +210,11 @@ impl<'a> SampledTransport<'a> {
     /// Number of pairs that are carried exactly.
     pub fn exact_pairs(&self) -> usize {
         self.strong.len()
+    }
+
+    /// What these miss, as [`Blocks::accuracy_reached`].
+    pub fn exact_accuracy(&self) -> f64 {
+        self.strong.accuracy_reached()
     }
 
     fn run(&mut self, tasks: &[Task]) {
@@ -257,13 +266,11 @@ impl<'a> SampledTransport<'a> {
         self.only.as_ref().map_or_else(|| !self.strong.holds(pair), |only| only.contains(&pair))
     }
 
-    /// Blocks of the pairs on which rays count, given those of all others: their error, relative to row sums.
-    pub(in crate::transport) fn beside(&self, others: &Blocks, error: f64) -> Blocks {
+    /// Blocks of the pairs on which rays count, given those of all others.
+    pub(in crate::transport) fn beside(&self, others: &Fixed) -> Blocks {
         let mut blocks = Blocks::empty(self.starts.clone(), true);
-        let fixed = Fixed { sums: &others.apply(&self.elements.constant()), error, blocks: others };
-        Estimate::new(self.elements.list(), &self.starts, &self.tally, &self.counts, &fixed, Rays::All)
+        Estimate::new(self.elements.list(), &self.starts, &self.tally, &self.counts, others, Rays::All)
             .push(&mut blocks);
-        blocks.rays = self.sent.iter().sum();
         blocks
     }
 

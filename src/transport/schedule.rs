@@ -12,7 +12,7 @@ mod task;
 mod goal;
 
 use std::borrow::Cow;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -20,6 +20,7 @@ use rayon::prelude::*;
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
+use crate::transport::blocks::miss::Miss;
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::blocks::reciprocity::Reciprocity;
 use crate::transport::contact::planes;
@@ -120,18 +121,24 @@ pub(in crate::transport) fn by_rules(
         let block = &integrated[*place];
         let error = scales.relative(task, block);
         if block.untried || (error > accuracy.eps && scene.is_left(task)) {
+            debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
             let values = (!block.untried).then(|| block.values.clone());
             let found = values.map(|values| (values, block.error));
             let (row, column) = (task.row as usize, task.column as usize);
             left.push(Left { row, column, found, partly_hidden: block.partly_hidden });
             blocks.pairs.take(block);
             blocks.pairs.unresolved -= usize::from(block.unresolved);
+            blocks.take_costs(block);
             continue;
         }
-        blocks.tell(error, [task.row as usize, task.column as usize]);
+        let asked = if block.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
+        let pair = [task.row as usize, task.column as usize];
+        blocks.tell(Miss { pair, error, asked, by_rays: false });
         scene.store(&mut blocks, task, source, &tasks, &integrated);
     }
-    blocks.reciprocity = scene.reciprocity(&tasks, &goals, &sources, &integrated);
+    let is_left: HashSet<[usize; 2]> = left.iter().map(|pair| [pair.row, pair.column]).collect();
+    let is_stored = |task: &Task| !is_left.contains(&[task.row as usize, task.column as usize]);
+    blocks.reciprocity = scene.reciprocity(&tasks, &is_stored, &goals, &sources, &integrated);
     (blocks, left)
 }
 
@@ -288,16 +295,15 @@ impl Scene<'_> {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
         let block = &integrated[*place];
         blocks.pairs.take(block);
-        blocks.samples += block.samples;
         let (row, column) = (task.row as usize, task.column as usize);
         match source {
             Source::Own(_) => {
-                blocks.distinct += block.distinct;
-                blocks.rays += block.rays;
+                blocks.take_costs(block);
                 blocks.push(row, column, &block.values);
             }
             Source::Copy(first, _) => {
                 blocks.pairs.repeated += 1;
+                blocks.samples += block.samples;
                 blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
             }
         }
@@ -381,17 +387,20 @@ impl Scene<'_> {
         self.block_of(places, task, goal)
     }
 
-    /// Integrates a sample of the pairs, one in a hundred, with the roles of the elements exchanged; none above mean
+    /// Integrates a sample of the pairs that were stored, one in a hundred, with the roles of the elements exchanged; none above mean
     /// cost.
     fn reciprocity(
         &self,
         tasks: &[Task],
+        is_stored: &dyn Fn(&Task) -> bool,
         goals: &[Goal],
         sources: &[Source],
         integrated: &[Block],
     ) -> Reciprocity {
         let own = |(index, source): (usize, &Source)| match source {
-            Source::Own(place) if tasks[index].row != tasks[index].column => Some((index, *place)),
+            Source::Own(place) if tasks[index].row != tasks[index].column && is_stored(&tasks[index]) => {
+                Some((index, *place))
+            }
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
@@ -400,17 +409,18 @@ impl Scene<'_> {
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =
             pairs.into_iter().filter(|(_, place)| cost(*place) <= mean).step_by(step).collect();
-        let differences: Vec<f64> = sample
+        let differences: Vec<Option<f64>> = sample
             .par_iter()
             .map(|(index, place)| {
                 let task = &tasks[*index];
                 let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
                 let again = self.block_from(!self.is_turned(task), task, goals[*index]);
-                (again.values[0] - integrated[*place].values[0]).abs() * (a * b).sqrt() / a.min(b)
+                let apart = (again.values[0] - integrated[*place].values[0]).abs();
+                (!again.untried).then(|| apart * (a * b).sqrt() / a.min(b))
             })
             .collect();
         let mut told = Reciprocity::default();
-        differences.into_iter().for_each(|difference| told.take(difference));
+        differences.into_iter().flatten().for_each(|difference| told.take(difference));
         told
     }
 

@@ -8,8 +8,9 @@
 //! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
 //! ```
 //!
-//! the last term for what fewer than one ray meets. The number of rays is doubled until the error is small enough for
-//! the view factors of either element, relative to the largest of its row, or until [`most_rays`].
+//! the last term for what fewer than one ray meets. Rounds of twice as many rays as the one before follow until the error
+//! is small enough for the view factors of either element, relative to the largest of its row, or until [`most_rays`].
+//! The rays that tell when to stop are those that tell the error, so that it is told a little too small.
 //!
 //! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than theirs.
 
@@ -18,7 +19,8 @@ use std::collections::{HashMap, HashSet};
 use crate::elements::{Element, Elements};
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
-use crate::transport::sampled::SampledTransport;
+use crate::transport::blocks::miss::Miss;
+use crate::transport::sampled::{Fixed, SampledTransport};
 use crate::transport::schedule::Left;
 use crate::transport::schedule::order::Rank;
 use crate::visibility::Visibility;
@@ -33,15 +35,16 @@ const SURE: f64 = 2.0;
 /// Rays of each element and batch in the first round. Chosen.
 const FIRST: u64 = 1 << 11;
 
-/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to 1e-5. Chosen: one to two
-/// seconds on two cores, and ten to twenty.
+/// Rays in all, at an accuracy of 1e-3, and by which power of the accuracy they grow, down to [`FINEST`]. Chosen: one to
+/// two seconds on two cores, and ten to twenty.
 const MOST: f64 = 8e6;
 const MOST_POWER: f64 = 0.35;
 const MOST_AT: f64 = 1e-3;
 
 /// Elements that share these rays; more of them send more in proportion. Chosen.
 const FEW: f64 = 32.0;
-const FINEST: f64 = 1e-5;
+/// The accuracy below which no more rays are sent. Chosen.
+pub const FINEST: f64 = 1e-5;
 
 /// Factor on the error of rules that did not converge. Chosen: tori and balls on floors were off by up to this from what
 /// they told.
@@ -68,6 +71,7 @@ pub(in crate::transport) fn add(
     blocks: &mut Blocks,
     left: &[Left],
     accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
 ) {
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
     let ranks = ranks(elements.list());
@@ -79,19 +83,24 @@ pub(in crate::transport) fn add(
     let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
     let most = most_rays(accuracy.eps, touched.len());
     let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
+    let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.accuracy_reached);
+    let sums = blocks.apply(&elements.constant());
     let (mut sent, mut rays) = (0, FIRST);
     let mut open: Vec<&Left> = left.iter().collect();
     let found = loop {
         let senders: HashSet<usize> = open.iter().flat_map(|pair| [pair.row, pair.column]).collect();
         let now: Vec<u64> =
             (0..elements.list().len()).map(|index| if senders.contains(&index) { rays } else { 0 }).collect();
-        batches.iter_mut().for_each(|batch| batch.send(&now, &mut |_| ()));
+        for batch in &mut batches {
+            batch.send(&now, &mut |_| true);
+            sent += senders.len() as u64 * rays;
+            progress((left.len() as u64 * sent / most.max(sent)) as usize, left.len());
+        }
         let each = (BATCHES * senders.len()) as u64;
-        sent += each * rays;
-        let found = judged(elements.list(), blocks, left, &batches, accuracy);
+        let found = judged(elements.list(), &Fixed { sums: &sums, error, blocks }, left, &batches);
         let missing = left.iter().zip(&found).filter(|(pair, found)| found.relative > goal(pair));
         open = missing.map(|(pair, _)| pair).collect();
-        // As many again as were sent, as far as there are any left.
+        // Twice those of this round, as far as there are any left.
         let next = (2 * rays).min(most.saturating_sub(sent) / each);
         if open.is_empty() || next < rays / 2 {
             break found;
@@ -100,9 +109,9 @@ pub(in crate::transport) fn add(
     };
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();
-    for Found { row, column, values, relative, .. } in found {
+    for (Found { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {
         blocks.push(row, column, &values);
-        blocks.tell(relative, [row, column]);
+        blocks.tell(Miss { pair: [row, column], error: relative, asked: goal(pair), by_rays: true });
     }
 }
 
@@ -123,20 +132,14 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
 }
 
 /// What the batches say of each pair.
-fn judged(
-    list: &[Element],
-    others: &Blocks,
-    left: &[Left],
-    batches: &[SampledTransport],
-    accuracy: Accuracy,
-) -> Vec<Found> {
+fn judged(list: &[Element], others: &Fixed, left: &[Left], batches: &[SampledTransport]) -> Vec<Found> {
     let sizes = |pair: &Left| list[pair.row].basis.len() * list[pair.column].basis.len();
     let places: HashMap<(usize, usize), usize> =
         left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
     let mut sums: Vec<[Vec<f64>; 2]> =
         left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
     for batch in batches {
-        for (row, column, values) in batch.beside(others, accuracy.eps).iter() {
+        for (row, column, values) in batch.beside(others).iter() {
             let [sum, squares] = &mut sums[places[&(row, column)]];
             for ((sum, square), value) in sum.iter_mut().zip(squares).zip(values.iter()) {
                 *sum += value;
@@ -159,9 +162,10 @@ fn judged(
         Found { row: pair.row, column: pair.column, values, error, relative: f64::INFINITY }
     });
     let mut found: Vec<Found> = found.collect();
-    let rows = largest_factors(list, others, &found);
+    let rows = largest_factors(list, others.blocks, &found);
     for (found, pair) in found.iter_mut().zip(left) {
-        let relative = |error: f64| error * largest_scale(list, &rows, [pair.row, pair.column]);
+        let most = found.values[0].abs() + found.error;
+        let relative = |error: f64| error * largest_scale(list, &rows, [pair.row, pair.column], most);
         found.relative = relative(found.error);
         if let Some((values, error)) = &pair.found
             && DOUBT * error < found.error
@@ -192,9 +196,10 @@ fn largest_factors(list: &[Element], others: &Blocks, found: &[Found]) -> Vec<f6
     rows
 }
 
-/// Factor from an entry to the larger of the two view factors, each over the largest of its row.
-fn largest_scale(list: &[Element], rows: &[f64], [row, column]: [usize; 2]) -> f64 {
+/// Factor from an entry to the larger of the two view factors, each over the largest of its row. The entry itself may be
+/// as large as `most`: where nothing is known of a row, an entry of which nothing is known is in error by all of it.
+fn largest_scale(list: &[Element], rows: &[f64], [row, column]: [usize; 2], most: f64) -> f64 {
     let ratio = (list[column].area / list[row].area).sqrt();
-    let scale = |factor: f64, largest: f64| if largest > 0.0 { factor / largest } else { 0.0 };
+    let scale = |factor: f64, largest: f64| factor / largest.max(most * factor).max(f64::MIN_POSITIVE);
     scale(ratio, rows[row]).max(scale(1.0 / ratio, rows[column]))
 }

@@ -14,7 +14,7 @@ use radiosity_geom::{DVec3, Motion};
 
 use crate::interior::Interior;
 use crate::random::Random;
-use crate::sensor::{Sensor, sensors};
+use crate::sensor::sensors;
 use crate::surface::Surface;
 
 /// The accuracy of everything, the usual one.
@@ -27,7 +27,7 @@ const FURNACE: f64 = 10.0;
 struct Found {
     /// Largest |B − 2| over the sensors, and where.
     furnace: f64,
-    at: Option<Sensor>,
+    at: Option<Probe>,
     /// Largest |row − 1| of view factors that is not told, and which.
     row: f64,
     of: String,
@@ -88,18 +88,17 @@ fn look(random: &mut Random, case: usize, curved: bool) -> Result<Found, String>
     Ok(Found { furnace, at, row, of })
 }
 
-fn furnace(scene: &Scene, writing: &Writing, sensors: &[Sensor]) -> Result<(f64, Option<Sensor>), String> {
+fn furnace(scene: &Scene, writing: &Writing, sensors: &[Probe]) -> Result<(f64, Option<Probe>), String> {
     let options = Options { eps: EPS, ..Options::default() };
     let outcome = solve(scene, &options, &|_| {}).map_err(|error| error.to_string())?;
     let visibility = Visibility::new(scene, (&options).into());
     let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1.25 * EPS);
-    let probes: Vec<Probe> = sensors.iter().map(|sensor| writing.probe(&sensor.probe)).collect();
-    let readings = probe(&reader, &probes, scene.middle, &|_, _| {}).map_err(|(_, fault)| fault.to_string())?;
+    let probes: Vec<Probe> = sensors.iter().map(|sensor| writing.probe(sensor)).collect();
+    let readings =
+        probe(&reader, &probes, scene.middle, &|_, _| {}).map_err(|(_, fault)| fault.to_string())?;
     let offs = readings.iter().map(|reading| 0.5 * (reading.irradiance[0] - 2.0).abs());
-    let worst = offs.zip(sensors).max_by(|a, b| a.0.total_cmp(&b.0));
-    Ok(worst.map_or((0.0, None), |(off, sensor)| {
-        (off, Some(Sensor { probe: writing.probe(&sensor.probe), ..*sensor }))
-    }))
+    let worst = offs.zip(&probes).max_by(|a, b| a.0.total_cmp(&b.0));
+    Ok(worst.map_or((0.0, None), |(off, probe)| (off, Some(*probe))))
 }
 
 fn rows(scene: &Scene) -> Result<(f64, String), String> {
@@ -117,7 +116,11 @@ fn rows(scene: &Scene) -> Result<(f64, String), String> {
 }
 
 fn hunt(seed: u64, count: usize) {
-    let kinds: &[bool] = match std::env::var("KIND").as_deref() { Ok("flat") => &[false], Ok("curved") => &[true], _ => &[false, false, true] };
+    let kinds: &[bool] = match std::env::var("KIND").as_deref() {
+        Ok("flat") => &[false],
+        Ok("curved") => &[true],
+        _ => &[false, false, true],
+    };
     let (mut refused, mut missed) = (0, 0);
     for case in 0..count {
         let mut random = Random(seed + 1_000_003 * case as u64);

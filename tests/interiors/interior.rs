@@ -162,7 +162,8 @@ impl Interior {
         let choices = [0.0, 0.1 * radius, random.power(-6.0, -1.0)];
         let lift = random.pick(&choices);
         let center = DVec3::new(circle.middle[0], circle.middle[1], circle.floor + radius + lift);
-        self.surfaces.push(Surface { name: format!("ball {index}"), shape: Shape::Sphere { center, radius } });
+        self.surfaces
+            .push(Surface { name: format!("ball {index}"), shape: Shape::Sphere { center, radius } });
         self.solids.push(Solid::Ball { center, radius });
     }
 

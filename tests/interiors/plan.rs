@@ -132,5 +132,12 @@ fn attic(random: &mut Random, size: [f64; 3]) -> Plan {
         polygon("gable 1", &reversed),
     ];
     let outline = vec![[0.0, 0.0], [w, 0.0], [w, d], [0.0, d]];
-    Plan { kind: "attic", surfaces, outline, height: h, cells: vec![on_floor([0.0, 0.0, w, d])], size: [w, d, h] }
+    Plan {
+        kind: "attic",
+        surfaces,
+        outline,
+        height: h,
+        cells: vec![on_floor([0.0, 0.0, w, d])],
+        size: [w, d, h],
+    }
 }

@@ -12,15 +12,8 @@ use crate::surface::{Shape, Surface};
 /// How far before a surface it is looked whether something stands there (metres), below all distances from edges.
 const BEFORE: f64 = 1e-9;
 
-/// A sensor and the surface it lies on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Sensor {
-    pub(crate) probe: Probe,
-    pub(crate) surface: Option<usize>,
-}
-
 /// Sensors of an interior, those on surfaces no nearer to their edges than `least` metres.
-pub(crate) fn sensors(random: &mut Random, interior: &Interior, count: usize, least: f64) -> Vec<Sensor> {
+pub(crate) fn sensors(random: &mut Random, interior: &Interior, count: usize, least: f64) -> Vec<Probe> {
     let mut found = Vec::new();
     for _ in 0..100 * count {
         if found.len() == count {
@@ -30,9 +23,7 @@ pub(crate) fn sensors(random: &mut Random, interior: &Interior, count: usize, le
         let surface = random.between(0.0, surfaces.len() as f64) as usize;
         let sensor = match random.pick(&[0, 1, 1, 1]) {
             0 => in_air(random, interior),
-            _ => on_surface(random, &surfaces[surface], least)
-                .filter(|probe| is_open(interior, probe))
-                .map(|probe| Sensor { probe, surface: Some(surface) }),
+            _ => on_surface(random, &surfaces[surface], least).filter(|probe| is_open(interior, probe)),
         };
         found.extend(sensor);
     }
@@ -45,10 +36,10 @@ fn is_open(interior: &Interior, probe: &Probe) -> bool {
     before.z > 0.0 && !interior.is_solid(before)
 }
 
-fn in_air(random: &mut Random, interior: &Interior) -> Option<Sensor> {
+fn in_air(random: &mut Random, interior: &Interior) -> Option<Probe> {
     let position = DVec3::from_array(interior.plan.size.map(|side| random.between(0.0, side)));
     let probe = Probe { position, normal: direction(random) };
-    interior.is_air(position).then_some(Sensor { probe, surface: None })
+    interior.is_air(position).then_some(probe)
 }
 
 fn direction(random: &mut Random) -> DVec3 {

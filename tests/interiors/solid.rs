@@ -11,9 +11,20 @@ use crate::surface::{Shape, Surface};
 #[derive(Clone, Debug)]
 pub(crate) enum Solid {
     /// Upright over a convex outline, counterclockwise, from one height to another.
-    Prism { outline: Vec<[f64; 2]>, low: f64, high: f64 },
-    Ball { center: DVec3, radius: f64 },
-    Can { base: DVec3, axis: DVec3, radius: f64 },
+    Prism {
+        outline: Vec<[f64; 2]>,
+        low: f64,
+        high: f64,
+    },
+    Ball {
+        center: DVec3,
+        radius: f64,
+    },
+    Can {
+        base: DVec3,
+        axis: DVec3,
+        radius: f64,
+    },
 }
 
 impl Solid {
@@ -40,7 +51,8 @@ impl Solid {
 pub(crate) fn prism(name: &str, outline: &[[f64; 2]], low: f64, high: f64, open: &[usize]) -> Vec<Surface> {
     let count = outline.len();
     let corner = |k: usize, z: f64| DVec3::new(outline[k % count][0], outline[k % count][1], z);
-    let mut surfaces = vec![Surface::polygon(format!("{name} top"), (0..count).map(|k| corner(k, high)).collect())];
+    let mut surfaces =
+        vec![Surface::polygon(format!("{name} top"), (0..count).map(|k| corner(k, high)).collect())];
     if !open.contains(&count) {
         let bottom = (0..count).rev().map(|k| corner(k, low)).collect();
         surfaces.push(Surface::polygon(format!("{name} bottom"), bottom));

@@ -6,10 +6,21 @@ use radiosity_geom::DVec3;
 #[derive(Clone, Debug)]
 pub(crate) enum Shape {
     Polygon(Vec<DVec3>),
-    Sphere { center: DVec3, radius: f64 },
+    Sphere {
+        center: DVec3,
+        radius: f64,
+    },
     /// A cylinder without its ends.
-    Pipe { base: DVec3, axis: DVec3, radius: f64 },
-    Disk { center: DVec3, normal: DVec3, radius: f64 },
+    Pipe {
+        base: DVec3,
+        axis: DVec3,
+        radius: f64,
+    },
+    Disk {
+        center: DVec3,
+        normal: DVec3,
+        radius: f64,
+    },
 }
 
 /// A surface, its front in the air of the room.
@@ -23,7 +34,6 @@ impl Surface {
     pub(crate) fn polygon(name: impl Into<String>, corners: Vec<DVec3>) -> Self {
         Self { name: name.into(), shape: Shape::Polygon(corners) }
     }
-
 
     /// The surface with all its points moved; `turn` moves directions.
     pub(crate) fn moved(&self, place: impl Fn(DVec3) -> DVec3, turn: impl Fn(DVec3) -> DVec3) -> Self {

@@ -162,7 +162,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
 
 #[test]
 fn a_stopped_run_counts_the_rays_that_were_sent() {
-    static STOP: AtomicBool = AtomicBool::new(false);
+    static STOP: Stop = Stop::new();
     let scene = Scene::builtin("occluder-box").expect("built in");
     let planned = 8_000_000;
     let options = Options {
@@ -176,7 +176,7 @@ fn a_stopped_run_counts_the_rays_that_were_sent() {
     let outcome = solve(&scene, &options, &|stage| {
         if let Progress::Rays { error: Some(error), .. } = stage {
             assert!(error < 0.1, "{error}");
-            STOP.store(true, Ordering::Relaxed);
+            STOP.raise();
         }
     });
     let outcome = outcome.expect("the scene can be solved");

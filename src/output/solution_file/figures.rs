@@ -9,7 +9,7 @@ use crate::solution::Solution;
 use crate::solve::{Choice, Outcome, Sampling, Stages};
 use crate::solved::Solved;
 use crate::studies::adaptation::Achieved;
-use crate::transport::PairCounts;
+use crate::transport::{Miss, PairCounts};
 
 /// The figures of an [`Outcome`].
 #[derive(Debug, Serialize, Deserialize)]
@@ -27,6 +27,8 @@ pub(super) struct Figures {
     kernel_samples_distinct: u64,
     shadow_rays: u64,
     accuracy_reached: f64,
+    #[serde(default)]
+    miss: Option<Miss>,
     /// The accuracy that the run reached, where one was wanted.
     #[serde(default)]
     pub(super) achieved: Option<Achieved>,
@@ -54,6 +56,7 @@ impl Figures {
             kernel_samples_distinct: outcome.distinct,
             shadow_rays: outcome.rays,
             accuracy_reached: outcome.accuracy_reached,
+            miss: outcome.miss,
             achieved: solved.achieved,
             choice: outcome.choice.clone(),
             sampling: outcome.sampling,
@@ -74,6 +77,7 @@ impl Figures {
             distinct: self.kernel_samples_distinct,
             rays: self.shadow_rays,
             accuracy_reached: self.accuracy_reached,
+            miss: self.miss,
             solver: Method::named(&self.solver).ok()?.name,
             iterations: self.iterations,
             residual: self.residual,

@@ -63,7 +63,7 @@ pub(super) struct Estimate<'a> {
 
 /// What is known of the pairs on which no ray counts.
 #[derive(Debug)]
-pub(super) struct Fixed<'a> {
+pub(in crate::transport) struct Fixed<'a> {
     /// Σ_j G_ij c_j over them, of all coefficients.
     pub sums: &'a [f64],
     /// Their error, relative to row sums.

@@ -43,23 +43,34 @@ impl Strong {
         tally.iter().filter(is_worth).map(|sums| (sums.row as u32, sums.column as u32)).collect()
     }
 
-    /// These pairs with their exact blocks.
+    /// These pairs with their exact blocks, without those whose accuracy rules do not reach.
     pub(super) fn new(
-        pairs: HashSet<(u32, u32)>,
+        mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
         visibility: &Visibility,
         accuracy: Accuracy,
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Self {
+        if pairs.is_empty() {
+            return Self::default();
+        }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
-        let how = (accuracy, Unreached::Kept);
-        let blocks = (!pairs.is_empty()).then(|| by_rules(elements, &wanted, visibility, how, progress).0);
-        Self { pairs, blocks }
+        let how = (accuracy, Unreached::Left);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, progress);
+        for pair in left {
+            pairs.remove(&(pair.row as u32, pair.column as u32));
+        }
+        Self { pairs, blocks: Some(blocks) }
     }
 
     /// Whether a pair is carried exactly, the element that comes first in front.
     pub(super) fn holds(&self, pair: (u32, u32)) -> bool {
         self.pairs.contains(&pair)
+    }
+
+    /// What the exact blocks miss, as [`Blocks::accuracy_reached`].
+    pub(super) fn accuracy_reached(&self) -> f64 {
+        self.blocks.as_ref().map_or(0.0, |blocks| blocks.accuracy_reached)
     }
 
     /// Number of pairs.
@@ -72,7 +83,7 @@ impl Strong {
         if let Some(exact) = &self.blocks {
             (blocks.pairs, blocks.samples, blocks.distinct) = (exact.pairs, exact.samples, exact.distinct);
             blocks.reciprocity = exact.reciprocity;
-            (blocks.accuracy_reached, blocks.worst) = (exact.accuracy_reached, exact.worst);
+            (blocks.accuracy_reached, blocks.miss) = (exact.accuracy_reached, exact.miss);
         }
     }
 
