@@ -26,7 +26,7 @@ pub(crate) mod sampled;
 pub(in crate::transport) mod unreached;
 mod assembly;
 
-pub use assembly::{assemble, assemble_pairs, assemble_senders};
+pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
 pub use blocks::Blocks;
 pub use blocks::block::{Accuracy, Kind};
 pub use blocks::miss::Miss;

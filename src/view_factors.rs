@@ -145,7 +145,7 @@ fn constants(
     let elements = Elements::new(&scene, &how)?;
     let surface = |element: usize| elements.list()[element].surface;
     let wanted = |a, b| wanted(surface(a), surface(b)) || wanted(surface(b), surface(a));
-    let blocks = transport::assemble_pairs(&elements, &wanted, &visibility, accuracy, progress);
+    let blocks = transport::assemble_factors(&elements, &wanted, &visibility, accuracy, progress);
     Ok((elements, blocks))
 }
 

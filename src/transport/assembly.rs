@@ -5,6 +5,7 @@ use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::schedule::{Unreached, by_rules};
 use crate::transport::unreached;
+use crate::transport::unreached::Whole;
 use crate::visibility::Visibility;
 
 /// The blocks of all pairs. `progress` is called with (pairs done, pairs to do), from any thread.
@@ -36,10 +37,31 @@ pub fn assemble_pairs(
     accuracy: Accuracy,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Blocks {
+    assembled(elements, wanted, visibility, (Whole::Element, accuracy), progress)
+}
+
+/// The same for elements that carry constants, accurate for the view factors of their surfaces.
+pub fn assemble_factors(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), progress)
+}
+
+fn assembled(
+    elements: &Elements,
+    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    visibility: &Visibility,
+    (whole, accuracy): (Whole, Accuracy),
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
     let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), progress);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, accuracy, progress);
+        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), progress);
     }
     blocks
 }

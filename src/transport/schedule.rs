@@ -484,8 +484,10 @@ impl Scene<'_> {
                 _ => blockers.to_mut().extend(met.own),
             }
         }
-        let is_ball = self.visibility.only_ball(&blockers).is_some();
-        if self.unreached == Unreached::Left && !blockers.is_empty() && !is_ball {
+        // What a ball hides of a surface from itself is not known well enough either.
+        let is_ball = row != column && self.visibility.only_ball(&blockers).is_some();
+        let is_near = self.reaches[row].is_near(&self.reaches[column]);
+        if self.unreached == Unreached::Left && is_near && !blockers.is_empty() && !is_ball {
             let kind = if row == column { Kind::Same } else { Kind::Separated };
             return Block::untried(receiver.basis.len() * emitter.basis.len(), kind, rays);
         }

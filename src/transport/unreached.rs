@@ -8,11 +8,15 @@
 //! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
 //! ```
 //!
-//! the last term for what fewer than one ray meets. Rounds of twice as many rays as the one before follow until the error
+//! the last term for what fewer than one ray meets. View factors of surfaces are sums over their elements, whose errors
+//! partly cancel: there s is that of the sums ([`wholes`]). Rounds of twice as many rays as the one before follow until the error
 //! is small enough for the view factors of either element, relative to the largest of its row, or until [`most_rays`].
 //! The rays that tell when to stop are those that tell the error, so that it is told a little too small.
 //!
 //! A value by rules is kept where rays agree with it and its own error, times [`DOUBT`], is smaller than theirs.
+
+mod found;
+mod wholes;
 
 use std::collections::{HashMap, HashSet};
 
@@ -24,13 +28,9 @@ use crate::transport::sampled::{Fixed, SampledTransport};
 use crate::transport::schedule::Left;
 use crate::transport::schedule::order::Rank;
 use crate::visibility::Visibility;
-
-/// Independent sequences of rays. Chosen.
-const BATCHES: usize = 8;
-
-/// Standard deviations of the mean that count as its error: at 7 degrees of freedom more than three times as much is
-/// met once in a thousand cases (Student).
-const SURE: f64 = 2.0;
+use found::{BATCHES, Found, SURE};
+pub(in crate::transport) use wholes::Whole;
+use wholes::Wholes;
 
 /// Rays of each element and batch in the first round. Chosen.
 const FIRST: u64 = 1 << 11;
@@ -53,26 +53,16 @@ const DOUBT: f64 = 10.0;
 /// Relative error of rays that is enough to check a value by rules. Chosen.
 const CHECKED: f64 = 1e-3;
 
-/// A block by rays, or by rules where rays agree.
-struct Found {
-    row: usize,
-    column: usize,
-    values: Vec<f64>,
-    /// Largest error of an entry.
-    error: f64,
-    /// That of the view factors of either element, relative to the largest of its row.
-    relative: f64,
-}
-
 /// Adds the blocks that are `left` to `blocks`, and tells their error there.
 pub(in crate::transport) fn add(
     elements: &Elements,
     visibility: &Visibility,
     blocks: &mut Blocks,
     left: &[Left],
-    accuracy: Accuracy,
+    (whole, accuracy): (Whole, Accuracy),
     progress: &(dyn Fn(usize, usize) + Sync),
 ) {
+    let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
     let ranks = ranks(elements.list());
     let batch = |batch: usize| {
@@ -97,7 +87,7 @@ pub(in crate::transport) fn add(
             progress((left.len() as u64 * sent / most.max(sent)) as usize, left.len());
         }
         let each = (BATCHES * senders.len()) as u64;
-        let found = judged(elements.list(), &Fixed { sums: &sums, error, blocks }, left, &batches);
+        let found = judged(elements.list(), &wholes, &Fixed { sums: &sums, error, blocks }, left, &batches);
         let missing = left.iter().zip(&found).filter(|(pair, found)| found.relative > goal(pair));
         open = missing.map(|(pair, _)| pair).collect();
         // Twice those of this round, as far as there are any left.
@@ -132,15 +122,24 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
 }
 
 /// What the batches say of each pair.
-fn judged(list: &[Element], others: &Fixed, left: &[Left], batches: &[SampledTransport]) -> Vec<Found> {
+fn judged(
+    list: &[Element],
+    wholes: &Wholes,
+    others: &Fixed,
+    left: &[Left],
+    batches: &[SampledTransport],
+) -> Vec<Found> {
     let sizes = |pair: &Left| list[pair.row].basis.len() * list[pair.column].basis.len();
     let places: HashMap<(usize, usize), usize> =
         left.iter().enumerate().map(|(place, pair)| ((pair.row, pair.column), place)).collect();
     let mut sums: Vec<[Vec<f64>; 2]> =
         left.iter().map(|pair| [vec![0.0; sizes(pair)], vec![0.0; sizes(pair)]]).collect();
-    for batch in batches {
+    let mut firsts = vec![[0.0; BATCHES]; left.len()];
+    for (number, batch) in batches.iter().enumerate() {
         for (row, column, values) in batch.beside(others).iter() {
-            let [sum, squares] = &mut sums[places[&(row, column)]];
+            let place = places[&(row, column)];
+            let [sum, squares] = &mut sums[place];
+            firsts[place][number] = values[0];
             for ((sum, square), value) in sum.iter_mut().zip(squares).zip(values.iter()) {
                 *sum += value;
                 *square += value * value;
@@ -158,48 +157,25 @@ fn judged(list: &[Element], others: &Fixed, left: &[Left], batches: &[SampledTra
         let largest = values.iter().zip(&squares).map(deviation).fold(0.0, f64::max);
         let unit = (list[pair.row].area * list[pair.column].area).sqrt();
         let one = 1.0 / ((density(pair.row) + density(pair.column)) * unit);
-        let error = SURE * largest + one;
-        Found { row: pair.row, column: pair.column, values, error, relative: f64::INFINITY }
+        Found { row: pair.row, column: pair.column, values, one, error: SURE * largest + one, relative: 0.0 }
     });
     let mut found: Vec<Found> = found.collect();
-    let rows = largest_factors(list, others.blocks, &found);
-    for (found, pair) in found.iter_mut().zip(left) {
-        let most = found.values[0].abs() + found.error;
-        let relative = |error: f64| error * largest_scale(list, &rows, [pair.row, pair.column], most);
-        found.relative = relative(found.error);
+    let rows = wholes.largest_factors(list, others.blocks, &found);
+    for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
         if let Some((values, error)) = &pair.found
             && DOUBT * error < found.error
-            && found.relative <= CHECKED
+            && wholes.relative(list, &rows, found) <= CHECKED
             && agree(values, &found.values, found.error)
         {
             found.values.clone_from(values);
-            (found.error, found.relative) = (DOUBT * error, relative(DOUBT * error));
+            (found.error, found.one) = (DOUBT * error, DOUBT * error);
+            *firsts = [values[0]; BATCHES];
         }
     }
+    wholes.judge(list, &rows, &mut found, &firsts);
     found
 }
 
 fn agree(a: &[f64], b: &[f64], error: f64) -> bool {
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= error)
-}
-
-/// The largest view factor of each element.
-fn largest_factors(list: &[Element], others: &Blocks, found: &[Found]) -> Vec<f64> {
-    let mut rows = vec![0.0f64; list.len()];
-    let mut take = |row: usize, column: usize, value: f64| {
-        let ratio = (list[column].area / list[row].area).sqrt();
-        rows[row] = rows[row].max(value.abs() * ratio);
-        rows[column] = rows[column].max(value.abs() / ratio);
-    };
-    others.iter().for_each(|(row, column, values)| take(row, column, values[0]));
-    found.iter().for_each(|found| take(found.row, found.column, found.values[0]));
-    rows
-}
-
-/// Factor from an entry to the larger of the two view factors, each over the largest of its row. The entry itself may be
-/// as large as `most`: where nothing is known of a row, an entry of which nothing is known is in error by all of it.
-fn largest_scale(list: &[Element], rows: &[f64], [row, column]: [usize; 2], most: f64) -> f64 {
-    let ratio = (list[column].area / list[row].area).sqrt();
-    let scale = |factor: f64, largest: f64| factor / largest.max(most * factor).max(f64::MIN_POSITIVE);
-    scale(ratio, rows[row]).max(scale(1.0 / ratio, rows[column]))
 }

@@ -32,9 +32,9 @@ const DEAR: f64 = 3e3;
 /// Counting error of the points that are summed: one point, or three if none was met (rule of three: 0.05 = e⁻³).
 const OFF: f64 = 1.0;
 const UNMET: f64 = 3.0;
-/// Ratio of the standard deviation of the mean, as if batches were independent, to the error found: measured as about
-/// 2; no table was kept.
-const BALANCED: f64 = 2.0;
+/// Standard deviations of the mean, as if batches were independent, that count as its error. Half of one is what is
+/// found on the average; a disk that hid part of another was off by three.
+const SURE: f64 = 2.0;
 
 /// Which kind of points is summed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -131,7 +131,7 @@ impl Work<'_> {
         let mut points = FEWEST;
         let mut batches: Vec<Vec<f64>> = (0..BATCHES).map(|_| self.batch(points)).collect();
         loop {
-            let error = (deviation(&batches) / BALANCED).max(self.least_error());
+            let error = (SURE * deviation(&batches)).max(self.least_error());
             // The error falls about like 1/n.
             let is_hopeless = points >= MOST || self.count.samples as f64 * error > most * limit;
             if error <= limit || is_hopeless {

@@ -16,7 +16,7 @@ const SHADOWED_ROW_SHARE: f64 = 0.25;
 
 /// Error allowed for shadows by outlines, or sampled between flat elements, as a factor on ε_shadow times the largest
 /// view factor of either element: the errors of the few shadowed blocks of a row may add up. Chosen; not tuned.
-const FACTOR_SHARE: f64 = 0.5;
+const FACTOR_SHARE: f64 = 0.25;
 
 /// Floor of the shadow tolerance, as a factor on the upper bound of the entry and on ε_shadow; view factors, and hence
 /// the bound, are at most 1. Chosen; not tuned.

@@ -1,0 +1,21 @@
+//! What rays find of a block.
+
+/// Independent sequences of rays. Chosen.
+pub(super) const BATCHES: usize = 8;
+
+/// Standard deviations of the mean that count as its error: at 7 degrees of freedom more than three times as much is
+/// met once in a thousand cases (Student).
+pub(super) const SURE: f64 = 2.0;
+
+/// A block by rays, or by rules where rays agree.
+pub(super) struct Found {
+    pub row: usize,
+    pub column: usize,
+    pub values: Vec<f64>,
+    /// What one ray is worth, as an entry.
+    pub one: f64,
+    /// Largest error of an entry.
+    pub error: f64,
+    /// That of the view factors of either whole, relative to the largest of its row.
+    pub relative: f64,
+}
