@@ -149,14 +149,14 @@ impl Subject {
             weights.iter().map(|weight| (rays * weight / (1.0 + BRIGHTNESS)).ceil() as u64).collect()
         };
         let mut transport = SampledTransport::new(&self.elements, &self.visibility);
-        transport.send(&plan(PILOT * rays as f64), &mut |_| ());
+        transport.send(&plan(PILOT * rays as f64), &mut |_| true);
         let planned = plan((1.0 - PILOT) * rays as f64);
         if way == Way::Both {
             let accuracy = EXACT / (rays as f64).sqrt();
             let accuracy = Accuracy { eps: accuracy, shadow_eps: accuracy };
             transport.settle(&planned, accuracy, &|_, _| {});
         }
-        transport.send(&planned, &mut |_| ());
+        transport.send(&planned, &mut |_| true);
         (transport.blocks(Rays::All), transport.exact_pairs())
     }
 }

@@ -1,13 +1,12 @@
 //! Blocks from rays against exact ones; what they keep: symmetry, closure, bits; and the error that is told.
 
 use std::f64::consts::PI;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use radiosity::elements::{Discretization, Elements};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Cylinder, Disk, FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{NamedMaterial, Scene};
-use radiosity::solve::{Options, Outcome, Progress, Transport, solve};
+use radiosity::solve::{Options, Outcome, Progress, Stop, Transport, solve};
 use radiosity::transport;
 use radiosity::transport::{Accuracy, Blocks, Rays, SampledTransport};
 use radiosity::visibility::{Shadows, Visibility};
@@ -18,7 +17,7 @@ fn sampled(scene: &Scene, order: usize, rays: u64) -> Blocks {
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
     let elements = Elements::new(scene, &Discretization::uniform(order, 1)).expect("surfaces have area");
     let mut transport = SampledTransport::new(&elements, &visibility);
-    transport.send(&vec![rays; elements.list().len()], &mut |_| ());
+    transport.send(&vec![rays; elements.list().len()], &mut |_| true);
     transport.blocks(Rays::All)
 }
 
@@ -102,7 +101,7 @@ fn no_ray_leaves_a_closed_room() {
         let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
         let elements = Elements::new(&scene, &Discretization::uniform(0, 2)).expect("surfaces have area");
         let mut transport = SampledTransport::new(&elements, &visibility);
-        transport.send(&vec![20_000; elements.list().len()], &mut |_| ());
+        transport.send(&vec![20_000; elements.list().len()], &mut |_| true);
         for (element, share) in elements.list().iter().zip(transport.shares_lost()) {
             assert!(share == 0.0, "{}: surface {} loses {share}", scene.name, element.surface);
         }
@@ -139,7 +138,7 @@ fn what_crosses_a_wall_hides_what_it_encloses() {
     let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
     let elements = Elements::new(&scene, &Discretization::uniform(0, 1)).expect("surfaces have area");
     let mut transport = SampledTransport::new(&elements, &visibility);
-    transport.send(&vec![20_000; elements.list().len()], &mut |_| ());
+    transport.send(&vec![20_000; elements.list().len()], &mut |_| true);
     let shares = transport.shares_lost();
     let below = 0.5 * (1.0 - height / radius);
     for (element, share) in elements.list().iter().zip(shares) {

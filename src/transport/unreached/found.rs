@@ -16,6 +16,8 @@ pub(super) struct Found {
     pub one: f64,
     /// Largest error of an entry.
     pub error: f64,
+    /// Whether the values are those by rules.
+    pub is_by_rules: bool,
     /// That of the view factors of either whole, relative to the largest of its row.
     pub relative: f64,
 }

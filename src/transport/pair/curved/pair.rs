@@ -3,18 +3,21 @@
 use radiosity_geom::COINCIDENT;
 
 use crate::elements::patch::Patch;
-use crate::elements::rule::MOST_POINTS;
 use crate::transport::blocks::block::Kind;
 use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
 use crate::transport::contact::orientation::{Facing, facing};
+use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
 use crate::transport::pair::curved::constant::constant;
 use crate::transport::pair::curved::job::{Job, SMALL_PART, State};
-use crate::transport::pair::curved::points::MOST_CORNER_POINTS;
 use crate::transport::rules::common_edge::{LARGEST_ASPECT, Wedge, unequal_speed};
 use crate::transport::rules::far::SMALLEST_RATIO;
+use crate::transport::rules::orders::by_trial::Trial;
 use crate::transport::rules::{common_edge, common_vertex};
+
+/// Error over the difference of the last two sums of a trial that did not converge. Chosen; not tuned.
+const MISSED: f64 = 3.0;
 
 impl Job<'_> {
     pub(super) fn pair(&mut self, p: &Patch, q: &Patch, mut state: State) {
@@ -88,6 +91,17 @@ impl Job<'_> {
         }
     }
 
+    /// Adds what a rule sums, which a trial found to miss so much of it.
+    fn by_rule(&mut self, missed: f64, rule: impl FnOnce(&mut Moments)) {
+        let before = self.first_entry(&self.moments);
+        rule(&mut self.moments);
+        if missed > 0.0 {
+            let carried = self.first_entry(&self.moments) - before;
+            self.error += MISSED * missed.min(1.0) * carried.abs();
+            self.unresolved = true;
+        }
+    }
+
     /// A pair that faces each other wholly, or whose horizons are left to the rays.
     fn smooth(&mut self, p: &Patch, q: &Patch, contact: &Touch, gap: f64, state: &State) {
         let (visibility, blockers, own) = (self.visibility, state.blockers.clone(), self.surfaces());
@@ -100,25 +114,17 @@ impl Job<'_> {
                 if wedge.aspect() > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let points = self.points(a, b).edge(a, b, *matched, &wedge);
-                self.unresolved |= points[2] > MOST_POINTS;
+                let Trial { points, missed } = self.points(a, b).edge(a, b, *matched, &wedge);
                 let rule = if *matched { common_edge::integrate } else { unequal_speed::integrate };
-                rule(&mut self.moments, a, b, points.map(|n| n.min(MOST_POINTS)), sees);
+                self.by_rule(missed, |moments| rule(moments, a, b, points, sees));
             }
             Touch::Vertex(a, b) => {
                 self.kind = self.kind.max(Kind::Vertex);
                 if common_vertex::aspect(a, b) > LARGEST_ASPECT && !self.spent() {
                     return self.halve(p, q, contact, state);
                 }
-                let points = self.points(a, b).corner(a, b);
-                self.unresolved |= points[1] > MOST_CORNER_POINTS;
-                common_vertex::integrate(
-                    &mut self.moments,
-                    a,
-                    b,
-                    points.map(|n| n.min(MOST_CORNER_POINTS)),
-                    sees,
-                );
+                let Trial { points, missed } = self.points(a, b).corner(a, b);
+                self.by_rule(missed, |moments| common_vertex::integrate(moments, a, b, points, sees));
             }
             Touch::Apart(_) if gap >= SMALLEST_RATIO * p.longest().1.max(q.longest().1) => {
                 let points = self.points(p, q).apart(p, q, gap);

@@ -2,11 +2,10 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::DVec3;
-
 use crate::elements::patch::Patch;
 use crate::elements::rule::MOST_POINTS;
 use crate::transport::rules::common_edge::{Wedge, unequal_speed};
+use crate::transport::rules::orders::by_trial::Trial;
 use crate::transport::rules::orders::{by_trial, chart_orders};
 use crate::transport::rules::{common_edge, common_vertex, far, horizon};
 
@@ -28,33 +27,30 @@ impl Points {
         [0, 1, 2, 3].map(|k| (counts[k] + charts[k]).min(MOST_POINTS))
     }
 
-    /// Points [x, y, angular] of the rule of a common edge.
-    pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> [usize; 3] {
+    /// Points [x, y, angular] of the rule of a common edge: by trial, and no fewer than flat patches at this `wedge` need,
+    /// as sums with few points may agree by chance.
+    pub(super) fn edge(&self, p: &Patch, q: &Patch, matched: bool, wedge: &Wedge) -> Trial<3> {
         let (eps, exact) = (self.eps, self.exact_degree());
-        if eps > by_trial::COARSEST {
-            let [_, _, angular] = common_edge::counts(p, q, wedge, self.degrees, eps);
-            let radial = exact + contact_chart(p, q, eps);
-            return [radial, radial, angular + 1];
-        }
-        let [radial, along, angular] = if matched {
+        let Trial { points: [radial, along, angular], missed } = if matched {
             by_trial::edge(p, &|u, v| q.node(u, v), eps)
         } else {
             let seam = unequal_speed::UnequalSpeed::new(p, q);
             by_trial::edge(p, &|u, v| seam.node(u, v), eps)
         };
-        [exact + radial - 1, exact + along - 1, angular + self.largest_degree().div_ceil(2)]
+        let [_, _, flat] = common_edge::counts(p, q, wedge, self.degrees, eps);
+        let angular = (angular + self.largest_degree().div_ceil(2)).max(flat + 1);
+        let points = [exact + radial - 1, exact + along - 1, angular].map(|n| n.min(MOST_POINTS));
+        Trial { points, missed }
     }
 
-    /// Points [x, angular] of the rule of a common corner.
-    pub(super) fn corner(&self, p: &Patch, q: &Patch) -> [usize; 2] {
+    /// Points [x, angular] of the rule of a common corner, as for an edge.
+    pub(super) fn corner(&self, p: &Patch, q: &Patch) -> Trial<2> {
         let (eps, exact, degree) = (self.eps, self.exact_degree(), self.largest_degree());
-        if eps > by_trial::COARSEST {
-            let [_, angular] = common_vertex::counts(p, q, self.degrees, eps);
-            let angular = angular.max(far::points(degree, eps, corner_rate(p, q))) + 1;
-            return [exact + contact_chart(p, q, eps), angular];
-        }
-        let [radial, angular] = by_trial::vertex(p, q, MOST_CORNER_POINTS, eps);
-        [exact + radial - 1, angular + degree.div_ceil(2)]
+        let Trial { points: [radial, angular], missed } = by_trial::vertex(p, q, MOST_CORNER_POINTS, eps);
+        let [_, flat] = common_vertex::counts(p, q, self.degrees, eps);
+        let points = [exact + radial - 1, (angular + degree.div_ceil(2)).max(flat + 1)]
+            .map(|n| n.min(MOST_CORNER_POINTS));
+        Trial { points, missed }
     }
 
     pub(super) fn largest_degree(&self) -> usize {
@@ -89,24 +85,4 @@ pub(super) fn quartered(patch: &Patch, degree: usize, gap: f64, eps: f64) -> Arc
     // A horizon tangent to a quarter's lines cuts off less of each smaller quarter: one level per two digits, and one.
     let deepest = (1 + (-0.5 * eps.log10()).ceil() as usize).min(horizon::DEEPEST);
     (0..=deepest).map(|depth| [0, 1].map(|axis| count(axis, depth))).collect()
-}
-
-/// ϱ of the angular variables at a common corner of patches that lean over each other: that of a common edge with the
-/// least angle φ between their directions, 1 + 2 sin(φ/2) = ½ (ϱ + 1/ϱ); sin(φ/2) ≥ 0.01 keeps ϱ above 1.
-fn corner_rate(p: &Patch, q: &Patch) -> f64 {
-    // Steps of a quarter circle of directions. Chosen; not tuned.
-    const STEPS: usize = 8;
-    let directions = |patch: &Patch| -> Vec<DVec3> {
-        let corner = patch.node(0.0, 0.0).position;
-        let [along, across] = [(1e-3, 0.0), (0.0, 1e-3)].map(|(s, t)| patch.node(s, t).position - corner);
-        let at = |k: usize| {
-            let (sin, cos) = (std::f64::consts::FRAC_PI_2 * k as f64 / STEPS as f64).sin_cos();
-            cos * along + sin * across
-        };
-        (0..=STEPS).map(at).collect()
-    };
-    let (a, b) = (directions(p), directions(q));
-    let angles = a.iter().flat_map(|d| b.iter().map(move |e| d.angle_between(*e)));
-    let sigma = 1.0 + 2.0 * (0.5 * angles.fold(std::f64::consts::PI, f64::min)).sin().max(0.01);
-    sigma + (sigma * sigma - 1.0).sqrt()
 }

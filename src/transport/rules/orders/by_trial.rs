@@ -2,7 +2,7 @@
 //!
 //! The formulas of [`crate::transport::rules::common_edge`] and [`crate::transport::rules::common_vertex`] know the
 //! singularities of parallelograms. Curved patches have nearer ones: sides that run together, lines that bend across a
-//! narrow gap. Where many digits are asked, the rule itself is therefore tried on sections of its domain: a sum over
+//! narrow gap. The rule itself is therefore tried on sections of its domain: a sum over
 //! one set of variables with the others fixed at a few values. The least n is taken with
 //!
 //! ```text
@@ -15,8 +15,6 @@ use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::{MOST_POINTS, UnitRule};
 use crate::transport::moments::integrand::kernel;
 
-/// Accuracy ε from which on trials are made. Chosen; not tuned.
-pub(in crate::transport) const COARSEST: f64 = 3e-4;
 /// Factor of ε in a trial (the ½ above). Chosen; not tuned.
 const SHARE: f64 = 0.5;
 /// Smallest relative difference asked of two sums; below it is rounding.
@@ -29,9 +27,16 @@ const FEW: usize = 4;
 const EDGE_PARTS: usize = 6;
 const CORNER_PARTS: usize = 4;
 
+/// Numbers of points, and what the sums of the largest rules still differ by, relative, if that is too much; else 0.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::transport) struct Trial<const N: usize> {
+    pub points: [usize; N],
+    pub missed: f64,
+}
+
 /// Numbers of points [x, y, angular] for constants on two patches with their common edge at t = 0. `node` is the
 /// emitter's chart, at the receiver's speed along the edge.
-pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> [usize; 3] {
+pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps: f64) -> Trial<3> {
     let value = |part: usize, [x, y, a, b]: [f64; 4]| {
         let [t, v, z] = [[1.0, a, b], [a, 1.0, b], [a, b, 1.0]][part % 3].map(|place| x * place);
         let base = (1.0 - z) * y;
@@ -54,12 +59,12 @@ pub(in crate::transport) fn edge(p: &Patch, node: &dyn Fn(f64, f64) -> Node, eps
     let angular = least(3, MOST_POINTS, eps, EDGE_PARTS, |part, n| {
         HELD.iter().map(|x| over_angles(UnitRule::of(n), &|a, b| value(part, [*x, 0.5, a, b]))).sum()
     });
-    [radial, along, angular]
+    Trial::of([radial, along, angular])
 }
 
 /// Numbers of points [x, angular] for constants on two patches with their common corner at (0, 0); at most `most`
 /// angular ones.
-pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> [usize; 2] {
+pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) -> Trial<2> {
     let value = |part: usize, x: f64, [a, b, c]: [f64; 3]| {
         let places = [[1.0, a, b, c], [a, 1.0, b, c], [a, b, 1.0, c], [a, b, c, 1.0]];
         let [s, t, u, v] = places[part].map(|place| x * place);
@@ -78,21 +83,35 @@ pub(in crate::transport) fn vertex(p: &Patch, q: &Patch, most: usize, eps: f64) 
     });
     let angular =
         least(3, most, eps, CORNER_PARTS, |part, n| cube(n, &|angles| value(part, HELD[1], angles)));
-    [radial, angular]
+    Trial::of([radial, angular])
 }
 
-/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2); `most` if none does.
-fn least(first: usize, most: usize, eps: f64, parts: usize, sum: impl Fn(usize, usize) -> f64) -> usize {
+impl<const N: usize> Trial<N> {
+    fn of(each: [(usize, f64); N]) -> Self {
+        Self { points: each.map(|(points, _)| points), missed: each.map(|(_, missed)| missed).iter().sum() }
+    }
+}
+
+/// The least n ≥ `first` whose sums S_r(n) agree with S_r(n + 2), and 0; `most` if none does, and what they differ by,
+/// relative.
+fn least(
+    first: usize,
+    most: usize,
+    eps: f64,
+    parts: usize,
+    sum: impl Fn(usize, usize) -> f64,
+) -> (usize, f64) {
     let sums = |n: usize| (0..parts).map(|part| sum(part, n)).collect::<Vec<f64>>();
     let mut coarse = sums(first);
-    let mut n = first;
+    let (mut n, mut missed) = (first, f64::INFINITY);
     while n < most {
         let fine = sums(n + 2);
         let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
-        if difference <= (SHARE * eps).max(ROUNDING) * fine.iter().map(|x| x.abs()).sum::<f64>() {
-            return n;
+        let all: f64 = fine.iter().map(|x| x.abs()).sum();
+        if difference <= (SHARE * eps).max(ROUNDING) * all {
+            return (n, 0.0);
         }
-        (n, coarse) = (n + 2, fine);
+        (n, coarse, missed) = (n + 2, fine, difference / all);
     }
-    most
+    (most, missed)
 }
