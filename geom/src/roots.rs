@@ -34,9 +34,6 @@ fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
 /// square root of the precision, 2⁻²⁶.
 const DEEPEST: usize = 26;
 
-/// A step of Newton's method below which the next one is far smaller, unless it is made of rounding. Chosen.
-const SHORT: f64 = 1e-10;
-
 /// Visits the roots in [0, 1] of the polynomial with Bernstein coefficients `b`: each at least once, simple
 /// ones to full precision, multiple ones to about 1e-8, where there may be false ones too: the caller has to
 /// check.
@@ -78,7 +75,6 @@ fn isolate<const N: usize>(
 fn bracketed<const N: usize>(b: &[f64; N]) -> f64 {
     let (mut low, mut high) = (0.0, 1.0);
     let mut x = b[0] / (b[0] - b[N - 1]);
-    let mut last = f64::INFINITY;
     for _ in 0..60 {
         let (value, slope) = evaluate(b, x);
         if (value < 0.0) == (b[0] < 0.0) {
@@ -88,12 +84,10 @@ fn bracketed<const N: usize>(b: &[f64; N]) -> f64 {
         }
         let newton = x - value / slope;
         let next = if low < newton && newton < high { newton } else { 0.5 * (low + high) };
-        let step = (next - x).abs();
-        // Short steps that shrink no more are rounding.
-        if step <= f64::EPSILON || (step < SHORT && step >= 0.5 * last) {
+        if (next - x).abs() <= f64::EPSILON {
             return next;
         }
-        (x, last) = (next, step);
+        x = next;
     }
     x
 }
