@@ -14,6 +14,7 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     error::CliError,
+    memory,
     numbers::Counts,
     options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
@@ -54,12 +55,19 @@ pub(crate) struct RenderArgs {
     pub(crate) report: ReportArgs,
 }
 
+/// Bytes of a pixel beside its bands, and of each band. Measured: 130 for three bands.
+const PIXEL: u64 = 60;
+const BAND: u64 = 24;
+
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     let kind = args.style.kind(&path)?;
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args, &loaded.scene)?;
+    let pixels = u64::from(camera.width) * u64::from(camera.height);
+    let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64);
+    memory::require(needed, &args.method, ["the pixels", "--size"])?;
     let mut style = args.style.prepare(&loaded.scene, &camera)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;

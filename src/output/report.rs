@@ -184,7 +184,14 @@ fn warnings(solved: &Solved) -> Vec<Warning> {
     let unconverged = (!outcome.converged).then(|| unconverged(outcome));
     let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
     let transfers = discretization(scene, options, outcome);
-    unconverged.into_iter().chain(adapted).chain(transfers).chain(geometry(scene, outcome)).collect()
+    let power = power(&outcome.checks, options.accuracy().eps.max(outcome.accuracy_reached));
+    unconverged
+        .into_iter()
+        .chain(adapted)
+        .chain(transfers)
+        .chain(power)
+        .chain(geometry(scene, outcome))
+        .collect()
 }
 
 /// What an inspection finds wrong with a scene that loses power, or elements of which send more than they have. Scenes
@@ -197,6 +204,23 @@ fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
     }
     let found = Inspection::of(scene).warnings.into_iter().filter(|found| !found.is_of_something_missing());
     found.map(|found| Warning { surface: found.surface, ..warning(found.code, found.message) }).collect()
+}
+
+/// A warning where power appears, or is lost though no element sends light past all others by more than their transfers
+/// may miss: where little is absorbed, every reflection adds their error once more.
+fn power(checks: &Checks, error: f64) -> Option<Warning> {
+    let lost = checks.energy_lost / checks.energy_in;
+    let looks_closed = checks.row_sum_min > 1.0 - CLOSED * error;
+    let message = match lost {
+        _ if lost < -ODD => format!("{:.0} % more power is absorbed than emitted", -100.0 * lost),
+        _ if lost > ODD && looks_closed => {
+            format!("{:.0} % of the power is lost in a scene that looks closed", 100.0 * lost)
+        }
+        _ => return None,
+    };
+    let cure = "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower \
+                --eps, or send more --rays";
+    Some(warning("power-balance", format!("{message}; {cure}")))
 }
 
 fn warning(code: &str, message: String) -> Warning {
@@ -253,6 +277,9 @@ fn why(end: End) -> Option<&'static str> {
 /// number of surfaces up to which that takes about a second at most. Chosen.
 const ODD: f64 = 0.01;
 const FEW: usize = 300;
+
+/// Errors of the transfers within which row sums count as 1.
+const CLOSED: f64 = 3.0;
 
 /// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
 /// elements at points was

@@ -385,6 +385,15 @@ fn unknown_scene_name() {
 }
 
 #[test]
+fn more_cells_or_pixels_than_memory() {
+    let parts = ["not enough memory", "help: ask for fewer with", "--memory"];
+    for (verb, option) in [("grid", "--cells"), ("render", "--size")] {
+        let args = [verb, "cornell-box", option, "16384x16384", "--memory", "100M"];
+        refused_command(&args, &[&parts[..], &[option]].concat());
+    }
+}
+
+#[test]
 fn unwritable_output() {
     refused_command(
         &["render", "-o", "none/out.png"],

@@ -78,6 +78,9 @@ fn rays_light_a_room_with_a_box_on_its_floor_as_exact_transport_does() {
     let means = |transport: Transport, rays| {
         let options = Options { order: 2, transport, rays, direct: Direct::Projected, ..Options::default() };
         let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+        if let Some(sampling) = outcome.sampling {
+            assert_eq!(sampling.rays, sampling.planned, "all rays are planned for what sends some");
+        }
         let mean = |index| outcome.solution.mean_irradiance(0, index);
         (0..scene.surfaces.len()).map(mean).collect::<Vec<f64>>()
     };

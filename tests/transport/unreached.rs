@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use radiosity::geom::DVec3;
-use radiosity::geom::shapes::{Cylinder, FULL_TURN, Parallelogram, Sphere, Torus};
+use radiosity::geom::shapes::{Cone, Cylinder, Disk, FULL_TURN, Parallelogram, Sphere, Torus};
 use radiosity::scene::Scene;
 use radiosity::transport::Accuracy;
 use radiosity::view_factors::{Options, ViewFactors};
@@ -98,4 +98,61 @@ fn long_cylinders_side_by_side_touch_along_a_line() {
         }
     });
     check("cylinders", &scene, &[(0, 1, exact), (1, 0, exact)]);
+}
+
+/// Coaxial disks of radii a and b at the distance h: F = (X − √(X² − 4 (b/a)²))/2, X = 1 + (b² + h²)/a² (Howell C-41).
+fn coaxial(a: f64, b: f64, h: f64) -> f64 {
+    let x = 1.0 + (b * b + h * h) / (a * a);
+    0.5 * (x - (x * x - 4.0 * (b / a).powi(2)).sqrt())
+}
+
+#[test]
+fn a_shallow_wall_meets_a_disk_along_its_rim() {
+    let (a, b, h) = (1.0, 0.5, 0.05);
+    let scene = scene(|builder, grey| {
+        let disk = |z: f64, normal: DVec3, radius: f64| {
+            Disk::new(z * DVec3::Z, normal, radius, 0.0, FULL_TURN).expect("a disk")
+        };
+        builder.surface("base", disk(0.0, DVec3::Z, a), grey);
+        let wall = Cone::new(DVec3::ZERO, h * DVec3::Z, a, b, FULL_TURN).expect("a frustum");
+        builder.surface("wall", wall, grey).flip();
+        builder.surface("top", disk(h, -DVec3::Z, b), grey);
+    });
+    let (to_top, slant) = (coaxial(a, b, h), (a + b) * (a - b).hypot(h));
+    let (base_to_wall, top_to_wall) = (1.0 - to_top, 1.0 - to_top * (a / b).powi(2));
+    let [wall_to_base, wall_to_top] = [base_to_wall * a * a / slant, top_to_wall * b * b / slant];
+    let known = [
+        (0, 1, base_to_wall),
+        (0, 2, to_top),
+        (2, 1, top_to_wall),
+        (1, 0, wall_to_base),
+        (1, 1, 1.0 - wall_to_base - wall_to_top),
+    ];
+    check("frustum", &scene, &known);
+}
+
+#[test]
+fn a_closed_pipe_sees_past_a_ball() {
+    let (radius, length, within) = (1.0, 4.0, 0.7);
+    let scene = scene(|builder, grey| {
+        let wall = Cylinder::new(DVec3::ZERO, length * DVec3::Z, radius, FULL_TURN).expect("a cylinder");
+        builder.surface("wall", wall, grey).flip();
+        for (name, z, normal) in [("floor", 0.0, DVec3::Z), ("top", length, -DVec3::Z)] {
+            let disk = Disk::new(z * DVec3::Z, normal, radius, 0.0, FULL_TURN).expect("a disk");
+            builder.surface(name, disk, grey);
+        }
+        let center = 0.5 * length * DVec3::Z;
+        let ball = Sphere::new(center, within, DVec3::Z, [-within, within], FULL_TURN).expect("a ball");
+        builder.surface("ball", ball, grey);
+    });
+    for eps in [3e-3, 3e-4] {
+        let found = factors(&scene, eps);
+        let told = found.accuracy_reached.max(eps);
+        assert!(told < 3.0 * eps, "{told} is told where {eps} is asked");
+        for surface in 0..4 {
+            let sum: f64 = found.row(surface).into_iter().sum();
+            println!("{eps:.0e}: row {surface} is {:.1e} off", sum - 1.0);
+            assert!((sum - 1.0).abs() < 3.0 * told, "row {surface} sums up to {sum}");
+        }
+    }
 }
