@@ -12,7 +12,10 @@
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod spot;
+pub mod by_rays;
+pub mod choice;
 
+use by_rays::RayGather;
 use crate::elements::patch::Node;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::{Occluders, Site};
@@ -98,6 +101,13 @@ impl<'a> Gather<'a> {
     /// Irradiance (W m⁻²) per band at a single point.
     pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
         self.irradiance(vantage, &self.around(&vantage.site()))
+    }
+}
+
+impl<'a> RayGather<'a> {
+    /// The light of `solution`, gathered by rays to about the relative accuracy `eps`, once or twice.
+    pub fn of(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
+        Self::new(solution, visibility, scales(solution), eps, twice)
     }
 }
 

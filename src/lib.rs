@@ -53,6 +53,7 @@ pub mod footings;
 pub mod covers;
 pub mod inspection;
 pub mod elements;
+mod sampling;
 pub mod transport;
 pub mod light;
 pub mod zatz1993;

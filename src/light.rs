@@ -27,6 +27,7 @@
 pub(crate) mod hierarchy;
 pub(crate) mod occluders;
 pub mod receiver_point;
+pub(crate) mod lamps;
 pub(crate) mod lines;
 pub(crate) mod area_light;
 pub(crate) mod blockers;

@@ -128,9 +128,24 @@ impl Solution {
 
     /// As [`Solution::indirect`], for all bands, into `out`.
     pub fn indirect_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+        self.evaluate_bands(element, place, |band| &band.raw_indirect[element], out);
+    }
+
+    /// Irradiance (W m⁻²) of all bands on element `element` by its polynomials, into `out`.
+    pub fn irradiance_bands(&self, element: usize, place: &Place, out: &mut [f64]) {
+        self.evaluate_bands(element, place, |band| &band.raw[element], out);
+    }
+
+    fn evaluate_bands<'a>(
+        &'a self,
+        element: usize,
+        place: &Place,
+        raw: impl Fn(&'a Band) -> &'a [f64],
+        out: &mut [f64],
+    ) {
         let values = self.elements.list()[element].raw_values(place.position, place.parameters);
         for (band, out) in self.bands.iter().zip(out) {
-            *out = values.iter().zip(&band.raw_indirect[element]).map(|(x, y)| x * y).sum();
+            *out = values.iter().zip(raw(band)).map(|(x, y)| x * y).sum();
         }
     }
 

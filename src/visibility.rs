@@ -268,6 +268,11 @@ impl Visibility {
         self.obstacles.iter().any(|obstacle| obstacle.bend != Bend::Inward && obstacle.is_bent())
     }
 
+    /// Whether a surface can stand between two others.
+    pub(crate) fn stands(&self, surface: usize) -> bool {
+        self.standing.binary_search(&surface).is_ok()
+    }
+
     /// Whether the planes of the surfaces allow any of them to stand between two others.
     pub(crate) fn has_obstacles(&self) -> bool {
         !self.standing.is_empty()
@@ -282,6 +287,15 @@ impl Visibility {
     /// where it bends back.
     pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         self.rays.nearest_from(surface, origin, direction)
+    }
+
+    /// Whether nothing stands between `x`, on `surface` if on any, and `y`, which may lie on another.
+    pub fn is_free(&self, surface: Option<usize>, x: DVec3, y: DVec3) -> bool {
+        let met = match surface {
+            Some(surface) => self.rays.nearest_from_until(surface, x, y - x, 1.0 - OWN_END),
+            None => self.rays.nearest(&Ray { range: [0.0, 1.0 - OWN_END], ..Ray::new(x, y - x) }),
+        };
+        met.is_none()
     }
 }
 

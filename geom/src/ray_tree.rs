@@ -119,8 +119,19 @@ impl RayTree {
     /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes along `direction`, of any
     /// length but zero.
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
+        self.nearest_from_until(own, origin, direction, f64::INFINITY)
+    }
+
+    /// As [`RayTree::nearest_from`], of what the ray meets before `end`, in multiples of `direction`.
+    pub fn nearest_from_until(
+        &self,
+        own: usize,
+        origin: DVec3,
+        direction: DVec3,
+        end: f64,
+    ) -> Option<Encounter> {
         let start = Start { own: [own, self.twins[own] as usize], step: 1.0 / direction.length() };
-        let range = [-start.step * NEAR * self.size, f64::INFINITY];
+        let range = [-start.step * NEAR * self.size, end];
         Search { tree: self, ray: Ray { origin, direction, range }, best: None, start: Some(start) }.walk()
     }
 }

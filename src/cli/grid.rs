@@ -70,10 +70,10 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
-    let reading = args.read.reading(&args.method);
+    let reading = args.read.reading(&args.method, outcome);
     let rates = args.read_samples.map_or(reading.rates, |samples| samples.0);
     let cells = run.in_threads(|| {
-        let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);
+        let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         grid(&reader, sides, rates, &observe)
     })?;
     data.write(|| csv(scene, &cells), || Document::new(scene, &cells))?;

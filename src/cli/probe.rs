@@ -80,9 +80,9 @@ pub(crate) fn run(args: &ProbeArgs, points: &Points, loaded: Loaded) -> Result<(
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);
-    let reading = args.read.reading(&args.method);
+    let reading = args.read.reading(&args.method, outcome);
     let readings = run.in_threads(|| {
-        let reader = Reader::new(&outcome.solution, visibility, reading.read, reading.eps);
+        let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         probe(&reader, &points.probes, scene.middle, &observe)
     })?;
     let readings = readings.map_err(|(index, fault)| unreadable(points, index, fault))?;

@@ -3,12 +3,17 @@
 use std::str::FromStr;
 
 use clap::Args;
+use radiosity::gather::choice::By;
 use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
+use radiosity::solve::Outcome;
 
 use crate::cli::numbers::accuracy;
 use crate::cli::options::MethodArgs;
+
+/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent.
+const BY_RAYS: f64 = 1e-2;
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
@@ -17,20 +22,26 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
-    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says, or --eps where that is
-    /// smaller]
+    /// By what light is gathered
+    #[arg(long, value_name = "WAY", default_value = "auto")]
+    pub(crate) read_by: By,
+
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of a solution by
+    /// rays; --eps or --accuracy where that is smaller]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
 
 impl ReadArgs {
-    /// As typed, the rest as the quality says; no coarser than an accuracy of blocks that was typed.
-    pub(crate) fn reading(&self, method: &MethodArgs) -> Reading {
+    /// As typed, the rest as the quality and the solution say; no coarser than an accuracy that was typed.
+    pub(crate) fn reading(&self, method: &MethodArgs, outcome: &Outcome) -> Reading {
         let usual = method.quality.reading();
-        let usual_eps = method.eps.map_or(usual.eps, |eps| eps.min(usual.eps));
+        let of_solution = if outcome.sampling.is_some() { usual.eps.max(BY_RAYS) } else { usual.eps };
+        let typed = [method.eps, method.wanted_accuracy()].into_iter().flatten();
         Reading {
             read: self.read.unwrap_or(usual.read),
-            eps: self.read_eps.unwrap_or(usual_eps),
+            by: self.read_by,
+            eps: self.read_eps.unwrap_or(typed.fold(of_solution, f64::min)),
             rates: usual.rates,
         }
     }

@@ -19,6 +19,7 @@ use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::gather::by_rays::Receiver;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::Site;
 use crate::light::receiver_point::ReceiverPoint;
@@ -158,6 +159,7 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (
         Light::Direct(direct) => {
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
         }
+        Light::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).irradiance,
         Light::Gather(gather) => {
             let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
             let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);

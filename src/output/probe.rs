@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
-use crate::output::reader::{Light, Reader};
+use crate::output::reader::{Reader, Value};
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
 /// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
@@ -29,6 +29,8 @@ pub struct Reading {
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
+    /// Standard deviation of what was gathered by rays, relative to it; None otherwise.
+    pub error: Option<f64>,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
 }
@@ -83,20 +85,24 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
     let elements = reader.solution().elements();
     let spot = Spot::find(elements, reader.visibility(), position, normal);
     let along_surface = |spot: &Spot| reader.irradiance(spot.element, &spot.place, spot.normal);
-    let (irradiance, on) = match (reader.light(), spot) {
-        (Light::Gather(gather), None) => (gather.at(&ReceiverPoint::free(position, normal)), None),
-        (_, None) => return Err(ProbeFault::OffSurface),
-        (Light::Gather(gather), Some(spot)) if spot.normal.dot(normal) < EQUAL_NORMAL => {
-            (gather.at(&spot.vantage(normal)), Some(on(reader, &spot, &along_surface(&spot))))
+    let (value, on) = match spot {
+        None => {
+            let free = ReceiverPoint::free(position, normal);
+            (reader.gathered(&free).ok_or(ProbeFault::OffSurface)?, None)
         }
-        (_, Some(spot)) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
-        (_, Some(spot)) => {
-            let irradiance = along_surface(&spot);
-            let on = on(reader, &spot, &irradiance);
-            (irradiance, Some(on))
+        Some(spot) if reader.gathers() && spot.normal.dot(normal) < EQUAL_NORMAL => {
+            let on = on(reader, &spot, &along_surface(&spot).irradiance);
+            (reader.gathered(&spot.vantage(normal)).ok_or(ProbeFault::Tilted)?, Some(on))
+        }
+        Some(spot) if spot.normal.dot(normal) < SAME_NORMAL => return Err(ProbeFault::Tilted),
+        Some(spot) => {
+            let value = along_surface(&spot);
+            let on = on(reader, &spot, &value.irradiance);
+            (value, Some(on))
         }
     };
-    Ok(Reading { probe: *probe, irradiance, on })
+    let Value { irradiance, error } = value;
+    Ok(Reading { probe: *probe, irradiance, error, on })
 }
 
 fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {

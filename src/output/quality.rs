@@ -11,6 +11,7 @@
 //! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
 //! read from polynomials the error of the basis dominates.
 
+use crate::gather::choice::By;
 use crate::output::grid::Rates;
 use crate::output::reader::Read;
 use crate::solve::Options;
@@ -35,6 +36,8 @@ pub enum Quality {
 pub struct Reading {
     /// The source of light at cells and points.
     pub read: Read,
+    /// By what it is gathered.
+    pub by: By,
     /// Relative accuracy of gathered light.
     pub eps: f64,
     /// Points along each side of a cell.
@@ -61,6 +64,6 @@ impl Quality {
             Self::Fine => (Read::Gather, 7e-4, 4, 2),
             Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
         };
-        Reading { read, eps, rates: Rates { direct, indirect } }
+        Reading { read, by: By::Auto, eps, rates: Rates { direct, indirect } }
     }
 }

@@ -3,6 +3,8 @@
 use radiosity_geom::DVec3;
 
 use crate::gather::Gather;
+use crate::gather::by_rays::{Estimate, RayGather, Receiver};
+use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::{Place, Solution};
@@ -37,14 +39,47 @@ pub enum Light<'a> {
     Basis,
     /// Direct light.
     Direct(DirectLight<'a>),
-    /// All light.
+    /// All light, by cells.
     Gather(Gather<'a>),
+    /// All light, by rays.
+    Rays(RayGather<'a>),
+}
+
+/// Irradiance as it was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Value {
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Standard deviation of what was gathered by rays, relative to it; None otherwise.
+    pub error: Option<f64>,
+}
+
+impl From<Vec<f64>> for Value {
+    fn from(irradiance: Vec<f64>) -> Self {
+        Self { irradiance, error: None }
+    }
+}
+
+impl From<Estimate> for Value {
+    fn from(Estimate { irradiance, error, .. }: Estimate) -> Self {
+        Self { irradiance, error: Some(error) }
+    }
 }
 
 impl<'a> Reader<'a> {
     /// Prepares to read `solution`; recomputed light has about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        Self::by(By::Auto, solution, visibility, read, eps)
+    }
+
+    /// As [`Reader::new`], with gathered light by cells or by rays.
+    pub fn by(by: By, solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let light = match read {
+            Read::Gather | Read::GatherTwice
+                if by.rays(solution, visibility, eps, read == Read::GatherTwice) =>
+            {
+                Light::Rays(RayGather::of(solution, visibility, eps, read == Read::GatherTwice))
+            }
             Read::Basis => Light::Basis,
             Read::Direct => {
                 let list = solution.elements().list();
@@ -66,6 +101,11 @@ impl<'a> Reader<'a> {
         self.visibility
     }
 
+    /// Whether all light is gathered.
+    pub fn gathers(&self) -> bool {
+        matches!(self.light, Light::Gather(_) | Light::Rays(_))
+    }
+
     /// The light that is recomputed.
     pub fn light(&self) -> &Light<'a> {
         &self.light
@@ -83,16 +123,28 @@ impl<'a> Reader<'a> {
         bands.map(|band| self.solution.indirect(band, element, place)).collect()
     }
 
-    /// Irradiance (W m⁻²) per band at a place of an element with unit normal `normal`, on its front.
-    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+    /// Irradiance per band at a place of an element with unit normal `normal`, on its front.
+    pub fn irradiance(&self, element: usize, place: &Place, normal: DVec3) -> Value {
         match &self.light {
-            Light::Basis => self.polynomials(element, place),
+            Light::Basis => self.polynomials(element, place).into(),
             Light::Direct(direct) => {
                 let rest = self.indirect_polynomials(element, place);
                 let lit = direct.at_beside(element, place.position, normal, &rest);
-                lit.iter().zip(rest).map(|(d, s)| d + s).collect()
+                lit.iter().zip(rest).map(|(d, s)| d + s).collect::<Vec<f64>>().into()
             }
-            Light::Gather(gather) => gather.at(&ReceiverPoint::on(place.surface, place.position, normal)),
+            Light::Gather(_) | Light::Rays(_) => {
+                let vantage = ReceiverPoint::on(place.surface, place.position, normal);
+                self.gathered(&vantage).expect("light is gathered")
+            }
+        }
+    }
+
+    /// Irradiance per band at any point; None where light is not gathered.
+    pub fn gathered(&self, vantage: &ReceiverPoint) -> Option<Value> {
+        match &self.light {
+            Light::Basis | Light::Direct(_) => None,
+            Light::Gather(gather) => Some(gather.at(vantage).into()),
+            Light::Rays(gather) => Some(gather.read(&Receiver::Point(*vantage)).into()),
         }
     }
 }

@@ -103,7 +103,9 @@ impl Eye<'_> {
                 let lit = direct.at_beside(element, place.position, normal, &rest);
                 lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
             }
-            Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),
+            Light::Basis | Light::Gather(_) | Light::Rays(_) => {
+                self.reader.irradiance(element, place, normal).irradiance
+            }
         };
         let bands = self.reader.solution().bands().iter();
         bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()

@@ -7,7 +7,7 @@
 //! Each pair of patches is summed in products along its charts ([`crate::transport::moments::chart`]), so that the sums
 //! factorise, and then changed to the elements' functions once.
 
-pub(in crate::transport) mod kronecker;
+pub(in crate::transport) mod node_pair;
 pub(in crate::transport) mod integrand;
 pub(in crate::transport) mod legendre_values;
 pub(in crate::transport) mod change;

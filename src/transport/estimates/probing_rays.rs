@@ -9,7 +9,7 @@
 
 use crate::elements::patch::Patch;
 use crate::transport::moments::integrand::kernel;
-use crate::transport::moments::kronecker::node_pair;
+use crate::transport::moments::node_pair::node_pair;
 use crate::visibility::Visibility;
 
 /// Pairs of points, in all and at least in each pair of parts, that estimate the share of points that face each other.

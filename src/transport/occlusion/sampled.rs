@@ -6,7 +6,7 @@
 //!
 //! where v = 1 sums what is seen and v = 0 what is hidden: whichever is rarer; the other follows from a smooth rule
 //! over all. The integrand jumps at the edges of shadows, where a tensor rule makes errors of one sign wherever an edge
-//! runs along its grid. The points z_m of a Kronecker sequence ([`crate::transport::moments::kronecker`]) lie on no
+//! runs along its grid. The points z_m of a Kronecker sequence ([`crate::sampling::kronecker`]) lie on no
 //! grid.
 //!
 //! The sequence is cut into [`BATCHES`] equal batches, each nearly equidistributed. The error is estimated as half the
@@ -18,7 +18,7 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, kernel};
-use crate::transport::moments::kronecker::node_pair;
+use crate::transport::moments::node_pair::node_pair;
 
 /// Batches of the sequence; an even number, since pairs of them are merged. Chosen; not tuned.
 const BATCHES: usize = 8;

@@ -1,0 +1,319 @@
+//! Light at a point by rays, with an error that is known.
+//!
+//! Of N cosine-distributed rays from x each first meets the front of a surface at y; M = N/2 further ones go to points y
+//! of the emitters, of density q(y) ([`crate::light::lamps`]). With the density κ(x, y) of the former and both combined
+//! by the balance heuristic,
+//!
+//! ```text
+//! E(x) ≈ 1/N Σ_cosine ( ρ E_h(y) + E₀(y) κ/(κ + q M/N) )  +  1/N Σ_emitters E₀(y) V κ/(κ + q M/N)     W m⁻² ,
+//! ```
+//!
+//! where E_h ≥ 0 are the polynomials of the irradiance. The estimate has no bias; emitters may be near or far, curved,
+//! partly hidden. Over a patch x is spread over it. [`BATCHES`] sequences, shifted independently, tell the standard
+//! deviation s of their mean; rays are doubled until s is below the accuracy asked for, or [`most_rays`] are sent.
+//!
+//! Gathered twice, E_h(y) is itself estimated so, by one ray of either kind.
+//!
+//! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*, ACM TOG 15
+//! (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
+
+use std::f64::consts::PI;
+
+use radiosity_geom::{DVec3, Encounter, Ray};
+
+use crate::elements::patch::Patch;
+use crate::light::lamps::{Lamps, Shares, Target};
+use crate::light::receiver_point::ReceiverPoint;
+use crate::sampling::kronecker;
+use crate::sampling::lambert::lambert;
+use crate::sampling::shift::{number_of, shift, shifted};
+use crate::sampling::spread::{Place as Spot, Spread};
+use crate::solution::{Place, Solution};
+use crate::visibility::Visibility;
+
+/// Independent sequences. Chosen.
+const BATCHES: usize = 8;
+
+/// Cosine-distributed rays of each sequence before the error is first looked at. Chosen.
+const FIRST: u64 = 32;
+
+/// Rays to emitters for each cosine-distributed one, M/N.
+const TO_LAMPS: f64 = 0.5;
+
+/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in offices.
+const ROUGHNESS: f64 = 0.7;
+
+/// As many times the expected number of rays are sent at the most. Chosen.
+const PATIENCE: f64 = 8.0;
+
+/// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
+const DARK: f64 = 0.02;
+
+/// Where light is read.
+#[derive(Debug)]
+pub enum Receiver<'a> {
+    /// At a point.
+    Point(ReceiverPoint),
+    /// The mean over a patch of a surface.
+    Patch {
+        /// Index of the surface.
+        surface: usize,
+        /// The patch.
+        patch: &'a Patch,
+    },
+}
+
+/// Irradiance by rays.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Estimate {
+    /// Irradiance per band (W m⁻²).
+    pub irradiance: Vec<f64>,
+    /// Standard deviation of the irradiance, relative, a mean over the bands.
+    pub error: f64,
+    /// Rays that were sent.
+    pub rays: u64,
+}
+
+/// A solution whose light is gathered by rays.
+#[derive(Debug)]
+pub struct RayGather<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+    lamps: Lamps,
+    /// Mean radiosity per band (W m⁻²).
+    scale: Vec<f64>,
+    eps: f64,
+    /// Whether the light that surfaces reflect is itself gathered.
+    twice: bool,
+}
+
+/// Where the rays of a receiver start.
+enum Start {
+    Point(ReceiverPoint),
+    Patch(usize, Spread),
+}
+
+/// Cosine-distributed rays that an error of `eps` takes.
+pub(super) fn usual_rays(eps: f64) -> f64 {
+    (ROUGHNESS / eps).powf(4.0 / 3.0)
+}
+
+/// Most cosine-distributed rays for an error of `eps`.
+fn most_rays(eps: f64) -> u64 {
+    (PATIENCE * usual_rays(eps)) as u64
+}
+
+impl<'a> RayGather<'a> {
+    /// The light of `solution` with the mean radiosity `scale` > 0 per band, to about the relative accuracy `eps`.
+    pub(super) fn new(
+        solution: &'a Solution,
+        visibility: &'a Visibility,
+        scale: Vec<f64>,
+        eps: f64,
+        twice: bool,
+    ) -> Self {
+        let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
+        Self { solution, visibility, lamps, scale, eps, twice }
+    }
+
+    /// The light of a receiver. It depends on nothing but the receiver.
+    pub fn read(&self, receiver: &Receiver) -> Estimate {
+        let start = Start::of(receiver);
+        let middle = start.at([0.5; 2]).0;
+        let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
+        let number = number_of(position.into_iter().chain(normal));
+        let shares = self.lamps.seen_from(&middle);
+        let bands = self.scale.len();
+        let mut sums = vec![0.0; BATCHES * bands];
+        let (mut sent, mut now) = (0, FIRST);
+        loop {
+            for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
+                let own = number.wrapping_add(batch as u64);
+                self.send_around(&start, &shares, own, sent..sent + now, sums);
+                self.send_to_lamps(&start, &shares, own, sent..sent + now, sums);
+            }
+            sent += now;
+            let estimate = self.estimate(&sums, sent, &shares);
+            if estimate.error <= self.eps || BATCHES as u64 * 2 * sent > most_rays(self.eps) {
+                return estimate;
+            }
+            now = sent;
+        }
+    }
+
+    /// Sends the cosine-distributed rays of these numbers.
+    fn send_around(
+        &self,
+        start: &Start,
+        shares: &Shares,
+        number: u64,
+        rays: std::ops::Range<u64>,
+        sums: &mut [f64],
+    ) {
+        let offset: [f64; 4] = shift(number);
+        let mut radiosity = vec![0.0; sums.len()];
+        for index in rays {
+            let (place, direction) = match start {
+                Start::Point(_) => {
+                    let [a, b, ..] = offset;
+                    ([0.5; 2], shifted(kronecker::point(index), &[a, b]))
+                }
+                Start::Patch(..) => {
+                    let [s, t, polar, turn] = shifted(kronecker::point(index), &offset);
+                    ([s, t], [polar, turn])
+                }
+            };
+            let (vantage, weight) = start.at(place);
+            radiosity.fill(0.0);
+            let chance = number_of([f64::from_bits(number), index as f64]);
+            self.add_met(&vantage, lambert(vantage.normal, direction), shares, TO_LAMPS, chance, &mut radiosity);
+            sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
+        }
+    }
+
+    /// Adds the radiosity of what a cosine-distributed ray meets, emitters with the weight that rays to them leave.
+    fn add_met(
+        &self,
+        vantage: &ReceiverPoint,
+        direction: DVec3,
+        shares: &Shares,
+        ratio: f64,
+        chance: u64,
+        radiosity: &mut [f64],
+    ) {
+        if vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+            return;
+        }
+        let x = vantage.position;
+        let met = match vantage.surface {
+            Some(surface) => self.visibility.nearest_from(surface, x, direction),
+            None => self.visibility.nearest(&Ray::new(x, direction)),
+        };
+        let Some(Encounter { surface, hit, front: true }) = met else { return };
+        let elements = self.solution.elements();
+        let Some(element) = elements.at(surface, [hit.u, hit.v]) else { return };
+        let own = &elements.list()[element];
+        if own.contact.is_some() {
+            return;
+        }
+        let position = x + hit.t * direction;
+        let place = Place { surface, parameters: [hit.u, hit.v], position };
+        let normal = || {
+            own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
+        };
+        let density = ratio * shares.density(element);
+        let weight = if density > 0.0 {
+            let kernel = vantage.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
+            kernel / (kernel + density)
+        } else {
+            1.0
+        };
+        let mut irradiance = vec![0.0; radiosity.len()];
+        if self.twice && chance != LAST {
+            self.add_estimate(&ReceiverPoint::on(surface, position, normal()), chance, &mut irradiance);
+        } else {
+            self.solution.irradiance_bands(element, &place, &mut irradiance);
+        }
+        for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
+            let coating = &band.coating;
+            *out += coating.reflectance[element] * irradiance.max(0.0) + weight * coating.exitance[element];
+        }
+    }
+
+    /// Adds an estimate of the irradiance by one ray of either kind.
+    fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        let shares = self.lamps.seen_from(vantage);
+        let [polar, turn, choice, s] = shift(chance);
+        let [t] = shift(number_of([f64::from_bits(chance)]));
+        let ratio = if shares.is_empty() { 0.0 } else { 1.0 };
+        self.add_met(vantage, lambert(vantage.normal, [polar, turn]), &shares, ratio, LAST, irradiance);
+        if ratio > 0.0 {
+            self.add_lamp(vantage, &shares.target([choice, s, t]), ratio, 1.0, irradiance);
+        }
+    }
+
+    /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
+    fn send_to_lamps(
+        &self,
+        start: &Start,
+        shares: &Shares,
+        number: u64,
+        rays: std::ops::Range<u64>,
+        sums: &mut [f64],
+    ) {
+        if shares.is_empty() {
+            return;
+        }
+        let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
+        let [s] = shift(number_of([f64::from_bits(number), 1.0]));
+        let part = |count: u64| (count as f64 * TO_LAMPS) as u64;
+        for index in part(rays.start)..part(rays.end) {
+            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
+            let target = shares.target(shifted(kronecker::point(index), &[a, b, c]));
+            self.add_lamp(&vantage, &target, TO_LAMPS, weight, sums);
+        }
+    }
+
+    /// Adds `scale` times the light of one ray to an emitter.
+    fn add_lamp(&self, vantage: &ReceiverPoint, target: &Target, ratio: f64, scale: f64, sums: &mut [f64]) {
+        let Spot { node, weight } = target.place;
+        let step = node.position - vantage.position;
+        let cosines = [vantage.normal.dot(step), -node.normal.dot(step)];
+        let is_below = vantage.ground.is_some_and(|ground| ground.dot(step) <= 0.0);
+        if is_below || cosines.iter().any(|cosine| *cosine <= 0.0) {
+            return;
+        }
+        let kernel = cosines[0] * cosines[1] / (PI * step.length_squared().powi(2));
+        if !self.visibility.is_free(vantage.surface, vantage.position, node.position) {
+            return;
+        }
+        let share = scale * weight * kernel / (kernel + ratio * target.density);
+        for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
+            *sum += share * band.coating.exitance[target.element];
+        }
+    }
+
+    /// What the sums of the batches say.
+    fn estimate(&self, sums: &[f64], sent: u64, shares: &Shares) -> Estimate {
+        let bands = self.scale.len();
+        let (n, rays) = (BATCHES as f64, sent as f64);
+        let mean = |band: usize| (0..BATCHES).map(|batch| sums[batch * bands + band]).sum::<f64>() / (n * rays);
+        let irradiance: Vec<f64> = (0..bands).map(mean).collect();
+        let relative = |values: &mut dyn Iterator<Item = f64>| {
+            values.zip(&self.scale).map(|(value, scale)| value / scale).sum::<f64>() / bands as f64
+        };
+        let batches = sums.chunks_exact(bands);
+        let levels: Vec<f64> =
+            batches.map(|sums| relative(&mut sums.iter().map(|sum| sum / rays))).collect();
+        let level = levels.iter().sum::<f64>() / n;
+        let square = levels.iter().map(|other| (other - level).powi(2)).sum::<f64>();
+        let error = (square / (n * (n - 1.0))).sqrt() / level.max(DARK);
+        let per_ray = if shares.is_empty() { 1.0 } else { 1.0 + TO_LAMPS };
+        Estimate { irradiance, error, rays: (per_ray * n * rays) as u64 }
+    }
+}
+
+/// The chance of a ray that gathers no more.
+const LAST: u64 = u64::MAX;
+
+impl Start {
+    fn of(receiver: &Receiver) -> Self {
+        match receiver {
+            Receiver::Point(vantage) => Self::Point(*vantage),
+            Receiver::Patch { surface, patch } => {
+                Self::Patch(*surface, Spread::of(std::slice::from_ref(*patch)))
+            }
+        }
+    }
+
+    /// The point that two numbers in [0, 1] choose, and its weight.
+    fn at(&self, place: [f64; 2]) -> (ReceiverPoint, f64) {
+        match self {
+            Self::Point(vantage) => (*vantage, 1.0),
+            Self::Patch(surface, spread) => {
+                let Spot { node, weight } = spread.point(place);
+                (ReceiverPoint::on(*surface, node.position, node.normal), weight)
+            }
+        }
+    }
+}
