@@ -34,8 +34,13 @@ use crate::visibility::Visibility;
 /// Independent sequences. Chosen.
 const BATCHES: usize = 8;
 
-/// Cosine-distributed rays of each sequence before the error is first looked at. Chosen.
-const FIRST: u64 = 32;
+/// Cosine-distributed rays of each sequence before the error is first looked at. Half of it took errors of 2 % for 1 % at
+/// bright points of a classroom.
+const FIRST: u64 = 64;
+
+/// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose sequences agree by
+/// chance stop first. Measured in a classroom.
+const CAUTION: f64 = 1.25;
 
 /// Rays to emitters for each cosine-distributed one, M/N.
 const TO_LAMPS: f64 = 0.5;
@@ -44,7 +49,7 @@ const TO_LAMPS: f64 = 0.5;
 const ROUGHNESS: f64 = 0.7;
 
 /// As many times the expected number of rays are sent at the most. Chosen.
-const PATIENCE: f64 = 8.0;
+const PATIENCE: f64 = 64.0;
 
 /// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
 const DARK: f64 = 0.02;
@@ -134,7 +139,7 @@ impl<'a> RayGather<'a> {
             }
             sent += now;
             let estimate = self.estimate(&sums, sent, &shares);
-            if estimate.error <= self.eps || BATCHES as u64 * 2 * sent > most_rays(self.eps) {
+            if CAUTION * estimate.error <= self.eps || BATCHES as u64 * 2 * sent > most_rays(self.eps) {
                 return estimate;
             }
             now = sent;
