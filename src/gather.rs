@@ -12,18 +12,18 @@
 //! Reference: I. H. Sloan, *Improvement by iteration for compact operator equations*, Math. Comp. 30 (1976).
 
 pub mod spot;
+mod scale;
 pub mod by_rays;
 pub mod choice;
 
-use by_rays::RayGather;
 use crate::elements::patch::Node;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::{Occluders, Site};
 use crate::light::receiver_point::ReceiverPoint;
-use crate::light::reflected;
 use crate::light::reflected::Reflection;
-use crate::solution::{Band, Place, Solution};
+use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
+use scale::scales;
 
 /// Tolerance of the first gathering over that of the second, which smooths its errors. Chosen; not tuned.
 const BEFORE: f64 = 5.0;
@@ -102,21 +102,6 @@ impl<'a> Gather<'a> {
     pub fn at(&self, vantage: &ReceiverPoint) -> Vec<f64> {
         self.irradiance(vantage, &self.around(&vantage.site()))
     }
-}
-
-impl<'a> RayGather<'a> {
-    /// The light of `solution`, gathered by rays to about the relative accuracy `eps`, once or twice.
-    pub fn of(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
-        Self::new(solution, visibility, scales(solution), eps, twice)
-    }
-}
-
-/// Mean radiosity (W m⁻²) of each band over the scene.
-fn scales(solution: &Solution) -> Vec<f64> {
-    let mean = |band: &Band| {
-        reflected::scale(solution.elements().list(), band.coefficients.radiosity.iter().copied())
-    };
-    solution.bands().iter().map(mean).collect()
 }
 
 /// Adds max(S_h, 0) per band at a node of an element to `sums`.

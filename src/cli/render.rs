@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::reader::Read;
-use radiosity::output::render::{render, white_balance};
+use radiosity::output::render::{render, usual_read, white_balance};
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
@@ -41,9 +41,9 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "S", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=64))]
     pub(crate) samples: u32,
 
-    /// What the picture is read from
-    #[arg(long, value_name = "MODE", default_value = "direct")]
-    pub(crate) read: Read,
+    /// What the picture is read from [default: gather, or direct where that would take more than some ten seconds]
+    #[arg(long, value_name = "MODE")]
+    pub(crate) read: Option<Read>,
 
     #[command(flatten)]
     pub(crate) style: StyleArgs,
@@ -74,8 +74,10 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let visibility = run.solved.visibility();
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.solved.outcome.solution;
+    let usual = usual_read(solution, visibility, pixels, run.threads());
+    let read = args.read.unwrap_or(usual);
     let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read, &rows)
+        render(&solved.outcome.solution, visibility, &camera, args.samples, read, &rows)
     };
     let (raster, borders) = run.in_threads(|| {
         style.take_other(|other| take(other, other.visibility()));
@@ -83,6 +85,9 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
         (take(&run.solved, visibility), args.style.wireframe.then(borders))
     })?;
     let mut written = path.display().to_string();
+    if args.read.is_none() && read == Read::Direct {
+        written += " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+    }
     match kind {
         Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
         Kind::Png => {

@@ -169,6 +169,14 @@ impl Run {
         })
     }
 
+    /// Number of threads that work.
+    pub(crate) fn threads(&self) -> usize {
+        match self.threads {
+            0 => std::thread::available_parallelism().map_or(1, usize::from),
+            threads => threads,
+        }
+    }
+
     /// Runs long work with as many threads as were asked for.
     pub(crate) fn in_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, CliError> {
         Ok(in_threads(self.threads, work)?)

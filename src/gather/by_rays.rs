@@ -18,10 +18,12 @@
 //! (1996); E. Veach, L. Guibas, SIGGRAPH 1995, 419-428 (the balance heuristic).
 
 use std::f64::consts::PI;
+use std::ops::Range;
 
 use radiosity_geom::{DVec3, Encounter, Ray};
 
 use crate::elements::patch::Patch;
+use crate::gather::scale::scales;
 use crate::light::lamps::{Lamps, Shares, Target};
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
@@ -45,11 +47,11 @@ const CAUTION: f64 = 1.25;
 /// Rays to emitters for each cosine-distributed one, M/N.
 const TO_LAMPS: f64 = 0.5;
 
-/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in offices.
-const ROUGHNESS: f64 = 0.7;
+/// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the Cornell box.
+const ROUGHNESS: f64 = 1.5;
 
 /// As many times the expected number of rays are sent at the most. Chosen.
-const PATIENCE: f64 = 64.0;
+const PATIENCE: f64 = 16.0;
 
 /// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
 const DARK: f64 = 0.02;
@@ -75,8 +77,6 @@ pub struct Estimate {
     pub irradiance: Vec<f64>,
     /// Standard deviation of the irradiance, relative, a mean over the bands.
     pub error: f64,
-    /// Rays that were sent.
-    pub rays: u64,
 }
 
 /// A solution whose light is gathered by rays.
@@ -109,36 +109,44 @@ fn most_rays(eps: f64) -> u64 {
 }
 
 impl<'a> RayGather<'a> {
-    /// The light of `solution` with the mean radiosity `scale` > 0 per band, to about the relative accuracy `eps`.
-    pub(super) fn new(
-        solution: &'a Solution,
-        visibility: &'a Visibility,
-        scale: Vec<f64>,
-        eps: f64,
-        twice: bool,
-    ) -> Self {
+    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`.
+    pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
+        let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         Self { solution, visibility, lamps, scale, eps, twice }
     }
 
-    /// The light of a receiver. It depends on nothing but the receiver.
+    /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, receiver: &Receiver) -> Estimate {
         let start = Start::of(receiver);
-        let middle = start.at([0.5; 2]).0;
+        let shares = self.lamps.seen_from(&start.middle());
+        self.gathered(&start, Some(&shares), 0.0)
+    }
+
+    /// The reflected light of a point alone, accurate relative to this and the light `other` (W m⁻² per band).
+    pub fn reflected(&self, vantage: &ReceiverPoint, other: &[f64]) -> Estimate {
+        self.gathered(&Start::Point(*vantage), None, self.relative(other.iter().copied()))
+    }
+
+    /// Reflected light, and direct light where there are `shares`; `other` light arrives too, in multiples of the scale.
+    fn gathered(&self, start: &Start, shares: Option<&Shares>, other: f64) -> Estimate {
+        let middle = start.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
         let number = number_of(position.into_iter().chain(normal));
-        let shares = self.lamps.seen_from(&middle);
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
         let (mut sent, mut now) = (0, FIRST);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
-                self.send_around(&start, &shares, own, sent..sent + now, sums);
-                self.send_to_lamps(&start, &shares, own, sent..sent + now, sums);
+                self.send_around(start, shares, own, sent..sent + now, sums);
+                if let Some(shares) = shares.filter(|shares| !shares.is_empty()) {
+                    let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
+                    self.send_to_lamps(start, shares, own, first..end, sums);
+                }
             }
             sent += now;
-            let estimate = self.estimate(&sums, sent, &shares);
+            let estimate = self.estimate(&sums, sent, other);
             if CAUTION * estimate.error <= self.eps || BATCHES as u64 * 2 * sent > most_rays(self.eps) {
                 return estimate;
             }
@@ -150,9 +158,9 @@ impl<'a> RayGather<'a> {
     fn send_around(
         &self,
         start: &Start,
-        shares: &Shares,
+        shares: Option<&Shares>,
         number: u64,
-        rays: std::ops::Range<u64>,
+        rays: Range<u64>,
         sums: &mut [f64],
     ) {
         let offset: [f64; 4] = shift(number);
@@ -171,18 +179,20 @@ impl<'a> RayGather<'a> {
             let (vantage, weight) = start.at(place);
             radiosity.fill(0.0);
             let chance = number_of([f64::from_bits(number), index as f64]);
-            self.add_met(&vantage, lambert(vantage.normal, direction), shares, TO_LAMPS, chance, &mut radiosity);
+            let direction = lambert(vantage.normal, direction);
+            let to_lamps = shares.map(|shares| (shares, TO_LAMPS));
+            self.add_met(&vantage, direction, to_lamps, chance, &mut radiosity);
             sums.iter_mut().zip(&radiosity).for_each(|(sum, radiosity)| *sum += weight * radiosity);
         }
     }
 
-    /// Adds the radiosity of what a cosine-distributed ray meets, emitters with the weight that rays to them leave.
+    /// Adds the radiosity of what a cosine-distributed ray meets: emitters with the weight that rays `to_lamps` leave, of
+    /// these shares and as many for each cosine-distributed one; without exitance where these are none.
     fn add_met(
         &self,
         vantage: &ReceiverPoint,
         direction: DVec3,
-        shares: &Shares,
-        ratio: f64,
+        to_lamps: Option<(&Shares, f64)>,
         chance: u64,
         radiosity: &mut [f64],
     ) {
@@ -206,13 +216,13 @@ impl<'a> RayGather<'a> {
         let normal = || {
             own.plane.map_or_else(|| elements.shape(surface).jet(hit.u, hit.v).normal, |(_, normal)| normal)
         };
-        let density = ratio * shares.density(element);
-        let weight = if density > 0.0 {
-            let kernel = vantage.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
-            kernel / (kernel + density)
-        } else {
-            1.0
-        };
+        let weight = to_lamps.map_or(0.0, |(shares, ratio)| match ratio * shares.density(element) {
+            0.0 => 1.0,
+            density => {
+                let kernel = vantage.normal.dot(direction) * -normal().dot(direction) / (PI * hit.t * hit.t);
+                kernel / (kernel + density)
+            }
+        });
         let mut irradiance = vec![0.0; radiosity.len()];
         if self.twice && chance != LAST {
             self.add_estimate(&ReceiverPoint::on(surface, position, normal()), chance, &mut irradiance);
@@ -230,10 +240,10 @@ impl<'a> RayGather<'a> {
         let shares = self.lamps.seen_from(vantage);
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
-        let ratio = if shares.is_empty() { 0.0 } else { 1.0 };
-        self.add_met(vantage, lambert(vantage.normal, [polar, turn]), &shares, ratio, LAST, irradiance);
-        if ratio > 0.0 {
-            self.add_lamp(vantage, &shares.target([choice, s, t]), ratio, 1.0, irradiance);
+        let direction = lambert(vantage.normal, [polar, turn]);
+        self.add_met(vantage, direction, Some((&shares, 1.0)), LAST, irradiance);
+        if !shares.is_empty() {
+            self.add_lamp(vantage, &shares.target([choice, s, t]), 1.0, 1.0, irradiance);
         }
     }
 
@@ -243,16 +253,12 @@ impl<'a> RayGather<'a> {
         start: &Start,
         shares: &Shares,
         number: u64,
-        rays: std::ops::Range<u64>,
+        rays: Range<u64>,
         sums: &mut [f64],
     ) {
-        if shares.is_empty() {
-            return;
-        }
         let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
         let [s] = shift(number_of([f64::from_bits(number), 1.0]));
-        let part = |count: u64| (count as f64 * TO_LAMPS) as u64;
-        for index in part(rays.start)..part(rays.end) {
+        for index in rays {
             let (vantage, weight) = start.at(shifted(kronecker::point(index), &[d, s]));
             let target = shares.target(shifted(kronecker::point(index), &[a, b, c]));
             self.add_lamp(&vantage, &target, TO_LAMPS, weight, sums);
@@ -279,22 +285,23 @@ impl<'a> RayGather<'a> {
     }
 
     /// What the sums of the batches say.
-    fn estimate(&self, sums: &[f64], sent: u64, shares: &Shares) -> Estimate {
+    fn estimate(&self, sums: &[f64], sent: u64, other: f64) -> Estimate {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
-        let mean = |band: usize| (0..BATCHES).map(|batch| sums[batch * bands + band]).sum::<f64>() / (n * rays);
+        let mean =
+            |band: usize| (0..BATCHES).map(|batch| sums[batch * bands + band]).sum::<f64>() / (n * rays);
         let irradiance: Vec<f64> = (0..bands).map(mean).collect();
-        let relative = |values: &mut dyn Iterator<Item = f64>| {
-            values.zip(&self.scale).map(|(value, scale)| value / scale).sum::<f64>() / bands as f64
-        };
-        let batches = sums.chunks_exact(bands);
         let levels: Vec<f64> =
-            batches.map(|sums| relative(&mut sums.iter().map(|sum| sum / rays))).collect();
+            sums.chunks_exact(bands).map(|sums| self.relative(sums.iter().map(|sum| sum / rays))).collect();
         let level = levels.iter().sum::<f64>() / n;
         let square = levels.iter().map(|other| (other - level).powi(2)).sum::<f64>();
-        let error = (square / (n * (n - 1.0))).sqrt() / level.max(DARK);
-        let per_ray = if shares.is_empty() { 1.0 } else { 1.0 + TO_LAMPS };
-        Estimate { irradiance, error, rays: (per_ray * n * rays) as u64 }
+        let error = (square / (n * (n - 1.0))).sqrt() / (level + other).max(DARK);
+        Estimate { irradiance, error }
+    }
+
+    /// Mean over the bands of E over the band's scale.
+    fn relative(&self, irradiance: impl Iterator<Item = f64>) -> f64 {
+        irradiance.zip(&self.scale).map(|(e, scale)| e / scale).sum::<f64>() / self.scale.len() as f64
     }
 }
 
@@ -309,6 +316,10 @@ impl Start {
                 Self::Patch(*surface, Spread::of(std::slice::from_ref(*patch)))
             }
         }
+    }
+
+    fn middle(&self) -> ReceiverPoint {
+        self.at([0.5; 2]).0
     }
 
     /// The point that two numbers in [0, 1] choose, and its weight.

@@ -49,6 +49,14 @@ impl By {
     }
 }
 
+/// About the seconds of one core that a point takes, once, to the relative accuracy `eps`.
+pub(crate) fn seconds_to_gather(solution: &Solution, visibility: &Visibility, eps: f64) -> f64 {
+    match By::Auto.rays(solution, visibility, eps, false) {
+        true => RAY * usual_rays(eps),
+        false => price_of_cells(solution, visibility),
+    }
+}
+
 /// Seconds for a point by cells.
 fn price_of_cells(solution: &Solution, visibility: &Visibility) -> f64 {
     let surfaces = solution.elements().surfaces();

@@ -26,16 +26,20 @@ pub(crate) struct Lamps {
     places: Vec<Option<u32>>,
 }
 
+/// An element that emits.
 #[derive(Debug)]
-struct Lamp {
-    element: usize,
+pub(crate) struct Lamp {
+    /// The element.
+    pub element: usize,
+    /// Mean over the bands of the exitance over the band's scale.
+    pub brightness: f64,
+    /// Area (scene length²).
+    pub area: f64,
+    /// Points on it.
+    pub spread: Spread,
     center: DVec3,
     radius: f64,
-    area: f64,
     plane: Option<(DVec3, DVec3)>,
-    /// Mean over the bands of the exitance over the band's scale.
-    brightness: f64,
-    spread: Spread,
 }
 
 /// Shares of the emitters in the rays from one point.
@@ -86,6 +90,11 @@ impl Lamps {
         Self { list, places }
     }
 
+    /// All of them.
+    pub(crate) fn list(&self) -> &[Lamp] {
+        &self.list
+    }
+
     /// The shares of all emitters in the rays from a point.
     pub(crate) fn seen_from(&self, vantage: &ReceiverPoint) -> Shares<'_> {
         let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(vantage)).collect();
@@ -104,7 +113,7 @@ impl Lamps {
 
 impl Lamp {
     /// About the light that it sends to a point without shadows; 0 only where it sends none.
-    fn bound(&self, vantage: &ReceiverPoint) -> f64 {
+    pub(crate) fn bound(&self, vantage: &ReceiverPoint) -> f64 {
         let step = self.center - vantage.position;
         let distance = step.length();
         let above = |normal: DVec3| (step.dot(normal) + self.radius) / (distance + self.radius);

@@ -78,7 +78,7 @@ impl<'a> Reader<'a> {
             Read::Gather | Read::GatherTwice
                 if by.rays(solution, visibility, eps, read == Read::GatherTwice) =>
             {
-                Light::Rays(RayGather::of(solution, visibility, eps, read == Read::GatherTwice))
+                Light::Rays(RayGather::new(solution, visibility, eps, read == Read::GatherTwice))
             }
             Read::Basis => Light::Basis,
             Read::Direct => {

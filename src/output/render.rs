@@ -1,25 +1,50 @@
 //! Pictures of a solution: camera rays meet the true surfaces, where radiosity is read.
 //!
-//! The camera is a pinhole. Each pixel averages the radiosity at `samples × samples` points of a regular grid; a ray
-//! that meets the back of a surface, or nothing, is black.
+//! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Direct light is computed at the
+//! middle of every pixel. Other light, where it is gathered, is computed at few of them and interpolated ([`smooth`]).
+//! Pixels that differ from one beside them average `samples × samples` points of a regular grid.
 
-use radiosity_geom::{DVec3, Encounter, Ray};
+mod eye;
+mod fit;
+mod frame;
+mod picture_light;
+mod smooth;
+
+use std::ops::Range;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
-use super::reader::{Light, Reader};
-use crate::gather::spot::Spot;
+use crate::gather::choice::seconds_to_gather;
 use crate::scene::Camera;
-use crate::solution::{Place, Solution};
+use crate::solution::Solution;
 use crate::visibility::Visibility;
+use eye::{Eye, Seen};
+use frame::Frame;
+use picture_light::PictureLight;
+use smooth::{COARSEST, Smooth, Source};
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
 const GATHERED: f64 = 3e-3;
 
+/// Relative difference of the radiosities of two pixels from which both are sampled finely. Chosen: four steps of eight bits,
+/// and twice the error in penumbrae.
+const CONTRAST: f64 = 0.04;
+
+/// Seconds that gathering the light of a picture may take unless asked for, and the pixels for each at which it is computed.
+/// The former is chosen, the latter measured: 15 to 25.
+const PATIENCE: f64 = 10.0;
+const INTERPOLATED: f64 = 20.0;
+
+/// Pixels that are worked on at once, and rows of more before and after them, that neighbours agree. Both are chosen.
+const AT_ONCE: usize = 1 << 20;
+const MARGIN: usize = 3 * COARSEST;
+
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
-const AT_ONCE: usize = 4;
+const ROWS: usize = 4;
 
 /// Renders `solution` through `camera`; `progress` gets (rows done, rows in all), from any thread.
 ///
@@ -32,84 +57,150 @@ pub fn render(
     read: Read,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
-    let view = Pinhole::new(camera);
-    let reader = Reader::new(solution, visibility, read, GATHERED);
-    let eye = Eye { reader, diagonal: visibility.bounds().diagonal() };
-    let done = std::sync::atomic::AtomicUsize::new(0);
-    let rows: Vec<Vec<Seen>> = (0..camera.height)
-        .into_par_iter()
-        .with_max_len(AT_ONCE)
-        .map(|row| {
-            let pixels = (0..camera.width).map(|column| pixel(&eye, &view, [column, row], samples));
-            let pixels = pixels.collect();
-            progress(done.fetch_add(1, std::sync::atomic::Ordering::Relaxed) + 1, camera.height as usize);
-            pixels
-        })
-        .collect();
-    let pixels = || rows.iter().flatten();
+    let light = PictureLight::new(solution, visibility, read, GATHERED);
+    let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
+    let [width, height] = [camera.width as usize, camera.height as usize];
+    let shot = Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples };
+    let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
+    let done = AtomicUsize::new(0);
+    let told = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, height);
+    let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
+    let pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &told)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
-    let values = pixels().flat_map(|seen| &seen.radiosity).copied().collect();
-    let coverage = pixels().map(|seen| seen.coverage).collect();
+    let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();
+    let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
     Raster::new([camera.width, camera.height], bands, values, coverage)
 }
 
+/// How a picture of so many pixels is read unless told otherwise: gathered, if `threads` do that within
+/// [`PATIENCE`] or so, else with direct light alone recomputed.
+pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64, threads: usize) -> Read {
+    let seconds = seconds_to_gather(solution, visibility, picture_light::AVERAGED * GATHERED);
+    let gathered = pixels as f64 / INTERPOLATED / threads as f64 * seconds;
+    if gathered <= PATIENCE { Read::Gather } else { Read::Direct }
+}
+
 /// The radiosity seen through a pixel.
-struct Seen {
+#[derive(Clone, Debug)]
+struct Pixel {
     /// Mean over the pixel, per band.
     radiosity: Vec<f64>,
     /// Part of the pixel in which a front is seen.
     coverage: f64,
 }
 
-fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Seen {
-    let mut radiosity = vec![0.0; eye.reader.solution().bands().len()];
-    let mut count = 0u32;
-    for index in 0..samples * samples {
-        let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(samples);
-        let x = f64::from(column) + offset(index % samples);
-        let y = f64::from(row) + offset(index / samples);
-        if let Some(values) = eye.along(&view.ray(x, y)) {
-            radiosity.iter_mut().zip(values).for_each(|(sum, value)| *sum += value);
-            count += 1;
-        }
-    }
-    let scale = 1.0 / f64::from(samples * samples);
-    radiosity.iter_mut().for_each(|sum| *sum *= scale);
-    Seen { radiosity, coverage: f64::from(count) * scale }
+/// The light of pixels beside their direct light.
+struct Rest<'a> {
+    light: &'a PictureLight<'a>,
+    /// Per pixel and band.
+    direct: &'a [Vec<f64>],
 }
 
-/// The data that turn a camera ray into radiosities.
-struct Eye<'a> {
-    reader: Reader<'a>,
-    /// Diagonal of the scene's bounding box.
-    diagonal: f64,
-}
-
-impl Eye<'_> {
-    /// Radiosity per band of the front that a ray meets first, if it is a front.
-    fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
-        let Encounter { surface, hit, front } = self.reader.visibility().nearest(ray)?;
-        let elements = self.reader.solution().elements();
-        // Where two surfaces meet, light is the limit from within the visible one.
-        let spot = front.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
-        Some(self.radiosity(spot.element, &spot.place, spot.normal))
+impl Source for Rest<'_> {
+    fn smooth(&self, pixel: usize, seen: &Seen) -> Vec<f64> {
+        self.light.rest(seen, &self.direct[pixel])
     }
 
-    /// Radiosity per band; negative values of polynomials are cut off at zero.
-    fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
-        let irradiance = match self.reader.light() {
-            Light::Direct(direct) => {
-                let rest = self.reader.indirect_polynomials(element, place);
-                let lit = direct.at_beside(element, place.position, normal, &rest);
-                lit.iter().zip(rest).map(|(d, s)| d + s.max(0.0)).collect()
+    fn other(&self, pixel: usize) -> f64 {
+        self.direct[pixel].iter().sum()
+    }
+}
+
+/// A picture about to be taken.
+struct Shot<'a> {
+    light: &'a PictureLight<'a>,
+    eye: &'a Eye<'a>,
+    view: Pinhole,
+    /// Pixels across and down.
+    size: [usize; 2],
+    samples: u32,
+}
+
+impl Shot<'_> {
+    /// The pixels of some rows; `told` hears of each row.
+    fn strip(&self, rows: Range<usize>, told: &(dyn Fn() + Sync)) -> Vec<Pixel> {
+        let [width, height] = self.size;
+        let first = rows.start.saturating_sub(MARGIN);
+        let around = first..(rows.end + MARGIN).min(height);
+        let frame = Frame::new(self.eye, &self.view, width, around);
+        let bands = self.light.solution().bands().len();
+        let direct: Vec<Vec<f64>> = (0..frame.len())
+            .into_par_iter()
+            .with_max_len(width)
+            .map(|pixel| frame.seen(pixel).map_or_else(Vec::new, |seen| self.light.direct(seen, true)))
+            .collect();
+        let rest = Rest { light: self.light, direct: &direct };
+        let smooth = self.light.gathers().then(|| Smooth::over(&frame, bands, &rest));
+        let middles: Vec<Pixel> = (0..frame.len())
+            .into_par_iter()
+            .map(|pixel| self.middle(&frame, smooth.as_ref(), &direct[pixel], pixel))
+            .collect();
+        rows.into_par_iter()
+            .with_max_len(ROWS)
+            .flat_map_iter(|row| {
+                let start = (row - first) * width;
+                let pixel = |pixel: usize| match differs(&frame, &middles, pixel) {
+                    true => self.sampled(&frame, smooth.as_ref(), pixel, first),
+                    false => middles[pixel].clone(),
+                };
+                let pixels: Vec<Pixel> = (start..start + width).map(pixel).collect();
+                told();
+                pixels
+            })
+            .collect()
+    }
+
+    /// What the middle of a pixel sees.
+    fn middle(&self, frame: &Frame, smooth: Option<&Smooth>, direct: &[f64], pixel: usize) -> Pixel {
+        let Some(seen) = frame.seen(pixel) else { return self.nothing() };
+        let radiosity = match smooth {
+            Some(smooth) => {
+                let irradiance = direct.iter().zip(smooth.at(pixel)).map(|(d, s)| d + s);
+                self.light.radiosity(seen, irradiance)
             }
-            Light::Basis | Light::Gather(_) | Light::Rays(_) => {
-                self.reader.irradiance(element, place, normal).irradiance
+            None => {
+                let rest = self.light.rest(seen, direct);
+                self.light.radiosity(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
             }
         };
-        let bands = self.reader.solution().bands().iter();
-        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()
+        Pixel { radiosity, coverage: 1.0 }
     }
+
+    fn nothing(&self) -> Pixel {
+        Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0 }
+    }
+
+    /// The mean over a pixel of a frame that begins with the row `first`.
+    fn sampled(&self, frame: &Frame, smooth: Option<&Smooth>, pixel: usize, first: usize) -> Pixel {
+        let [column, row] = frame.place(pixel);
+        let mut sum = self.nothing();
+        let scale = 1.0 / f64::from(self.samples * self.samples);
+        for index in 0..self.samples * self.samples {
+            let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(self.samples);
+            let at = [column as f64 + offset(index % self.samples), row as f64 + offset(index / self.samples)];
+            let Some(seen) = self.eye.along(&self.view.ray(at[0], at[1] + first as f64)) else { continue };
+            let direct = self.light.direct(&seen, false);
+            let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
+            let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct));
+            let radiosity = self.light.radiosity(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
+            sum.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
+            sum.coverage += scale;
+        }
+        sum
+    }
+}
+
+/// Whether a pixel differs from one of the eight beside it.
+fn differs(frame: &Frame, middles: &[Pixel], pixel: usize) -> bool {
+    let [column, row] = frame.place(pixel).map(|at| at as isize);
+    let beside = (-1..=1).flat_map(|j| (-1..=1).map(move |i| [column + i, row + j]));
+    let own = &middles[pixel];
+    beside.filter_map(|at| frame.pixel(at)).any(|other| {
+        let other = &middles[other];
+        let apart: f64 = own.radiosity.iter().zip(&other.radiosity).map(|(a, b)| (a - b).abs()).sum();
+        let both: f64 = own.radiosity.iter().chain(&other.radiosity).sum();
+        own.coverage != other.coverage || 2.0 * apart > CONTRAST * both
+    })
 }
 
 /// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if a band

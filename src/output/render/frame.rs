@@ -1,0 +1,52 @@
+//! What the middles of the pixels see, in some rows of a picture.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::output::pinhole::Pinhole;
+
+use super::eye::{Eye, Seen};
+
+/// The places seen, row by row.
+#[derive(Debug)]
+pub(super) struct Frame {
+    width: usize,
+    rows: Range<usize>,
+    seen: Vec<Option<Seen>>,
+}
+
+impl Frame {
+    /// The rows `rows` of a picture of so many columns.
+    pub(super) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>) -> Self {
+        let first = rows.start * width;
+        let seen = (0..rows.len() * width).into_par_iter().map(|index| {
+            let (row, column) = ((first + index) / width, (first + index) % width);
+            eye.along(&view.ray(column as f64 + 0.5, row as f64 + 0.5))
+        });
+        let seen = seen.collect();
+        Self { width, rows, seen }
+    }
+
+    /// Number of pixels.
+    pub(super) fn len(&self) -> usize {
+        self.seen.len()
+    }
+
+    /// Column and row, counted from the first of these rows, of a pixel.
+    pub(super) fn place(&self, pixel: usize) -> [usize; 2] {
+        [pixel % self.width, pixel / self.width]
+    }
+
+    /// The pixel at a column and a row, counted from the first of these, if it is one of them.
+    pub(super) fn pixel(&self, [column, row]: [isize; 2]) -> Option<usize> {
+        let is_within =
+            (0..self.width as isize).contains(&column) && (0..self.rows.len() as isize).contains(&row);
+        is_within.then(|| row as usize * self.width + column as usize)
+    }
+
+    /// What a pixel sees.
+    pub(super) fn seen(&self, pixel: usize) -> Option<&Seen> {
+        self.seen[pixel].as_ref()
+    }
+}

@@ -1,0 +1,149 @@
+//! The light of a picture, in two parts: direct light, which has edges, and the rest, which is smooth.
+
+use crate::gather::Gather;
+use crate::gather::by_rays::RayGather;
+use crate::gather::choice::By;
+use crate::light::direct::DirectLight;
+use crate::light::penumbra::Penumbra;
+use crate::output::reader::Read;
+use crate::solution::Solution;
+use crate::visibility::Visibility;
+
+use super::eye::Seen;
+
+/// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed without rays.
+/// Chosen.
+const FEW: usize = 2000;
+
+/// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
+/// interpolated. Chosen.
+pub(super) const AVERAGED: f64 = 2.0;
+
+/// Error that a ray count is chosen for in penumbrae, over the accuracy asked for; further over it for one of several samples
+/// of a pixel. Chosen: the former is about that behind the worst edges, three times the usual one.
+const WORST: f64 = 3.0;
+const ONE_OF_SEVERAL: f64 = 3.0;
+
+/// Direct light and the rest.
+#[derive(Debug)]
+pub(super) struct PictureLight<'a> {
+    solution: &'a Solution,
+    direct: Direct<'a>,
+    rest: Rest<'a>,
+}
+
+#[derive(Debug)]
+enum Direct<'a> {
+    /// Polynomials have it.
+    None,
+    Exact(DirectLight<'a>),
+    Rays(Penumbra<'a>),
+}
+
+#[derive(Debug)]
+enum Rest<'a> {
+    Polynomials,
+    Cells(Gather<'a>),
+    Rays(RayGather<'a>),
+}
+
+impl<'a> PictureLight<'a> {
+    /// The light of `solution`, as it is read to about the relative accuracy `eps`.
+    pub(super) fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+        let twice = read == Read::GatherTwice;
+        let rest = match read {
+            Read::Basis | Read::Direct => Rest::Polynomials,
+            _ if By::Auto.rays(solution, visibility, AVERAGED * eps, twice) => {
+                Rest::Rays(RayGather::new(solution, visibility, AVERAGED * eps, twice))
+            }
+            _ if twice => Rest::Cells(Gather::twice(solution, visibility, eps)),
+            _ => Rest::Cells(Gather::new(solution, visibility, eps)),
+        };
+        let (list, coatings) = (solution.elements().list(), solution.coatings());
+        let direct = match read {
+            Read::Basis => Direct::None,
+            _ if is_exact(solution, visibility) => {
+                Direct::Exact(DirectLight::within(list, &coatings, visibility, eps))
+            }
+            _ => Direct::Rays(Penumbra::new(list, &coatings, visibility, WORST * eps)),
+        };
+        Self { solution, direct, rest }
+    }
+
+    /// Whether the rest is gathered: then it is dear, and smooth across elements.
+    pub(super) fn gathers(&self) -> bool {
+        !matches!(self.rest, Rest::Polynomials)
+    }
+
+    /// Direct irradiance (W m⁻²) per band, of the middle of a pixel or of one of several samples.
+    pub(super) fn direct(&self, seen: &Seen, is_middle: bool) -> Vec<f64> {
+        let mut sums = vec![0.0; self.solution.bands().len()];
+        match &self.direct {
+            Direct::None => {}
+            Direct::Exact(light) => {
+                let rest = self.polynomials(seen);
+                sums = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
+            }
+            Direct::Rays(light) => {
+                let rough = if is_middle { 1.0 } else { ONE_OF_SEVERAL };
+                for (element, factor) in light.factors(&seen.vantage(), rough) {
+                    for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
+                        *sum += factor * band.coating.exitance[element];
+                    }
+                }
+            }
+        }
+        sums
+    }
+
+    /// The rest of the irradiance (W m⁻²) per band, beside the direct light `lit`.
+    pub(super) fn rest(&self, seen: &Seen, lit: &[f64]) -> Vec<f64> {
+        match &self.rest {
+            Rest::Polynomials => self.polynomials(seen),
+            Rest::Cells(gather) => {
+                let vantage = seen.vantage();
+                let around = gather.reflection().around(&vantage.site());
+                gather.reflection().irradiance(&vantage, &around, lit)
+            }
+            Rest::Rays(gather) => gather.reflected(&seen.vantage(), lit).irradiance,
+        }
+    }
+
+    /// What polynomials know: all light, or what was reflected at least once, which is not negative.
+    fn polynomials(&self, seen: &Seen) -> Vec<f64> {
+        let bands = 0..self.solution.bands().len();
+        match self.direct {
+            Direct::None => bands.map(|band| self.solution.irradiance(band, seen.element, &seen.place)).collect(),
+            _ => {
+                let mut rest = vec![0.0; bands.len()];
+                self.solution.indirect_bands(seen.element, &seen.place, &mut rest);
+                rest.into_iter().map(|value| value.max(0.0)).collect()
+            }
+        }
+    }
+
+    /// Radiosity (W m⁻²) per band under this irradiance; not negative.
+    pub(super) fn radiosity(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
+        let bands = self.solution.bands().iter();
+        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(seen.element, e).max(0.0)).collect()
+    }
+
+    /// The solution that is seen.
+    pub(super) fn solution(&self) -> &'a Solution {
+        self.solution
+    }
+}
+
+/// Whether direct light has closed forms at little cost: flat emitters behind few things, all flat. So it is without
+/// shadows too.
+fn is_exact(solution: &Solution, visibility: &Visibility) -> bool {
+    let (list, coatings) = (solution.elements().list(), solution.coatings());
+    let emits = |element: &usize| coatings.iter().any(|coating| coating.exitance[*element] > 0.0);
+    let emitters: Vec<usize> = (0..list.len()).filter(emits).collect();
+    let standing: Vec<usize> =
+        (0..solution.elements().surfaces()).filter(|surface| visibility.stands(*surface)).collect();
+    !visibility.casts()
+        || (emitters.iter().all(|emitter| list[*emitter].plane.is_some())
+            && visibility.are_planar(&standing)
+            && emitters.len() * standing.len() <= FEW)
+}
