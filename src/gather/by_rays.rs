@@ -248,14 +248,7 @@ impl<'a> RayGather<'a> {
     }
 
     /// Sends rays to the emitters, those that belong to the cosine-distributed ones of these numbers.
-    fn send_to_lamps(
-        &self,
-        start: &Start,
-        shares: &Shares,
-        number: u64,
-        rays: Range<u64>,
-        sums: &mut [f64],
-    ) {
+    fn send_to_lamps(&self, start: &Start, shares: &Shares, number: u64, rays: Range<u64>, sums: &mut [f64]) {
         let [a, b, c, d] = shift(number_of([f64::from_bits(number)]));
         let [s] = shift(number_of([f64::from_bits(number), 1.0]));
         for index in rays {

@@ -67,7 +67,8 @@ impl Lamps {
     /// The open elements that emit, with one coating and the mean radiosity `scale` per band.
     pub(crate) fn new(elements: &[Element], coatings: &[&Coating], scale: &[f64]) -> Self {
         let brightness = |element: usize| {
-            let relative = coatings.iter().zip(scale).map(|(coating, scale)| coating.exitance[element] / scale);
+            let relative =
+                coatings.iter().zip(scale).map(|(coating, scale)| coating.exitance[element] / scale);
             relative.sum::<f64>() / scale.len() as f64
         };
         let emits = |element: &usize| elements[*element].contact.is_none() && brightness(*element) > 0.0;

@@ -55,7 +55,10 @@ impl<'a> Penumbra<'a> {
         let bounds: Vec<f64> = self.lamps.list().iter().map(|lamp| lamp.bound(vantage)).collect();
         let all: f64 = bounds.iter().sum();
         let some = self.lamps.list().iter().zip(bounds).filter(|(_, bound)| *bound > 0.0);
-        some.map(|(lamp, bound)| (lamp.element, self.factor(vantage, lamp, bound / all, rough * self.eps * all))).collect()
+        some.map(|(lamp, bound)| {
+            (lamp.element, self.factor(vantage, lamp, bound / all, rough * self.eps * all))
+        })
+        .collect()
     }
 
     /// Irradiance from an emitter over its exitance; of what all send it sends about the part `share`. It may err by

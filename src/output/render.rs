@@ -177,7 +177,8 @@ impl Shot<'_> {
         let scale = 1.0 / f64::from(self.samples * self.samples);
         for index in 0..self.samples * self.samples {
             let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(self.samples);
-            let at = [column as f64 + offset(index % self.samples), row as f64 + offset(index / self.samples)];
+            let at =
+                [column as f64 + offset(index % self.samples), row as f64 + offset(index / self.samples)];
             let Some(seen) = self.eye.along(&self.view.ray(at[0], at[1] + first as f64)) else { continue };
             let direct = self.light.direct(&seen, false);
             let rest = smooth.and_then(|smooth| smooth.between(at, &seen));

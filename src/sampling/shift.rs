@@ -5,7 +5,9 @@
 
 /// Numbers in [0, 1) that belong to `number`.
 pub(crate) fn shift<const D: usize>(number: u64) -> [f64; D] {
-    std::array::from_fn(|k| (hash(number.wrapping_mul(4).wrapping_add(k as u64)) >> 11) as f64 / (1u64 << 53) as f64)
+    std::array::from_fn(|k| {
+        (hash(number.wrapping_mul(4).wrapping_add(k as u64)) >> 11) as f64 / (1u64 << 53) as f64
+    })
 }
 
 /// z + shift modulo 1.

@@ -55,8 +55,7 @@ impl Eye<'_> {
     pub(super) fn along(&self, ray: &Ray) -> Option<Seen> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
-        let spot =
-            front.then(|| Spot::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
+        let spot = front.then(|| Spot::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;
         Some(Seen { element: spot.element, place: spot.place, normal: spot.normal })
     }
 }

@@ -59,7 +59,8 @@ impl<'a> Fit<'a> {
     pub(super) fn mean(&self) -> Option<Vec<f64>> {
         let first = self.values.first()?;
         let all: f64 = self.values.iter().map(|value| value.weight).sum();
-        let mean = |band: usize| self.values.iter().map(|value| value.weight * value.bands[band]).sum::<f64>() / all;
+        let mean =
+            |band: usize| self.values.iter().map(|value| value.weight * value.bands[band]).sum::<f64>() / all;
         Some((0..first.bands.len()).map(mean).collect())
     }
 

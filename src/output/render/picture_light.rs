@@ -113,7 +113,9 @@ impl<'a> PictureLight<'a> {
     fn polynomials(&self, seen: &Seen) -> Vec<f64> {
         let bands = 0..self.solution.bands().len();
         match self.direct {
-            Direct::None => bands.map(|band| self.solution.irradiance(band, seen.element, &seen.place)).collect(),
+            Direct::None => {
+                bands.map(|band| self.solution.irradiance(band, seen.element, &seen.place)).collect()
+            }
             _ => {
                 let mut rest = vec![0.0; bands.len()];
                 self.solution.indirect_bands(seen.element, &seen.place, &mut rest);

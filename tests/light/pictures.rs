@@ -1,0 +1,49 @@
+//! Pictures by light that is computed at few pixels and fitted between, against light computed at every pixel.
+
+use radiosity::geom::Encounter;
+use radiosity::output::pinhole::Pinhole;
+use radiosity::output::reader::{Read, Reader};
+use radiosity::output::render::render;
+use radiosity::scene::{Camera, Scene};
+use radiosity::solution::Place;
+use radiosity::solve::{Options, solve};
+use radiosity::visibility::Visibility;
+
+#[test]
+fn fitted_light_is_that_of_every_pixel() {
+    for name in ["cornell-box", "two-boxes"] {
+        let scene = Scene::builtin(name).expect("built in");
+        let options = Options { order: 2, ..Options::default() };
+        let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+        let visibility = Visibility::new(&scene, (&options).into());
+        let camera = Camera { width: 96, height: 96, ..scene.camera.clone().expect("a camera") };
+        let raster = render(&outcome.solution, &visibility, &camera, 1, Read::Gather, &|_, _| {});
+        let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
+        let view = Pinhole::new(&camera);
+        let (mut squares, mut sum, mut largest) = (0.0, 0.0, 0.0f64);
+        for (index, values) in raster.pixels().enumerate() {
+            let ray = view.ray((index % 96) as f64 + 0.5, (index / 96) as f64 + 0.5);
+            let Some(Encounter { surface, hit, front: true }) = visibility.nearest(&ray) else { continue };
+            let elements = outcome.solution.elements();
+            let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");
+            let jet = elements.shape(surface).jet(hit.u, hit.v);
+            let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+            let irradiance = reader.irradiance(element, &place, jet.normal).irradiance;
+            for ((value, e), band) in values.iter().zip(irradiance).zip(outcome.solution.bands()) {
+                let exact = band.coating.radiosity(element, e);
+                // Lamps are bright enough to hide all else.
+                if band.coating.exitance[element] == 0.0 {
+                    squares += (value - exact).powi(2);
+                    sum += exact * exact;
+                    largest = largest.max((value - exact).abs());
+                }
+            }
+        }
+        let rms = (squares / sum).sqrt();
+        println!(
+            "{name}: rms {rms:.1e}, largest {:.1e}",
+            largest / (sum / raster.pixels().count() as f64).sqrt()
+        );
+        assert!(rms < 5e-3, "{name}: {rms}");
+    }
+}
