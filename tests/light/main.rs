@@ -5,6 +5,7 @@ mod cornell;
 mod curved_shadows;
 mod footings;
 mod gather;
+mod groups;
 mod hard_cases;
 mod masks;
 mod occlusion;
