@@ -32,5 +32,6 @@ pub(crate) mod area_light;
 pub(crate) mod blockers;
 pub(crate) mod traversal;
 pub mod direct;
+pub(crate) mod coats;
 pub(crate) mod reflected;
 pub(crate) mod first_bounce;

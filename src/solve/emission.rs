@@ -30,6 +30,17 @@ impl Emission {
         groups.into_iter().map(of).collect()
     }
 
+    /// The coatings, band by band.
+    pub(super) fn list(&self) -> Vec<&Coating> {
+        self.coatings.iter().collect()
+    }
+
+    /// Whether the same elements emit as much in `other`.
+    pub(super) fn emits_as(&self, other: &Self) -> bool {
+        let mut coatings = self.coatings.iter().zip(&other.coatings);
+        self.group == other.group && coatings.all(|(own, other)| own.exitance == other.exitance)
+    }
+
     /// For each band the coatings of all `emissions`.
     pub(super) fn by_band(emissions: &[Self]) -> Vec<Vec<&Coating>> {
         let bands = emissions.first().map_or(0, |emission| emission.coatings.len());

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
-use crate::light::first_bounce::Bounce;
+use crate::light::first_bounce::{Bounce, CoatedBounce};
 use crate::scene::Scene;
 use crate::visibility::{Shadows, Visibility};
 use crate::zatz1993::masked_light::{MaskedLight, Setting};
 
+use super::emission::Emission;
 use super::options::Options;
 
 /// Tolerance of gathered light at a point over that of shadows in a block, a mean of many. Chosen; not tuned.
@@ -24,35 +25,93 @@ pub(super) struct Stage<'a> {
     pub options: &'a Options,
 }
 
-/// Masks of direct light, where asked for, and the first bounce, where direct light is masked or split off.
+/// The first light of all emissions of a scene.
 #[derive(Debug)]
 pub(super) struct FirstLight {
+    /// Whether direct light is masked or split off.
+    pub is_split: bool,
+    emissions: Vec<Emission>,
+    sources: Vec<Source>,
+}
+
+/// The first light of one emission.
+#[derive(Debug)]
+struct Source {
+    masked: Option<Arc<MaskedLight>>,
+    bounce: Option<CoatedBounce>,
+}
+
+/// The first light of one emission for certain reflectances.
+#[derive(Debug)]
+pub(super) struct Reflected {
     pub masked: Option<Arc<MaskedLight>>,
     pub bounce: Option<Bounce>,
 }
 
 impl FirstLight {
-    /// That of emitters with one coating per band; `splits` says whether direct light without masks is split off.
-    pub(super) fn of(stage: &Stage<'_>, coatings: &[&Coating], splits: bool) -> Self {
-        let Stage { scene, elements, visibility, options } = *stage;
-        let masked = masked_light(scene, elements, coatings, visibility, options);
-        let bounce = match &masked {
-            Some(masked) => Some(through_masks(stage, coatings, masked)),
-            None => splits
-                .then(|| Bounce::new(elements.list(), coatings, visibility, AT_A_POINT * options.shadow_eps)),
-        };
-        Self { masked: masked.map(Arc::new), bounce }
+    /// That of `emissions`; `by_rules` says whether the transfers are those of the default kernel without changes.
+    pub(super) fn of(stage: &Stage<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
+        let Stage { elements, visibility, options, .. } = *stage;
+        let all: Vec<&Coating> = emissions.iter().flat_map(|emission| &emission.coatings).collect();
+        let is_split =
+            options.masks.is_some() || options.direct.splits(elements.list(), &all, visibility, by_rules);
+        Self::as_split(stage, emissions, is_split)
+    }
+
+    /// The same where it is known whether direct light is masked or split off.
+    pub(super) fn as_split(stage: &Stage<'_>, emissions: Vec<Emission>, is_split: bool) -> Self {
+        let sources = emissions.iter().map(|emission| Source::of(stage, emission, is_split)).collect();
+        Self { is_split, emissions, sources }
+    }
+
+    /// The same light on surfaces of other reflectances, for each of `emissions`. None where it has to be computed
+    /// anew.
+    pub(super) fn reflected(&self, emissions: &[Emission]) -> Option<Vec<Reflected>> {
+        if self.emissions.len() != emissions.len() {
+            return None;
+        }
+        let own = self.emissions.iter().zip(&self.sources).zip(emissions);
+        own.map(|((old, source), new)| source.reflected(old, new)).collect()
     }
 }
 
-fn through_masks(stage: &Stage<'_>, coatings: &[&Coating], masked: &MaskedLight) -> Bounce {
+impl Source {
+    /// That of an emission; `is_split` says whether direct light is masked or split off.
+    fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
+        let Stage { scene, elements, visibility, options } = *stage;
+        let coatings = emission.list();
+        let masked = masked_light(scene, elements, &coatings, visibility, options);
+        let bounce = match &masked {
+            Some(masked) => Some(through_masks(stage, &coatings, masked)),
+            None => is_split.then(|| {
+                let eps = AT_A_POINT * options.shadow_eps;
+                CoatedBounce::new(elements.list(), &coatings, visibility, eps)
+            }),
+        };
+        Self { masked: masked.map(Arc::new), bounce }
+    }
+
+    /// For the reflectances of the emission `new`, where it is that of `old` in all else.
+    fn reflected(&self, old: &Emission, new: &Emission) -> Option<Reflected> {
+        if !old.emits_as(new) {
+            return None;
+        }
+        let bounce = match &self.bounce {
+            None => None,
+            Some(bounce) => Some(bounce.repainted(&old.list(), &new.list())?),
+        };
+        Some(Reflected { masked: self.masked.clone(), bounce })
+    }
+}
+
+fn through_masks(stage: &Stage<'_>, coatings: &[&Coating], masked: &MaskedLight) -> CoatedBounce {
     let list = stage.elements.list();
     let lit = |element: usize, node: &Node| {
         let parameters = node.parameters.to_array();
         let at = |band| masked.at(band, list, element, node.position, parameters);
         (0..coatings.len()).map(at).collect()
     };
-    Bounce::of(list, coatings, stage.visibility, &lit, stage.options.shadow_eps)
+    CoatedBounce::of(list, coatings, stage.visibility, &lit, stage.options.shadow_eps)
 }
 
 /// The masked direct light, where masks are asked for.

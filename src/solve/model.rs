@@ -1,10 +1,12 @@
 //! A model: the elements of a scene and the blocks between them, to be solved for any materials.
 //!
 //! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of materials
-//! needs no new blocks. What depends on the materials of the scene from which a model was assembled are choices: which
+//! needs no new blocks. Light that was reflected once is linear in the reflectance of what reflected it: where direct
+//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a model was assembled are choices: which
 //! pairs are left out because neither side ever sends light, and where rays were sent from.
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use radiosity_solvers::Step;
 
@@ -25,7 +27,7 @@ use super::band::{Effort, solve_band};
 use super::choice::Choice;
 use super::emission::Emission;
 use super::failure::Failure;
-use super::first_light::{FirstLight, Stage};
+use super::first_light::{FirstLight, Reflected, Stage};
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
 use super::pool::in_threads;
@@ -58,6 +60,8 @@ pub struct Model {
     blocks: Blocks,
     choice: Choice,
     sampling: Option<Sampling>,
+    /// Direct light and its first bounce, for the emission of the scene.
+    first: FirstLight,
     seconds: Stages,
 }
 
@@ -107,8 +111,23 @@ impl Model {
         let subject = Subject { elements: &elements, bands, visibility: &visibility, options };
         let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
         progress(Progress::Finished("blocks", seconds.blocks));
-        let (scene, elements) = (scene.clone(), Arc::new(elements));
-        Ok(Self { scene, options: *options, elements, visibility, blocks, choice, sampling, seconds })
+        let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
+        let by_rules = options.kernel.is_none() && !choice.sampled;
+        let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
+        if first.is_split {
+            progress(Progress::Finished("direct", seconds.direct));
+        }
+        Ok(Self {
+            scene: scene.clone(),
+            options: *options,
+            elements: Arc::new(elements),
+            visibility,
+            blocks,
+            choice,
+            sampling,
+            first,
+            seconds,
+        })
     }
 
     /// Solves for the materials of `scene`, and the factors of its light groups; `progress` may be called from any
@@ -144,10 +163,9 @@ impl Model {
     fn solved(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
         let mut seconds = self.seconds;
         let emissions = Emission::all(scene, self.elements.list());
-        let (splits, first) = timed(&mut seconds.direct, || self.first_light(scene, &emissions));
-        if splits {
-            progress(Progress::Finished("direct", seconds.direct));
-        }
+        let mut again = Duration::ZERO;
+        let first = timed(&mut again, || self.first_light(scene, &emissions));
+        seconds.direct += again;
         let solved = timed(&mut seconds.solve, || self.solve_bands(scene, &emissions, &first, progress))?;
         progress(Progress::Finished("solve", seconds.solve));
         let Solved { light, efforts } = solved;
@@ -172,7 +190,7 @@ impl Model {
             solver,
             iterations,
             residual,
-            split: splits,
+            split: self.first.is_split,
             converged: efforts.iter().all(|effort| effort.converged),
             choice: self.choice.clone(),
             sampling: self.sampling,
@@ -180,19 +198,19 @@ impl Model {
         })
     }
 
-    /// Whether direct light is split off or masked, and the first light of each emission.
-    fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> (bool, Vec<FirstLight>) {
-        let (elements, options) = (&*self.elements, &self.options);
-        let by_rules = options.kernel.is_none() && !self.choice.sampled;
-        let all: Vec<&Coating> = emissions.iter().flat_map(|emission| &emission.coatings).collect();
-        let splits = options.masks.is_some()
-            || options.direct.splits(elements.list(), &all, &self.visibility, by_rules);
-        let stage = Stage { scene, elements, visibility: &self.visibility, options };
-        let of = |emission: &Emission| {
-            let coatings: Vec<&Coating> = emission.coatings.iter().collect();
-            FirstLight::of(&stage, &coatings, splits)
-        };
-        (splits, emissions.iter().map(of).collect())
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much.
+    fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
+        self.first.reflected(emissions).unwrap_or_else(|| {
+            let stage = Stage {
+                scene,
+                elements: &self.elements,
+                visibility: &self.visibility,
+                options: &self.options,
+            };
+            let anew = Emission::all(scene, self.elements.list());
+            let first = FirstLight::as_split(&stage, anew, self.first.is_split);
+            first.reflected(emissions).expect("the emission is the same")
+        })
     }
 
     /// The coefficients of each emission in each band.
@@ -200,7 +218,7 @@ impl Model {
         &self,
         scene: &Scene,
         emissions: &[Emission],
-        first: &[FirstLight],
+        first: &[Reflected],
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Solved, Failure> {
         let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
@@ -219,7 +237,7 @@ impl Model {
         Ok(Solved { light, efforts })
     }
 
-    fn system<'a>(&'a self, band: usize, coating: &'a Coating, first: &FirstLight) -> System<'a> {
+    fn system<'a>(&'a self, band: usize, coating: &'a Coating, first: &Reflected) -> System<'a> {
         let list = self.elements.list();
         match &first.bounce {
             None => System::new(list, &self.blocks, coating),
@@ -233,12 +251,12 @@ impl Model {
     fn groups(
         &self,
         emissions: Vec<Emission>,
-        first: Vec<FirstLight>,
+        first: Vec<Reflected>,
         light: Vec<Vec<Coefficients>>,
     ) -> Vec<GroupLight> {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
-        let group = |((Emission { group, coatings }, first), light): ((Emission, FirstLight), Vec<_>)| {
+        let group = |((Emission { group, coatings }, first), light): ((Emission, Reflected), Vec<_>)| {
             let own: Vec<Lit<'_>> = coatings
                 .iter()
                 .zip(&light)

@@ -8,6 +8,7 @@ mod gather;
 mod groups;
 mod hard_cases;
 mod masks;
+mod models;
 mod occlusion;
 mod shapes;
 mod slits;
