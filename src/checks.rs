@@ -17,6 +17,8 @@
 //!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
+mod balance;
+
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
@@ -26,9 +28,11 @@ use serde::{Deserialize, Serialize};
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::light::first_bounce::Bounce;
+use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
-use crate::system::Coefficients;
 use crate::transport::Blocks;
+
+pub use balance::{Balance, Lit};
 
 /// Most power iterations, and residual over eigenvalue at which they end. Both are chosen, not tuned.
 const MOST_STEPS: usize = 40;
@@ -65,6 +69,13 @@ pub struct Checks {
 impl Checks {
     /// The checks of a solution computed with `blocks`, and with `bounce` where direct light was split off.
     pub fn of(solution: &Solution, blocks: &Blocks, bounce: Option<&Bounce>) -> Self {
+        let light: Vec<Lit<'_>> = solution.bands().iter().map(lit).collect();
+        let powers = Balance::of(solution.elements(), blocks).powers(&light, bounce);
+        Self::with_powers(solution, blocks, powers)
+    }
+
+    /// The checks of a solution computed with `blocks`, whose balance of power is known.
+    pub fn with_powers(solution: &Solution, blocks: &Blocks, powers: Powers) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.integrated_constant(&ones);
@@ -73,10 +84,6 @@ impl Checks {
         let counts = |i: &usize| blocks.is_complete(*i) && list[*i].contact.is_none();
         let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
-        let kept = blocks.apply_transposed(&ones);
-        let lost: Vec<f64> = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();
-        let [energy_in, energy_absorbed, energy_lost] =
-            energy(solution, &ones, &lost, blocks.starts(), bounce);
         let bound = |band: &Band| spectral_bound(blocks, &band.coating, &ones);
         let bounds: Vec<f64> = solution.bands().par_iter().map(bound).collect();
         Self {
@@ -84,13 +91,34 @@ impl Checks {
             reciprocity_max: reciprocity(list, blocks),
             row_sum_min: sums.iter().copied().reduce(f64::min).unwrap_or(0.0),
             row_sum_max: sums.iter().copied().fold(0.0, f64::max),
-            energy_in,
-            energy_absorbed,
-            energy_lost,
+            energy_in: powers.emitted,
+            energy_absorbed: powers.absorbed,
+            energy_lost: powers.lost,
             spectral_bound: bounds.into_iter().fold(0.0, f64::max),
             seam_jump_max: seam_jump(solution),
         }
     }
+
+    /// The checks of the same light at other factors of its groups: those of geometry and reflectance stay.
+    pub fn relit(&self, solution: &Solution) -> Self {
+        let powers = solution.powers().unwrap_or_default();
+        Self {
+            energy_in: powers.emitted,
+            energy_absorbed: powers.absorbed,
+            energy_lost: powers.lost,
+            seam_jump_max: seam_jump(solution),
+            ..*self
+        }
+    }
+
+    /// The balance of power.
+    pub fn powers(&self) -> Powers {
+        Powers { emitted: self.energy_in, absorbed: self.energy_absorbed, lost: self.energy_lost }
+    }
+}
+
+fn lit(band: &Band) -> Lit<'_> {
+    Lit { coating: &band.coating, coefficients: &band.coefficients }
 }
 
 fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
@@ -124,52 +152,6 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
         list[*i].constant.iter().zip(own).map(|(c, gc)| c * gc).sum::<f64>() / list[*i].area
     };
     which.iter().map(sum).collect()
-}
-
-/// Emitted, absorbed and lost power, summed over bands with compensation, since their balance is a check.
-fn energy(
-    solution: &Solution,
-    ones: &[f64],
-    lost: &[f64],
-    starts: &[usize],
-    bounce: Option<&Bounce>,
-) -> [f64; 3] {
-    let mut sums = [Compensated::default(); 3];
-    for (index, band) in solution.bands().iter().enumerate() {
-        let Coefficients { irradiance, radiosity, .. } = &band.coefficients;
-        let split = bounce.map(|bounce| (&bounce.direct[index], &bounce.reflected[index]));
-        for (i, range) in starts.windows(2).enumerate() {
-            let (exitance, reflectance) = (band.coating.exitance[i], band.coating.reflectance[i]);
-            for k in range[0]..range[1] {
-                sums[0].add(exitance * ones[k] * ones[k]);
-                sums[1].add((1.0 - reflectance) * ones[k] * irradiance[k]);
-                let Some((direct, once)) = split else {
-                    sums[2].add(radiosity[k] * lost[k]);
-                    continue;
-                };
-                sums[2].add(ones[k] * (exitance * ones[k] - direct[k]));
-                sums[2].add(ones[k] * (reflectance * direct[k] - once[k]));
-                sums[2].add(reflectance * (irradiance[k] - direct[k]) * lost[k]);
-            }
-        }
-    }
-    sums.map(|sum| sum.total + sum.rest)
-}
-
-/// A sum with Neumaier's compensation.
-#[derive(Clone, Copy, Default)]
-struct Compensated {
-    total: f64,
-    rest: f64,
-}
-
-impl Compensated {
-    fn add(&mut self, x: f64) {
-        let sum = self.total + x;
-        self.rest +=
-            if self.total.abs() >= x.abs() { (self.total - sum) + x } else { (x - sum) + self.total };
-        self.total = sum;
-    }
 }
 
 /// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ from the constant: an eigenvalue lies

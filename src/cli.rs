@@ -21,6 +21,7 @@ mod data;
 mod grid;
 mod probe;
 mod solve;
+mod relight;
 mod style;
 mod render;
 mod table;
@@ -39,6 +40,7 @@ const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
+  radiosity relight room.solution.json --set lamps=0.3   its light groups dimmed, without solving again
   radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
@@ -61,6 +63,7 @@ pub(crate) struct Cli {
 #[derive(Debug, Subcommand)]
 enum Verb {
     Solve(solve::SolveArgs),
+    Relight(relight::RelightArgs),
     Render(render::RenderArgs),
     Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
@@ -85,6 +88,7 @@ impl Cli {
         interrupt::watch();
         match &self.verb {
             Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
+            Verb::Relight(args) => relight::run(args),
             Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Probe(args) => {
                 let points = args.load_points()?;

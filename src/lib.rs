@@ -72,6 +72,6 @@ pub use radiosity_solvers as solvers;
 
 pub use crate::scene::{Material, Scene, SceneBuilder, SceneError};
 pub use crate::solution::Solution;
-pub use crate::solve::{Failure, Options, Outcome, solve};
+pub use crate::solve::{Failure, Model, Options, Outcome, solve};
 pub use crate::solved::Solved;
 pub use crate::view_factors::ViewFactors;

@@ -34,5 +34,6 @@ pub(crate) mod blockers;
 pub(crate) mod traversal;
 pub mod direct;
 pub(crate) mod penumbra;
+pub(crate) mod coats;
 pub(crate) mod reflected;
 pub(crate) mod first_bounce;

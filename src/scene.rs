@@ -19,6 +19,7 @@ mod names;
 mod ranges;
 mod camera;
 mod stacked;
+mod light_group;
 mod surface;
 mod draft;
 mod tree;
@@ -34,6 +35,8 @@ mod fitted;
 mod surfaces;
 mod validation;
 mod builder;
+mod dimming;
+mod painting;
 
 use std::{io, path::Path};
 
@@ -45,6 +48,7 @@ pub use camera::Camera;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use fitted::{Fitted, Lying};
+pub use light_group::LightGroup;
 pub use material::Material;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use source::{Place, Source};

@@ -3,13 +3,25 @@
 //! E(x) = Σ_k h_k φ_k(x) is the irradiance, B(x) = E₀ + ρ E(x) the radiosity, both in W m⁻²; the coefficients h_k are
 //! in W m⁻² times length. Where direct light goes through shadow masks ([`crate::zatz1993::masked_light`]), E is that
 //! light plus the polynomials of the rest.
+//!
+//! Where a scene has light groups, the light of each is kept ([`group_light`]), and the whole follows from it at any
+//! factors.
+
+pub mod powers;
+pub mod group_light;
+
+use std::sync::Arc;
 
 use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
+use crate::scene::Scene;
 use crate::system::Coefficients;
 use crate::zatz1993::masked_light::MaskedLight;
+
+use group_light::{GroupLight, Incident};
+use powers::Powers;
 
 /// A place on a surface.
 #[derive(Clone, Copy, Debug)]
@@ -25,9 +37,12 @@ pub struct Place {
 /// Irradiance and radiosity of a scene.
 #[derive(Debug)]
 pub struct Solution {
-    elements: Elements,
+    elements: Arc<Elements>,
     bands: Vec<Band>,
     masked: Option<MaskedLight>,
+    /// The light of each group, where the scene has any.
+    groups: Arc<[GroupLight]>,
+    powers: Option<Powers>,
 }
 
 /// One band of the solution.
@@ -67,15 +82,68 @@ impl Band {
     }
 }
 
+/// The factors of `groups` in `scene`; 1 for light of no group.
+fn factors(scene: &Scene, groups: &[GroupLight]) -> Vec<f64> {
+    let known = scene.light_groups();
+    let factor = |group: &GroupLight| {
+        let own = known.iter().find(|own| Some(own.name.as_str()) == group.group.as_deref());
+        own.map_or(1.0, |own| own.factor)
+    };
+    groups.iter().map(factor).collect()
+}
+
 impl Solution {
     /// The solution of all bands over `elements`.
-    pub fn new(elements: Elements, bands: Vec<Band>) -> Self {
-        Self { elements, bands, masked: None }
+    pub fn new(elements: impl Into<Arc<Elements>>, bands: Vec<Band>) -> Self {
+        let elements = elements.into();
+        Self { elements, bands, masked: None, groups: Arc::default(), powers: None }
     }
 
-    /// The same solution with its direct light through masks, if there are any.
-    pub fn with_masks(self, masked: Option<MaskedLight>) -> Self {
-        Self { masked, ..self }
+    /// The light of `groups` together, at their factors in `scene`, of which `elements` are. It stays apart where the
+    /// scene has light groups.
+    pub fn of_groups(
+        elements: impl Into<Arc<Elements>>,
+        scene: &Scene,
+        groups: impl Into<Arc<[GroupLight]>>,
+    ) -> Self {
+        let (elements, groups) = (elements.into(), groups.into());
+        let factors = factors(scene, &groups);
+        let bands: Vec<Band> = (0..scene.bands.len())
+            .map(|band| {
+                let parts = groups.iter().map(|group| &group.bands[band]);
+                let Incident { irradiance, direct, residual } = Incident::together(&factors, parts);
+                let list = elements.list();
+                let coating = Coating::of(scene, list, band);
+                let whole = Coefficients::of_irradiance(list, &coating, irradiance, direct, residual);
+                Band::new(scene.bands[band].clone(), &elements, coating, whole)
+            })
+            .collect();
+        let masks = factors.iter().zip(groups.iter());
+        let masks = masks.filter_map(|(factor, group)| Some((*factor, group.masked.as_deref()?)));
+        let masked = MaskedLight::together(masks);
+        let powers = factors.iter().zip(groups.iter()).map(|(factor, group)| *factor * group.powers);
+        let powers = powers.reduce(|sum, part| sum + part);
+        let is_apart = groups.iter().any(|group| group.group.is_some());
+        let groups = if is_apart { groups } else { Arc::default() };
+        Self { elements, bands, masked, groups, powers }
+    }
+
+    /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
+    pub fn relit(&self, scene: &Scene) -> Option<Self> {
+        let is_kept = |name: &str| self.groups.iter().any(|group| group.group.as_deref() == Some(name));
+        let all = scene.light_groups().iter().all(|group| is_kept(&group.name));
+        all.then(|| Self::of_groups(Arc::clone(&self.elements), scene, Arc::clone(&self.groups)))
+    }
+
+    /// The light of each group, not dimmed; empty in scenes without groups.
+    pub fn groups(&self) -> &[GroupLight] {
+        &self.groups
+    }
+
+    /// The balance of power of all groups together, at their factors; None if it was made of bands
+    /// ([`Solution::new`]).
+    pub fn powers(&self) -> Option<Powers> {
+        self.powers
     }
 
     /// Direct light with its shadow masks, where there are any.

@@ -1,12 +1,12 @@
 //! A scene with its solution, from which pictures, probes and grids are read.
 
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::DVec3;
 
 use crate::gather::Gather;
 use crate::light::receiver_point::ReceiverPoint;
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneError};
 use crate::solution::Place;
 use crate::solve::{Failure, Options, Outcome, Progress, solve};
 use crate::studies::adaptation::{Achieved, Adapted, Goal, adapt};
@@ -14,6 +14,17 @@ use crate::visibility::Visibility;
 
 /// Relative accuracy of light gathered at a point. Chosen; not tuned.
 const AT_A_POINT: f64 = 1e-3;
+
+/// Why the groups of a solution could not be dimmed.
+#[derive(Debug, thiserror::Error)]
+pub enum RelightError {
+    /// The scene has no such groups, or cannot have such factors.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The solution was made of bands in code, without the light of each group.
+    #[error("the solution does not keep the light of its groups apart: solve the scene again")]
+    NotApart,
+}
 
 /// A solved scene: just solved, or read from a file.
 #[derive(Debug)]
@@ -27,14 +38,14 @@ pub struct Solved {
     pub outcome: Outcome,
     /// The accuracy that was reached, where one was wanted.
     pub achieved: Option<Achieved>,
-    /// Made when first needed.
-    visibility: OnceLock<Visibility>,
+    /// Made when first needed; the same at all factors of light groups.
+    visibility: Arc<OnceLock<Visibility>>,
 }
 
 impl Solved {
     /// A scene with a solution that was computed, or read, before.
     pub fn of(scene: Scene, options: Options, outcome: Outcome, achieved: Option<Achieved>) -> Self {
-        Self { scene, options, outcome, achieved, visibility: OnceLock::new() }
+        Self { scene, options, outcome, achieved, visibility: Arc::default() }
     }
 
     /// Solves `scene`; see [`solve`].
@@ -62,6 +73,36 @@ impl Solved {
     ) -> Result<Self, Failure> {
         let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;
         Ok(Self::of(scene, options, outcome, Some(achieved)))
+    }
+
+    /// The same scene with light groups at other factors (≥ 0) of the emission that its materials state, from the light
+    /// that each group was solved with: nothing is solved again. Groups that are not named keep their factors.
+    ///
+    /// ```
+    /// use radiosity::{Options, Scene, Solved};
+    ///
+    /// let room = r#"
+    ///     bands = ["lm"]
+    ///     materials.floor = { reflectance = 0.3 }
+    ///     materials.lamp = { reflectance = 0, emission = 500, group = "lamps" }
+    ///     surfaces = [
+    ///         { material = "floor", disk = { center = [0, 0, 0], normal = [0, 0, 1], radius = 2 } },
+    ///         { material = "lamp", disk = { center = [0, 0, 1], normal = [0, 0, -1], radius = 0.2 } },
+    ///     ]"#;
+    /// let solved = Solved::new(Scene::from_toml(room, "room")?, Options::default(), &|_progress| {})?;
+    /// let evening = solved.relight(&[("lamps", 0.25)])?;
+    /// let [day, dim] = [&solved, &evening].map(|light| light.outcome.solution.mean_irradiance(0, 0));
+    /// assert!((dim - 0.25 * day).abs() < 1e-12 * day);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RelightError::Scene`] for a group that is unknown or set twice, and a factor that is negative or not finite.
+    pub fn relight(&self, settings: &[(&str, f64)]) -> Result<Self, RelightError> {
+        let scene = self.scene.dimmed(settings)?;
+        let outcome = self.outcome.relit(&scene).ok_or(RelightError::NotApart)?;
+        let visibility = Arc::clone(&self.visibility);
+        Ok(Self { scene, options: self.options, outcome, achieved: self.achieved, visibility })
     }
 
     /// The scene as obstacles, with the shadows it was solved with.

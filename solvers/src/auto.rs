@@ -19,7 +19,8 @@ use crate::solver::{Report, Solver, Step};
 
 pub(crate) const NAME: &str = "auto";
 
-/// Unknowns per right-hand side up to which a direct method comes first. Chosen; not tuned.
+/// Unknowns per right-hand side up to which a direct method comes first; in all, if the entries are not held. Chosen; not
+/// tuned.
 pub const DIRECT: usize = 500;
 
 /// Unknowns from which no direct method is tried: the copy of the matrix would take 7 GB.
@@ -74,7 +75,9 @@ impl Plan {
     /// The plan for `a` and this many right-hand sides.
     fn new(a: &dyn Operator, columns: usize, settings: &Settings<'_>) -> Self {
         let dim = a.partition().dim();
-        let direct_only = dim <= DIRECT.saturating_mul(columns.max(1)) || settings.tolerance < STRICT;
+        // One factorisation serves all columns; the entries of what is not held so would first take a product each.
+        let shares = if a.dense().is_some() { columns.max(1) } else { 1 };
+        let direct_only = dim <= DIRECT.saturating_mul(shares) || settings.tolerance < STRICT;
         let mut first: Vec<&'static dyn Solver> = Vec::new();
         if dim >= HUGE || (dim > DENSE && a.dense().is_none()) {
             if a.symmetric() {

@@ -65,6 +65,10 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     let area: f64 = inspection.areas.iter().sum();
     let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
     writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
+    let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
+    if !groups.is_empty() {
+        writeln!(text, "light groups: {}\n", groups.join(", "))?;
+    }
     writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
     if !inspection.contacts.is_empty() {
         writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
@@ -164,7 +168,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission,
+            "emission": surface.material.emission, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {

@@ -15,7 +15,7 @@ use crate::cli::{
     destination::Destination,
     error::CliError,
     format::of_ending,
-    options::{MethodArgs, SceneArg},
+    options::{MethodArgs, PARAMETER_OR_GROUP, SceneArg},
     output_file::OutputFile,
     progress::Progress,
     reference,
@@ -27,6 +27,7 @@ use crate::cli::{
 #[derive(Debug, Args)]
 #[command(
     after_help = "Example:\n  radiosity convergence empty-box --max-order 6 --layers 2 -o empty-box.svg",
+    mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
     mut_arg("order", |order| order.long("max-order").value_name("N").default_value("6")
         .help("Highest degree of the polynomials: the scene is solved at 0, 1, … N")),
     mut_arg("layers", |layers| layers.help("Most layers: every order is run on 0, 1, … L of them")),

@@ -7,6 +7,7 @@ use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
+use radiosity::solved::RelightError;
 use radiosity_solvers::SolveError;
 use thiserror::Error;
 
@@ -27,6 +28,15 @@ pub(crate) enum CliError {
         /// The file as typed.
         origin: String,
     },
+    /// A scene, where a verb needs a solution.
+    #[error("{origin}: this is no solution")]
+    NotSolved {
+        /// The file as typed.
+        origin: String,
+    },
+    /// Light groups of a solution cannot be dimmed.
+    #[error(transparent)]
+    Relight(#[from] RelightError),
     /// An option of the method with a scene that is already solved.
     #[error("{option}: {origin} is a solution, how it was found cannot be changed")]
     Fixed {
@@ -130,6 +140,8 @@ impl CliError {
             | CliError::Solution(_)
             | CliError::Points(_)
             | CliError::AlreadySolved { .. }
+            | CliError::NotSolved { .. }
+            | CliError::Relight(_)
             | CliError::Fixed { .. }
             | CliError::Unwritable { .. }
             | CliError::NoCamera { .. }
@@ -175,6 +187,10 @@ impl CliError {
             CliError::AlreadySolved { .. } => Some(
                 "give it to render, probe or grid; for anything else, give the scene it was made from".into(),
             ),
+            CliError::NotSolved { .. } => Some(
+                "solve it first with `radiosity solve`; render, probe and grid take --set for scenes as well".into(),
+            ),
+            CliError::Relight(RelightError::Scene(error)) => error.cure(),
             CliError::Fixed { .. } => {
                 Some("leave the option out, or give the scene instead of its solution".into())
             }
@@ -204,6 +220,7 @@ impl CliError {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }
             CliError::LooksWrong { .. }
+            | CliError::Relight(RelightError::NotApart)
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }

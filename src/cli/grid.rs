@@ -14,7 +14,7 @@ use crate::cli::{
     error::CliError,
     memory,
     numbers::Counts,
-    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     read::{ReadArgs, Samples},
     run::{Loaded, Run},
@@ -22,7 +22,7 @@ use crate::cli::{
 
 /// Solves a scene and prints means over the cells of every surface
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "\
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "\
 Examples:
   radiosity grid cornell-box --cells 16x16 > cells.csv
   radiosity grid cornell-box --read basis --format json -o cells.json")]

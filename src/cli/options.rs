@@ -26,6 +26,10 @@ use crate::cli::{
 pub(crate) const SCENE_OR_SOLUTION: &str =
     "Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input";
 
+/// Help on `--set` of verbs that compute or read light.
+pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scene (`radiosity scenes` lists them), or multiplies the light of a group of any other \
+     scene or solution by a factor; as often as needed";
+
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
@@ -46,17 +50,21 @@ pub(crate) struct SceneArg {
 impl SceneArg {
     /// Loads the scene; refuses a solution.
     pub(crate) fn load(&self) -> Result<Scene, CliError> {
-        let text = self.text()?;
-        if is_solution(&text.text) {
-            return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
-        }
-        Ok(Scene::parse(&text)?)
+        unsolved(&self.text_with(&self.settings)?)
+    }
+
+    /// Loads the scene with its light groups at the factors that were set; refuses a solution.
+    pub(crate) fn load_lit(&self) -> Result<Scene, CliError> {
+        Ok(unsolved(&self.text()?)?.dimmed(&self.factors())?)
     }
 
     /// The file of the scene, if it comes from one.
     pub(crate) fn path(&self) -> Option<&Path> {
-        let builtin = Scene::builtins().iter().any(|builtin| builtin.name == self.scene);
-        (self.scene != "-" && !builtin).then(|| Path::new(&self.scene))
+        (self.scene != "-" && !self.is_builtin()).then(|| Path::new(&self.scene))
+    }
+
+    fn is_builtin(&self) -> bool {
+        Scene::builtins().iter().any(|builtin| builtin.name == self.scene)
     }
 
     /// An output, which must not take the place of the scene.
@@ -70,16 +78,38 @@ impl SceneArg {
         }
     }
 
-    /// The text of the scene, or of a solution.
+    /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
     pub(crate) fn text(&self) -> Result<Source, SceneError> {
-        let settings: Vec<_> = self.settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-        Ok(Scene::text_of(&self.scene, &settings)?.within(self.tolerance_length))
+        self.text_with(if self.is_builtin() { &self.settings } else { &[] })
+    }
+
+    fn text_with(&self, settings: &[(String, f64)]) -> Result<Source, SceneError> {
+        Ok(Scene::text_of(&self.scene, &borrowed(settings))?.within(self.tolerance_length))
+    }
+
+    /// The factors of light groups that were set: the settings of a scene that is not built in.
+    pub(crate) fn factors(&self) -> Vec<(&str, f64)> {
+        if self.is_builtin() { Vec::new() } else { borrowed(&self.settings) }
     }
 }
 
-fn setting(text: &str) -> Result<(String, f64), String> {
-    let expected = || "expected the name of a parameter and a number, such as distance=0.1".to_owned();
-    let (name, value) = text.split_once('=').ok_or_else(expected)?;
+/// The scene of a text; refuses a solution.
+fn unsolved(text: &Source) -> Result<Scene, CliError> {
+    if is_solution(&text.text) {
+        return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
+    }
+    Ok(Scene::parse(text)?)
+}
+
+/// Settings as the library takes them.
+pub(crate) fn borrowed(settings: &[(String, f64)]) -> Vec<(&str, f64)> {
+    settings.iter().map(|(name, value)| (name.as_str(), *value)).collect()
+}
+
+/// A name and a finite number with a `=` between.
+pub(crate) fn setting(text: &str) -> Result<(String, f64), String> {
+    let expected = || "expected a name and a finite number, such as distance=0.1".to_owned();
+    let (name, value) = text.rsplit_once('=').ok_or_else(expected)?;
     let value: f64 = value.trim().parse().map_err(|_| expected())?;
     if value.is_finite() { Ok((name.trim().to_owned(), value)) } else { Err(expected()) }
 }

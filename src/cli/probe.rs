@@ -13,7 +13,7 @@ use serde::Serialize;
 use crate::cli::{
     data::DataArgs,
     error::CliError,
-    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     output_file::OutputFile,
     points::{COLUMNS, Points, PointsError},
     progress::Progress,
@@ -24,7 +24,7 @@ use crate::cli::{
 /// Solves a scene and prints the irradiance at points of your choice, in the unit of the scene's exitance (lm/m² makes
 /// lux)
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "\
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "\
 Points are lines x,y,z,nx,ny,nz: a place and the direction light is received along. With a header line the columns may stand \
 in any order, and others are passed over. A point within 1e-6 of the scene's size of a surface lies on it, on the side the \
 normal points to, and its radiosity is printed as well.

@@ -32,9 +32,10 @@ pub(crate) fn solution(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
     Ok(solved)
 }
 
-/// Whether materials are the same surface by surface.
+/// Whether materials, and the factors of light groups, are the same surface by surface.
 pub(crate) fn same_materials(a: &Scene, b: &Scene) -> bool {
-    a.surfaces.iter().zip(&b.surfaces).all(|(a, b)| a.material == b.material)
+    let mut pairs = a.surfaces.iter().zip(&b.surfaces);
+    pairs.all(|(a, b)| a.material == b.material && a.factor() == b.factor())
 }
 
 /// Whether names and areas are the same.

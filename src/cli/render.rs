@@ -16,7 +16,7 @@ use crate::cli::{
     error::CliError,
     memory,
     numbers::Counts,
-    options::{MethodArgs, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
@@ -24,7 +24,7 @@ use crate::cli::{
 
 /// Solves a scene and takes a picture through its camera
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,

@@ -4,11 +4,12 @@ use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
-use radiosity::scene::Scene;
+use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 use radiosity::studies::adaptation::{Achieved, Goal};
@@ -17,7 +18,7 @@ use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
 use crate::cli::modes::{Order, Shadows};
-use crate::cli::options::{MethodArgs, ReportArgs, SceneArg};
+use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, borrowed};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
 
@@ -46,11 +47,18 @@ struct Saved {
     achieved: Option<Achieved>,
 }
 
+impl Saved {
+    /// The solved scene again.
+    fn with(self, scene: Scene) -> Solved {
+        Solved::of(scene, self.options, self.outcome, self.achieved)
+    }
+}
+
 impl Loaded {
     /// Reads a scene that has light.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        Self::new(source, source.load()?, None, started)
+        Self::new(source.path(), source.load_lit()?, None, started)
     }
 
     /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
@@ -59,24 +67,40 @@ impl Loaded {
         let started = Instant::now();
         let text = source.text()?;
         if !is_solution(&text.text) {
-            return Self::new(source, Scene::parse(&text)?, None, started);
+            let scene = Scene::parse(&text)?.dimmed(&source.factors())?;
+            return Self::new(source.path(), scene, None, started);
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
         if let Some(option) = fixed.first().or(tolerance.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        let Solved { scene, options, outcome, achieved, .. } = read(&text)?;
-        Self::new(source, scene, Some(Saved { options, outcome, achieved }), started)
+        Self::saved(source.path(), relit(read(&text)?, &source.factors())?, started)
+    }
+
+    /// Reads a solution file, with its light groups at the factors that were set.
+    pub(crate) fn solved(path: &str, settings: &[(String, f64)]) -> Result<Self, CliError> {
+        let started = Instant::now();
+        let text = Scene::text_of(path, &[])?;
+        if !is_solution(&text.text) {
+            return Err(CliError::NotSolved { origin: text.origin.to_string() });
+        }
+        let file = (path != "-").then(|| Path::new(path));
+        Self::saved(file, relit(read(&text)?, &borrowed(settings))?, started)
+    }
+
+    fn saved(file: Option<&Path>, solved: Solved, started: Instant) -> Result<Self, CliError> {
+        let Solved { scene, options, outcome, achieved, .. } = solved;
+        Self::new(file, scene, Some(Saved { options, outcome, achieved }), started)
     }
 
     fn new(
-        source: &SceneArg,
+        file: Option<&Path>,
         scene: Scene,
         saved: Option<Saved>,
         started: Instant,
     ) -> Result<Self, CliError> {
         scene.require_light()?;
-        let file = source.path().map(Path::to_owned);
+        let file = file.map(Path::to_owned);
         Ok(Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() })
     }
 
@@ -97,6 +121,11 @@ impl Loaded {
     }
 }
 
+/// The solution with its light groups at these factors.
+fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, CliError> {
+    if factors.is_empty() { Ok(solved) } else { Ok(solved.relight(factors)?) }
+}
+
 /// A solved scene with its report in progress.
 ///
 /// A verb reads [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with [`Run::finish`].
@@ -114,6 +143,26 @@ pub(crate) struct Run {
     saved: bool,
     started: Instant,
     ready: Instant,
+}
+
+/// What is known of a run before it solves.
+struct Start {
+    threads: usize,
+    /// Whether the solution was read from a file.
+    is_saved: bool,
+    started: Instant,
+    /// Time of reading.
+    seconds: f64,
+    report_file: Option<OutputFile>,
+}
+
+impl Start {
+    /// That of what was loaded; finds out whether the report can be written.
+    fn of(loaded: &Loaded, threads: usize, report: &ReportArgs) -> Result<Self, CliError> {
+        let report_file = report.reserve()?.map(|file| loaded.apart(file)).transpose()?;
+        let Loaded { saved, started, seconds, .. } = loaded;
+        Ok(Self { threads, is_saved: saved.is_some(), started: *started, seconds: *seconds, report_file })
+    }
 }
 
 impl Run {
@@ -136,7 +185,7 @@ impl Run {
         progress: &Progress,
     ) -> Result<Self, CliError> {
         method.check()?;
-        let report_file = report.reserve()?.map(|file| loaded.apart(file)).transpose()?;
+        let start = Start::of(&loaded, asked.threads, report)?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
             Stage::Blocks(done, total) => progress.show("blocks", done, total),
@@ -146,27 +195,38 @@ impl Run {
             Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
             Stage::Finished(..) => {}
         };
-        let saved = loaded.saved.is_some();
         let scene = loaded.scene;
         let solved = match (loaded.saved, method.wanted_accuracy()) {
-            (Some(Saved { options, outcome, achieved }), _) => Solved::of(scene, options, outcome, achieved),
+            (Some(saved), _) => saved.with(scene),
             (None, Some(accuracy)) => Solved::to_accuracy(scene, &asked, Goal::new(accuracy), &observe)?,
             (None, None) => Solved::new(scene, asked, &observe)?,
         };
+        Ok(Self::new(solved, start, report))
+    }
+
+    /// Takes a solution file as it was read.
+    pub(crate) fn read(loaded: Loaded, report: &ReportArgs) -> Result<Self, CliError> {
+        let start = Start::of(&loaded, Options::default().threads, report)?;
+        let saved = loaded.saved.expect("a solution file was read");
+        Ok(Self::new(saved.with(loaded.scene), start, report))
+    }
+
+    fn new(solved: Solved, start: Start, report: &ReportArgs) -> Self {
+        let Start { threads, is_saved, started, seconds, report_file } = start;
         let mut summary = Report::new(&solved);
-        summary.seconds.load = loaded.seconds;
-        summary.threads = asked.threads;
-        Ok(Self {
+        summary.seconds.load = seconds;
+        summary.threads = threads;
+        Self {
             solved,
-            threads: asked.threads,
-            saved,
+            threads,
+            saved: is_saved,
             report: summary,
             report_file,
             quiet: report.quiet,
             verbose: report.verbose,
-            started: loaded.started,
+            started,
             ready: Instant::now(),
-        })
+        }
     }
 
     /// Number of threads that work.
@@ -239,13 +299,13 @@ impl Run {
             ),
             self.costs(),
             format!(
-                "of the emitted power {} % is absorbed, {} % lost; row sums {} to {}",
-                decimals(100.0 * checks.energy_absorbed / checks.energy_in, 2),
-                decimals(100.0 * checks.energy_lost / checks.energy_in, 2),
+                "{}; row sums {} to {}",
+                balance(checks),
                 decimals(checks.row_sum_min, 4),
                 decimals(checks.row_sum_max, 4)
             ),
         ];
+        lines.extend(groups(&self.report.light_groups));
         lines.extend(self.solved.scene.fitted.line());
         // Rays tell their own error with the blocks, that of elements apart.
         let estimate = self.report.accuracy_estimate.filter(|_| self.report.transport.kind == "exact");
@@ -264,6 +324,24 @@ impl Run {
         // A closed stderr is no error: nobody would see a message.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
     }
+}
+
+/// Where the emitted power went.
+fn balance(checks: &Checks) -> String {
+    if checks.energy_in == 0.0 {
+        return "all lights are off".to_owned();
+    }
+    format!(
+        "of the emitted power {} % is absorbed, {} % lost",
+        decimals(100.0 * checks.energy_absorbed / checks.energy_in, 2),
+        decimals(100.0 * checks.energy_lost / checks.energy_in, 2)
+    )
+}
+
+/// The line about light groups, where there are any.
+fn groups(groups: &[LightGroup]) -> Option<String> {
+    let list: Vec<String> = groups.iter().map(|group| format!("{} × {}", group.name, group.factor)).collect();
+    (!list.is_empty()).then(|| format!("light groups: {}", list.join(", ")))
 }
 
 /// The library's options of a method as typed.

@@ -9,7 +9,7 @@ use radiosity::solve::{Options, Outcome, Sampling};
 use crate::cli::{
     error::CliError,
     interrupt::STOP,
-    options::{MethodArgs, ReportArgs, SceneArg},
+    options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
 };
@@ -17,6 +17,7 @@ use crate::cli::{
 /// Solves a scene and writes the coefficients of its radiosity
 #[derive(Debug, Args)]
 #[command(
+    mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
     after_help = "Example:\n  radiosity solve cornell-box --order 5 -o box.solution.json --report box.json"
 )]
 pub(crate) struct SolveArgs {

@@ -19,11 +19,21 @@ pub struct Coating {
 impl Coating {
     /// The coating of a scene's elements in band `band`.
     pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
-        let material = |element: &Element| &scene.surfaces[element.surface].material;
+        let surface = |element: &Element| &scene.surfaces[element.surface];
         Self {
-            reflectance: elements.iter().map(|element| material(element).reflectance[band]).collect(),
-            exitance: elements.iter().map(|element| material(element).emission[band]).collect(),
+            reflectance: elements.iter().map(|own| surface(own).material.reflectance[band]).collect(),
+            exitance: elements.iter().map(|own| surface(own).exitance(band)).collect(),
         }
+    }
+
+    /// The same where nothing emits but the members of a light group, or of no group for None; their group is not
+    /// dimmed.
+    pub fn of_group(scene: &Scene, elements: &[Element], band: usize, group: Option<&str>) -> Self {
+        let exitance = |element: &Element| {
+            let surface = &scene.surfaces[element.surface];
+            if surface.is_in(group) { surface.material.emission[band] } else { 0.0 }
+        };
+        Self { exitance: elements.iter().map(exitance).collect(), ..Self::of(scene, elements, band) }
     }
 
     /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).

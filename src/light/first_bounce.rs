@@ -18,6 +18,7 @@ use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::light::coats::Coats;
 use crate::light::direct::DirectLight;
 use crate::light::occluders::Site;
 use crate::light::receiver_point::ReceiverPoint;
@@ -44,10 +45,25 @@ pub struct Bounce {
     pub reflected: Vec<Vec<f64>>,
 }
 
-impl Bounce {
+/// The first bounce, apart by what reflected it.
+#[derive(Debug)]
+pub(crate) struct CoatedBounce {
+    /// d, as in [`Bounce`].
+    direct: Vec<Vec<f64>>,
+    coats: Coats,
+    /// The part of g from each coat, per band.
+    reflected: Vec<Vec<Vec<f64>>>,
+}
+
+impl CoatedBounce {
     /// The first bounce of exact direct light on `elements` with one coating per band; its relative accuracy is about
     /// the smaller of `eps` and [`LOOSEST`].
-    pub fn new(elements: &[Element], coatings: &[&Coating], visibility: &Visibility, eps: f64) -> Self {
+    pub(crate) fn new(
+        elements: &[Element],
+        coatings: &[&Coating],
+        visibility: &Visibility,
+        eps: f64,
+    ) -> Self {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(elements, coatings, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
@@ -55,23 +71,44 @@ impl Bounce {
     }
 
     /// The first bounce of any direct light `lit`.
-    pub fn of(
+    pub(crate) fn of(
         elements: &[Element],
         coatings: &[&Coating],
         visibility: &Visibility,
         lit: Lit<'_>,
         eps: f64,
     ) -> Self {
-        let projected = |project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {
+        let projected = |channels, project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync)| -> Vec<Vec<f64>> {
             let parts: Vec<_> = (0..elements.len()).into_par_iter().with_max_len(1).map(project).collect();
-            let bands = 0..coatings.len();
-            bands.map(|band| parts.iter().flat_map(|part| &part[band]).copied().collect()).collect()
+            let together = |channel: usize| parts.iter().flat_map(|part| &part[channel]).copied().collect();
+            (0..channels).map(together).collect()
         };
-        let d = projected(&|index| of_direct(&elements[index], index, lit, coatings.len()));
+        let d = projected(coatings.len(), &|index| of_direct(&elements[index], index, lit, coatings.len()));
         let scale = scales(elements, coatings, &d);
         let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
-        let g = projected(&|index| of_reflected(&elements[index], index, lit, &reflection, coatings.len()));
-        Self { direct: d, reflected: g }
+        let coats = Coats::of(coatings);
+        let light = Light { lit, reflection, coats: &coats };
+        let g =
+            projected(coats.count() * coatings.len(), &|index| of_reflected(&elements[index], index, &light));
+        let mut channels = g.into_iter();
+        let reflected =
+            (0..coats.count()).map(|_| channels.by_ref().take(coatings.len()).collect()).collect();
+        Self { direct: d, coats, reflected }
+    }
+
+    /// The bounce by `new` coatings of the same exitance as the `old` ones it was computed for. None where it has to be
+    /// computed anew.
+    pub(crate) fn repainted(&self, old: &[&Coating], new: &[&Coating]) -> Option<Bounce> {
+        let factors = self.coats.change(old, new)?;
+        let of_band = |band: usize| {
+            let mut sum = vec![0.0; self.direct[band].len()];
+            for (part, factor) in self.reflected.iter().zip(&factors) {
+                let scaled = part[band].iter().map(|g| factor[band] * g);
+                sum.iter_mut().zip(scaled).for_each(|(sum, g)| *sum += g);
+            }
+            sum
+        };
+        Some(Bounce { direct: self.direct.clone(), reflected: (0..old.len()).map(of_band).collect() })
     }
 }
 
@@ -96,15 +133,17 @@ fn of_direct(element: &Element, index: usize, lit: Lit<'_>, bands: usize) -> Vec
     sums.finish()
 }
 
-/// The coefficients g of an element, per band.
-fn of_reflected(
-    element: &Element,
-    index: usize,
-    lit: Lit<'_>,
-    reflection: &Reflection,
-    bands: usize,
-) -> Vec<Vec<f64>> {
-    let mut sums = Sums::new(element, bands);
+/// Direct light, and what of it is reflected by which coat.
+struct Light<'a> {
+    lit: Lit<'a>,
+    reflection: Reflection<'a>,
+    coats: &'a Coats,
+}
+
+/// The coefficients g of an element, per coat and band.
+fn of_reflected(element: &Element, index: usize, light: &Light<'_>) -> Vec<Vec<f64>> {
+    let Light { lit, reflection, coats } = light;
+    let mut sums = Sums::new(element, coats.count() * reflection.bands());
     for patch in &element.patches {
         let halvings = if area(patch) < SMALL * element.area { 0 } else { REFLECTED_HALVINGS };
         let points = element.basis.order().div_ceil(1 << halvings) + 1;
@@ -113,7 +152,7 @@ fn of_reflected(
             let around = reflection.around(&site);
             sums.add(&cell, points, |node| {
                 let vantage = ReceiverPoint::on(element.surface, node.position, node.normal);
-                reflection.irradiance(&vantage, &around, &lit(index, node))
+                reflection.irradiance_by_coat(&vantage, &around, &lit(index, node), coats)
             });
         }
     }

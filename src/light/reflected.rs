@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
+use crate::light::coats::Coats;
 use crate::light::hierarchy::tree::Tree;
 use crate::light::occluders::{Occluders, Site};
 use crate::light::receiver_point::ReceiverPoint;
@@ -38,6 +39,8 @@ pub(crate) fn scale(elements: &[Element], radiosity: impl Iterator<Item = f64>) 
 pub struct Reflection<'a> {
     visibility: &'a Visibility,
     trees: Vec<Tree>,
+    /// The element of each tree.
+    elements: Vec<usize>,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
@@ -65,7 +68,12 @@ impl<'a> Reflection<'a> {
             Tree::new(&elements[*element], &scale, eps, &field)
         };
         let trees = reflecting.par_iter().with_max_len(1).map(tree).collect();
-        Self { visibility, trees, scale, eps }
+        Self { visibility, trees, elements: reflecting, scale, eps }
+    }
+
+    /// Number of bands.
+    pub(crate) fn bands(&self) -> usize {
+        self.scale.len()
     }
 
     /// Possible occluders between a site and the reflecting elements.
@@ -75,14 +83,36 @@ impl<'a> Reflection<'a> {
 
     /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.
     pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
+        self.sum(&self.parts(vantage, surroundings, other))
+    }
+
+    /// The same apart by the coats of the reflecting elements: all bands of one coat after those of another.
+    pub(crate) fn irradiance_by_coat(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        other: &[f64],
+        coats: &Coats,
+    ) -> Vec<f64> {
+        let bands = self.scale.len();
+        let mut sums = vec![0.0; coats.count() * bands];
+        let parts = self.parts(vantage, surroundings, other);
+        for (part, element) in parts.chunks_exact(bands).zip(&self.elements) {
+            let own = &mut sums[bands * coats.of_element(*element)..][..bands];
+            own.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
+        }
+        sums
+    }
+
+    /// The irradiance from each reflecting element, band after band.
+    fn parts(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
         let mut walk = Traversal::new(vantage, self.visibility, surroundings);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
             walk.add(index, &self.trees[index], tolerance, out);
         };
         let (share, other) = (PER_CELL * self.eps, self.relative(other));
         let level = |parts: &[f64]| self.relative(&self.sum(parts));
-        let parts = walk.within_share(&self.trees, share, other, add, level);
-        self.sum(&parts)
+        walk.within_share(&self.trees, share, other, add, level)
     }
 
     /// Sum over the elements, per band.

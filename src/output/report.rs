@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
-use crate::scene::{Fitted, Scene};
+use crate::scene::{Fitted, LightGroup, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
 use crate::studies::adaptation::{Achieved, End};
@@ -22,6 +22,8 @@ pub struct Report {
     pub surfaces: usize,
     /// How their shapes were changed to fit together when the scene was read.
     pub fitted: Fitted,
+    /// Its light groups with their factors.
+    pub light_groups: Vec<LightGroup>,
     /// Number of elements.
     pub elements: usize,
     /// Number of coefficients per band.
@@ -141,6 +143,7 @@ impl Report {
             bands: scene.bands.clone(),
             surfaces: scene.surfaces.len(),
             fitted: scene.fitted.clone(),
+            light_groups: scene.light_groups().into_iter().cloned().collect(),
             elements: elements.list().len(),
             unknowns: elements.coefficients(),
             order: options.order,

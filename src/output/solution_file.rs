@@ -8,6 +8,7 @@ mod figures;
 mod version;
 mod error;
 mod element;
+mod group;
 mod tree;
 mod reading;
 

@@ -82,6 +82,7 @@ impl SceneBuilder {
             name,
             material,
             material_name: Some(material_name),
+            group: None,
             order: None,
             subdivide: None,
             two_sided: false,

@@ -27,6 +27,13 @@ impl Fault {
             Fault::UnknownSurface { name, known } => {
                 choose(name, known.iter().map(String::as_str), "surfaces of this scene")
             }
+            Fault::UnknownGroup { name, known } if known.is_empty() => format!(
+                "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
+                 solve it again"
+            ),
+            Fault::UnknownGroup { name, known } => {
+                choose(name, known.iter().map(String::as_str), "light groups of this scene")
+            }
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
@@ -60,7 +67,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::Syntax { .. } => {
             "TOML wants `key = value`, texts in quotes, and lists in brackets with commas"
         }
-        Fault::RepeatedKey { .. } => "keep one of them",
+        Fault::RepeatedKey { .. } | Fault::GroupSetTwice { .. } => "keep one of them",
         Fault::NoMaterials => {
             "`radiosity view-factors` and `radiosity check` need none; for light write a TOML scene, where each surface \
              has a shape and a material"

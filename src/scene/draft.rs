@@ -9,7 +9,9 @@ use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::scene::{
     error::{Fault, Located, surface_title},
+    light_group::LightGroup,
     material::Material,
+    names::check_text,
     ranges::{check_order, check_parts},
     source::{Place, Span},
     surface::SceneSurface,
@@ -23,6 +25,7 @@ pub struct SurfaceDraft {
     pub(super) shapes: Vec<NamedShape>,
     pub(super) material: Material,
     pub(super) material_name: Option<String>,
+    pub(super) group: Option<String>,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
     pub(super) two_sided: bool,
@@ -55,6 +58,13 @@ impl SurfaceDraft {
         self
     }
 
+    /// Makes it a member of the light group `name`, whose light is kept apart and can be dimmed
+    /// ([`Scene::dimmed`](crate::scene::Scene::dimmed)).
+    pub fn group(&mut self, name: impl Into<String>) -> &mut Self {
+        self.group = Some(name.into());
+        self
+    }
+
     /// The order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
     pub fn order(&mut self, order: usize) -> &mut Self {
         self.order = Some(order);
@@ -71,7 +81,8 @@ impl SurfaceDraft {
     pub(super) fn checked(self) -> Result<Self, Located> {
         let order = self.order.map_or(Ok(()), check_order);
         let parts = || self.subdivide.into_iter().flatten().try_for_each(check_parts);
-        match order.and_then(|()| parts()) {
+        let group = || self.group.as_deref().map_or(Ok(()), check_text);
+        match order.and_then(|()| parts()).and_then(|()| group()) {
             Ok(()) => Ok(self),
             Err(fault) => Err(self.located(None, fault)),
         }
@@ -102,6 +113,7 @@ impl SurfaceDraft {
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
             material: self.material.clone(),
             material_name: self.material_name.clone(),
+            group: self.group.as_ref().map(LightGroup::new),
             order: self.order,
             subdivide: self.subdivide,
             place: self.typed.as_ref().map(|typed| typed.place.clone()),

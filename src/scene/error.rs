@@ -162,6 +162,20 @@ pub enum Fault {
         /// The surfaces of the scene.
         known: Vec<String>,
     },
+    /// A light group that was set, but of which no surface emits.
+    #[error("no light comes from a group {name:?}")]
+    UnknownGroup {
+        /// What was typed.
+        name: String,
+        /// The light groups of the scene.
+        known: Vec<String>,
+    },
+    /// Two settings of one light group.
+    #[error("the light group {name:?} is set twice")]
+    GroupSetTwice {
+        /// Its name.
+        name: String,
+    },
     /// Two things of one name.
     #[error("the name {name:?} is given twice")]
     DuplicateName {
@@ -207,6 +221,11 @@ pub enum Fault {
 /// How messages call a material.
 pub(super) fn material_title(name: &str) -> String {
     format!("material {name:?}")
+}
+
+/// How messages call a light group.
+pub(super) fn group_title(name: &str) -> String {
+    format!("light group {name:?}")
 }
 
 /// How messages call a surface.

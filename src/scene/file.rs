@@ -39,6 +39,7 @@ pub(super) struct MaterialFile {
     pub name: At<String>,
     pub reflectance: PerBand,
     pub emission: Option<PerBand>,
+    pub group: Option<At<String>>,
 }
 
 /// One number for all bands, or a list with one per band.
@@ -54,6 +55,7 @@ pub(super) struct SurfaceFile {
     pub name: Option<At<String>>,
     pub span: Span,
     pub material: Option<At<String>>,
+    pub group: Option<At<String>>,
     pub shape: ShapeFile,
     pub motion: Motion,
     pub order: Option<usize>,
@@ -113,11 +115,12 @@ fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {
 }
 
 fn read_material(name: &At<String>, node: &Node) -> Result<MaterialFile, Located> {
-    let fields = Fields::new(node, &["reflectance", "emission"])?;
+    let fields = Fields::new(node, &["reflectance", "emission", "group"])?;
     Ok(MaterialFile {
         name: name.clone(),
         reflectance: fields.require("reflectance", per_band)?,
         emission: fields.optional("emission", per_band)?,
+        group: fields.optional("group", text)?,
     })
 }
 
@@ -145,7 +148,8 @@ fn read_named_surface((index, node): (usize, &Node)) -> Result<SurfaceFile, Loca
     })
 }
 
-const SURFACE_KEYS: [&str; 7] = ["name", "material", "order", "subdivide", "two_sided", "flip", "transform"];
+const SURFACE_KEYS: [&str; 8] =
+    ["name", "material", "group", "order", "subdivide", "two_sided", "flip", "transform"];
 
 fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
     let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(keys()).collect();
@@ -154,6 +158,7 @@ fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
         name: fields.optional("name", text)?,
         span: fields.span().clone(),
         material: fields.optional("material", text)?,
+        group: fields.optional("group", text)?,
         shape: ShapeFile::read(&fields)?,
         motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),
         order: fields.optional("order", order)?,

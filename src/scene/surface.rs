@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use radiosity_geom::Surface;
 
-use crate::scene::{material::Material, source::Place};
+use crate::scene::{light_group::LightGroup, material::Material, source::Place};
 
 /// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.
 #[derive(Clone, Debug)]
@@ -20,10 +20,29 @@ pub struct SceneSurface {
     pub material: Material,
     /// The material's name in the file, if one is given.
     pub material_name: Option<String>,
+    /// Its light group, if it has one: its own, or else that of its material.
+    pub group: Option<LightGroup>,
     /// Order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
     pub order: Option<usize>,
     /// Elements along u and v, each at least 1, instead of the subdivision asked for.
     pub subdivide: Option<[usize; 2]>,
     /// Where the surface stands in the file; none if it was built in code.
     pub place: Option<Place>,
+}
+
+impl SceneSurface {
+    /// Emitted exitance of a band (W m⁻²): the emission of its material times the factor of its light group.
+    pub fn exitance(&self, band: usize) -> f64 {
+        self.factor() * self.material.emission[band]
+    }
+
+    /// The factor of its light group; 1 without a group.
+    pub fn factor(&self) -> f64 {
+        self.group.as_ref().map_or(1.0, |group| group.factor)
+    }
+
+    /// Whether it is a member of the light group `name`; of no group for None.
+    pub fn is_in(&self, group: Option<&str>) -> bool {
+        self.group.as_ref().map(|own| own.name.as_str()) == group
+    }
 }

@@ -16,7 +16,14 @@ use crate::scene::{
 };
 
 /// Materials by name.
-pub(super) type Materials = BTreeMap<String, Material>;
+pub(super) type Materials = BTreeMap<String, GroupedMaterial>;
+
+/// A material with the light group of the surfaces that have none of their own.
+#[derive(Clone, Debug)]
+pub(super) struct GroupedMaterial {
+    material: Material,
+    group: Option<String>,
+}
 
 /// The names of the bands; r, g, b if none are given.
 pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Result<Vec<String>, Located> {
@@ -62,11 +69,13 @@ pub(super) fn materials(files: Vec<MaterialFile>, bands: usize) -> Result<Materi
     files.into_iter().map(checked).collect()
 }
 
-fn material(file: MaterialFile, bands: usize) -> Result<Material, Located> {
+fn material(file: MaterialFile, bands: usize) -> Result<GroupedMaterial, Located> {
     let reflectance = spread(&file.reflectance, bands, "the reflectance", check_reflectance)?;
     let emission = file.emission.map(|emission| spread(&emission, bands, "the emission", check_emission));
     let emission = emission.transpose()?.unwrap_or_else(|| vec![0.0; bands]);
-    Material::new(reflectance, emission).map_err(|fault| Located::at(&file.name.span, fault))
+    let material = Material::new(reflectance, emission);
+    let material = material.map_err(|fault| Located::at(&file.name.span, fault))?;
+    Ok(GroupedMaterial { material, group: file.group.map(|group| group.value) })
 }
 
 /// One number for each band.
@@ -127,10 +136,12 @@ fn draft(
     source: &Source,
 ) -> Result<SurfaceDraft, Located> {
     let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
+    let GroupedMaterial { material, group } = surface_material(file.material.as_ref(), materials, bands)?;
     Ok(SurfaceDraft {
         kind: file.shape.kind,
-        material: surface_material(file.material.as_ref(), materials, bands)?,
+        material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
+        group: file.group.as_ref().map(|own| own.value.clone()).or(group),
         shapes: shapes(file, &name)?,
         name,
         order: file.order,
@@ -163,8 +174,9 @@ fn surface_material(
     name: Option<&At<String>>,
     materials: &Materials,
     bands: usize,
-) -> Result<Material, Located> {
-    let Some(name) = name else { return Ok(Material::black(bands)) };
+) -> Result<GroupedMaterial, Located> {
+    let black = || GroupedMaterial { material: Material::black(bands), group: None };
+    let Some(name) = name else { return Ok(black()) };
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();
         Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })

@@ -1,4 +1,4 @@
-//! The linear system of one band.
+//! The linear systems of one band: one matrix, a right-hand side for each light group.
 
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 
@@ -14,31 +14,37 @@ pub(super) struct Effort {
 }
 
 /// The cost of a finished solver; with `keep_partial` the best iterate of one that did not converge counts too.
-fn effort(ended: Result<Report, SolveError>, keep_partial: bool) -> Result<Effort, SolveError> {
+fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<Option<Effort>, SolveError> {
     match ended {
-        Ok(Report { method, iterations, .. }) => Ok(Effort { method, iterations, converged: true }),
+        Ok(reports) => Ok(reports
+            .into_iter()
+            .max_by_key(|report| report.iterations)
+            .map(|Report { method, iterations, .. }| Effort { method, iterations, converged: true })),
         Err(SolveError::NotConverged { method, iterations, .. }) if keep_partial => {
-            Ok(Effort { method, iterations, converged: false })
+            Ok(Some(Effort { method, iterations, converged: false }))
         }
         Err(error) => Err(error),
     }
 }
 
-/// Solves one band. Without light there is nothing to solve, and no effort.
+/// Solves the systems of one band, which differ in their emission alone. Without light there is nothing to solve, and
+/// no effort.
 ///
 /// # Errors
 /// Those of the solver.
 pub(super) fn solve_band(
-    system: &System,
+    systems: &[System],
     options: &Options,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Coefficients, Option<Effort>), SolveError> {
-    let right = system.right_hand_side();
-    let mut unknowns = vec![0.0; right.len()];
-    // Only shooting needs it, and it costs as much as a basis.
-    let measure = (options.method.name == "southwell").then(|| system.shooting_measure());
+) -> Result<(Vec<Coefficients>, Option<Effort>), SolveError> {
+    let rights: Vec<Vec<f64>> = systems.iter().map(System::right_hand_side).collect();
+    let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
+    let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
+    let mut unknowns = vec![0.0; lit.len()];
     let mut needed = None;
-    if right.iter().any(|value| *value != 0.0) {
+    if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
+        // Only shooting needs it, and it costs as much as a basis.
+        let measure = (options.method.name == "southwell").then(|| first.shooting_measure());
         let settings = Settings {
             tolerance: options.tolerance,
             max_iterations: options.max_iterations,
@@ -46,15 +52,14 @@ pub(super) fn solve_band(
             measure: measure.as_deref(),
             ..Settings::default()
         };
-        let solver = options.method.solver;
-        let ended = solver.solve(
-            &*system.operator(options.method.name, options.threads)?,
-            &right,
-            &mut unknowns,
-            &settings,
-            observe,
-        );
-        needed = Some(effort(ended, options.keep_partial)?);
+        let operator = first.operator(options.method.name, options.threads)?;
+        let ended = options.method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, observe);
+        needed = effort(ended, options.keep_partial)?;
     }
-    Ok((system.coefficients(&unknowns), needed))
+    let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
+    let solved = |(system, right): (&System, &Vec<f64>)| {
+        let own = if is_lit(right) { columns.next() } else { None };
+        own.map_or_else(|| system.coefficients(&vec![0.0; right.len()]), |own| system.coefficients(own))
+    };
+    Ok((systems.iter().zip(&rights).map(solved).collect(), needed))
 }

@@ -31,6 +31,24 @@ pub enum Failure {
         /// What the solver says.
         source: SolveError,
     },
+    /// A model was asked to solve a scene of other surfaces.
+    #[error(
+        "surface '{surface}': the model has another one, or other bands: assemble a model of this scene, or change \
+         materials of the scene it was assembled from"
+    )]
+    OtherSurface {
+        /// Name of the first surface that differs.
+        surface: String,
+    },
+    /// Light leaves a surface that was black and dark when a model was assembled, so that its blocks were left out.
+    #[error(
+        "surface '{surface}' sends light now, but did not when the model was assembled: assemble the model with a \
+         reflectance above 0 there"
+    )]
+    Unlit {
+        /// Name of the surface.
+        surface: String,
+    },
     /// More memory is needed than allowed.
     #[error(
         "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; {}",

@@ -8,6 +8,7 @@
 //! blocks     2 · 8 Σ_P m_i m_j + 300 |P|   (as integrated, and as stored; data of each pair)
 //! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
 //!            320 n above that for a method that only multiplies, and twice the blocks for others
+//! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
 //! ```
 //!
 //! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the
@@ -28,6 +29,10 @@ const ELEMENT: u64 = 3000;
 
 /// Vectors of a solver that multiplies by the blocks as they are. Chosen; not tuned.
 const VECTORS: u64 = 40;
+
+/// Vectors of a light group while a band is solved, and those that it keeps of every band.
+const AT_WORK: u64 = 8;
+const KEPT: u64 = 2;
 
 /// Bytes of a pair beside its block. Chosen; not tuned.
 const PAIR: u64 = 300;
@@ -54,7 +59,7 @@ pub struct Footprint {
     pub blocks: u64,
     /// Data of the pairs while their blocks are integrated.
     pub pairs: u64,
-    /// The matrix of one band, with its factors if the method makes some.
+    /// The matrix of one band, with its factors if the method makes some, and the light of groups.
     pub system: u64,
 }
 
@@ -62,15 +67,18 @@ impl Footprint {
     /// The footprint of `scene`, cut as `how` says and solved by `method`.
     pub fn of(scene: &Scene, how: &Discretization, method: &Method) -> Self {
         let own = Self::of_blocks(scene, how);
-        let system = system(method, most_unknowns(scene, &cut_sizes(scene, how)), own.blocks);
+        let sizes = cut_sizes(scene, how);
+        let system = system(method, most_unknowns(scene, &sizes), own.blocks) + groups(scene, &sizes);
         Self { system, ..own }
     }
 
     /// The same by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the matrix is dense.
     pub fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
         let own = Self::of_blocks(scene, how);
-        let matrix = NUMBER * most_unknowns(scene, &cut_sizes(scene, how)).pow(2);
-        let system = matrix * if matches!(method.name, "lu" | "auto") { 2 } else { 1 };
+        let sizes = cut_sizes(scene, how);
+        let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);
+        let matrices = matrix * if matches!(method.name, "lu" | "auto") { 2 } else { 1 };
+        let system = matrices + groups(scene, &sizes);
         Self { blocks: 2 * own.blocks, system, ..own }
     }
 
@@ -112,7 +120,7 @@ impl Footprint {
         let entries = (rays as f64 * functions * functions / HITS_PER_PAIR).min(all);
         let numbers = (NUMBER as f64 * entries) as u64;
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
-        let system = numbers + system(method, unknowns, numbers);
+        let system = numbers + system(method, unknowns, numbers) + groups(scene, &sizes);
         Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system }
     }
 
@@ -128,6 +136,13 @@ fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
         reflecting.map(|(_, cut)| cut.elements * cut.functions).sum()
     };
     (0..scene.bands.len()).map(of_band).max().unwrap_or(0)
+}
+
+/// Bytes of the light of groups, in a scene that has any.
+fn groups(scene: &Scene, sizes: &[CutSize]) -> u64 {
+    let count = scene.light_groups().len() as u64;
+    let coefficients: u64 = sizes.iter().map(|cut| cut.elements * cut.functions).sum();
+    NUMBER * count * (KEPT * scene.bands.len() as u64 + AT_WORK) * coefficients
 }
 
 /// Bytes of the system of a band with so many unknowns, and blocks of so many bytes.

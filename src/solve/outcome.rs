@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::checks::Checks;
+use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::transport::{Miss, PairCounts};
 
@@ -46,6 +47,22 @@ pub struct Outcome {
     pub sampling: Option<Sampling>,
     /// Wall time of each stage.
     pub seconds: Stages,
+}
+
+impl Outcome {
+    /// The same light at the factors of the groups of `scene`, which is the scene of this solution; None if the light of
+    /// its groups is not kept apart.
+    pub fn relit(&self, scene: &Scene) -> Option<Self> {
+        let solution = self.solution.relit(scene)?;
+        let residuals = solution.bands().iter().map(|band| band.coefficients.residual);
+        Some(Self {
+            checks: self.checks.relit(&solution),
+            residual: residuals.fold(0.0, f64::max),
+            choice: self.choice.clone(),
+            solution,
+            ..*self
+        })
+    }
 }
 
 /// Wall time per stage.

@@ -60,7 +60,7 @@ pub struct Sampling {
     /// Pairs of elements that were carried exactly beside them.
     pub exact_pairs: usize,
     /// Estimate of the relative error that rays, and exact pairs, leave: L2 over the elements of their mean
-    /// irradiance, largest of the bands. None where half the rays are too few for a solution.
+    /// irradiance, largest of the bands and light groups. None where half the rays are too few for a solution.
     pub error: Option<f64>,
 }
 
@@ -68,7 +68,8 @@ pub struct Sampling {
 #[derive(Debug)]
 pub(super) struct Subject<'a> {
     pub elements: &'a Elements,
-    pub coatings: &'a [Coating],
+    /// For each band a coating of each light group: how rays are spread, and their error, do not depend on factors.
+    pub bands: &'a [Vec<&'a Coating>],
     pub visibility: &'a Visibility,
     pub options: &'a Options,
 }
@@ -179,13 +180,13 @@ impl Subject<'_> {
         self.planned(&|index| rays * weights[index] / all, FEWEST[1])
     }
 
-    /// B_i / B̄ of each element, the mean of the bands that emit.
+    /// B_i / B̄ of each element, the mean of the bands and light groups that emit.
     fn brightness(&self, blocks: &Blocks) -> Result<Vec<f64>, SolveError> {
         let area = self.area();
         let mut bright = vec![0.0; self.elements.list().len()];
         let mut bands = 0.0;
-        for coating in self.coatings {
-            let radiosity = self.means(&self.solved(blocks, coating)?.radiosity);
+        for solved in self.solved(blocks)? {
+            let radiosity = self.means(&solved.radiosity);
             let power: f64 = radiosity
                 .iter()
                 .zip(self.elements.list())
@@ -200,7 +201,8 @@ impl Subject<'_> {
         Ok(bright)
     }
 
-    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands.
+    /// Relative L2 of half the difference of the solutions by either half of the rays, largest of the bands and light
+    /// groups.
     fn error(&self, transport: &SampledTransport) -> Result<f64, SolveError> {
         let even = self.mean_irradiances(transport, Rays::Even)?;
         let odd = self.mean_irradiances(transport, Rays::Odd)?;
@@ -216,23 +218,30 @@ impl Subject<'_> {
         Ok(worst)
     }
 
-    /// Mean irradiance of each element, band by band, by some of the rays.
+    /// Mean irradiance of each element, band by band and group by group, by some of the rays.
     fn mean_irradiances(
         &self,
         transport: &SampledTransport,
         rays: Rays,
     ) -> Result<Vec<Vec<f64>>, SolveError> {
         let blocks = transport.blocks(rays);
-        let means = |coating| Ok(self.means(&self.solved(&blocks, coating)?.irradiance));
-        self.coatings.iter().map(means).collect()
+        let solved = self.solved(&blocks)?;
+        Ok(solved.iter().map(|solved| self.means(&solved.irradiance)).collect())
     }
 
-    fn solved(&self, blocks: &Blocks, coating: &Coating) -> Result<Coefficients, SolveError> {
-        let system = System::new(self.elements.list(), blocks, coating);
+    /// Rough solutions, band by band and group by group.
+    fn solved(&self, blocks: &Blocks) -> Result<Vec<Coefficients>, SolveError> {
         let method = Method::named("auto").expect("auto is always listed");
         let tolerance = ROUGH.max(self.options.tolerance);
         let rough = Options { tolerance, method, keep_partial: false, ..*self.options };
-        Ok(solve_band(&system, &rough, &mut |_| ())?.0)
+        let list = self.elements.list();
+        let mut all = Vec::new();
+        for coatings in self.bands {
+            let systems: Vec<System> =
+                coatings.iter().map(|coating| System::new(list, blocks, coating)).collect();
+            all.extend(solve_band(&systems, &rough, &mut |_| ())?.0);
+        }
+        Ok(all)
     }
 
     /// Mean over each element of what these coefficients stand for.

@@ -62,7 +62,7 @@ pub struct MaskedLight {
 }
 
 /// An emitter that is masked for a receiver.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 struct MaskedEmitter {
     /// Exitance per band (W m⁻²).
     exitance: Vec<f64>,
@@ -129,6 +129,29 @@ impl MaskedLight {
         for (plain, exitance) in self.plain.iter_mut().zip(exitance) {
             plain[receiver].iter_mut().zip(raw).for_each(|(sum, part)| *sum += exitance * part);
         }
+    }
+
+    /// Σ f x over `parts` x of the light, each with its factor f; None if there are none.
+    pub fn together<'a>(parts: impl Iterator<Item = (f64, &'a Self)>) -> Option<Self> {
+        parts.map(|(factor, part)| part.times(factor)).reduce(Self::plus)
+    }
+
+    fn times(&self, factor: f64) -> Self {
+        let dimmed = |emitter: &MaskedEmitter| MaskedEmitter {
+            exitance: emitter.exitance.iter().map(|exitance| factor * exitance).collect(),
+            ..emitter.clone()
+        };
+        let masked = self.masked.iter().map(|emitters| emitters.iter().map(dimmed).collect()).collect();
+        let scaled = |raw: &Vec<f64>| raw.iter().map(|value| factor * value).collect();
+        let plain = self.plain.iter().map(|band| band.iter().map(scaled).collect()).collect();
+        Self { masked, plain }
+    }
+
+    fn plus(mut self, other: Self) -> Self {
+        self.masked.iter_mut().zip(other.masked).for_each(|(own, more)| own.extend(more));
+        let raws = self.plain.iter_mut().flatten().zip(other.plain.iter().flatten());
+        raws.for_each(|(own, more)| own.iter_mut().zip(more).for_each(|(sum, value)| *sum += value));
+        self
     }
 
     /// Whether no light is masked.

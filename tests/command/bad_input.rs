@@ -112,6 +112,22 @@ fn unknown_material() {
 }
 
 #[test]
+fn light_groups_have_names() {
+    let parts = [
+        "room.toml:7:9: material \"white\": expected a text in quotes, found a number",
+        "help: write it in quotes",
+    ];
+    refused(&room("emission = 1", "group = 1"), &parts);
+    let parts = ["surface \"floor\": expected a text in quotes, found a list"];
+    refused(&room("material = \"white\"", "group = [\"lamps\"]"), &parts);
+    for blank in ["", " "] {
+        let parts =
+            ["room.toml:10:9: surface \"floor\": this text is empty", "help: write at least one letter"];
+        refused(&room("material = \"white\"", &format!("group = \"{blank}\"")), &parts);
+    }
+}
+
+#[test]
 fn missing_material() {
     let parts = ["room.toml:8:", "surface \"floor\": the key \"material\" is missing", "help: add `material"];
     refused(&room("material = \"white\"", ""), &parts);

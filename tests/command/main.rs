@@ -9,4 +9,5 @@ mod fitted;
 mod inspection;
 mod pictures;
 mod probe;
+mod relight;
 mod solution_file;

@@ -163,6 +163,7 @@ fn options_mean_what_they_mean_in_files() {
         [[surfaces]]
         name = \"floor\"
         material = \"white\"
+        group = \"lamps\"
         two_sided = true
         flip = true
         order = 4
@@ -171,12 +172,12 @@ fn options_mean_what_they_mean_in_files() {
     let typed = Scene::from_toml(text, "room").expect("the text is right");
     let mut builder = SceneBuilder::new("room", ["grey"]);
     let white = builder.material("white", material(0.5, 1.0));
-    builder.surface("floor", square(0.0), &white).two_sided().flip().order(4).subdivide(2, 3);
+    builder.surface("floor", square(0.0), &white).group("lamps").two_sided().flip().order(4).subdivide(2, 3);
     let built = builder.build().expect("the room is right");
     assert_eq!(built.surfaces.len(), typed.surfaces.len());
     for (ours, theirs) in built.surfaces.iter().zip(&typed.surfaces) {
         assert_eq!((&ours.name, &ours.material), (&theirs.name, &theirs.material));
-        assert_eq!(ours.material_name, theirs.material_name);
+        assert_eq!((&ours.material_name, &ours.group), (&theirs.material_name, &theirs.group));
         assert_eq!((ours.order, ours.subdivide), (theirs.order, theirs.subdivide));
         assert_eq!(ours.shape.jet(0.3, -0.2), theirs.shape.jet(0.3, -0.2));
         assert_eq!(ours.place, None);

@@ -1,7 +1,7 @@
 //! What `auto` chooses, and that it falls on its feet.
 
 use radiosity_solvers::method::Method;
-use radiosity_solvers::{Dense, Partition, Report, Settings};
+use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, Report, Settings};
 
 use crate::systems::{Random, enclosure, matrix};
 
@@ -46,5 +46,26 @@ fn almost_nothing_lost_is_no_hindrance() {
             let settings = Settings { tolerance: 1e-8f64.max(1e-14 / loss), ..Settings::default() };
             auto(&a, &settings);
         }
+    }
+}
+
+#[test]
+fn many_right_hand_sides_share_a_factorisation_only_where_the_entries_are_held() {
+    let columns = 2;
+    let partition = || Partition::new(&[6; LARGE / 6]);
+    let held = enclosure(&mut Random(71), partition(), (0.3, 0.8), true);
+    let identity: Vec<f64> = (0..36).map(|k| f64::from(u8::from(k % 7 == 0))).collect();
+    let blocks: Vec<(usize, usize, &[f64])> = (0..LARGE / 6).map(|k| (k, k, &identity[..])).collect();
+    let thin = BlockSparse::symmetric(partition(), &blocks).unwrap();
+    let operators: [(&dyn Operator, &str); 2] = [(&held, "cholesky"), (&thin, "cg")];
+    for (a, method) in operators {
+        let b = Random(73).vector(columns * LARGE);
+        let mut x = vec![0.0; b.len()];
+        let auto = Method::named("auto").unwrap().solver;
+        let reports = auto.solve_many(a, &b, &mut x, &Settings::default(), &mut |_| ()).unwrap();
+        assert!(
+            reports.len() == columns && reports.iter().all(|report| report.method == method),
+            "{reports:?}"
+        );
     }
 }

@@ -9,6 +9,7 @@ use crate::elements::Element;
 use crate::elements::basis::Frame;
 use crate::elements::space::Space;
 use crate::scene::Scene;
+use crate::solution::group_light::GroupLight;
 use crate::solution::{Band, Solution};
 
 /// Difference of the two forms of a polynomial, over the largest coefficient, that counts as rounding: conversion to
@@ -41,6 +42,16 @@ pub(super) struct SavedElement {
 /// Coefficients h and G e (or d) per band, in the orthonormal basis (W m⁻² times scene length).
 #[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Orthonormal {
+    pub(super) irradiance: Vec<Vec<f64>>,
+    pub(super) direct: Vec<Vec<f64>>,
+    /// The same for each light group, not dimmed, where the scene has any.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) groups: Vec<Apart>,
+}
+
+/// The part of one light group.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct Apart {
     pub(super) irradiance: Vec<Vec<f64>>,
     pub(super) direct: Vec<Vec<f64>>,
 }
@@ -96,7 +107,18 @@ fn saved(
         orthonormal: Orthonormal {
             irradiance,
             direct: bands.iter().map(|band| own(&band.coefficients.direct)).collect(),
+            groups: solution.groups().iter().map(|group| Apart::of(group, range)).collect(),
         },
+    }
+}
+
+impl Apart {
+    fn of(group: &GroupLight, range: &Range<usize>) -> Self {
+        let own = |all: &[f64]| all[range.clone()].to_vec();
+        Self {
+            irradiance: group.bands.iter().map(|band| own(&band.irradiance)).collect(),
+            direct: group.bands.iter().map(|band| own(&band.direct)).collect(),
+        }
     }
 }
 
@@ -112,19 +134,23 @@ impl SavedElement {
         fits(self.basis == element.basis.space().into(), "the basis")?;
         fits(same(&[self.area], &[element.area]), "the area")?;
         fits(self.reflectance == surface.material.reflectance, "the reflectance")?;
-        fits(self.exitance == surface.material.emission, "the exitance")?;
-        let Orthonormal { irradiance, direct } = &self.orthonormal;
+        let exitance = (0..scene.bands.len()).map(|band| surface.exitance(band));
+        fits(exitance.eq(self.exitance.iter().copied()), "the exitance")?;
+        let Orthonormal { irradiance, direct, groups } = &self.orthonormal;
         let full = |coefficients: &[Vec<f64>]| {
             let bands = scene.bands.len();
             coefficients.len() == bands && coefficients.iter().all(|own| own.len() == element.basis.len())
         };
         fits(full(&self.irradiance) && full(irradiance) && full(direct), "the number of coefficients")?;
+        let all = groups.iter().all(|own| full(&own.irradiance) && full(&own.direct));
+        fits(all, "the number of coefficients of the light groups")?;
         let mut forms = self.irradiance.iter().zip(irradiance);
         fits(forms.all(|(products, own)| same(products, &element.basis.to_products(own))), "the irradiance")
     }
 }
 
-fn same(a: &[f64], b: &[f64]) -> bool {
+/// Whether the two are the same but for rounding.
+pub(super) fn same(a: &[f64], b: &[f64]) -> bool {
     let largest = a.iter().chain(b).map(|x| x.abs()).fold(0.0, f64::max);
     a.iter().zip(b).all(|(a, b)| (a - b).abs() <= SAME * largest)
 }

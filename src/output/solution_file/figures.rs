@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::checks::Checks;
 use crate::solution::Solution;
+use crate::solution::powers::Powers;
 use crate::solve::{Choice, Outcome, Sampling, Stages};
 use crate::solved::Solved;
 use crate::studies::adaptation::Achieved;
@@ -63,6 +64,11 @@ impl Figures {
             pairs: outcome.pairs,
             checks: outcome.checks,
         }
+    }
+
+    /// The balance of power.
+    pub(super) fn powers(&self) -> Powers {
+        self.checks.powers()
     }
 
     /// The outcome again, with zero times. None if there is no such solver.

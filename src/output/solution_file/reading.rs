@@ -3,20 +3,24 @@
 //! The scene is read and cut again, and every element of the file is compared with it, so that a damaged or changed
 //! file is refused. The coefficients are taken as they are.
 
+use std::sync::Arc;
+
 use serde::Deserialize;
 
-use super::element::SavedElement;
+use super::element::{SavedElement, same};
 use super::error::{Mismatch, SolutionError, SolutionFault};
+use super::group::SavedGroup;
 use super::tree::{SavedScene, SolutionFile};
 use super::version::{FORMAT, VERSION};
 use crate::elements::coating::Coating;
 use crate::elements::{Discretization, Elements, Subdivide};
 use crate::scene::{MAX_PARTS, Scene, Source};
-use crate::solution::{Band, Solution};
+use crate::solution::Solution;
+use crate::solution::group_light::{GroupLight, Incident};
 use crate::solve::{Options, masked_light};
 use crate::solved::Solved;
-use crate::system::Coefficients;
 use crate::visibility::Visibility;
+use crate::zatz1993::masked_light::MaskedLight;
 
 /// The keys that identify a solution file of any version.
 #[derive(Deserialize)]
@@ -69,10 +73,9 @@ impl SolutionFile {
         }
         let elements = self.options.elements(&scene, checked(&self.discretization)?)?;
         check_elements(&self.elements, &scene, &elements)?;
-        let bands: Vec<Band> = (0..scene.bands.len())
-            .map(|index| band(&scene, &elements, &self.elements, index, self.figures.residuals[index]))
-            .collect();
-        let solution = with_masks(Solution::new(elements, bands), &scene, &self.options);
+        let groups = self.group_lights(&scene, &elements)?;
+        let solution = Solution::of_groups(elements, &scene, groups);
+        self.check_sums(&solution)?;
         let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);
         let outcome = outcome.ok_or(SolutionFault::Whole(Mismatch("the solver's name")))?;
@@ -80,14 +83,88 @@ impl SolutionFile {
     }
 }
 
-/// The solution with its masks, if it has any, made again from the scene and the options.
-fn with_masks(solution: Solution, scene: &Scene, options: &Options) -> Solution {
-    if options.masks.is_none() {
-        return solution;
+impl SolutionFile {
+    /// The light of each group; all light as that of no group where there are none.
+    fn group_lights(&self, scene: &Scene, elements: &Elements) -> Result<Vec<GroupLight>, SolutionFault> {
+        let mismatch = || SolutionFault::Whole(Mismatch("the list of light groups"));
+        let is_there = |name: &str| self.groups.iter().any(|group| group.name.as_deref() == Some(name));
+        if !scene.light_groups().iter().all(|group| is_there(&group.name)) {
+            return Err(mismatch());
+        }
+        let bands = scene.bands.len();
+        let masks = Masks::of(scene, elements, &self.options);
+        if self.groups.is_empty() {
+            let band = |band: usize| Incident {
+                irradiance: together(&self.elements, |own| &own.orthonormal.irradiance[band]),
+                direct: together(&self.elements, |own| &own.orthonormal.direct[band]),
+                residual: self.figures.residuals[band],
+            };
+            let powers = self.figures.powers();
+            let bands = (0..bands).map(band).collect();
+            return Ok(vec![GroupLight { group: None, bands, powers, masked: masks.light(None) }]);
+        }
+        let count = self.groups.len();
+        let fits = |own: &SavedElement| own.orthonormal.groups.len() == count;
+        if !self.elements.iter().all(fits) || self.groups.iter().any(|own| own.residuals.len() != bands) {
+            return Err(mismatch());
+        }
+        let light = |(index, SavedGroup { name, residuals, powers }): (usize, &SavedGroup)| {
+            let band = |band: usize| Incident {
+                irradiance: together(&self.elements, |own| &own.orthonormal.groups[index].irradiance[band]),
+                direct: together(&self.elements, |own| &own.orthonormal.groups[index].direct[band]),
+                residual: residuals[band],
+            };
+            let bands = (0..bands).map(band).collect();
+            GroupLight { group: name.clone(), bands, powers: *powers, masked: masks.light(name.as_deref()) }
+        };
+        Ok(self.groups.iter().enumerate().map(light).collect())
     }
-    let visibility = Visibility::new(scene, options.into());
-    let masked = masked_light(scene, solution.elements(), &solution.coatings(), &visibility, options);
-    solution.with_masks(masked)
+
+    /// Compares the light of all groups, at their factors, with the irradiance in the file.
+    fn check_sums(&self, solution: &Solution) -> Result<(), SolutionFault> {
+        let starts = solution.elements().starts();
+        for (index, saved) in self.elements.iter().enumerate() {
+            let own = starts[index]..starts[index + 1];
+            let sums = solution.bands().iter().map(|band| &band.coefficients.irradiance[own.clone()]);
+            if !sums.zip(&saved.orthonormal.irradiance).all(|(sum, own)| same(sum, own)) {
+                let what = Mismatch("the light of its groups");
+                return Err(SolutionFault::Element { index, what });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Coefficients of all elements, one after the other.
+fn together<'a>(saved: &'a [SavedElement], own: impl Fn(&'a SavedElement) -> &'a [f64]) -> Vec<f64> {
+    saved.iter().flat_map(|element| own(element).iter().copied()).collect()
+}
+
+/// What shadow masks are made again from.
+struct Masks<'a> {
+    scene: &'a Scene,
+    elements: &'a Elements,
+    options: &'a Options,
+    /// None where there are no masks.
+    visibility: Option<Visibility>,
+}
+
+impl<'a> Masks<'a> {
+    fn of(scene: &'a Scene, elements: &'a Elements, options: &'a Options) -> Self {
+        let visibility = options.masks.map(|_| Visibility::new(scene, options.into()));
+        Self { scene, elements, options, visibility }
+    }
+
+    /// The masked light of a group, if there are masks.
+    fn light(&self, group: Option<&str>) -> Option<Arc<MaskedLight>> {
+        let visibility = self.visibility.as_ref()?;
+        let list = self.elements.list();
+        let coatings: Vec<Coating> = (0..self.scene.bands.len())
+            .map(|band| Coating::of_group(self.scene, list, band, group))
+            .collect();
+        let coatings: Vec<&Coating> = coatings.iter().collect();
+        masked_light(self.scene, self.elements, &coatings, visibility, self.options).map(Arc::new)
+    }
 }
 
 impl SavedScene {
@@ -95,11 +172,12 @@ impl SavedScene {
         let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
         let scene = Scene::parse(&Source::new(&self.origin, text).within(self.tolerance))
             .map_err(|error| SolutionFault::Scene(Box::new(error)))?;
-        if scene.name == self.name {
-            Ok(scene)
-        } else {
-            Err(SolutionFault::Whole(Mismatch("the scene's name")))
+        if scene.name != self.name {
+            return Err(SolutionFault::Whole(Mismatch("the scene's name")));
         }
+        let factors: Vec<(&str, f64)> =
+            self.factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
+        scene.dimmed(&factors).map_err(|error| SolutionFault::Scene(Box::new(error)))
     }
 }
 
@@ -120,20 +198,4 @@ fn check_elements(saved: &[SavedElement], scene: &Scene, elements: &Elements) ->
         saved.check(scene, element).map_err(|what| SolutionFault::Element { index, what })?;
     }
     Ok(())
-}
-
-fn band(scene: &Scene, elements: &Elements, saved: &[SavedElement], index: usize, residual: f64) -> Band {
-    let list = elements.list();
-    let coating = Coating::of(scene, list, index);
-    let together = |own: fn(&SavedElement) -> &[Vec<f64>]| -> Vec<f64> {
-        saved.iter().flat_map(|element| own(element)[index].iter().copied()).collect()
-    };
-    let coefficients = Coefficients::of_irradiance(
-        list,
-        &coating,
-        together(|element| &element.orthonormal.irradiance),
-        together(|element| &element.orthonormal.direct),
-        residual,
-    );
-    Band::new(scene.bands[index].clone(), elements, coating, coefficients)
 }

@@ -1,11 +1,15 @@
 //! The tree of the file.
 
+use std::collections::BTreeMap;
+
 use serde::{Deserialize, Serialize};
 
 use super::element::{self, SavedElement};
 use super::figures::Figures;
+use super::group::SavedGroup;
 use super::version::{FORMAT, VERSION};
 use crate::elements::Discretization;
+use crate::scene::Scene;
 use crate::solve::Options;
 use crate::solved::Solved;
 
@@ -18,7 +22,9 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      An element that is covered is the part of its surface on which another lies; others end there. \
      radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
-     orthonormal on the element with respect to area: the program reads these back.";
+     orthonormal on the element with respect to area: the program reads these back. Where there are light groups, the \
+     irradiance is the sum of theirs in orthonormal.groups, in the order of groups, each times its factor in \
+     scene.factors, or 1; so is the exitance that of the scene's text times its factor.";
 
 /// The file's tree.
 #[derive(Debug, Serialize, Deserialize)]
@@ -33,6 +39,9 @@ pub struct SolutionFile {
     pub(super) options: Options,
     pub(super) discretization: Discretization,
     pub(super) figures: Figures,
+    /// The light groups, not dimmed; empty where the scene has none.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) groups: Vec<SavedGroup>,
     pub(super) elements: Vec<SavedElement>,
 }
 
@@ -47,6 +56,9 @@ pub(super) struct SavedScene {
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
+    /// Factors on the emission in the text, by light groups; those that are not dimmed are left out.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) factors: BTreeMap<String, f64>,
     /// Vector subtracted from the coordinates of a scene far from the origin: frames refer to this point.
     #[serde(default, skip_serializing_if = "is_origin")]
     middle: [f64; 3],
@@ -54,6 +66,12 @@ pub(super) struct SavedScene {
 
 fn is_origin(middle: &[f64; 3]) -> bool {
     *middle == [0.0; 3]
+}
+
+/// The factors of the groups of `scene` that are dimmed.
+fn factors(scene: &Scene) -> BTreeMap<String, f64> {
+    let dimmed = scene.light_groups().into_iter().filter(|group| group.factor != 1.0);
+    dimmed.map(|group| (group.name.clone(), group.factor)).collect()
 }
 
 impl SolutionFile {
@@ -69,6 +87,7 @@ impl SolutionFile {
                 origin: scene.origin.clone(),
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
+                factors: factors(scene),
                 middle: scene.middle.to_array(),
             },
             bands: scene.bands.clone(),
@@ -76,6 +95,7 @@ impl SolutionFile {
             options: *options,
             discretization: *outcome.solution.elements().discretization(),
             figures: Figures::of(solved),
+            groups: outcome.solution.groups().iter().map(SavedGroup::of).collect(),
             elements: element::all(scene, &outcome.solution),
         }
     }

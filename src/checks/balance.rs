@@ -1,0 +1,80 @@
+//! The balance of power: emitted power is absorbed or lost; see [`crate::checks`].
+
+use crate::elements::Elements;
+use crate::elements::coating::Coating;
+use crate::light::first_bounce::Bounce;
+use crate::solution::powers::Powers;
+use crate::system::Coefficients;
+use crate::transport::Blocks;
+
+/// What blocks lose of the radiosity that they carry.
+#[derive(Debug)]
+pub struct Balance {
+    starts: Vec<usize>,
+    /// c, the coefficients of the constant 1.
+    ones: Vec<f64>,
+    /// c − Gᵀ c.
+    lost: Vec<f64>,
+}
+
+/// The light of one band, whose balance is drawn.
+#[derive(Clone, Copy, Debug)]
+pub struct Lit<'a> {
+    /// Reflectance and exitance.
+    pub coating: &'a Coating,
+    /// The solution.
+    pub coefficients: &'a Coefficients,
+}
+
+impl Balance {
+    /// That of the `blocks` between `elements`.
+    pub fn of(elements: &Elements, blocks: &Blocks) -> Self {
+        let ones = elements.constant();
+        let kept = blocks.apply_transposed(&ones);
+        let lost = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();
+        Self { starts: blocks.starts().to_vec(), ones, lost }
+    }
+
+    /// Powers, summed over the bands of `light` with compensation, since their balance is a check; `bounce` where direct
+    /// light was split off.
+    pub fn powers(&self, light: &[Lit<'_>], bounce: Option<&Bounce>) -> Powers {
+        let mut sums = [Compensated::default(); 3];
+        for (index, Lit { coating, coefficients }) in light.iter().enumerate() {
+            let Coefficients { irradiance, radiosity, .. } = coefficients;
+            let split = bounce.map(|bounce| (&bounce.direct[index], &bounce.reflected[index]));
+            for (i, range) in self.starts.windows(2).enumerate() {
+                let (exitance, reflectance) = (coating.exitance[i], coating.reflectance[i]);
+                for k in range[0]..range[1] {
+                    let (one, lost) = (self.ones[k], self.lost[k]);
+                    sums[0].add(exitance * one * one);
+                    sums[1].add((1.0 - reflectance) * one * irradiance[k]);
+                    let Some((direct, once)) = split else {
+                        sums[2].add(radiosity[k] * lost);
+                        continue;
+                    };
+                    sums[2].add(one * (exitance * one - direct[k]));
+                    sums[2].add(one * (reflectance * direct[k] - once[k]));
+                    sums[2].add(reflectance * (irradiance[k] - direct[k]) * lost);
+                }
+            }
+        }
+        let [emitted, absorbed, lost] = sums.map(|sum| sum.total + sum.rest);
+        Powers { emitted, absorbed, lost }
+    }
+}
+
+/// A sum with Neumaier's compensation.
+#[derive(Clone, Copy, Default)]
+struct Compensated {
+    total: f64,
+    rest: f64,
+}
+
+impl Compensated {
+    fn add(&mut self, x: f64) {
+        let sum = self.total + x;
+        self.rest +=
+            if self.total.abs() >= x.abs() { (self.total - sum) + x } else { (x - sum) + self.total };
+        self.total = sum;
+    }
+}

@@ -1,0 +1,59 @@
+//! Dimming: the groups whose surfaces emit, and the same scene with factors on their emission.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::scene::{
+    Scene,
+    error::{Fault, Located, SceneError, group_title},
+    light_group::LightGroup,
+};
+
+impl Scene {
+    /// The light groups whose surfaces emit, in the order of the surfaces.
+    pub fn light_groups(&self) -> Vec<&LightGroup> {
+        let mut seen = BTreeSet::new();
+        let emitting = self.surfaces.iter().filter(|surface| surface.material.emits());
+        let groups = emitting.filter_map(|surface| surface.group.as_ref());
+        groups.filter(|group| seen.insert(group.name.as_str())).collect()
+    }
+
+    /// The same scene with the named groups at these factors (≥ 0) of the emission that its materials state, whatever
+    /// factors they had before. Groups that are not named keep theirs.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a factor.
+    pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
+        let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
+        let mut dimmed = self.clone();
+        for group in dimmed.surfaces.iter_mut().filter_map(|surface| surface.group.as_mut()) {
+            group.factor = factors.get(group.name.as_str()).copied().unwrap_or(group.factor);
+        }
+        Ok(dimmed)
+    }
+
+    /// The factors by the names of their groups, all checked.
+    fn factors<'a>(&self, settings: &[(&'a str, f64)]) -> Result<BTreeMap<&'a str, f64>, Located> {
+        let groups = self.light_groups();
+        let mut factors = BTreeMap::new();
+        for (name, factor) in settings {
+            if !groups.iter().any(|group| group.name == *name) {
+                let known = groups.iter().map(|group| group.name.clone()).collect();
+                return Err(Located::nowhere(Fault::UnknownGroup { name: (*name).to_owned(), known }));
+            }
+            check_factor(*factor).map_err(|fault| Located::nowhere(fault).within(|| group_title(name)))?;
+            if factors.insert(*name, *factor).is_some() {
+                return Err(Located::nowhere(Fault::GroupSetTwice { name: (*name).to_owned() }));
+            }
+        }
+        Ok(factors)
+    }
+}
+
+/// Refuses a factor that is not a number from 0 on.
+fn check_factor(value: f64) -> Result<(), Fault> {
+    match (value.is_finite(), value >= 0.0) {
+        (false, _) => Err(Fault::NotFinite { value }),
+        (true, false) => Err(Fault::OutOfRange { what: "the factor", value, range: "factor ≥ 0" }),
+        (true, true) => Ok(()),
+    }
+}

@@ -1,0 +1,36 @@
+//! Painting: the same scene with another material.
+
+use crate::scene::{
+    Scene,
+    error::{Fault, Located, SceneError, material_title},
+    material::Material,
+};
+
+impl Scene {
+    /// The same scene where the material `name` is `material`, with a number for each band. It no longer has the text it
+    /// was read from.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range.
+    pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
+        self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
+    }
+
+    fn painted(&self, name: &str, material: &Material) -> Result<Self, Located> {
+        material
+            .check(self.bands.len())
+            .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+        let mut painted = Self { source: None, ..self.clone() };
+        let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
+        let count = own.map(|own| own.material = material.clone()).count();
+        if count > 0 { Ok(painted) } else { Err(Located::nowhere(self.unknown_material(name))) }
+    }
+
+    fn unknown_material(&self, name: &str) -> Fault {
+        let mut known: Vec<String> =
+            self.surfaces.iter().filter_map(|surface| surface.material_name.clone()).collect();
+        known.sort_unstable();
+        known.dedup();
+        Fault::UnknownMaterial { name: name.to_owned(), known }
+    }
+}

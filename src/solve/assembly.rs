@@ -1,0 +1,57 @@
+//! How a scene is cut into elements, and the blocks between them.
+
+use crate::elements::{Discretization, Elements, Subdivide};
+use crate::scene::Scene;
+use crate::transport;
+use crate::transport::Blocks;
+use crate::visibility::Visibility;
+use crate::zatz1993::transfers;
+
+use super::failure::Failure;
+use super::options::Options;
+use super::progress::Progress;
+use super::sampling::{Sampling, Subject};
+
+/// How the scene is cut, given the rays that carry its pairs, if any.
+pub(super) fn discretization(
+    visibility: &Visibility,
+    options: &Options,
+    rays: Option<u64>,
+) -> Discretization {
+    let auto = || match rays {
+        Some(rays) => Subdivide::Graded { rays },
+        None => Subdivide::Auto { occluded: visibility.any_shadow() },
+    };
+    let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
+    Discretization { order: options.order, space: options.space, subdivide, layers: options.layers }
+}
+
+/// The blocks, by that many rays or exactly.
+pub(super) fn carried(
+    scene: &Scene,
+    subject: &Subject,
+    rays: Option<u64>,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<(Blocks, Option<Sampling>), Failure> {
+    if let Some(rays) = rays {
+        let (blocks, sampling) = subject.sample(rays, progress);
+        return Ok((blocks, Some(sampling)));
+    }
+    let report = |done, total| progress(Progress::Blocks(done, total));
+    Ok((blocks(scene, subject.elements, subject.visibility, subject.options, &report)?, None))
+}
+
+fn blocks(
+    scene: &Scene,
+    elements: &Elements,
+    visibility: &Visibility,
+    options: &Options,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Result<Blocks, Failure> {
+    let Some(rules) = options.kernel else {
+        let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+        return Ok(transport::assemble_senders(elements, &sends, visibility, options.accuracy(), progress));
+    };
+    transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
+        .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })
+}

@@ -1,0 +1,278 @@
+//! A model: the elements of a scene and the blocks between them, to be solved for any materials.
+//!
+//! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of materials
+//! needs no new blocks. Light that was reflected once is linear in the reflectance of what reflected it: where direct
+//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a model was assembled are choices: which
+//! pairs are left out because neither side ever sends light, and where rays were sent from.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use radiosity_solvers::Step;
+
+use crate::checks::{Balance, Checks, Lit};
+use crate::elements::Elements;
+use crate::elements::coating::Coating;
+use crate::light::first_bounce::Bounce;
+use crate::scene::Scene;
+use crate::solution::Solution;
+use crate::solution::group_light::GroupLight;
+use crate::system::{Coefficients, System};
+use crate::transport::Blocks;
+use crate::visibility::Visibility;
+
+use super::allowance::require_memory;
+use super::assembly::{carried, discretization};
+use super::band::{Effort, solve_band};
+use super::choice::Choice;
+use super::emission::Emission;
+use super::failure::Failure;
+use super::first_light::{FirstLight, Reflected, Stage};
+use super::options::Options;
+use super::outcome::{Outcome, Stages};
+use super::pool::in_threads;
+use super::progress::Progress;
+use super::sampling::{Sampling, Subject};
+use super::stopwatch::timed;
+
+/// The elements of a scene and the blocks between them.
+///
+/// ```
+/// use radiosity::{Material, Model, Options, Scene};
+///
+/// let scene = Scene::builtin("furnace-cube")?;
+/// let model = Model::assemble(&scene, &Options::default(), &|_progress| {})?;
+/// // A closed room of reflectance ρ that emits 1 everywhere: 1 / (1 − ρ) arrives.
+/// for reflectance in [0.25, 0.5, 0.75] {
+///     let painted = scene.with_material("wall", Material::new(vec![reflectance], vec![1.0])?)?;
+///     let outcome = model.solve(&painted, &|_progress| {})?;
+///     assert!((outcome.solution.mean_irradiance(0, 0) - 1.0 / (1.0 - reflectance)).abs() < 1e-2);
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug)]
+pub struct Model {
+    /// The scene from which it was assembled.
+    scene: Scene,
+    options: Options,
+    elements: Arc<Elements>,
+    visibility: Visibility,
+    blocks: Blocks,
+    choice: Choice,
+    sampling: Option<Sampling>,
+    /// Direct light and its first bounce, for the emission of the scene.
+    first: FirstLight,
+    seconds: Stages,
+}
+
+impl Model {
+    /// Cuts `scene` into elements and computes the blocks between them; `progress` may be called from any thread.
+    ///
+    /// # Errors
+    /// A scene that cannot be cut into elements, memory that does not suffice, or threads that cannot be started.
+    pub fn assemble(
+        scene: &Scene,
+        options: &Options,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        in_threads(options.threads, || Self::assembled(scene, options, Choice::of(scene, options), progress))?
+    }
+
+    /// The same by exact blocks, for the reason `why`.
+    pub(super) fn assemble_exactly(
+        scene: &Scene,
+        options: &Options,
+        why: &str,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let choice = Choice { sampled: false, why: why.to_owned() };
+        in_threads(options.threads, || Self::assembled(scene, options, choice, progress))?
+    }
+
+    fn assembled(
+        scene: &Scene,
+        options: &Options,
+        choice: Choice,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
+        let mut seconds = Stages::default();
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let (visibility, how) = timed(&mut seconds.visibility, || {
+            let visibility = Visibility::new(scene, options.into());
+            let how = discretization(&visibility, options, rays);
+            (visibility, how)
+        });
+        progress(Progress::Finished("visibility", seconds.visibility));
+        require_memory(scene, &how, options, rays)?;
+        let elements = timed(&mut seconds.elements, || options.elements(scene, &how))?;
+        progress(Progress::Finished("elements", seconds.elements));
+        let emissions = Emission::all(scene, elements.list());
+        let bands = &Emission::by_band(&emissions);
+        let subject = Subject { elements: &elements, bands, visibility: &visibility, options };
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
+        progress(Progress::Finished("blocks", seconds.blocks));
+        let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
+        let by_rules = options.kernel.is_none() && !choice.sampled;
+        let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
+        if first.is_split {
+            progress(Progress::Finished("direct", seconds.direct));
+        }
+        Ok(Self {
+            scene: scene.clone(),
+            options: *options,
+            elements: Arc::new(elements),
+            visibility,
+            blocks,
+            choice,
+            sampling,
+            first,
+            seconds,
+        })
+    }
+
+    /// Solves for the materials of `scene`, and the factors of its light groups; `progress` may be called from any
+    /// thread. Its surfaces are those of the scene from which the model was assembled, such as
+    /// [`Scene::with_material`] and [`Scene::dimmed`] keep them.
+    ///
+    /// # Errors
+    /// [`Failure::OtherSurface`] and [`Failure::Unlit`] for a scene that the model is not made for; a linear solver that
+    /// fails or does not converge, or threads that cannot be started.
+    pub fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+        self.check(scene)?;
+        in_threads(self.options.threads, || self.solved(scene, progress))?
+    }
+
+    /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
+    fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        let (own, given) = (&self.scene.surfaces, &scene.surfaces);
+        let names = || given.iter().chain(own).map(|surface| surface.name.clone());
+        if own.len() != given.len() || self.scene.bands != scene.bands {
+            return Err(Failure::OtherSurface { surface: names().next_back().unwrap_or_default() });
+        }
+        for (own, given) in own.iter().zip(given) {
+            if !Arc::ptr_eq(&own.shape, &given.shape) {
+                return Err(Failure::OtherSurface { surface: given.name.clone() });
+            }
+            if given.material.sends() && !own.material.sends() {
+                return Err(Failure::Unlit { surface: given.name.clone() });
+            }
+        }
+        Ok(())
+    }
+
+    fn solved(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Outcome, Failure> {
+        let mut seconds = self.seconds;
+        let emissions = Emission::all(scene, self.elements.list());
+        let mut again = Duration::ZERO;
+        let first = timed(&mut again, || self.first_light(scene, &emissions));
+        seconds.direct += again;
+        let solved = timed(&mut seconds.solve, || self.solve_bands(scene, &emissions, &first, progress))?;
+        progress(Progress::Finished("solve", seconds.solve));
+        let Solved { light, efforts } = solved;
+        let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
+        let (solver, iterations) =
+            slowest.map_or((self.options.method.name, 0), |effort| (effort.method, effort.iterations));
+        let groups = self.groups(emissions, first, light);
+        let solution = Solution::of_groups(Arc::clone(&self.elements), scene, groups);
+        let powers = solution.powers().unwrap_or_default();
+        let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
+        let checks = Checks::with_powers(&solution, &self.blocks, powers);
+        let Blocks { pairs, samples, distinct, rays, accuracy_reached, miss, .. } = self.blocks;
+        Ok(Outcome {
+            solution,
+            checks,
+            pairs,
+            samples,
+            distinct,
+            rays,
+            accuracy_reached,
+            miss,
+            solver,
+            iterations,
+            residual,
+            split: self.first.is_split,
+            converged: efforts.iter().all(|effort| effort.converged),
+            choice: self.choice.clone(),
+            sampling: self.sampling,
+            seconds,
+        })
+    }
+
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much.
+    fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
+        self.first.reflected(emissions).unwrap_or_else(|| {
+            let stage = Stage {
+                scene,
+                elements: &self.elements,
+                visibility: &self.visibility,
+                options: &self.options,
+            };
+            let anew = Emission::all(scene, self.elements.list());
+            let first = FirstLight::as_split(&stage, anew, self.first.is_split);
+            first.reflected(emissions).expect("the emission is the same")
+        })
+    }
+
+    /// The coefficients of each emission in each band.
+    fn solve_bands(
+        &self,
+        scene: &Scene,
+        emissions: &[Emission],
+        first: &[Reflected],
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Solved, Failure> {
+        let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
+        let mut efforts = Vec::new();
+        for (band, name) in scene.bands.iter().enumerate() {
+            let lit = emissions.iter().zip(first);
+            let systems: Vec<System> =
+                lit.map(|(emission, first)| self.system(band, &emission.coatings[band], first)).collect();
+            let mut observe =
+                |step: &Step<'_>| progress(Progress::Solve(band, step.iteration, step.residual));
+            let (solved, effort) = solve_band(&systems, &self.options, &mut observe)
+                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
+            light.iter_mut().zip(solved).for_each(|(light, own)| light.push(own));
+            efforts.extend(effort);
+        }
+        Ok(Solved { light, efforts })
+    }
+
+    fn system<'a>(&'a self, band: usize, coating: &'a Coating, first: &Reflected) -> System<'a> {
+        let list = self.elements.list();
+        match &first.bounce {
+            None => System::new(list, &self.blocks, coating),
+            Some(Bounce { direct, reflected }) => {
+                System::split(list, &self.blocks, coating, direct[band].clone(), reflected[band].clone())
+            }
+        }
+    }
+
+    /// The light of each emission with its balance of power.
+    fn groups(
+        &self,
+        emissions: Vec<Emission>,
+        first: Vec<Reflected>,
+        light: Vec<Vec<Coefficients>>,
+    ) -> Vec<GroupLight> {
+        let balance = Balance::of(&self.elements, &self.blocks);
+        let lit = emissions.into_iter().zip(first).zip(light);
+        let group = |((Emission { group, coatings }, first), light): ((Emission, Reflected), Vec<_>)| {
+            let own: Vec<Lit<'_>> = coatings
+                .iter()
+                .zip(&light)
+                .map(|(coating, coefficients)| Lit { coating, coefficients })
+                .collect();
+            let powers = balance.powers(&own, first.bounce.as_ref());
+            let bands = light.into_iter().map(Coefficients::into).collect();
+            GroupLight { group, bands, powers, masked: first.masked }
+        };
+        lit.map(group).collect()
+    }
+}
+
+/// The solutions of all bands.
+struct Solved {
+    /// For each emission its coefficients, band by band.
+    light: Vec<Vec<Coefficients>>,
+    efforts: Vec<Effort>,
+}
