@@ -162,6 +162,14 @@ pub enum Fault {
         /// The surfaces of the scene.
         known: Vec<String>,
     },
+    /// A plane of sensors that was asked for and is not there.
+    #[error("unknown plane {name:?}")]
+    UnknownPlane {
+        /// What was typed.
+        name: String,
+        /// The planes of the scene.
+        known: Vec<String>,
+    },
     /// Two things of one name.
     #[error("the name {name:?} is given twice")]
     DuplicateName {
@@ -190,6 +198,26 @@ pub enum Fault {
         /// What is degenerate.
         problem: &'static str,
     },
+    /// A plane of sensors whose edges span none.
+    #[error("{problem}")]
+    BadPlane {
+        /// What is degenerate.
+        problem: &'static str,
+    },
+    /// A plane of more sensors than can be read.
+    #[error("there are {count:.1e} sensors, more than 10⁷")]
+    TooManySensors {
+        /// How many there are.
+        count: f64,
+        /// Spacing of both edges (scene length) that makes few enough.
+        least: f64,
+    },
+    /// A unit that cannot be printed.
+    #[error("{problem}")]
+    BadUnit {
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// Two surfaces lie in one another.
     #[error("coincides with surface {other:?}")]
     Coincident {
@@ -207,6 +235,11 @@ pub enum Fault {
 /// How messages call a material.
 pub(super) fn material_title(name: &str) -> String {
     format!("material {name:?}")
+}
+
+/// How messages call a plane of sensors.
+pub(super) fn plane_title(name: &str) -> String {
+    format!("plane {name:?}")
 }
 
 /// How messages call a surface.
