@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::reader::Read;
 use radiosity::output::render::{render, white_balance};
+use radiosity::output::sights::Sights;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
@@ -28,7 +29,7 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for radiosities in W/m² as they are [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -67,18 +68,21 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let rows = |done, total| progress.show("picture", done, total);
     let solution = &run.solved.outcome.solution;
     let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read, &rows)
+        render(&solved.outcome.solution, visibility, &camera, args.samples, args.read, args.style.show, &rows)
     };
-    let (raster, borders) = run.in_threads(|| {
+    let (raster, borders, sights) = run.in_threads(|| {
         style.take_other(|other| take(other, other.visibility()));
         let borders = || wireframe(solution.elements(), visibility, &camera, args.samples);
-        (take(&run.solved, visibility), args.style.wireframe.then(borders))
+        let sights = || Sights::through(&camera, args.samples, &run.solved.scene, visibility);
+        let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
+        (take(&run.solved, visibility), borders, sights)
     })?;
     let mut written = path.display().to_string();
     match kind {
         Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
         Kind::Png => {
-            let (picture, figures) = style.picture(&raster, white_balance(solution), borders.as_deref())?;
+            let (picture, figures) =
+                style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
             written += &figures;
             output.write(|writer| picture.write_png(writer))?;
         }

@@ -10,6 +10,7 @@ use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
 use super::reader::{Light, Reader};
+use super::shown::Shown;
 use crate::gather::spot::Spot;
 use crate::scene::Camera;
 use crate::solution::{Place, Solution};
@@ -23,18 +24,19 @@ const AT_ONCE: usize = 4;
 
 /// Renders `solution` through `camera`; `progress` gets (rows done, rows in all), from any thread.
 ///
-/// The pixels hold radiosity, W m⁻² (radiance times π), in the bands of the solution.
+/// The pixels hold what is `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
 pub fn render(
     solution: &Solution,
     visibility: &Visibility,
     camera: &Camera,
     samples: u32,
     read: Read,
+    shown: Shown,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
     let view = Pinhole::new(camera);
     let reader = Reader::new(solution, visibility, read, GATHERED);
-    let eye = Eye { reader, diagonal: visibility.bounds().diagonal() };
+    let eye = Eye { reader, shown, diagonal: visibility.bounds().diagonal() };
     let done = std::sync::atomic::AtomicUsize::new(0);
     let rows: Vec<Vec<Seen>> = (0..camera.height)
         .into_par_iter()
@@ -81,22 +83,23 @@ fn pixel(eye: &Eye, view: &Pinhole, [column, row]: [u32; 2], samples: u32) -> Se
 /// The data that turn a camera ray into radiosities.
 struct Eye<'a> {
     reader: Reader<'a>,
+    shown: Shown,
     /// Diagonal of the scene's bounding box.
     diagonal: f64,
 }
 
 impl Eye<'_> {
-    /// Radiosity per band of the front that a ray meets first, if it is a front.
+    /// What is shown, per band, of the front that a ray meets first, if it is a front.
     fn along(&self, ray: &Ray) -> Option<Vec<f64>> {
         let Encounter { surface, hit, front } = self.reader.visibility().nearest(ray)?;
         let elements = self.reader.solution().elements();
         // Where two surfaces meet, light is the limit from within the visible one.
         let spot = front.then(|| Spot::at(elements, surface, [hit.u, hit.v], self.diagonal))??;
-        Some(self.radiosity(spot.element, &spot.place, spot.normal))
+        Some(self.values(spot.element, &spot.place, spot.normal))
     }
 
-    /// Radiosity per band; negative values of polynomials are cut off at zero.
-    fn radiosity(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+    /// What is shown, per band.
+    fn values(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
         let irradiance = match self.reader.light() {
             Light::Direct(direct) => {
                 let rest = self.reader.indirect_polynomials(element, place);
@@ -106,7 +109,7 @@ impl Eye<'_> {
             Light::Basis | Light::Gather(_) => self.reader.irradiance(element, place, normal),
         };
         let bands = self.reader.solution().bands().iter();
-        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(element, e).max(0.0)).collect()
+        bands.zip(irradiance).map(|(band, e)| self.shown.of(&band.coating, element, e)).collect()
     }
 }
 

@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
+use crate::output::plane_figures::PlaneFigures;
 use crate::scene::{Fitted, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
@@ -18,6 +19,8 @@ pub struct Report {
     pub scene: String,
     /// Names of its bands.
     pub bands: Vec<String>,
+    /// Unit of exitance, irradiance and radiosity.
+    pub unit: String,
     /// Number of surfaces.
     pub surfaces: usize,
     /// How their shapes were changed to fit together when the scene was read.
@@ -63,6 +66,8 @@ pub struct Report {
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
+    /// What the sensors of planes read.
+    pub planes: Vec<PlaneFigures>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
@@ -132,13 +137,15 @@ pub struct Warning {
 }
 
 impl Report {
-    /// The report of a solved scene; the caller sets the times of loading and output, and the total.
+    /// The report of a solved scene; the caller sets the times of loading and output, the total, and what planes
+    /// read.
     pub fn new(solved: &Solved) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
         Self {
             scene: scene.name.clone(),
             bands: scene.bands.clone(),
+            unit: scene.unit.clone(),
             surfaces: scene.surfaces.len(),
             fitted: scene.fitted.clone(),
             elements: elements.list().len(),
@@ -161,6 +168,7 @@ impl Report {
             residual: outcome.residual,
             converged: outcome.converged,
             checks: outcome.checks,
+            planes: Vec::new(),
             warnings: warnings(solved),
         }
     }

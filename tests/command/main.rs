@@ -8,5 +8,6 @@ mod exact_factors;
 mod fitted;
 mod inspection;
 mod pictures;
+mod planes;
 mod probe;
 mod solution_file;
