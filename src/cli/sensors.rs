@@ -22,7 +22,7 @@ impl Sensors {
     pub(crate) fn probes(&self) -> Vec<Probe> {
         match self {
             Self::Points(points) => points.probes.clone(),
-            Self::Planes(planes) => planes.iter().flat_map(probes).collect(),
+            Self::Planes(planes) => planes.iter().flat_map(Probe::of_plane).collect(),
         }
     }
 
@@ -36,13 +36,10 @@ impl Sensors {
 
     /// The items of each plane, of items for every point.
     pub(crate) fn by_plane<'a, T>(&'a self, items: &'a [T]) -> impl Iterator<Item = OnPlane<'a, T>> {
-        let ends = self.planes().iter().scan(0, |end, plane| {
-            *end += plane.counts().iter().product::<usize>();
-            Some(*end)
-        });
-        self.planes().iter().zip(ends).map(|(plane, end)| {
-            let count: usize = plane.counts().iter().product();
-            OnPlane { plane, items: &items[end - count..end] }
+        self.planes().iter().scan(0, |next, plane| {
+            let first = *next;
+            *next += plane.counts().iter().product::<usize>();
+            Some(OnPlane { plane, first, items: &items[first..*next] })
         })
     }
 
@@ -58,12 +55,11 @@ impl Sensors {
                 cure,
             }),
             Self::Planes(_) => {
-                let probes: Vec<(usize, Probe)> = self.probes().into_iter().enumerate().collect();
-                let place = |on: OnPlane<(usize, Probe)>| {
-                    let [x, y, z] = on.items.iter().find(|(k, _)| *k == index)?.1.position.to_array();
-                    Some(format!("plane {:?}: the sensor at ({x:.6}, {y:.6}, {z:.6})", on.plane.name()))
-                };
-                let place = self.by_plane(&probes).find_map(place).unwrap_or_default();
+                let probes = self.probes();
+                let plane = self.by_plane(&probes).find(|on| index < on.first + on.items.len());
+                let name = plane.map_or("", |on| on.plane.name());
+                let [x, y, z] = probes[index].position.to_array();
+                let place = format!("plane {name:?}: the sensor at ({x:.6}, {y:.6}, {z:.6})");
                 CliError::Refused { message: format!("{place}: {fault}"), cure }
             }
         }
@@ -73,10 +69,7 @@ impl Sensors {
 /// A plane with an item for each of its sensors.
 pub(crate) struct OnPlane<'a, T> {
     pub(crate) plane: &'a SensorPlane,
+    /// Index of its first sensor among those of all planes.
+    pub(crate) first: usize,
     pub(crate) items: &'a [T],
-}
-
-fn probes(plane: &SensorPlane) -> Vec<Probe> {
-    let normal = plane.normal();
-    plane.sensors().map(|position| Probe { position, normal }).collect()
 }

@@ -19,7 +19,7 @@ const EVENED: usize = 6;
 /// Shortest line that is drawn, over the height of a text; and shortest that gets a value, over the text's breadth.
 /// Chosen.
 const SHORTEST: f64 = 2.0;
-const ROOM: f64 = 1.6;
+const ROOM: f64 = 2.0;
 /// Least chord over length of the piece of line under a text. Chosen.
 const STRAIGHT: f64 = 0.96;
 /// Length of line, over the longer side of the picture, for each of which one value is told; and most of them. Chosen.
@@ -69,13 +69,19 @@ impl LabelledIsolines {
 struct Map<'a> {
     size: f64,
     rim: [f64; 2],
-    tracks: Vec<Track<'a>>,
+    named: Vec<Named<'a>>,
     placed: Vec<Placed<'a>>,
+}
+
+/// A line with the text of its value.
+struct Named<'a> {
+    track: Track<'a>,
+    text: &'a str,
 }
 
 /// A text in a gap of a line.
 struct Placed<'a> {
-    track: usize,
+    line: usize,
     /// Ways along the line at which the gap begins and ends.
     gap: [f64; 2],
     label: Label<'a>,
@@ -83,33 +89,32 @@ struct Placed<'a> {
 
 impl<'a> Map<'a> {
     fn new(lines: &'a [Labelled], size: f64, rim: [f64; 2]) -> Self {
-        let tracks = lines.iter().map(|labelled| (Track::new(&labelled.line.points), labelled.text.as_str()));
-        let mut tracks: Vec<(Track, &str)> =
-            tracks.filter(|(track, _)| track.length() > SHORTEST * size).collect();
-        tracks.sort_by(|(a, _), (b, _)| b.length().total_cmp(&a.length()));
-        let (tracks, texts): (Vec<Track>, Vec<&str>) = tracks.into_iter().unzip();
-        let mut map = Self { size, rim, tracks, placed: Vec::new() };
-        for (track, text) in texts.into_iter().enumerate() {
-            map.label(track, text);
-        }
+        let named =
+            |labelled: &'a Labelled| Named { track: Track::new(&labelled.line.points), text: &labelled.text };
+        let mut named: Vec<Named> = lines.iter().map(named).collect();
+        named.retain(|named| named.track.length() > SHORTEST * size);
+        named.sort_by(|a, b| b.track.length().total_cmp(&a.track.length()));
+        let mut map = Self { size, rim, named, placed: Vec::new() };
+        (0..map.named.len()).for_each(|line| map.label(line));
         map
     }
 
     /// Places the values of a line.
-    fn label(&mut self, track: usize, text: &'a str) {
-        let length = self.tracks[track].length();
+    fn label(&mut self, line: usize) {
+        let length = self.named[line].track.length();
         let usual = self.rim[0].max(self.rim[1]) * STRETCH;
         let stretches = ((length / usual) as usize).clamp(1, MOST);
         for stretch in 0..stretches {
             let ends = [stretch, stretch + 1].map(|k| length * k as f64 / stretches as f64);
-            self.placed.extend(self.place(track, text, ends));
+            self.placed.extend(self.place(line, ends));
         }
     }
 
     /// The place nearest to the middle of a stretch of a line where a text may stand.
-    fn place(&self, track: usize, text: &'a str, [from, to]: [f64; 2]) -> Option<Placed<'a>> {
+    fn place(&self, line: usize, [from, to]: [f64; 2]) -> Option<Placed<'a>> {
         let middle = 0.5 * (from + to);
-        let level = Label { text, size: self.size, middle: [0.0; 2], along: [1.0, 0.0] };
+        let level =
+            Label { text: self.named[line].text, size: self.size, middle: [0.0; 2], along: [1.0, 0.0] };
         let half = level.half()[0];
         if to - from < 2.0 * ROOM * half {
             return None;
@@ -118,15 +123,15 @@ impl<'a> Map<'a> {
         let ways = (0..=most).flat_map(|k| [middle + STEP * k as f64, middle - STEP * k as f64]);
         ways.filter_map(|way| {
             let gap = [way - half, way + half];
-            let label = self.label_at(track, text, gap)?;
-            self.is_free(track, &label).then_some(Placed { track, gap, label })
+            let label = self.label_at(line, gap)?;
+            self.is_free(line, &label).then_some(Placed { line, gap, label })
         })
         .next()
     }
 
     /// The text along the piece of a line, if that is about straight.
-    fn label_at(&self, track: usize, text: &'a str, [from, to]: [f64; 2]) -> Option<Label<'a>> {
-        let track = &self.tracks[track];
+    fn label_at(&self, line: usize, [from, to]: [f64; 2]) -> Option<Label<'a>> {
+        let Named { track, text } = &self.named[line];
         let [start, end] = [from, to].map(|way| track.at(way));
         let chord = (end[0] - start[0]).hypot(end[1] - start[1]);
         if chord < STRAIGHT * (to - from) {
@@ -136,21 +141,21 @@ impl<'a> Map<'a> {
         Some(Label { text, size: self.size, middle: track.at(0.5 * (from + to)), along })
     }
 
-    fn is_free(&self, track: usize, label: &Label) -> bool {
+    fn is_free(&self, line: usize, label: &Label) -> bool {
         let inside = |corner: [f64; 2]| (0..2).all(|k| (1.0..self.rim[k] - 1.0).contains(&corner[k]));
-        let crosses = |(other, line): (usize, &Track)| {
-            other != track && line.points().iter().any(|point| label.covers(*point))
+        let crosses = |(other, named): (usize, &Named)| {
+            other != line && named.track.points().iter().any(|point| label.covers(*point))
         };
         label.corners().into_iter().all(inside)
             && !self.placed.iter().any(|placed| placed.label.overlaps(label))
-            && !self.tracks.iter().enumerate().any(crosses)
+            && !self.named.iter().enumerate().any(crosses)
     }
 
     /// The lines outside their gaps.
     fn pieces(&self) -> Vec<Vec<[f64; 2]>> {
         let mut pieces = Vec::new();
-        for (index, track) in self.tracks.iter().enumerate() {
-            let gaps = self.placed.iter().filter(|placed| placed.track == index).map(|placed| placed.gap);
+        for (line, Named { track, .. }) in self.named.iter().enumerate() {
+            let gaps = self.placed.iter().filter(|placed| placed.line == line).map(|placed| placed.gap);
             let mut from = 0.0;
             for [begin, end] in gaps.chain([[track.length(); 2]]) {
                 pieces.push(track.between([from, begin]));
@@ -213,7 +218,7 @@ mod tests {
         let map = Map::new(&lines, 15.0, [400.0, 300.0]);
         let length = |points: &[[f64; 2]]| Track::new(points).length();
         let drawn: f64 = map.pieces().iter().map(|piece| length(piece)).sum();
-        let whole: f64 = map.tracks.iter().map(Track::length).sum();
+        let whole: f64 = map.named.iter().map(|named| named.track.length()).sum();
         let gaps: f64 = map.placed.iter().map(|placed| placed.gap[1] - placed.gap[0]).sum();
         assert!((drawn - (whole - gaps)).abs() < 1e-9 * whole);
     }

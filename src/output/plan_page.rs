@@ -88,13 +88,12 @@ impl Ruler {
         (first + (mark.value - low) / (high - low) * (last - first)).round() as i32
     }
 
-    /// Its marks with their pixels, without those whose texts would come nearer than `apart` says.
-    fn told(&self, apart: impl Fn(&Mark) -> i32) -> Vec<(i32, &Mark)> {
-        let mut told: Vec<(i32, &Mark)> = Vec::new();
+    /// Its marks without those whose texts would come nearer than `apart` says.
+    fn told(&self, apart: impl Fn(&Mark) -> i32) -> Vec<&Mark> {
+        let mut told: Vec<&Mark> = Vec::new();
         for mark in &self.marks {
-            let pixel = self.pixel(mark);
-            if told.last().is_none_or(|(other, _)| (pixel - other).abs() >= apart(mark)) {
-                told.push((pixel, mark));
+            if told.last().is_none_or(|other| (self.pixel(mark) - self.pixel(other)).abs() >= apart(mark)) {
+                told.push(mark);
             }
         }
         told
@@ -106,14 +105,16 @@ fn broad(text: &str, size: u32) -> i32 {
 }
 
 fn ruler_below(page: &mut Picture, ruler: &Ruler, top: i32) {
-    for (x, mark) in ruler.told(|mark| broad(&mark.text, LINE) + 10) {
+    for mark in ruler.told(|mark| broad(&mark.text, LINE) + 10) {
+        let x = ruler.pixel(mark);
         page.fill([x, x + 1], [top, top + TICK], INK);
         lettering(&mark.text, LINE).draw(page, [x - broad(&mark.text, LINE) / 2, top + TICK]);
     }
 }
 
 fn ruler_beside(page: &mut Picture, ruler: &Ruler, right: i32) {
-    for (y, mark) in ruler.told(|_| LINE as i32 + 4) {
+    for mark in ruler.told(|_| LINE as i32 + 4) {
+        let y = ruler.pixel(mark);
         page.fill([right - TICK + 1, right + 1], [y, y + 1], INK);
         lettering(&mark.text, LINE)
             .draw(page, [right - TICK - 3 - broad(&mark.text, LINE), y - LINE as i32 / 2]);

@@ -11,13 +11,10 @@
 
 use radiosity_geom::DVec3;
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, ranges::check_number};
 
-/// Most sensors of a plane: a gigabyte of readings. Chosen.
+/// Most sensors of a plane: some gigabytes of readings. Chosen.
 const MOST: f64 = 1e7;
-
-/// Largest coordinate, as in scenes.
-const FARTHEST: f64 = 1e30;
 
 /// Sine of the angle below which edges count as parallel, as for the camera's up vector.
 const PARALLEL: f64 = 1e-9;
@@ -26,6 +23,16 @@ const PARALLEL: f64 = 1e-9;
 const ROUNDING: f64 = 1e-9;
 
 /// A parallelogram with a sensor in the middle of each of its cells, in the coordinates that the scene was given in.
+///
+/// ```
+/// use radiosity::geom::DVec3;
+/// use radiosity::scene::SensorPlane;
+///
+/// let edges = [1.6 * DVec3::X, 0.8 * DVec3::Y];
+/// let desk = SensorPlane::new("desk", DVec3::new(2.0, 1.0, 0.75), edges, [0.25, 0.25])?;
+/// assert_eq!((desk.counts(), desk.normal()), ([7, 4], DVec3::Z));
+/// # Ok::<(), radiosity::scene::Fault>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorPlane {
     name: String,
@@ -48,7 +55,7 @@ impl SensorPlane {
         spacing: [f64; 2],
     ) -> Result<Self, Fault> {
         let coordinates = [origin, edges[0], edges[1]].into_iter().flat_map(|point| point.to_array());
-        coordinates.into_iter().try_for_each(check_coordinate)?;
+        coordinates.into_iter().try_for_each(check_number)?;
         check_edges(edges)?;
         spacing.into_iter().try_for_each(check_spacing)?;
         Ok(Self { name: name.into(), origin, edges, counts: counts(edges, spacing)? })
@@ -88,16 +95,6 @@ impl SensorPlane {
             self.origin + middle(i, n) * self.edges[0] + middle(j, m) * self.edges[1]
         };
         (0..n).flat_map(move |i| (0..m).map(move |j| at(i, j)))
-    }
-}
-
-fn check_coordinate(value: f64) -> Result<(), Fault> {
-    match value {
-        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
-        _ if value.abs() > FARTHEST => {
-            Err(Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" })
-        }
-        _ => Ok(()),
     }
 }
 
