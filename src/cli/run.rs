@@ -177,7 +177,7 @@ impl Run {
 
     /// Tells of planes in the summary and in the report.
     pub(crate) fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
-        self.report.planes = planes;
+        self.report.add_planes(planes);
     }
 
     /// Ends the run: times the output, writes the summary to stderr, writes the report.

@@ -6,6 +6,9 @@ use super::probe::Reading;
 use super::uniformity::Uniformity;
 use crate::scene::SensorPlane;
 
+/// Part of the greatest irradiance of a plane below which there is no light: it is the rounding of gathered light.
+const DARK: f64 = 1e-9;
+
 /// What the sensors of a plane read, in short.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct PlaneFigures {
@@ -13,6 +16,8 @@ pub struct PlaneFigures {
     pub name: String,
     /// Number of its sensors.
     pub points: usize,
+    /// How many of them get no light: those within a body, as a rule.
+    pub dark: usize,
     /// The figures.
     #[serde(flatten)]
     pub figures: BandFigures,
@@ -51,12 +56,12 @@ impl PlaneFigures {
             1 => BandFigures::One(figures(0)),
             _ => BandFigures::Several { bands: bands.iter().enumerate().map(named).collect() },
         };
-        Self { name: plane.name().to_owned(), points: readings.len(), figures }
+        Self { name: plane.name().to_owned(), points: readings.len(), dark: dark(readings), figures }
     }
 
     /// A line for each band, with values in `unit`.
     pub fn lines(&self, unit: &str) -> Vec<String> {
-        let Self { name, points, figures } = self;
+        let Self { name, points, figures, .. } = self;
         match figures {
             BandFigures::One(figures) => {
                 vec![format!("plane {name}: {points} points, {}", figures.told(unit))]
@@ -69,4 +74,11 @@ impl PlaneFigures {
             }
         }
     }
+}
+
+/// How many of the readings get no light in any band.
+fn dark(readings: &[Reading]) -> usize {
+    let greatest = |reading: &Reading| reading.irradiance.iter().copied().fold(0.0, f64::max);
+    let most = readings.iter().map(greatest).fold(0.0, f64::max);
+    readings.iter().filter(|reading| greatest(reading) <= DARK * most).count()
 }

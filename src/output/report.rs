@@ -172,6 +172,24 @@ impl Report {
             warnings: warnings(solved),
         }
     }
+
+    /// Adds what planes read, with warnings of sensors without light.
+    pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
+        self.warnings.extend(planes.iter().filter_map(dark));
+        self.planes.extend(planes);
+    }
+}
+
+/// A warning about sensors without light, which a plane that goes through furniture has.
+fn dark(plane: &PlaneFigures) -> Option<Warning> {
+    let message = || {
+        format!(
+            "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
+             the plane, or read several planes around what stands in it",
+            plane.dark, plane.points, plane.name
+        )
+    };
+    (plane.dark > 0).then(|| warning("dark-sensors", message()))
 }
 
 fn seconds(outcome: &Outcome) -> Seconds {

@@ -8,6 +8,9 @@ use serde::Serialize;
 
 use super::round::three_digits;
 
+/// Part of the greatest value that is told as 0. Chosen.
+const ROUNDING: f64 = 1e-9;
+
 /// Mean, extremes and uniformity of irradiances, or of illuminances.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Uniformity {
@@ -36,7 +39,9 @@ impl Uniformity {
 
     /// The figures in one line, with values in `unit`.
     pub fn told(&self, unit: &str) -> String {
-        let [mean, min, max] = [self.mean, self.min, self.max].map(three_digits);
+        let rounding = ROUNDING * self.max;
+        let [mean, min, max] = [self.mean, self.min, self.max]
+            .map(|value| three_digits(if value.abs() < rounding { 0.0 } else { value }));
         let [u0, ud] =
             [self.u0, self.ud].map(|part| part.map_or_else(|| "–".to_owned(), |part| format!("{part:.2}")));
         format!("mean {mean} {unit}, min {min}, max {max}, U0 {u0}, Ud {ud}")

@@ -55,6 +55,24 @@ fn furnaces_are_uniform() {
     );
 }
 
+/// Of four sensors in a row two stand in the cube, where E = 2, and two outside, where nothing shines.
+#[test]
+fn sensors_without_light_count_and_are_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let plane = "-0.5,0.25,0.5; 2,0,0; 0,0.5,0; 0.5";
+    let done = done(folder.path(), &["probe", "furnace-cube", "--plane", plane]);
+    let figures = &done.report["planes"][0];
+    assert_eq!((number(&figures["points"]), number(&figures["dark"])), (4.0, 2.0));
+    assert!((number(&figures["mean"]) - 1.0).abs() < 2e-3, "{figures}");
+    assert!(number(&figures["u0"]).abs() < 1e-9);
+    assert!(
+        done.told.contains("warning: 2 of the 4 sensors of plane \"plane-1\" get no light"),
+        "{}",
+        done.told
+    );
+    assert_eq!(done.report["warnings"][0]["code"], "dark-sensors");
+}
+
 /// A disk of 8000 lm/m² and radius 0.2 that shines down from 1.5 on a plane at 0.75, and nothing else.
 const LAMP: &str = "
     bands = [\"lm\"]
