@@ -6,6 +6,7 @@ use std::hint::black_box;
 use criterion::{Criterion, criterion_group, criterion_main};
 use radiosity::output::reader::Read;
 use radiosity::output::render::render;
+use radiosity::output::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
@@ -62,7 +63,8 @@ fn pictures(criterion: &mut Criterion) {
     let camera = scene.camera.clone().expect("the scene has a camera");
     let camera = Camera { width: 64, height: 48, ..camera };
     for (name, read) in [("basis", Read::Basis), ("direct", Read::Direct), ("gather", Read::Gather)] {
-        let picture = || render(&outcome.solution, &visibility, &camera, 1, read, &|_, _| {});
+        let picture =
+            || render(&outcome.solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_, _| {});
         criterion.bench_function(&format!("picture read by {name}"), |bench| {
             bench.iter(|| in_threads(1, || black_box(picture())).expect("a thread can be started"));
         });

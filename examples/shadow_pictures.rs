@@ -29,6 +29,7 @@ use radiosity::output::raster::Raster;
 use radiosity::output::reader::Read;
 use radiosity::output::render::render;
 use radiosity::output::scale::Scale;
+use radiosity::output::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
@@ -134,7 +135,7 @@ fn picture(way: &Way) -> Raster {
     let scene = scene(way.orders);
     let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
     let visibility = Visibility::new(&scene, (&way.options).into());
-    render(&outcome.solution, &visibility, &camera(&scene), SAMPLES, way.read, &|_, _| {})
+    render(&outcome.solution, &visibility, &camera(&scene), SAMPLES, way.read, Shown::Radiosity, &|_, _| {})
 }
 
 /// For each pixel whether all of its rays meet the floor.

@@ -8,6 +8,9 @@ mod modes;
 mod numbers;
 mod points;
 mod error;
+mod colours;
+mod planes;
+mod sensors;
 mod completions;
 mod format;
 mod output_file;
@@ -18,6 +21,7 @@ mod read;
 mod reference;
 mod run;
 mod data;
+mod plan;
 mod grid;
 mod probe;
 mod solve;
@@ -42,6 +46,7 @@ Examples:
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
   radiosity relight room.solution.json --set lamps=0.3   its light groups dimmed, without solving again
   radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
+  radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity check room.toml                   what is in a scene, and what looks wrong
@@ -92,7 +97,7 @@ impl Cli {
             Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Probe(args) => {
                 let points = args.load_points()?;
-                probe::run(args, &points, Loaded::readable(&args.scene, &self.fixing)?)
+                probe::run(args, points, Loaded::readable(&args.scene, &self.fixing)?)
             }
             Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),

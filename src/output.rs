@@ -1,16 +1,29 @@
 //! What leaves the library: pictures, charts, values at points, grids of means, view factors, reports.
 
 pub mod decades;
+pub mod mark;
+pub mod round;
+pub(crate) mod segment;
+pub(crate) mod interpolant;
+pub mod uniformity;
+pub mod shown;
 pub mod field;
 pub mod difference;
 pub mod reader;
 pub mod grid;
 pub mod picture;
+pub(crate) mod stroke;
+pub(crate) mod track;
+pub mod isolines;
 pub(crate) mod lettering;
 pub(crate) mod canvas;
+pub(crate) mod label;
+pub mod labelled;
 pub mod chart;
 pub mod pinhole;
+pub mod sights;
 pub mod probe;
+pub mod plane_figures;
 pub mod quality;
 pub mod raster;
 pub mod exr_file;
@@ -21,6 +34,8 @@ pub mod report;
 pub mod scale;
 pub mod false_colour;
 pub mod legend;
+pub mod plan;
+pub mod plan_page;
 pub mod solution_file;
 pub mod view_factors;
 pub mod wireframe;

@@ -17,6 +17,8 @@ mod cure;
 mod material;
 mod names;
 mod ranges;
+mod unit;
+mod sensor_plane;
 mod camera;
 mod stacked;
 mod light_group;
@@ -51,6 +53,7 @@ pub use fitted::{Fitted, Lying};
 pub use light_group::LightGroup;
 pub use material::Material;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
+pub use sensor_plane::SensorPlane;
 pub use source::{Place, Source};
 pub use surface::SceneSurface;
 pub use weld::Welded;
@@ -72,6 +75,8 @@ pub struct Scene {
     pub title: Option<String>,
     /// Names of the bands, at least one.
     pub bands: Vec<String>,
+    /// Unit of exitance, irradiance and radiosity, `W/m²` unless the file says another; printed, never computed with.
+    pub unit: String,
     /// The vector subtracted from all coordinates, of surfaces and camera: zero except for scenes far from the origin.
     pub middle: DVec3,
     /// How the shapes were changed to fit together.
@@ -80,6 +85,8 @@ pub struct Scene {
     pub surfaces: Vec<SceneSurface>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
+    /// Planes of sensors, in the coordinates that the scene was given in.
+    pub planes: Vec<SensorPlane>,
     /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
     pub origin: String,
     /// The text it was read from; none for a scene built in code.
@@ -172,6 +179,18 @@ impl Scene {
         self.surfaces.iter().position(|surface| surface.name == name).ok_or_else(unknown)
     }
 
+    /// The plane of sensors of that name.
+    ///
+    /// # Errors
+    /// [`Fault::UnknownPlane`], which lists the names there are.
+    pub fn plane_named(&self, name: &str) -> Result<&SensorPlane, SceneError> {
+        let unknown = || {
+            let known = self.planes.iter().map(|plane| plane.name().to_owned()).collect();
+            whole_file(&self.origin, Fault::UnknownPlane { name: name.to_owned(), known })
+        };
+        self.planes.iter().find(|plane| plane.name() == name).ok_or_else(unknown)
+    }
+
     /// The built-in scene `name`, its parameters at their defaults.
     ///
     /// # Errors
@@ -242,6 +261,8 @@ fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
 fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
     let file = SceneFile::read(tree)?;
     let bands = validation::bands(file.bands, source)?;
+    let unit = validation::unit(file.unit)?;
+    let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
     let Surfaces { list, middle, fitted } =
         validation::surfaces(file.surfaces, &materials, bands.len(), source)?;
@@ -253,6 +274,8 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
         fitted,
         surfaces: list,
         bands,
+        unit,
+        planes,
         camera: camera.map(|camera| camera.about(middle)),
         origin: source.origin.to_string(),
         source: Some(source.clone()),

@@ -15,6 +15,7 @@ use radiosity::output::raster::Raster;
 use radiosity::output::reader::Read;
 use radiosity::output::render::render;
 use radiosity::output::scale::Scale;
+use radiosity::output::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::Visibility;
@@ -83,8 +84,9 @@ fn picture(scene: &Scene, options: &Options, read: Read) -> Result<Taken, Box<dy
     let solution = solve(scene, options, &|_| {})?.solution;
     let seconds = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(scene, options.into());
-    let raster =
-        in_threads(options.threads, || render(&solution, &visibility, &camera, 1, read, &|_, _| {}))?;
+    let raster = in_threads(options.threads, || {
+        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_, _| {})
+    })?;
     Ok(Taken { raster, unknowns: solution.elements().coefficients(), seconds })
 }
 

@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
 use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Warning};
-use radiosity::scene::{Camera, Lying, Scene, SceneSurface};
+use radiosity::scene::{Camera, Lying, Scene, SceneSurface, SensorPlane};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
@@ -61,7 +61,7 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
 
 fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::Result {
     writeln!(text, "{}: {}", scene.origin, scene.title.as_deref().unwrap_or("(no title)"))?;
-    writeln!(text, "bands: {}", scene.bands.join(", "))?;
+    writeln!(text, "bands: {}; unit: {}", scene.bands.join(", "), scene.unit)?;
     let area: f64 = inspection.areas.iter().sum();
     let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
     writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
@@ -88,6 +88,9 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     match &scene.camera {
         Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
         None => writeln!(text, "camera: none")?,
+    }
+    for plane in &scene.planes {
+        writeln!(text, "plane: {}", plane_line(plane))?;
     }
     for warning in &inspection.warnings {
         writeln!(text, "warning: {}", warning.message)?;
@@ -160,6 +163,11 @@ fn side(fronts: Fronts) -> &'static str {
     }
 }
 
+fn plane_line(plane: &SensorPlane) -> String {
+    let ([along_first, along_second], normal) = (plane.counts(), vector(plane.normal().to_array()));
+    format!("{}, {along_first} × {along_second} sensors that face {normal}", plane.name())
+}
+
 /// The same content as the text, numbers in full.
 fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
@@ -189,11 +197,18 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "fov": camera.fov, "width": camera.width, "height": camera.height,
         })
     });
+    let planes = scene.planes.iter().map(|plane| {
+        json!({
+            "name": plane.name(), "origin": plane.origin().to_array(),
+            "edges": plane.edges().map(|edge| edge.to_array()), "counts": plane.counts(),
+        })
+    });
     json!({
-        "scene": scene.name, "title": scene.title, "bands": scene.bands,
+        "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
-        "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera, "warnings": inspection.warnings,
+        "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
     })
 }
 

@@ -20,7 +20,7 @@ use crate::cli::{
     run::{Loaded, Run},
 };
 
-/// Solves a scene and prints means over the cells of every surface
+/// Solves a scene and prints means over the cells of every surface, with the place x, y, z of each cell's middle
 #[derive(Debug, Args)]
 #[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "\
 Examples:
@@ -80,16 +80,17 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     run.finish(progress, data.written())
 }
 
-/// `surface,i,j,E_<band>…,B_<band>…,area`, a row per cell.
+/// `surface,i,j,E_<band>…,B_<band>…,area,x,y,z`, a row per cell.
 fn csv(scene: &Scene, cells: &[Cell]) -> io::Result<Vec<u8>> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     let bands = |letter: char| scene.bands.iter().map(move |band| format!("{letter}_{band}"));
     let header = ["surface", "i", "j"].map(str::to_owned).into_iter().chain(bands('E')).chain(bands('B'));
-    writer.write_record(header.chain(["area".to_owned()]))?;
+    writer.write_record(header.chain(["area", "x", "y", "z"].map(str::to_owned)))?;
     for cell in cells {
         let place = [scene.surfaces[cell.surface].name.clone()];
         let place = place.into_iter().chain(cell.index.map(|index| index.to_string()));
-        let numbers = cell.irradiance.iter().chain(&cell.radiosity).chain([&cell.area]);
+        let position = (cell.position + scene.middle).to_array();
+        let numbers = cell.irradiance.iter().chain(&cell.radiosity).chain([&cell.area]).chain(&position);
         writer.write_record(place.chain(numbers.map(f64::to_string)))?;
     }
     writer.into_inner().map_err(|error| error.into_error())
@@ -117,12 +118,22 @@ struct Row<'a> {
     irradiance: &'a [f64],
     radiosity: &'a [f64],
     area: f64,
+    position: [f64; 3],
 }
 
 impl<'a> Row<'a> {
     fn new(scene: &'a Scene, cell: &'a Cell) -> Self {
         let [i, j] = cell.index;
         let surface = &scene.surfaces[cell.surface].name;
-        Self { surface, i, j, irradiance: &cell.irradiance, radiosity: &cell.radiosity, area: cell.area }
+        let position = (cell.position + scene.middle).to_array();
+        Self {
+            surface,
+            i,
+            j,
+            irradiance: &cell.irradiance,
+            radiosity: &cell.radiosity,
+            area: cell.area,
+            position,
+        }
     }
 }

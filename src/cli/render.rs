@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::reader::Read;
 use radiosity::output::render::{render, usual_read, white_balance};
+use radiosity::output::sights::Sights;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
@@ -29,7 +30,7 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for radiosities in W/m² as they are [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -77,12 +78,14 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let usual = usual_read(solution, visibility, pixels, run.threads());
     let read = args.read.unwrap_or(usual);
     let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, read, &rows)
+        render(&solved.outcome.solution, visibility, &camera, args.samples, read, args.style.show, &rows)
     };
-    let (raster, borders) = run.in_threads(|| {
+    let (raster, borders, sights) = run.in_threads(|| {
         style.take_other(|other| take(other, other.visibility()));
         let borders = || wireframe(solution.elements(), visibility, &camera, args.samples);
-        (take(&run.solved, visibility), args.style.wireframe.then(borders))
+        let sights = || Sights::through(&camera, args.samples, &run.solved.scene, visibility);
+        let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
+        (take(&run.solved, visibility), borders, sights)
     })?;
     let mut written = path.display().to_string();
     if args.read.is_none() && read == Read::Direct {
@@ -91,7 +94,8 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     match kind {
         Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
         Kind::Png => {
-            let (picture, figures) = style.picture(&raster, white_balance(solution), borders.as_deref())?;
+            let (picture, figures) =
+                style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
             written += &figures;
             output.write(|writer| picture.write_png(writer))?;
         }

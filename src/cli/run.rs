@@ -7,6 +7,7 @@ use std::time::Instant;
 use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
+use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
@@ -242,6 +243,11 @@ impl Run {
         Ok(in_threads(self.threads, work)?)
     }
 
+    /// Tells of planes in the summary and in the report.
+    pub(crate) fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
+        self.report.add_planes(planes);
+    }
+
     /// Ends the run: times the output, writes the summary to stderr, writes the report.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
@@ -319,6 +325,7 @@ impl Run {
                 checks.closure_max, checks.spectral_bound, checks.seam_jump_max
             ));
         }
+        lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(|warning| format!("warning: {}", warning.message)));
         lines.extend(written.map(|path| format!("wrote {path}")));
         // A closed stderr is no error: nobody would see a message.

@@ -1,7 +1,6 @@
 //! How a picture shows what was computed: as a photograph, in false colours, as a difference, with wires.
 
 use std::path::{Path, PathBuf};
-use std::str::FromStr;
 
 use clap::Args;
 use radiosity::output::difference::Difference;
@@ -12,21 +11,29 @@ use radiosity::output::image::Image;
 use radiosity::output::legend::Legend;
 use radiosity::output::picture::Picture;
 use radiosity::output::raster::Raster;
-use radiosity::output::scale::{Scale, round_above};
+use radiosity::output::round::{round_above, three_digits};
+use radiosity::output::scale::Scale;
+use radiosity::output::shown::Shown;
+use radiosity::output::sights::Sights;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
-use crate::cli::{error::CliError, numbers::positive, reference};
+use crate::cli::{
+    colours::{ColourArgs, Range},
+    error::CliError,
+    numbers::positive,
+    reference,
+};
 
 /// How a picture looks.
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Style")]
 pub(crate) struct StyleArgs {
-    /// Factor on the radiosities before they become colours [default: chosen for the picture]
+    /// Factor on the values before they become colours [default: chosen for the picture]
     #[arg(long, value_name = "X", value_parser = positive, conflicts_with_all = ["false_colour", "difference"])]
     pub(crate) exposure: Option<f64>,
 
-    /// Shows the radiosity in false colours, with a legend in W/m²
+    /// Shows numbers in false colours, with a legend in the scene's unit
     #[arg(long, alias = "false-color")]
     pub(crate) false_colour: bool,
 
@@ -34,32 +41,16 @@ pub(crate) struct StyleArgs {
     #[arg(long, value_name = "FILE", conflicts_with = "false_colour")]
     pub(crate) difference: Option<PathBuf>,
 
-    /// Numbers at the ends of the legend [default: chosen for the picture]
-    #[arg(long, value_name = "LO,HI", allow_hyphen_values = true)]
-    pub(crate) range: Option<Range>,
-
-    /// Band of false colours and differences [default: mean of all]
-    #[arg(long, value_name = "NAME")]
-    pub(crate) band: Option<String>,
-
     /// Draws the borders of the elements
     #[arg(long)]
     pub(crate) wireframe: bool,
-}
 
-/// `--range`: two numbers that ascend.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Range([f64; 2]);
+    /// The quantity that is shown
+    #[arg(long, value_name = "QUANTITY", default_value = "radiosity")]
+    pub(crate) show: Shown,
 
-impl FromStr for Range {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let number = |part: &str| part.trim().parse().ok().filter(|x: &f64| x.is_finite());
-        let numbers = text.split_once(',').and_then(|(low, high)| Some([number(low)?, number(high)?]));
-        let ascending = numbers.filter(|[low, high]| low < high).map(Range);
-        ascending.ok_or_else(|| "expected two numbers that ascend with a comma between, such as 0,2.5".into())
-    }
+    #[command(flatten)]
+    pub(crate) colours: ColourArgs,
 }
 
 /// What kind of file a picture is.
@@ -67,7 +58,7 @@ impl FromStr for Range {
 pub(crate) enum Kind {
     /// 8-bit colours.
     Png,
-    /// Radiosities.
+    /// The values.
     Exr,
 }
 
@@ -76,8 +67,10 @@ pub(crate) enum Kind {
 pub(crate) struct Style<'a> {
     args: &'a StyleArgs,
     band: Option<usize>,
+    /// The quantity, the band, the unit.
+    title: Vec<String>,
     /// The band's name, or how several bands become one.
-    band_name: String,
+    band_name: Option<String>,
     other: Option<Other>,
 }
 
@@ -98,37 +91,52 @@ impl StyleArgs {
         match ending.as_deref() {
             Some("png") => Ok(Kind::Png),
             Some("exr") if drawn || self.exposure.is_some() => Err(CliError::Refused {
-                message: format!("{}: an .exr holds the radiosities and nothing else", path.display()),
+                message: format!("{}: an .exr holds the values and nothing else", path.display()),
                 cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
             }),
             Some("exr") => Ok(Kind::Exr),
             _ => Err(CliError::Refused {
                 message: format!("{}: the ending names no kind of picture", path.display()),
-                cure: "choose a file ending in .png (colours) or .exr (radiosities)".to_owned(),
+                cure: "choose a file ending in .png (colours) or .exr (values)".to_owned(),
             }),
         }
     }
 
     /// Finds the band and reads the other picture, before the work.
     pub(crate) fn prepare(&self, scene: &Scene, camera: &Camera) -> Result<Style<'_>, CliError> {
-        let coded = self.false_colour || self.difference.is_some();
-        if !coded && (self.range.is_some() || self.band.is_some()) {
-            return Err(CliError::Refused {
-                message: "--range and --band speak of false colours and differences".to_owned(),
-                cure: "add --false-colour or --difference FILE.exr, or leave them out".to_owned(),
-            });
-        }
-        let find = |name: &String| {
-            scene.bands.iter().position(|band| band == name).ok_or_else(|| CliError::Refused {
-                message: format!("{}: there is no band {name:?}", scene.origin),
-                cure: format!("bands of this scene: {}", scene.bands.join(", ")),
-            })
-        };
-        let band = self.band.as_ref().map(find).transpose()?;
-        let mean = if scene.bands.len() > 1 { "mean of bands".to_owned() } else { scene.bands[0].clone() };
-        let band_name = band.map_or(mean, |band| scene.bands[band].clone());
+        self.check_colours()?;
+        self.colours.check()?;
+        let band = self.colours.band(scene)?;
+        let band_name = self.colours.band_name(scene);
+        let quantity = self.show.name(&scene.unit).to_owned();
+        let title = [quantity].into_iter().chain(band_name.clone()).chain([scene.unit.clone()]).collect();
         let other = self.difference.as_deref().map(|path| other(path, scene, camera)).transpose()?;
-        Ok(Style { args: self, band, band_name, other })
+        Ok(Style { args: self, band, title, band_name, other })
+    }
+
+    /// Refuses options of colours where there are none.
+    fn check_colours(&self) -> Result<(), CliError> {
+        let typed = self.colours.typed();
+        let (unfit, message, cure) = match (self.false_colour, &self.difference) {
+            (true, _) => return Ok(()),
+            (false, Some(_)) => (
+                &["--log", "--isolines"][..],
+                "false colours",
+                "choose --false-colour instead of --difference",
+            ),
+            (false, None) => (
+                &["--range", "--band", "--log", "--isolines"][..],
+                "false colours and differences",
+                "add --false-colour or --difference FILE.exr",
+            ),
+        };
+        if !typed.iter().any(|option| unfit.contains(option)) {
+            return Ok(());
+        }
+        Err(CliError::Refused {
+            message: format!("{} speak of {message}", unfit.join(", ")),
+            cure: format!("{cure}, or leave them out"),
+        })
     }
 }
 
@@ -161,12 +169,13 @@ impl Style<'_> {
         }
     }
 
-    /// The picture, and the message to print after its name.
+    /// The picture, in false colours where there are `sights`, and the message to print after its name.
     pub(crate) fn picture(
         &self,
         raster: &Raster,
         balance: [f64; 3],
         borders: Option<&[f64]>,
+        sights: Option<&Sights>,
     ) -> Result<(Picture, String), CliError> {
         let wired = |mut picture: Picture| {
             if let Some(borders) = borders {
@@ -179,21 +188,25 @@ impl Style<'_> {
                 self.difference(&raster.field(self.band), &other.field(self.band), wired)?;
             return Ok((picture, figures));
         }
-        if self.args.false_colour {
-            return Ok((self.false_colours(&raster.field(self.band), wired), String::new()));
+        if let Some(sights) = sights {
+            return Ok((self.false_colours(&raster.field(self.band), sights, wired), String::new()));
         }
         let image = Image::new(raster, balance);
         let exposure = self.args.exposure.unwrap_or_else(|| image.automatic_exposure());
         Ok((wired(image.exposed(exposure)), String::new()))
     }
 
-    fn false_colours(&self, field: &Field, wired: impl Fn(Picture) -> Picture) -> Picture {
-        let range = self.args.range.map_or_else(|| [0.0, round_above(field.usual_size())], |range| range.0);
-        let scale = Scale::sequential(range);
+    fn false_colours(&self, field: &Field, sights: &Sights, wired: impl Fn(Picture) -> Picture) -> Picture {
+        // Where everything emits, emitters are what there is to see.
+        let usual = field.without(sights.emitters()).usual_range().or(field.usual_range());
+        let colours = self.args.colours.colours(usual.unwrap_or_default());
+        let mut picture = wired(false_colour(field, &colours.scale));
+        colours.draw_isolines(&mut picture, field, sights.parts());
         let greatest = field.seen().fold(0.0, f64::max);
-        let title = vec!["radiosity".to_owned(), self.band_name.clone(), "W/m²".to_owned()];
-        let note = if greatest > range[1] { vec![format!("max {greatest:.3}")] } else { Vec::new() };
-        Legend { scale: &scale, title, note }.beside(&wired(false_colour(field, &scale)))
+        let beyond = greatest > colours.scale.range()[1];
+        let note = if beyond { vec![format!("max {}", three_digits(greatest))] } else { Vec::new() };
+        let marks = colours.isolines.iter().map(|mark| mark.value).collect();
+        Legend { scale: &colours.scale, title: self.title.clone(), note, marks }.beside(&picture)
     }
 
     fn difference(
@@ -208,15 +221,18 @@ impl Style<'_> {
         })?;
         let Difference { field, rms, largest } = &difference;
         let size = round_above(field.usual_size());
-        let scale = match self.args.range {
+        let scale = match self.args.colours.range {
             Some(Range(range)) => Scale::diverging(range[0].abs().max(range[1].abs())),
             None => Scale::diverging(size),
         };
-        let title = vec!["difference".to_owned(), self.band_name.clone(), "% of mean".to_owned()];
+        let title = ["difference".to_owned()].into_iter().chain(self.band_name.clone());
+        let title = title.chain(["% of mean".to_owned()]).collect();
         let note = vec![format!("rms {rms:.3}"), format!("max {largest:.3}")];
-        let picture = Legend { scale: &scale, title, note }.beside(&wired(false_colour(field, &scale)));
+        let picture = Legend { scale: &scale, title, note, marks: Vec::new() }
+            .beside(&wired(false_colour(field, &scale)));
         let figures = format!(
-            "\ndifference: rms {rms:.4} %, largest {largest:.4} % of the other picture's mean radiosity"
+            "\ndifference: rms {rms:.4} %, largest {largest:.4} % of the other picture's mean {}",
+            self.title[0]
         );
         Ok((picture, figures))
     }

@@ -1,8 +1,15 @@
-//! False colours: a field through a scale, on white.
+//! False colours: a field through a scale, on white, with isolines.
 
 use super::field::Field;
+use super::isolines::Isoline;
+use super::labelled::LabelledIsolines;
+use super::mark::Mark;
 use super::picture::Picture;
 use super::scale::Scale;
+
+/// Least difference of values, relative to the greatest, that isolines are chosen for: below it, errors of gathered
+/// light would be drawn. Chosen.
+const TOLD: f64 = 0.01;
 
 /// The colours of `field` by `scale`; white where nothing is seen, mixed in pixels that are covered in part.
 pub fn false_colour(field: &Field, scale: &Scale) -> Picture {
@@ -12,4 +19,38 @@ pub fn false_colour(field: &Field, scale: &Scale) -> Picture {
     };
     let [width, height] = field.size();
     Picture::new(width, height, field.pixels().map(colour).collect())
+}
+
+/// How numbers become colours.
+#[derive(Clone, Debug)]
+pub struct FalseColours {
+    /// The colours.
+    pub scale: Scale,
+    /// Values of isolines; none for no isolines.
+    pub isolines: Vec<Mark>,
+}
+
+impl FalseColours {
+    /// The same with isolines at round values between the ends of `range`, at most 9; none where it has about one value.
+    #[must_use]
+    pub fn with_round_isolines(self, [low, high]: [f64; 2]) -> Self {
+        if high - low <= TOLD * high.abs() {
+            return self;
+        }
+        let ticks = self.scale.over([low, high]).ticks();
+        Self {
+            isolines: ticks.into_iter().filter(|mark| low < mark.value && mark.value < high).collect(),
+            ..self
+        }
+    }
+
+    /// Draws the isolines of `field` on a picture of its size; `parts` names the part of the picture that a pixel belongs
+    /// to, see [`Isoline::all`].
+    pub fn draw_isolines(&self, picture: &mut Picture, field: &Field, parts: &[Option<u32>]) {
+        let mut lines = LabelledIsolines::default();
+        for mark in &self.isolines {
+            lines.add(&Isoline::all(field, parts, mark.value), &mark.text);
+        }
+        lines.draw(picture);
+    }
 }

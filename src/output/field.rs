@@ -35,6 +35,22 @@ impl Field {
         self.pixels().filter(|(_, coverage)| *coverage > 0.0).map(|(value, _)| value)
     }
 
+    /// The same without the pixels that are `left_out`, of which there is one entry per pixel.
+    #[must_use]
+    pub fn without(&self, left_out: &[bool]) -> Self {
+        let kept =
+            self.coverage.iter().zip(left_out).map(|(part, left_out)| if *left_out { 0.0 } else { *part });
+        Self { size: self.size, values: self.values.clone(), coverage: kept.collect() }
+    }
+
+    /// The 2nd and the 98th percentile; none where nothing is seen.
+    pub fn usual_range(&self) -> Option<[f64; 2]> {
+        let mut values: Vec<f64> = self.seen().collect();
+        values.sort_by(f64::total_cmp);
+        let last = values.len().checked_sub(1)?;
+        Some([last * 2 / 100, last * 98 / 100].map(|index| values[index]))
+    }
+
     /// The 98th percentile of the absolute values; 0 where nothing is seen.
     pub fn usual_size(&self) -> f64 {
         let mut sizes: Vec<f64> = self.seen().map(f64::abs).collect();

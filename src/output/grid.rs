@@ -40,6 +40,9 @@ pub struct Cell {
     pub radiosity: Vec<f64>,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
+    /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
+    /// [`Scene::middle`](crate::scene::Scene::middle).
+    pub position: DVec3,
 }
 
 /// Points along each side of a cell for recomputed light.
@@ -80,11 +83,12 @@ pub fn grid(
         let (surface, k) = (place / rects.len(), place % rects.len());
         let integrals = Integrals::over(reader, surface, &rects[k], rates);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
-        let area = outlines[surface].as_ref().map(|pieces| {
-            let shape = reader.solution().elements().shape(surface);
-            clip_to_cell(shape, pieces, &rects[k]).iter().map(|part| polygon_area(part)).sum()
-        });
-        integrals.cell(surface, [k / cells[1], k % cells[1]], area)
+        let shape = reader.solution().elements().shape(surface);
+        let area = outlines[surface]
+            .as_ref()
+            .map(|pieces| clip_to_cell(shape, pieces, &rects[k]).iter().map(|part| polygon_area(part)).sum());
+        let [u, v] = rects[k].center();
+        integrals.cell(surface, [k / cells[1], k % cells[1]], shape.jet(u, v).position, area)
     });
     all.filter(|cell| cell.area > 0.0).collect()
 }
@@ -125,11 +129,12 @@ impl Integrals {
     }
 
     /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is taken.
-    fn cell(self, surface: usize, index: [usize; 2], area: Option<f64>) -> Cell {
+    fn cell(self, surface: usize, index: [usize; 2], position: DVec3, area: Option<f64>) -> Cell {
         let area = area.unwrap_or(self.covered);
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
-        Cell { surface, index, irradiance: mean(self.irradiance), radiosity: mean(self.radiosity), area }
+        let (irradiance, radiosity) = (mean(self.irradiance), mean(self.radiosity));
+        Cell { surface, index, irradiance, radiosity, area, position }
     }
 }
 

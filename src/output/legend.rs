@@ -20,6 +20,8 @@ pub struct Legend<'a> {
     pub title: Vec<String>,
     /// Lines below the bar.
     pub note: Vec<String>,
+    /// Numbers with a line across the bar.
+    pub marks: Vec<f64>,
 }
 
 impl Legend<'_> {
@@ -29,11 +31,11 @@ impl Legend<'_> {
         let letters = if height >= 900 { 24 } else { 16 };
         let ticks = self.scale.ticks();
         let broad = |text: &String| line(text, letters).extent()[0];
-        let labels = ticks.iter().map(|(_, label)| BAR + TICK + 4 + broad(label)).max().unwrap_or(0);
+        let labels = ticks.iter().map(|tick| BAR + TICK + 4 + broad(&tick.text)).max().unwrap_or(0);
         let texts = self.title.iter().chain(&self.note).map(broad).max().unwrap_or(0);
         let mut whole =
             Picture::filled((width + 2 * MARGIN + labels.max(texts)) as u32, height as u32, PAPER);
-        whole.paste(picture);
+        whole.paste(picture, [0, 0]);
         let x = width + MARGIN;
         let step = line("", letters).extent()[1] + 2;
         let mut write = |lines: &[String], top: i32| {
@@ -47,8 +49,13 @@ impl Legend<'_> {
         let top = MARGIN + self.title.len() as i32 * step + step / 2 + 2;
         let ends = [top, (foot - step / 2 - 2).max(top + 2)];
         self.bar(&mut whole, x, ends);
-        for (value, label) in &ticks {
-            let (y, label) = (self.row(*value, ends), line(label, letters));
+        for mark in &self.marks {
+            let y = self.row(*mark, ends);
+            whole.fill([x, x + BAR], [y - 1, y + 2], PAPER);
+            whole.fill([x, x + BAR], [y, y + 1], INK);
+        }
+        for tick in &ticks {
+            let (y, label) = (self.row(tick.value, ends), line(&tick.text, letters));
             whole.fill([x + BAR, x + BAR + TICK], [y, y + 1], INK);
             label.draw(&mut whole, [x + BAR + TICK + 4, y - step / 2 + 1]);
         }
@@ -56,17 +63,15 @@ impl Legend<'_> {
     }
 
     fn bar(&self, picture: &mut Picture, x: i32, [top, foot]: [i32; 2]) {
-        let [low, high] = self.scale.range();
         picture.fill([x - 1, x + BAR + 1], [top - 1, foot + 1], INK);
         for y in top..foot {
             let part = (f64::from(foot - y) - 0.5) / f64::from(foot - top);
-            picture.fill([x, x + BAR], [y, y + 1], self.scale.colour(low + part * (high - low)));
+            picture.fill([x, x + BAR], [y, y + 1], self.scale.colour_at(part));
         }
     }
 
     fn row(&self, value: f64, [top, foot]: [i32; 2]) -> i32 {
-        let [low, high] = self.scale.range();
-        (f64::from(foot - 1) - (value - low) / (high - low) * f64::from(foot - 1 - top)).round() as i32
+        (f64::from(foot - 1) - self.scale.place(value) * f64::from(foot - 1 - top)).round() as i32
     }
 }
 

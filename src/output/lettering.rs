@@ -26,6 +26,15 @@ impl Lettering<'_> {
 
     /// Draws the line with its left upper corner, or the left lower one of an upright line, at (x, y).
     pub(crate) fn draw(&self, picture: &mut Picture, [x, y]: [i32; 2]) {
+        self.ink(|place, part| {
+            let [dx, dy] = if self.upright { [place[1], -place[0]] } else { place };
+            picture.blend(x + dx, y + dy, self.colour, part);
+        });
+    }
+
+    /// Calls `ink` for every pixel of the line before it is turned, from its left upper corner, with the part of it that
+    /// letters cover.
+    pub(crate) fn ink(&self, mut ink: impl FnMut([i32; 2], f64)) {
         let size = raster(self.size);
         let mut right = 0;
         for letter in self.text.chars() {
@@ -36,9 +45,7 @@ impl Lettering<'_> {
                 .or_else(|| get_raster('?', FontWeight::Regular, height));
             for (row, pixels) in glyph.iter().flat_map(|glyph| glyph.rows().enumerate()) {
                 for (column, level) in pixels.iter().enumerate() {
-                    let place = [right + column as i32, row as i32 + drop];
-                    let [dx, dy] = if self.upright { [place[1], -place[0]] } else { place };
-                    picture.blend(x + dx, y + dy, self.colour, f64::from(*level) / 255.0);
+                    ink([right + column as i32, row as i32 + drop], f64::from(*level) / 255.0);
                 }
             }
             right += advance(letter, size) as i32;

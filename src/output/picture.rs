@@ -6,6 +6,8 @@
 
 use std::io::{self, Write};
 
+use super::segment::Segment;
+
 /// An sRGB colour.
 pub type Colour = [u8; 3];
 
@@ -59,15 +61,9 @@ impl Picture {
 
     /// A line of the given width between two points; `opacity` in [0, 1].
     pub fn line(&mut self, from: [f64; 2], to: [f64; 2], width: f64, colour: Colour, opacity: f64) {
-        let along = [to[0] - from[0], to[1] - from[1]];
-        let length2 = (along[0] * along[0] + along[1] * along[1]).max(f64::MIN_POSITIVE);
-        let reach = 0.5 * width + 1.0;
-        let bounds = |k: usize| [from[k].min(to[k]) - reach, from[k].max(to[k]) + reach];
-        self.cover([bounds(0), bounds(1)], colour, |x, y| {
-            let [dx, dy] = [x - from[0], y - from[1]];
-            let t = ((dx * along[0] + dy * along[1]) / length2).clamp(0.0, 1.0);
-            let distance = (dx - t * along[0]).hypot(dy - t * along[1]);
-            opacity * (0.5 + 0.5 * width - distance).clamp(0.0, 1.0)
+        let segment = Segment { from, to };
+        self.cover(segment.bounds(0.5 * width + 1.0), colour, |x, y| {
+            opacity * (0.5 + 0.5 * width - segment.distance([x, y])).clamp(0.0, 1.0)
         });
     }
 
@@ -88,11 +84,11 @@ impl Picture {
         }
     }
 
-    /// Copies `other` into the left upper corner.
-    pub fn paste(&mut self, other: &Self) {
+    /// Copies `other` with its left upper corner at (x, y).
+    pub fn paste(&mut self, other: &Self, [left, top]: [i32; 2]) {
         for (index, colour) in other.pixels.iter().enumerate() {
             let (x, y) = (index % other.width as usize, index / other.width as usize);
-            self.blend(x as i32, y as i32, *colour, 1.0);
+            self.blend(left + x as i32, top + y as i32, *colour, 1.0);
         }
     }
 

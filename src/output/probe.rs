@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::output::reader::{Reader, Value};
+use crate::scene::SensorPlane;
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
 /// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
@@ -20,6 +21,14 @@ pub struct Probe {
     pub position: DVec3,
     /// Unit normal.
     pub normal: DVec3,
+}
+
+impl Probe {
+    /// The sensors of a plane, in order.
+    pub fn of_plane(plane: &SensorPlane) -> impl Iterator<Item = Self> {
+        let normal = plane.normal();
+        plane.sensors().map(move |position| Self { position, normal })
+    }
 }
 
 /// The result of a probe.

@@ -18,6 +18,7 @@ use rayon::prelude::*;
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
+use super::shown::Shown;
 use crate::gather::choice::seconds_to_gather;
 use crate::scene::Camera;
 use crate::solution::Solution;
@@ -48,16 +49,17 @@ const ROWS: usize = 4;
 
 /// Renders `solution` through `camera`; `progress` gets (rows done, rows in all), from any thread.
 ///
-/// The pixels hold radiosity, W m⁻² (radiance times π), in the bands of the solution.
+/// The pixels hold what is `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
 pub fn render(
     solution: &Solution,
     visibility: &Visibility,
     camera: &Camera,
     samples: u32,
     read: Read,
+    shown: Shown,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Raster {
-    let light = PictureLight::new(solution, visibility, read, GATHERED);
+    let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
     let shot = Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples };
@@ -156,11 +158,11 @@ impl Shot<'_> {
         let radiosity = match smooth {
             Some(smooth) => {
                 let irradiance = direct.iter().zip(smooth.at(pixel)).map(|(d, s)| d + s);
-                self.light.radiosity(seen, irradiance)
+                self.light.shown(seen, irradiance)
             }
             None => {
                 let rest = self.light.rest(seen, direct);
-                self.light.radiosity(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
+                self.light.shown(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
             }
         };
         Pixel { radiosity, coverage: 1.0 }
@@ -183,7 +185,7 @@ impl Shot<'_> {
             let direct = self.light.direct(&seen, false);
             let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
             let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct));
-            let radiosity = self.light.radiosity(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
+            let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
             sum.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
             sum.coverage += scale;
         }

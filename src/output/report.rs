@@ -5,6 +5,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
+use crate::output::plane_figures::PlaneFigures;
 use crate::scene::{Fitted, LightGroup, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
@@ -18,6 +19,8 @@ pub struct Report {
     pub scene: String,
     /// Names of its bands.
     pub bands: Vec<String>,
+    /// Unit of exitance, irradiance and radiosity.
+    pub unit: String,
     /// Number of surfaces.
     pub surfaces: usize,
     /// How their shapes were changed to fit together when the scene was read.
@@ -65,6 +68,8 @@ pub struct Report {
     pub converged: bool,
     /// Self-checks.
     pub checks: Checks,
+    /// What the sensors of planes read.
+    pub planes: Vec<PlaneFigures>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
@@ -134,13 +139,15 @@ pub struct Warning {
 }
 
 impl Report {
-    /// The report of a solved scene; the caller sets the times of loading and output, and the total.
+    /// The report of a solved scene; the caller sets the times of loading and output, the total, and what planes
+    /// read.
     pub fn new(solved: &Solved) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         let elements = outcome.solution.elements();
         Self {
             scene: scene.name.clone(),
             bands: scene.bands.clone(),
+            unit: scene.unit.clone(),
             surfaces: scene.surfaces.len(),
             fitted: scene.fitted.clone(),
             light_groups: scene.light_groups().into_iter().cloned().collect(),
@@ -164,9 +171,28 @@ impl Report {
             residual: outcome.residual,
             converged: outcome.converged,
             checks: outcome.checks,
+            planes: Vec::new(),
             warnings: warnings(solved),
         }
     }
+
+    /// Adds what planes read, with warnings of sensors without light.
+    pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
+        self.warnings.extend(planes.iter().filter_map(dark));
+        self.planes.extend(planes);
+    }
+}
+
+/// A warning about sensors without light, which a plane that goes through furniture has.
+fn dark(plane: &PlaneFigures) -> Option<Warning> {
+    let message = || {
+        format!(
+            "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
+             the plane, or read several planes around what stands in it",
+            plane.dark, plane.points, plane.name
+        )
+    };
+    (plane.dark > 0).then(|| warning("dark-sensors", message()))
 }
 
 fn seconds(outcome: &Outcome) -> Seconds {

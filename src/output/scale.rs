@@ -2,7 +2,9 @@
 
 use colorous::Gradient;
 
+use super::mark::Mark;
 use super::picture::Colour;
+use super::round::{multiples, ratios};
 
 /// A range of numbers mapped to perceptually uniform colours; numbers outside take the colours of the ends.
 #[derive(Clone, Copy, Debug)]
@@ -10,16 +12,37 @@ pub struct Scale {
     gradient: Gradient,
     reversed: bool,
     range: [f64; 2],
+    steps: Steps,
+}
+
+/// Least number of a scale of equal ratios over the greatest, where it is chosen. Chosen.
+pub const DEEPEST: f64 = 1e-4;
+
+/// What is equal between neighbouring colours.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Steps {
+    Differences,
+    Ratios,
 }
 
 impl Scale {
-    /// For magnitudes: viridis, dark for the low end.
+    /// For magnitudes: viridis, dark for the low end. Its lightness ascends, so that it can be read in grey and by the
+    /// colour-blind.
     ///
     /// # Panics
     /// If `range` does not ascend.
     pub fn sequential(range: [f64; 2]) -> Self {
         assert!(range[0] < range[1], "a range ascends");
-        Self { gradient: colorous::VIRIDIS, reversed: false, range }
+        Self { gradient: colorous::VIRIDIS, reversed: false, range, steps: Steps::Differences }
+    }
+
+    /// The same with equal ratios instead of equal differences.
+    ///
+    /// # Panics
+    /// If `range` does not ascend from a number above 0.
+    pub fn logarithmic(range: [f64; 2]) -> Self {
+        assert!(range[0] > 0.0, "logarithms are of positive numbers");
+        Self { steps: Steps::Ratios, ..Self::sequential(range) }
     }
 
     /// For signed numbers from −`size` to `size`: blue, white for zero, red.
@@ -28,7 +51,8 @@ impl Scale {
     /// If `size` is not positive.
     pub fn diverging(size: f64) -> Self {
         assert!(size > 0.0, "a scale has a size");
-        Self { gradient: colorous::RED_BLUE, reversed: true, range: [-size, size] }
+        let range = [-size, size];
+        Self { gradient: colorous::RED_BLUE, reversed: true, range, steps: Steps::Differences }
     }
 
     /// Least and greatest number.
@@ -36,73 +60,49 @@ impl Scale {
         self.range
     }
 
+    /// The place of a number on the scale, from 0 to 1.
+    pub fn place(&self, value: f64) -> f64 {
+        let [low, high] = self.range;
+        let part = match self.steps {
+            Steps::Differences => (value - low) / (high - low),
+            Steps::Ratios => (value.max(low) / low).ln() / (high / low).ln(),
+        };
+        part.clamp(0.0, 1.0)
+    }
+
     /// The colour of a number.
     pub fn colour(&self, value: f64) -> Colour {
-        let [low, high] = self.range;
-        let place = ((value - low) / (high - low)).clamp(0.0, 1.0);
+        self.colour_at(self.place(value))
+    }
+
+    /// The colour at a place from 0 to 1.
+    pub fn colour_at(&self, place: f64) -> Colour {
         self.gradient.eval_continuous(if self.reversed { 1.0 - place } else { place }).as_array()
     }
 
+    /// The same steps over another range.
+    ///
+    /// # Panics
+    /// If `range` does not ascend. One with equal ratios is cut off at a ten-thousandth of its upper end.
+    #[must_use]
+    pub fn over(&self, [low, high]: [f64; 2]) -> Self {
+        assert!(low < high, "a range ascends");
+        let low = if self.steps == Steps::Ratios { low.max(DEEPEST * high) } else { low };
+        Self { range: [low, high], ..*self }
+    }
+
     /// Round numbers over the range, 3 to 9 of them, with the text of each.
-    pub fn ticks(&self) -> Vec<(f64, String)> {
-        let [low, high] = self.range;
-        let step = [1.0, 2.0, 5.0, 10.0].map(|x| x * power_below((high - low) / 8.0));
-        let step = step.into_iter().find(|step| (high - low) / step <= 8.0 * (1.0 + 1e-9)).unwrap_or(step[3]);
-        let slack = 1e-9 * step;
-        let first = ((low - slack) / step).ceil();
-        let multiples = (0..9).map(|k| first + f64::from(k)).take_while(|k| k * step <= high + slack);
-        multiples.map(|k| (k * step, label(k * step, step))).collect()
-    }
-}
-
-/// The least of 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 times a power of ten that is not below `size`; 1 for zero.
-pub fn round_above(size: f64) -> f64 {
-    if size <= 0.0 {
-        return 1.0;
-    }
-    let power = power_below(size);
-    let round = [1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0].map(|x| x * power);
-    round.into_iter().find(|x| *x >= size * (1.0 - 1e-12)).unwrap_or(size)
-}
-
-fn power_below(size: f64) -> f64 {
-    10f64.powi(size.log10().floor() as i32)
-}
-
-/// `value`, a multiple of `step`, with just enough digits to differ from its neighbours.
-fn label(value: f64, step: f64) -> String {
-    let digits = -(step * (1.0 + 1e-9)).log10().floor();
-    // Without the −0 of rounding.
-    let value = value + 0.0;
-    if (-5.0..=4.0).contains(&digits) {
-        format!("{value:.*}", digits.max(0.0) as usize)
-    } else if value == 0.0 {
-        "0".to_owned()
-    } else {
-        let leading = (value.abs() * (1.0 + 1e-9)).log10().floor();
-        let more = (leading + digits).max(0.0) as usize;
-        format!("{value:.more$e}")
+    pub fn ticks(&self) -> Vec<Mark> {
+        match self.steps {
+            Steps::Differences => multiples(self.range),
+            Steps::Ratios => ratios(self.range),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    fn labels(range: [f64; 2]) -> Vec<String> {
-        Scale::sequential(range).ticks().into_iter().map(|(_, label)| label).collect()
-    }
-
-    #[test]
-    fn ticks_are_round_and_told_apart() {
-        assert_eq!(labels([0.0, 1.2]), ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0", "1.2"]);
-        assert_eq!(labels([0.0, 8.0]), ["0", "1", "2", "3", "4", "5", "6", "7", "8"]);
-        assert_eq!(labels([-300.0, 300.0]), ["-300", "-200", "-100", "0", "100", "200", "300"]);
-        assert_eq!(
-            labels([0.0, 4e-9]),
-            ["0", "5e-10", "1.0e-9", "1.5e-9", "2.0e-9", "2.5e-9", "3.0e-9", "3.5e-9", "4.0e-9"]
-        );
-    }
 
     #[test]
     fn ends_take_what_lies_outside() {
@@ -111,13 +111,45 @@ mod tests {
         assert_eq!(scale.colour(9.0), scale.colour(2.0));
         let [[low_red, _, low_blue], [high_red, _, high_blue]] = [-2.0, 2.0].map(|x| scale.colour(x));
         assert!(low_blue > low_red && high_red > high_blue, "negative is blue, positive is red");
+        let scale = Scale::logarithmic([1.0, 100.0]);
+        assert_eq!(
+            [-1.0, 0.0, 1.0, 10.0, 100.0, 1e9].map(|x| scale.place(x)),
+            [0.0, 0.0, 0.0, 0.5, 1.0, 1.0]
+        );
     }
 
+    /// Light of an sRGB code, IEC 61966-2-1.
+    fn linear(code: u8) -> f64 {
+        let x = f64::from(code) / 255.0;
+        if x <= 0.040_45 { x / 12.92 } else { ((x + 0.055) / 1.055).powf(2.4) }
+    }
+
+    /// Lightness L* of linear light in sRGB's primaries (CIE 1976).
+    fn lightness([red, green, blue]: [f64; 3]) -> f64 {
+        let luminance = 0.2126 * red + 0.7152 * green + 0.0722 * blue;
+        if luminance > 216.0 / 24389.0 { 116.0 * luminance.cbrt() - 16.0 } else { luminance * 24389.0 / 27.0 }
+    }
+
+    /// What a viewer without red (protanopia), green (deuteranopia) or blue cones (tritanopia) sees: Machado, Oliveira
+    /// and Fernandes 2009, severity 1.
+    const DICHROMATS: [[[f64; 3]; 3]; 3] = [
+        [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
+        [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]],
+    ];
+
     #[test]
-    fn round_numbers_are_not_below() {
-        assert_eq!(round_above(0.0), 1.0);
-        assert_eq!(round_above(1.0), 1.0);
-        assert_eq!(round_above(9.1), 10.0);
-        assert!((round_above(0.0123) - 0.015).abs() < 1e-15);
+    fn magnitudes_ascend_in_lightness_for_every_viewer_and_in_grey() {
+        let scale = Scale::sequential([0.0, 1.0]);
+        let colours = (0..=64).map(|k| scale.colour(f64::from(k) / 64.0).map(linear)).collect::<Vec<_>>();
+        let seen_by = |view: &[[f64; 3]; 3], colour: &[f64; 3]| -> [f64; 3] {
+            view.map(|row| row.iter().zip(colour).map(|(a, b)| a * b).sum())
+        };
+        let as_printed = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        for view in DICHROMATS.iter().chain([&as_printed]) {
+            let shades: Vec<f64> = colours.iter().map(|colour| lightness(seen_by(view, colour))).collect();
+            assert!(shades.windows(2).all(|pair| pair[0] < pair[1]), "{shades:?}");
+            assert!(shades[64] - shades[0] > 70.0, "most of the way from black to white is used");
+        }
     }
 }

@@ -8,10 +8,12 @@ use crate::scene::{
     Scene,
     camera::Camera,
     draft::SurfaceDraft,
-    error::{Located, SceneError, material_title},
+    error::{Located, SceneError, material_title, plane_title},
     material::Material,
     names::UniqueNames,
+    sensor_plane::SensorPlane,
     surfaces::{Surfaces, fitted_surfaces},
+    unit::{self, check_unit},
     validation::check_bands,
 };
 
@@ -32,7 +34,9 @@ use crate::scene::{
 pub struct SceneBuilder {
     name: String,
     bands: Vec<String>,
+    unit: String,
     camera: Option<Camera>,
+    planes: Vec<SensorPlane>,
     tolerance: Option<f64>,
     materials: Vec<NamedMaterial>,
     surfaces: Vec<SurfaceDraft>,
@@ -48,7 +52,9 @@ impl SceneBuilder {
         Self {
             name: name.into(),
             bands: bands.into_iter().map(Into::into).collect(),
+            unit: unit::USUAL.to_owned(),
             camera: None,
+            planes: Vec::new(),
             tolerance: None,
             materials: Vec::new(),
             surfaces: Vec::new(),
@@ -100,6 +106,18 @@ impl SceneBuilder {
         self
     }
 
+    /// States the unit of exitance, irradiance and radiosity, such as `lx`, instead of W/m². Nothing is converted.
+    pub fn unit(&mut self, unit: impl Into<String>) -> &mut Self {
+        self.unit = unit.into();
+        self
+    }
+
+    /// Adds a plane of sensors.
+    pub fn plane(&mut self, plane: SensorPlane) -> &mut Self {
+        self.planes.push(plane);
+        self
+    }
+
     /// Makes corners and planes agree within `length` (scene length) instead of within the rounding of their
     /// coordinates; 0 leaves all corners where they are.
     pub fn tolerance(&mut self, length: f64) -> &mut Self {
@@ -110,7 +128,7 @@ impl SceneBuilder {
     /// The scene, if everything in it is right.
     ///
     /// # Errors
-    /// The first thing wrong with bands, materials, camera or surfaces, in this order: a [`SceneError`] that names the
+    /// The first thing wrong with bands, unit, planes, materials, camera or surfaces, in this order: a [`SceneError`] that names the
     /// part and has no place in a text.
     pub fn build(self) -> Result<Scene, SceneError> {
         let name = self.name.clone();
@@ -120,6 +138,8 @@ impl SceneBuilder {
     fn assemble(self) -> Result<Scene, Located> {
         check_bands(self.bands.iter().map(|band| (band.as_str(), None)))
             .map_err(|(_, fault)| Located::nowhere(fault).within(|| "bands".into()))?;
+        check_unit(&self.unit).map_err(|fault| Located::nowhere(fault).within(|| "unit".into()))?;
+        check_planes(&self.planes)?;
         check_materials(&self.materials, self.bands.len())?;
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
@@ -130,6 +150,8 @@ impl SceneBuilder {
             fitted,
             surfaces: list,
             bands: self.bands,
+            unit: self.unit,
+            planes: self.planes,
             camera: camera.map(|camera| camera.about(middle)),
             title: None,
             origin: self.name.clone(),
@@ -137,6 +159,15 @@ impl SceneBuilder {
             source: None,
         })
     }
+}
+
+/// Checks that each plane has a name of its own.
+fn check_planes(planes: &[SensorPlane]) -> Result<(), Located> {
+    let mut names = UniqueNames::default();
+    planes.iter().try_for_each(|plane| {
+        let added = names.add(plane.name(), None);
+        added.map_err(|fault| Located::nowhere(fault).within(|| plane_title(plane.name())))
+    })
 }
 
 /// Checks that each material has a name of its own and a number in range for each band.

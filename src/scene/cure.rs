@@ -34,6 +34,15 @@ impl Fault {
             Fault::UnknownGroup { name, known } => {
                 choose(name, known.iter().map(String::as_str), "light groups of this scene")
             }
+            Fault::UnknownPlane { name, known } if known.is_empty() => format!(
+                "define it: [planes.{name}] with origin, edges and spacing; or type it: --plane \"origin; edge; edge; spacing\""
+            ),
+            Fault::UnknownPlane { name, known } => {
+                choose(name, known.iter().map(String::as_str), "planes of this scene")
+            }
+            Fault::TooManySensors { least, .. } => {
+                format!("choose a larger spacing: {least:.1e} for both edges makes few enough")
+            }
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
@@ -85,6 +94,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::EmptyText => "write at least one letter",
         Fault::NoSuchPoint { .. } => "count the points from 0, the last index is one less than their number",
         Fault::BadCamera { .. } => "move the eye, the target or the up vector",
+        Fault::BadPlane { .. } => {
+            "give two edges, vectors along two sides of the plane, each with a length and not parallel to the other"
+        }
+        Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
             "give a material an emission above 0, e.g. emission = 10, and use it on a surface"
@@ -111,6 +124,8 @@ fn example(key: &str) -> &'static str {
         "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
         | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
+        "edges" => ", two vectors, each three numbers in brackets",
+        "spacing" => ", a length, or one along each edge",
         "curve" => ", four control points, each three numbers in brackets",
         "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
         "patches" => ", a list of patches, each 16 indices of points, counted from 0",

@@ -176,6 +176,14 @@ pub enum Fault {
         /// Its name.
         name: String,
     },
+    /// A plane of sensors that was asked for and is not there.
+    #[error("unknown plane {name:?}")]
+    UnknownPlane {
+        /// What was typed.
+        name: String,
+        /// The planes of the scene.
+        known: Vec<String>,
+    },
     /// Two things of one name.
     #[error("the name {name:?} is given twice")]
     DuplicateName {
@@ -204,6 +212,26 @@ pub enum Fault {
         /// What is degenerate.
         problem: &'static str,
     },
+    /// A plane of sensors whose edges span none.
+    #[error("{problem}")]
+    BadPlane {
+        /// What is degenerate.
+        problem: &'static str,
+    },
+    /// A plane of more sensors than can be read.
+    #[error("there are {count:.1e} sensors, more than 10⁷")]
+    TooManySensors {
+        /// How many there are.
+        count: f64,
+        /// Spacing of both edges (scene length) that makes few enough.
+        least: f64,
+    },
+    /// A unit that cannot be printed.
+    #[error("{problem}")]
+    BadUnit {
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// Two surfaces lie in one another.
     #[error("coincides with surface {other:?}")]
     Coincident {
@@ -226,6 +254,11 @@ pub(super) fn material_title(name: &str) -> String {
 /// How messages call a light group.
 pub(super) fn group_title(name: &str) -> String {
     format!("light group {name:?}")
+}
+
+/// How messages call a plane of sensors.
+pub(super) fn plane_title(name: &str) -> String {
+    format!("plane {name:?}")
 }
 
 /// How messages call a surface.

@@ -5,6 +5,7 @@ use radiosity_geom::{DVec3, ShapeError};
 use crate::scene::{
     error::{Fault, Located},
     names::check_text,
+    ranges::check_number,
     source::{At, Span},
     tree::{Node, Value, entry},
 };
@@ -96,20 +97,11 @@ pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     }
 }
 
-/// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
-const LARGEST: f64 = 1e30;
-
 /// A finite number of a size that can be computed with.
 pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
     let Value::Number(value) = node.value else { return Err(wrong(node, "a number")) };
-    let fault = if !value.is_finite() {
-        Fault::NotFinite { value }
-    } else if value.abs() > LARGEST {
-        Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" }
-    } else {
-        return Ok(At::new(value, &node.span));
-    };
-    Err(Located::at(&node.span, fault))
+    check_number(value).map_err(|fault| Located::at(&node.span, fault))?;
+    Ok(At::new(value, &node.span))
 }
 
 /// As [`number`], without its place.

@@ -3,8 +3,9 @@
 use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
-    error::{Fault, Located, material_title, surface_title},
+    error::{Fault, Located, material_title, plane_title, surface_title},
     fields::{Fields, exactly, list, number, point, real, table, text, truth, whole},
+    names::check_text,
     ranges::{check_fov, check_order, check_parts, check_pixels},
     shape::{ShapeFile, keys},
     source::{At, Span},
@@ -16,7 +17,9 @@ use crate::scene::{
 pub(super) struct SceneFile {
     pub title: Option<String>,
     pub bands: Option<At<Vec<At<String>>>>,
+    pub unit: Option<At<String>>,
     pub camera: Option<CameraFile>,
+    pub planes: Vec<PlaneFile>,
     pub materials: Vec<MaterialFile>,
     pub surfaces: Vec<SurfaceFile>,
 }
@@ -31,6 +34,15 @@ pub(super) struct CameraFile {
     pub fov: Option<f64>,
     pub width: Option<u32>,
     pub height: Option<u32>,
+}
+
+/// `[planes.NAME]`.
+#[derive(Debug)]
+pub(super) struct PlaneFile {
+    pub name: String,
+    pub origin: DVec3,
+    pub edges: At<[DVec3; 2]>,
+    pub spacing: At<[f64; 2]>,
 }
 
 /// `[materials.NAME]`.
@@ -67,14 +79,17 @@ pub(super) struct SurfaceFile {
 impl SceneFile {
     /// Reads the tree of a whole scene.
     pub(super) fn read(tree: &Node) -> Result<Self, Located> {
-        let fields = Fields::new(tree, &["title", "bands", "camera", "materials", "surfaces"])?;
+        let fields =
+            Fields::new(tree, &["title", "bands", "unit", "camera", "planes", "materials", "surfaces"])?;
         let surfaces =
             fields.optional("surfaces", |node| list(node).map(<[Node]>::to_vec))?.unwrap_or_default();
         Ok(SceneFile {
             title: fields.optional("title", text)?.map(|title| title.value),
             bands: fields.optional("bands", read_bands)?,
+            unit: fields.optional("unit", text)?,
             camera: fields
                 .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
+            planes: fields.optional("planes", read_planes)?.unwrap_or_default(),
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             surfaces: surfaces.iter().enumerate().map(read_named_surface).collect::<Result<_, _>>()?,
         })
@@ -105,6 +120,33 @@ fn read_camera(node: &Node) -> Result<CameraFile, Located> {
 
 fn pixels(node: &Node) -> Result<u32, Located> {
     counted(node, check_pixels).map(|pixels| pixels as u32)
+}
+
+fn read_planes(node: &Node) -> Result<Vec<PlaneFile>, Located> {
+    let read = |(name, node): &(At<String>, Node)| {
+        check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
+        read_plane(&name.value, node).map_err(|error| error.within(|| plane_title(&name.value)))
+    };
+    table(node)?.iter().map(read).collect()
+}
+
+fn read_plane(name: &str, node: &Node) -> Result<PlaneFile, Located> {
+    let fields = Fields::new(node, &["origin", "edges", "spacing"])?;
+    Ok(PlaneFile {
+        name: name.to_owned(),
+        origin: fields.require("origin", point)?,
+        edges: fields
+            .require("edges", |node| Ok(At::new(exactly(node, "edges", "vectors", point)?, &node.span)))?,
+        spacing: fields.require("spacing", |node| Ok(At::new(spacing(node)?, &node.span)))?,
+    })
+}
+
+/// One length for both edges, or one along each.
+fn spacing(node: &Node) -> Result<[f64; 2], Located> {
+    match &node.value {
+        Value::List(_) => exactly(node, "spacing", "numbers, one along each edge", real),
+        _ => Ok([real(node)?; 2]),
+    }
 }
 
 fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {

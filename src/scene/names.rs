@@ -1,4 +1,4 @@
-//! Names of bands, materials and surfaces: each says something and is given once.
+//! Names of bands, materials, planes and surfaces: each says something and is given once.
 
 use std::collections::BTreeMap;
 

@@ -11,6 +11,20 @@ pub const MAX_PARTS: usize = 256;
 /// Largest width and height of a picture. Chosen; not tuned.
 const MAX_PIXELS: usize = 16384;
 
+/// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
+const LARGEST: f64 = 1e30;
+
+/// A finite number of a size that can be computed with.
+pub(super) fn check_number(value: f64) -> Result<(), Fault> {
+    match value {
+        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
+        _ if value.abs() > LARGEST => {
+            Err(Fault::OutOfRange { what: "the number", value, range: "−1e30 ≤ x ≤ 1e30" })
+        }
+        _ => Ok(()),
+    }
+}
+
 /// 0 ≤ order ≤ [`MAX_ORDER`].
 pub(super) fn check_order(order: usize) -> Result<(), Fault> {
     counted(order, 0, MAX_ORDER, "the order", "0 ≤ order ≤ 20")

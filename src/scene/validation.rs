@@ -7,12 +7,14 @@ use radiosity_geom::Surface;
 use crate::scene::{
     camera::Camera,
     draft::{NamedShape, SurfaceDraft, Typed},
-    error::{Fault, Located, material_title, surface_title},
-    file::{CameraFile, MaterialFile, PerBand, SurfaceFile, default_name},
+    error::{Fault, Located, material_title, plane_title, surface_title},
+    file::{CameraFile, MaterialFile, PerBand, PlaneFile, SurfaceFile, default_name},
     material::{Material, check_emission, check_reflectance},
     names::UniqueNames,
+    sensor_plane::SensorPlane,
     source::{At, Source},
     surfaces::{Surfaces, fitted_surfaces},
+    unit::{self, check_unit},
 };
 
 /// Materials by name.
@@ -55,6 +57,23 @@ pub(super) fn check_bands<'a>(
         }
         _ => Ok(()),
     }
+}
+
+/// The unit of exitance; W/m² if none is given.
+pub(super) fn unit(text: Option<At<String>>) -> Result<String, Located> {
+    let Some(text) = text else { return Ok(unit::USUAL.to_owned()) };
+    check_unit(&text.value).map_err(|fault| Located::at(&text.span, fault))?;
+    Ok(text.value)
+}
+
+/// A plane of sensors.
+pub(super) fn plane(file: PlaneFile) -> Result<SensorPlane, Located> {
+    let PlaneFile { name, origin, edges, spacing } = file;
+    let title = plane_title(&name);
+    SensorPlane::new(name, origin, edges.value, spacing.value).map_err(|fault| {
+        let span = if matches!(fault, Fault::BadPlane { .. }) { &edges.span } else { &spacing.span };
+        Located::at(span, fault).within(|| title)
+    })
 }
 
 /// Every material, checked number by number.

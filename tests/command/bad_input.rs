@@ -337,6 +337,43 @@ fn camera_without_view() {
     refused(&room("eye", "fov = 180\neye"), &["room.toml:3:7: camera: the angle of view is 180"]);
 }
 
+/// The room with a plane of sensors, to be broken in one place.
+fn planed(old: &str, new: &str) -> String {
+    let plane = "[planes.desk]\norigin = [0, 0, 0.7]\nedges = [[1, 0, 0], [0, 1, 0]]\nspacing = 0.25\n";
+    assert!(plane.contains(old), "{old:?} is not in the plane");
+    room("[materials.white]", &(plane.replace(old, new) + "[materials.white]"))
+}
+
+#[test]
+fn planes_that_cannot_be() {
+    for (edge, problem) in
+        [("[2, 0, 0]", "the edges are parallel"), ("[0, 0, 0]", "second edge has no length")]
+    {
+        let parts = ["room.toml:7:9: plane \"desk\": ", problem, "help: give two edges"];
+        refused(&planed("[0, 1, 0]", edge), &parts);
+    }
+    refused(&planed("[1, 0, 0]", "[0, 0, 0]"), &["plane \"desk\": the first edge has no length"]);
+    for spacing in ["0", "-0.1", "[0.2, 0]"] {
+        let parts =
+            ["room.toml:8:11: plane \"desk\": the spacing is ", "outside spacing > 0", "help: choose"];
+        refused(&planed("0.25", spacing), &parts);
+    }
+    refused(&planed("0.25", "nan"), &["room.toml:8:11: plane \"desk\": NaN is not a finite number"]);
+    refused(&planed("0.25", "[0.1, 0.1, 0.1]"), &["spacing takes 2 numbers, one along each edge, found 3"]);
+    let parts =
+        ["room.toml:8:11: plane \"desk\": there are 1.0e8 sensors, more than 10⁷", "help: choose a larger"];
+    refused(&planed("0.25", "1e-4"), &parts);
+    refused(&planed("spacing", "distance"), &["unknown key \"distance\"", "origin, edges, spacing"]);
+    refused(&planed("spacing = 0.25", ""), &["plane \"desk\": the key \"spacing\" is missing", "a length"]);
+}
+
+#[test]
+fn units_that_cannot_be_printed() {
+    let parts = ["room.toml:2:8: the unit is longer than 16 characters", "help: write a short text"];
+    refused(&room("[camera]", "unit = \"watts per square metre\"\n[camera]"), &parts);
+    refused(&room("[camera]", "unit = \"l\\nx\"\n[camera]"), &["the unit is more than one line"]);
+}
+
 #[test]
 fn bad_transform() {
     let parts = ["room.toml:9:24: surface \"floor\": `rotate` has no length; give a vector"];

@@ -8,6 +8,7 @@ mod exact_factors;
 mod fitted;
 mod inspection;
 mod pictures;
+mod planes;
 mod probe;
 mod relight;
 mod solution_file;

@@ -7,6 +7,7 @@ use std::process::{Command, Output};
 
 use radiosity::elements::{Discretization, Elements};
 use radiosity::output::exr_file::read_exr;
+use radiosity::output::sights::Sights;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
@@ -129,6 +130,73 @@ fn a_legend_stands_beside_false_colours() {
     assert!(width > 100 && height == 120);
 }
 
+/// The room's walls have ρ = ½ and emit nothing, its ceiling emits 1.
+#[test]
+fn irradiance_is_shown_apart_from_reflectance_and_emission() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = ["render", "empty-box", "--size", "30x40", "--samples", "1"];
+    let [b, e] = ["radiosity", "irradiance"].map(|shown| {
+        done(folder.path(), &[&at[..], &["--show", shown, "-o", "shown.exr"]].concat());
+        let file = BufReader::new(File::open(folder.path().join("shown.exr")).unwrap());
+        read_exr(file, &["grey".to_owned()]).expect("it is ours").field(None)
+    });
+    let (mut emitting, mut dark) = (0, 0);
+    for (b, e) in b.seen().zip(e.seen()) {
+        // The file holds 32 bits.
+        let is = |expected: f64| (b / expected - 1.0).abs() < 1e-6;
+        match is(0.5 * e) {
+            true => dark += 1,
+            false => emitting += usize::from(is(1.0 + 0.5 * e)),
+        }
+    }
+    assert_eq!(dark + emitting, b.seen().count());
+    assert!(dark > 100 && emitting > 100, "{dark} pixels of walls, {emitting} of the ceiling");
+}
+
+/// Colours of the pixels of a PNG.
+fn png_colours(path: &Path) -> std::collections::BTreeSet<[u8; 3]> {
+    let file = BufReader::new(File::open(path).expect("it was written"));
+    let mut reader = png::Decoder::new(file).read_info().expect("it is a PNG");
+    let mut bytes = vec![0; reader.output_buffer_size().expect("it fits")];
+    reader.next_frame(&mut bytes).expect("a picture");
+    bytes.as_chunks().0.iter().copied().collect()
+}
+
+/// The square without light of its own, below a lamp that is a million times as bright.
+fn below_a_lamp() -> String {
+    let lamp = "
+        [materials.lamp]
+        reflectance = 0
+        emission = 1e6
+        [[surfaces]]
+        material = \"lamp\"
+        two_sided = true
+        quad = { vertices = [[-0.2,-0.2,0.1],[0.1,-0.2,0.1],[0.1,0.1,0.1],[-0.2,0.1,0.1]] }
+    ";
+    SQUARE.replace("emission = 1", "emission = 0") + lamp
+}
+
+#[test]
+fn pixels_know_whether_they_see_an_emitter_or_one_surface() {
+    let scene = Scene::from_toml(&below_a_lamp(), "test").expect("the scene is valid");
+    let visibility = Visibility::new(&scene, Shadows::Off);
+    let camera = scene.camera.clone().expect("there is one");
+    let sights = Sights::through(&camera, 3, &scene, &visibility);
+    // The lamp is seen from x = (½ − 0.2/0.9) 48 = 13.33 to (½ + 0.1/0.9) 48 = 29.33, and as high as broad.
+    let lamp = 17 * 17;
+    assert_eq!(sights.emitters().iter().filter(|emitter| **emitter).count(), lamp);
+    assert_eq!(sights.parts().iter().filter(|part| **part == Some(0)).count(), 48 * 48 - lamp);
+    assert_eq!(sights.parts().iter().filter(|part| part.is_none()).count(), lamp);
+}
+
+#[test]
+fn emitters_do_not_take_the_colours() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("s.toml"), below_a_lamp()).unwrap();
+    done(folder.path(), &["render", "s.toml", "--false-colour", "--samples", "1", "-o", "all.png"]);
+    assert!(png_colours(&folder.path().join("all.png")).len() > 100, "the square has many colours");
+}
+
 /// A square before a camera that sees it and nothing else, of 48 × 48 pixels.
 const SQUARE: &str = "
     bands = [\"grey\"]
@@ -183,14 +251,24 @@ fn refused(args: &[&str], parts: &[&str]) {
 fn kinds_of_pictures_are_told_by_their_endings() {
     refused(&["render", "-o", "box.jpg"], &["box.jpg: the ending names no kind of picture", ".png", ".exr"]);
     refused(&["render", "-o", "box"], &["box: the ending names no kind of picture"]);
-    refused(&["render", "-o", "box.exr", "--wireframe"], &["an .exr holds the radiosities", ".png"]);
+    refused(&["render", "-o", "box.exr", "--wireframe"], &["an .exr holds the values", ".png"]);
     refused(&["convergence", "-o", "box.pdf"], &["box.pdf: the ending names no kind of drawing", ".svg"]);
 }
 
 #[test]
 fn styles_that_cannot_be_are_refused() {
     refused(&["render", "--false-colour", "--band", "uv"], &["no band \"uv\"", "R_620nm, G_540nm, B_460nm"]);
-    refused(&["render", "--range", "0,1"], &["--range and --band", "--false-colour"]);
+    for option in [["--range", "0,1"].as_slice(), &["--band", "grey"], &["--log"], &["--isolines=1,2"]] {
+        let parts = ["--range, --band, --log, --isolines speak of false colours", "add --false-colour"];
+        refused(&[&["render"], option].concat(), &parts);
+    }
+    refused(&["render", "--difference", "text.exr", "--log"], &["--log, --isolines speak of false colours"]);
+    refused(
+        &["render", "--false-colour", "--log", "--range", "0,9"],
+        &["no logarithm of 0", "lower end above 0"],
+    );
+    refused(&["render", "--false-colour", "--isolines", "cornell-box"], &["goes before --isolines"]);
+    refused(&["render", "--show", "light"], &["radiosity", "irradiance"]);
     refused(&["render", "--false-colour", "--range", "2,1"], &["two numbers that ascend"]);
     refused(&["render", "--difference", "none.exr"], &["none.exr: ", "radiosity render -o FILE.exr"]);
     refused(&["render", "--difference", "text.exr"], &["text.exr: it is no OpenEXR picture"]);

@@ -73,7 +73,7 @@ fn grids_read_all_three_ways() {
     for read in ["basis", "direct", "gather"] {
         let (output, _) = radiosity("", &["grid", "furnace-cube", "--cells", "1x1", "--read", read]);
         let lines = lines(&output);
-        assert_eq!(lines[0].join(","), "surface,i,j,E_grey,B_grey,area");
+        assert_eq!(lines[0].join(","), "surface,i,j,E_grey,B_grey,area,x,y,z");
         lines[1..].iter().for_each(|line| assert_two(&line[3]));
     }
 }

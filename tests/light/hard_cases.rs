@@ -1,6 +1,7 @@
 //! Scenes on which an earlier version was wrong, dark or slow.
 
 use radiosity::output::render::{Read, render};
+use radiosity::output::shown::Shown;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Outcome, solve};
 use radiosity::visibility::{Shadows, Visibility};
@@ -81,7 +82,8 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let outcome = solved(&scene, 1e-3);
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
-        let image = render(&outcome.solution, &visibility, &camera, 1, Read::Basis, &|_, _| {});
+        let image =
+            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &|_, _| {});
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

@@ -4,6 +4,7 @@ use radiosity::geom::Encounter;
 use radiosity::output::pinhole::Pinhole;
 use radiosity::output::reader::{Read, Reader};
 use radiosity::output::render::render;
+use radiosity::output::shown::Shown;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Place;
 use radiosity::solve::{Options, solve};
@@ -17,7 +18,8 @@ fn fitted_light_is_that_of_every_pixel() {
         let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
         let visibility = Visibility::new(&scene, (&options).into());
         let camera = Camera { width: 96, height: 96, ..scene.camera.clone().expect("a camera") };
-        let raster = render(&outcome.solution, &visibility, &camera, 1, Read::Gather, &|_, _| {});
+        let raster =
+            render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_, _| {});
         let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum, mut largest) = (0.0, 0.0, 0.0f64);

@@ -6,6 +6,7 @@ use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
 use crate::light::penumbra::Penumbra;
 use crate::output::reader::Read;
+use crate::output::shown::Shown;
 use crate::solution::Solution;
 use crate::visibility::Visibility;
 
@@ -28,6 +29,7 @@ const ONE_OF_SEVERAL: f64 = 3.0;
 #[derive(Debug)]
 pub(super) struct PictureLight<'a> {
     solution: &'a Solution,
+    shown: Shown,
     direct: Direct<'a>,
     rest: Rest<'a>,
 }
@@ -67,7 +69,12 @@ impl<'a> PictureLight<'a> {
             }
             _ => Direct::Rays(Penumbra::new(list, &coatings, visibility, WORST * eps)),
         };
-        Self { solution, direct, rest }
+        Self { solution, shown: Shown::default(), direct, rest }
+    }
+
+    /// The same light, of which a picture shows this.
+    pub(super) fn showing(self, shown: Shown) -> Self {
+        Self { shown, ..self }
     }
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.
@@ -124,10 +131,10 @@ impl<'a> PictureLight<'a> {
         }
     }
 
-    /// Radiosity (W m⁻²) per band under this irradiance; not negative.
-    pub(super) fn radiosity(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
+    /// What is shown per band under this irradiance.
+    pub(super) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
-        bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(seen.element, e).max(0.0)).collect()
+        bands.zip(irradiance).map(|(band, e)| self.shown.of(&band.coating, seen.element, e)).collect()
     }
 
     /// The solution that is seen.

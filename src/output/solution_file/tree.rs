@@ -20,7 +20,7 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
      b = (x - origin).second for a point x, less scene.middle where that is given; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
      An element that is covered is the part of its surface on which another lies; others end there. \
-     radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2). \
+     radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2 unless the scene states a unit). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back. Where there are light groups, the \
      irradiance is the sum of theirs in orthonormal.groups, in the order of groups, each times its factor in \
