@@ -15,6 +15,7 @@ mod completions;
 mod format;
 mod output_file;
 mod options;
+mod forecast;
 mod destination;
 mod progress;
 mod read;

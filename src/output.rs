@@ -23,6 +23,7 @@ pub mod chart;
 pub mod pinhole;
 pub mod sights;
 pub mod probe;
+pub mod read_error;
 pub mod plane_figures;
 pub mod quality;
 pub mod raster;

@@ -12,7 +12,7 @@ use serde::Serialize;
 use crate::cli::{
     data::DataArgs,
     error::CliError,
-    memory,
+    forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
@@ -62,7 +62,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let [cells, surfaces] =
         [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
     let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
-    memory::require(needed, &args.method, ["the cells", "--cells"])?;
+    forecast::require(needed, &args.method, ["the cells", "--cells"])?;
     let data = args.data.reserve(&loaded, &args.report, Ok)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;

@@ -3,9 +3,6 @@
 use std::fs::read_to_string;
 use std::path::Path;
 
-use crate::cli::error::CliError;
-use crate::cli::options::MethodArgs;
-
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
@@ -13,22 +10,6 @@ const SHARE: f64 = 0.8;
 pub(crate) fn bytes(text: &str) -> Result<u64, String> {
     let parsed = text.parse::<bytesize::ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
     parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
-}
-
-/// Refuses to begin on results of so many bytes where there is no room for them; `what` they are, and the option that
-/// asks for less.
-pub(crate) fn require(needed: u64, method: &MethodArgs, [what, option]: [&str; 2]) -> Result<(), CliError> {
-    match method.memory.or_else(usable) {
-        Some(allowed) if allowed < needed => Err(CliError::Refused {
-            message: format!(
-                "not enough memory: {what} need about {:.0} MB, {:.0} MB allowed",
-                needed as f64 / 1e6,
-                allowed as f64 / 1e6
-            ),
-            cure: format!("ask for fewer with {option}, or allow more with --memory"),
-        }),
-        _ => Ok(()),
-    }
 }
 
 /// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown.

@@ -6,6 +6,7 @@ use std::path::Path;
 use clap::Args;
 use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::{Reading, probe};
+use radiosity::output::read_error::ReadError;
 use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
 use radiosity::solved::Solved;
@@ -137,6 +138,7 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
     }
     let planes = sensors.by_plane(&readings);
     let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
+    run.add_read_error(ReadError::of(&readings), reading.eps);
     run.add_planes(figures);
     run.finish(progress, (!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }

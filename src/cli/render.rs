@@ -15,7 +15,7 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     error::CliError,
-    memory,
+    forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
@@ -68,7 +68,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let camera = camera(args, &loaded.scene)?;
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64);
-    memory::require(needed, &args.method, ["the pixels", "--size"])?;
+    forecast::require(needed, &args.method, ["the pixels", "--size"])?;
     let mut style = args.style.prepare(&loaded.scene, &camera)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;

@@ -8,6 +8,7 @@ use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::plane_figures::PlaneFigures;
+use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
@@ -248,6 +249,11 @@ impl Run {
         self.report.add_planes(planes);
     }
 
+    /// Tells the errors of readings by rays that were to err by `asked`.
+    pub(crate) fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
+        self.report.add_read_error(error, asked);
+    }
+
     /// Ends the run: times the output, writes the summary to stderr, writes the report.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
@@ -318,6 +324,10 @@ impl Run {
         lines.extend(
             estimate.map(|estimate| format!("estimated relative error of the radiosity {estimate:.1e}")),
         );
+        lines.extend(self.report.read_error.map(|error| {
+            let [rms, largest] = [error.rms, error.largest].map(|error| decimals(100.0 * error, 2));
+            format!("light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")
+        }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(

@@ -141,7 +141,7 @@ impl Shot<'_> {
             .with_max_len(ROWS)
             .flat_map_iter(|row| {
                 let start = (row - first) * width;
-                let pixel = |pixel: usize| match differs(&frame, &middles, pixel) {
+                let pixel = |pixel: usize| match self.samples > 1 && differs(&frame, &middles, pixel) {
                     true => self.sampled(&frame, smooth.as_ref(), pixel, first),
                     false => middles[pixel].clone(),
                 };

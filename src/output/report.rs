@@ -6,6 +6,7 @@ use crate::checks::Checks;
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
 use crate::output::plane_figures::PlaneFigures;
+use crate::output::read_error::ReadError;
 use crate::scene::{Fitted, LightGroup, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
@@ -70,6 +71,8 @@ pub struct Report {
     pub checks: Checks,
     /// What the sensors of planes read.
     pub planes: Vec<PlaneFigures>,
+    /// Errors of light that rays gathered at points.
+    pub read_error: Option<ReadError>,
     /// Warnings to the user.
     pub warnings: Vec<Warning>,
 }
@@ -172,8 +175,23 @@ impl Report {
             converged: outcome.converged,
             checks: outcome.checks,
             planes: Vec::new(),
+            read_error: None,
             warnings: warnings(solved),
         }
+    }
+
+    /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much more.
+    pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
+        let missed = error.filter(|error| error.rms > MISSED * asked);
+        self.warnings.extend(missed.map(|error| {
+            let message = format!(
+                "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
+                 see small bright things or the edges of many; ask for a smaller --read-eps there",
+                error.rms, error.largest
+            );
+            warning("reading-error", message)
+        }));
+        self.read_error = error;
     }
 
     /// Adds what planes read, with warnings of sensors without light.
@@ -182,6 +200,9 @@ impl Report {
         self.planes.extend(planes);
     }
 }
+
+/// Errors of readings, over those asked for, that are worth a warning. Chosen.
+const MISSED: f64 = 1.5;
 
 /// A warning about sensors without light, which a plane that goes through furniture has.
 fn dark(plane: &PlaneFigures) -> Option<Warning> {

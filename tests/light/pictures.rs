@@ -10,6 +10,9 @@ use radiosity::solution::Place;
 use radiosity::solve::{Options, solve};
 use radiosity::visibility::Visibility;
 
+/// Pixels across and down.
+const SIZE: usize = 256;
+
 #[test]
 fn fitted_light_is_that_of_every_pixel() {
     for name in ["cornell-box", "two-boxes"] {
@@ -17,14 +20,15 @@ fn fitted_light_is_that_of_every_pixel() {
         let options = Options { order: 2, ..Options::default() };
         let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
         let visibility = Visibility::new(&scene, (&options).into());
-        let camera = Camera { width: 96, height: 96, ..scene.camera.clone().expect("a camera") };
+        let camera =
+            Camera { width: SIZE as u32, height: SIZE as u32, ..scene.camera.clone().expect("a camera") };
         let raster =
             render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_, _| {});
         let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum, mut largest) = (0.0, 0.0, 0.0f64);
         for (index, values) in raster.pixels().enumerate() {
-            let ray = view.ray((index % 96) as f64 + 0.5, (index / 96) as f64 + 0.5);
+            let ray = view.ray((index % SIZE) as f64 + 0.5, (index / SIZE) as f64 + 0.5);
             let Some(Encounter { surface, hit, front: true }) = visibility.nearest(&ray) else { continue };
             let elements = outcome.solution.elements();
             let element = elements.at(surface, [hit.u, hit.v]).expect("no holes");

@@ -5,8 +5,8 @@
 //! ```
 //!
 //! with d_i the offset in the tangent plane of the place and r_i the distance in the picture; p has the degree 2 where
-//! there are enough values, else 1. Where the places lie on one side p(0) is extrapolated: with the normal matrix M of
-//! the fit, ν = Σw (M⁻¹)₀₀ tells how sensitive it is to the values, over their mean, for which ν = 1.
+//! there are enough values, else 1. Where the places lie on one side p(0) is extrapolated: a = |Σ w d| / √(Σw Σ w d²), 0
+//! where they lie around it, tells how far.
 
 use smallvec::SmallVec;
 
@@ -40,8 +40,10 @@ pub(super) struct Found {
     pub value: Vec<f64>,
     /// Root mean square of what the fit leaves, over the size of the values.
     pub residual: f64,
-    /// ν.
-    pub reach: f64,
+    /// a, at most 1.
+    pub aside: f64,
+    /// What a fit of degree 1 differs by, over the size of the values; 0 if this one has that degree.
+    pub bend: f64,
 }
 
 impl<'a> Fit<'a> {
@@ -68,11 +70,21 @@ impl<'a> Fit<'a> {
     pub(super) fn found(&self) -> Option<Found> {
         match self.values.len() {
             count if count >= QUADRATIC + SPARE => {
-                self.of_degree::<QUADRATIC>().or_else(|| self.of_degree::<LINEAR>())
+                let linear = self.of_degree::<LINEAR>()?;
+                Some(self.of_degree::<QUADRATIC>().map_or(linear.clone(), |found| found.beside(&linear)))
             }
             count if count >= LINEAR + SPARE => self.of_degree::<LINEAR>(),
             _ => None,
         }
+    }
+
+    fn aside(&self) -> f64 {
+        let sum = |term: &dyn Fn(&Value) -> f64| {
+            self.values.iter().map(|value| value.weight * term(value)).sum::<f64>()
+        };
+        let [x, y] = [0, 1].map(|k| sum(&|value| value.at[k]));
+        let squares = sum(&|value| value.at[0].powi(2) + value.at[1].powi(2));
+        x.hypot(y) / (sum(&|_| 1.0) * squares).sqrt()
     }
 
     fn of_degree<const N: usize>(&self) -> Option<Found> {
@@ -89,12 +101,7 @@ impl<'a> Fit<'a> {
                 matrix[i][j] += value.weight * row[i] * row[j];
             }
         }
-        let all = matrix[0][0];
         let factor = factor(matrix)?;
-        // f ≈ Σ_i a_i f_i with a_i = w_i row_i·m, m the first column of the inverse.
-        let mut first = [0.0; N];
-        first[0] = 1.0;
-        let column = solve(&factor, first);
         let bands = self.values[0].bands.len();
         let (mut value, mut left, mut square) = (vec![0.0; bands], 0.0, 0.0);
         for (band, found) in value.iter_mut().enumerate() {
@@ -111,7 +118,21 @@ impl<'a> Fit<'a> {
                 square += value.weight * value.bands[band].powi(2);
             }
         }
-        Some(Found { value, residual: (left / square.max(f64::MIN_POSITIVE)).sqrt(), reach: all * column[0] })
+        Some(Found {
+            value,
+            residual: (left / square.max(f64::MIN_POSITIVE)).sqrt(),
+            aside: self.aside(),
+            bend: 0.0,
+        })
+    }
+}
+
+impl Found {
+    /// This fit, where one of degree 1 finds `linear`.
+    fn beside(self, linear: &Self) -> Self {
+        let apart: f64 = self.value.iter().zip(&linear.value).map(|(a, b)| (a - b).abs()).sum();
+        let size: f64 = self.value.iter().map(|value| value.abs()).sum();
+        Self { bend: apart / size.max(f64::MIN_POSITIVE), ..self }
     }
 }
 
@@ -176,7 +197,7 @@ mod tests {
         assert!((quadratic.value[0] - 2.0).abs() < 1e-12 && quadratic.residual < 1e-12);
         let linear = fit(4, |[x, y]| 2.0 + 3.0 * x - y).expect("four places");
         assert!((linear.value[0] - 2.0).abs() < 1e-12 && linear.residual < 1e-12);
-        assert!(linear.reach >= 1.0 && linear.reach < 1.5, "{}", linear.reach);
+        assert!(linear.aside < 0.3, "{}", linear.aside);
         assert!(fit(9, |[x, _]| if x > 0.5 { 1.0 } else { 0.0 }).expect("nine").residual > 0.1);
     }
 

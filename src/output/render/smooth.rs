@@ -17,15 +17,19 @@ use super::frame::Frame;
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
 pub(super) const COARSEST: usize = 16;
 
+/// What a linear fit may differ by from a quadratic one, over what a fit may leave. Chosen: what remains is smaller by about as
+/// much; fits of few values leave little even where light peaks between them.
+const BENT: f64 = 3.0;
+
 /// What a fit may leave, over all light of the place, and the pixels between computed values up to which it may leave twice
 /// as much: such places are small. Both are chosen.
 const ROUGH: f64 = 4e-3;
 const SMALL: usize = 4;
 
-/// How sensitive an extrapolated value may be to those it is made from, over their mean; and between pixels. With twice as
-/// much, light was 5 % off at the border of a ceiling.
-const REACH: f64 = 2.0;
-const REACH_BETWEEN: f64 = 4.0;
+/// How far on one side values may lie; and between pixels. Chosen: without the former, light was 5 % off at the border of a
+/// ceiling.
+const ASIDE: f64 = 0.25;
+const ASIDE_BETWEEN: f64 = 0.8;
 
 /// Reach of the fit for places between pixels, in pixels.
 const BETWEEN: f64 = 2.5;
@@ -95,7 +99,7 @@ impl<'a> Smooth<'a> {
             let middle = [column + i, row + j].map(|at| at as f64 + 0.5);
             self.take(&mut fit, pixel, weight([x - middle[0], y - middle[1]], BETWEEN), seen);
         }
-        let found = fit.found().filter(|found| found.reach <= REACH_BETWEEN);
+        let found = fit.found().filter(|found| found.aside <= ASIDE_BETWEEN);
         found.map(|found| found.value).or_else(|| fit.mean())
     }
 
@@ -161,10 +165,10 @@ fn fitted(
             fit.take(offset(seen, there), weight, value);
         }
     }
-    let found = fit.found().filter(|found| found.reach <= REACH)?;
+    let found = fit.found().filter(|found| found.aside <= ASIDE)?;
     let own: f64 = found.value.iter().sum();
     let rough = if spacing <= SMALL { 2.0 * ROUGH } else { ROUGH };
-    (found.residual * own <= rough * (own + other)).then_some(found.value)
+    (found.residual.max(found.bend / BENT) * own <= rough * (own + other)).then_some(found.value)
 }
 
 /// (1 − (r/R)²)².
