@@ -91,7 +91,6 @@ fn rays_and_cells_agree_and_the_error_told_is_true() {
         }
     }
     let [told, found] = [told, squares].map(|sum: f64| (sum / count).sqrt());
-    println!("{count} points: {found:.2e}, told {told:.2e}");
     assert!(told <= 1e-2 && found <= 1.5e-2, "{found} is found, {told} told");
     assert!(found <= 3.0 * told && told <= 3.0 * found, "{found} is found, {told} told");
 }
@@ -113,7 +112,6 @@ fn rays_from_all_of_a_cell_give_its_mean() {
     let off: Vec<f64> = off.collect();
     let rms = (off.iter().map(|off| off * off).sum::<f64>() / off.len() as f64).sqrt();
     let largest = off.iter().fold(0.0, |most: f64, off| most.max(off.abs()));
-    println!("{} cells: {rms:.1e}, largest {largest:.1e}", off.len());
     // 8 × 8 points leave as much where a shadow's edge crosses a cell.
     assert!(rms < 1.5e-2 && largest < 0.08, "{rms} and {largest}");
 }
