@@ -1,7 +1,7 @@
 //! Light at a point by rays, with an error that is known.
 //!
 //! Of N cosine-distributed rays from x each first meets the front of a surface at y; M = N/2 further ones go to points y
-//! of the emitters, of density q(y) ([`crate::light::lamps`]). With the density κ(x, y) of the former and both combined
+//! of the emitters, of density q(y) (`light::lamps`). With the density κ(x, y) of the former and both combined
 //! by the balance heuristic,
 //!
 //! ```text
@@ -9,8 +9,9 @@
 //! ```
 //!
 //! where E_h ≥ 0 are the polynomials of the irradiance. The estimate has no bias; emitters may be near or far, curved,
-//! partly hidden. Over a patch x is spread over it. [`BATCHES`] sequences, shifted independently, tell the standard
-//! deviation s of their mean; rays are doubled until s is below the accuracy asked for, or [`most_rays`] are sent.
+//! partly hidden. Over a patch x is spread over it. Eight sequences, shifted independently, tell the standard
+//! deviation s of their mean; rays are doubled until s is below the accuracy asked for, or many times the usual number are
+//! sent.
 //!
 //! Gathered twice, E_h(y) is itself estimated so, by one ray of either kind.
 //!

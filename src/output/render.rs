@@ -1,7 +1,7 @@
 //! Pictures of a solution: camera rays meet the true surfaces, where radiosity is read.
 //!
 //! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Direct light is computed at the
-//! middle of every pixel. Other light, where it is gathered, is computed at few of them and interpolated ([`smooth`]).
+//! middle of every pixel. Other light, where it is gathered, is computed at few of them and interpolated (`smooth`).
 //! Pixels that differ from one beside them average `samples × samples` points of a regular grid.
 
 mod eye;
@@ -75,7 +75,7 @@ pub fn render(
 }
 
 /// How a picture of so many pixels is read unless told otherwise: gathered, if `threads` do that within
-/// [`PATIENCE`] or so, else with direct light alone recomputed.
+/// some ten seconds, else with direct light alone recomputed.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64, threads: usize) -> Read {
     let seconds = seconds_to_gather(solution, visibility, picture_light::AVERAGED * GATHERED);
     let gathered = pixels as f64 / INTERPOLATED / threads as f64 * seconds;
