@@ -51,8 +51,10 @@ const TO_LAMPS: f64 = 0.5;
 /// Relative standard deviation times the number of rays to the power ¾: up to this in rooms. Measured in the Cornell box.
 const ROUGHNESS: f64 = 1.5;
 
-/// As many times the expected number of rays are sent at the most. Chosen.
+/// As many times the expected number of rays are sent at the most, and never more than [`MOST`]: some ten seconds. Both are
+/// chosen.
 const PATIENCE: f64 = 16.0;
+const MOST: f64 = 1.6e7;
 
 /// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
 const DARK: f64 = 0.02;
@@ -106,7 +108,7 @@ pub(super) fn usual_rays(eps: f64) -> f64 {
 
 /// Most cosine-distributed rays for an error of `eps`.
 fn most_rays(eps: f64) -> u64 {
-    (PATIENCE * usual_rays(eps)) as u64
+    (PATIENCE * usual_rays(eps)).min(MOST) as u64
 }
 
 impl<'a> RayGather<'a> {
@@ -289,7 +291,9 @@ impl<'a> RayGather<'a> {
             sums.chunks_exact(bands).map(|sums| self.relative(sums.iter().map(|sum| sum / rays))).collect();
         let level = levels.iter().sum::<f64>() / n;
         let square = levels.iter().map(|other| (other - level).powi(2)).sum::<f64>();
-        let error = (square / (n * (n - 1.0))).sqrt() / (level + other).max(DARK);
+        // What one ray is worth, of something a quarter as bright as the scene on the whole.
+        let one = 0.25 / (n * rays);
+        let error = ((square / (n * (n - 1.0))).sqrt() + one) / (level + other).max(DARK);
         Estimate { irradiance, error }
     }
 

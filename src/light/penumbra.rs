@@ -23,6 +23,9 @@ use crate::visibility::Visibility;
 const FIRST: f64 = 24.0;
 const FEWEST: u64 = 4;
 
+/// Rays to a curved emitter, at least: half of its points may face away. Chosen.
+const FEWEST_TO_CURVED: u64 = 32;
+
 /// Most rays to an emitter. Chosen.
 const MOST: u64 = 1024;
 
@@ -71,7 +74,8 @@ impl<'a> Penumbra<'a> {
         let position = vantage.position.to_array();
         let offset = shift(number_of(position.into_iter().chain([lamp.element as f64])));
         let (mut sums, mut sent) = (Sums::default(), 0);
-        let mut now = ((FIRST * share) as u64).max(FEWEST);
+        let fewest = if whole.is_some() { FEWEST } else { FEWEST_TO_CURVED };
+        let mut now = ((FIRST * share) as u64).max(fewest);
         loop {
             for index in sent..sent + now {
                 let place = lamp.spread.point(shifted(kronecker::point(index), &offset));
