@@ -9,6 +9,8 @@ mod net;
 mod parallelogram;
 mod polygon;
 mod sheared;
+mod chart;
+mod quarters;
 mod tiles;
 mod bezier;
 mod rational;

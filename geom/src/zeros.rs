@@ -16,7 +16,7 @@ use crate::bernstein::{combine, split, weights};
 use glam::{DMat2, DVec2};
 
 /// Below this deviation of the derivative from its mean, Newton's method takes over (header, test 2).
-const NEARLY_LINEAR: f64 = 0.3;
+pub(crate) const NEARLY_LINEAR: f64 = 0.3;
 /// Images smaller than this multiple of the whole are points, since rounding decides where they are. Chosen; not tuned.
 const POINT: f64 = 1e-13;
 /// Most rectangles of a search; only an edge-on sheet, which vanishes along a curve, comes near. Chosen; not tuned.

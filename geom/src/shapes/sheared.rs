@@ -37,6 +37,17 @@ pub(super) struct Sheared {
     core: [DVec2; 2],
 }
 
+/// A ray in the frame of a tile.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Local {
+    /// Its origin.
+    pub(super) from: DVec3,
+    /// Its direction.
+    pub(super) along: DVec3,
+    /// One over it.
+    pub(super) inverse: DVec3,
+}
+
 /// The result of testing a ray against a box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Passage {
@@ -51,27 +62,56 @@ pub(super) enum Passage {
 impl Sheared {
     /// Around the tile with the control points `points[i][j]`, i along s.
     pub(super) fn around(points: &[[DVec3; 4]; 4]) -> Self {
-        let (origin, frame) = (points[0][0], frame(points));
-        let local = points.map(|row| row.map(|x| frame * (x - origin)));
-        let size = Aabb::around(points.as_flattened().iter().copied()).diagonal();
-        let rows = [0, 1, 2].map(|axis| frame.row(axis).length());
-        let room = ROOM * size * DVec3::from_array(rows);
+        let mut around = Self {
+            origin: points[0][0],
+            frame: frame(points),
+            range: [DVec3::ZERO; 2],
+            core: [DVec2::ZERO; 2],
+        };
+        let local = around.local(points);
+        let room = around.room(points);
         let box_of = |points: &[DVec3]| Aabb::around(points.iter().copied()).inflate_each(room);
         let whole = box_of(local.as_flattened());
         let [first, last] = [0, 3].map(|i| box_of(&local[i]));
         let [start, end] = [0, 3].map(|j| box_of(&local.map(|row| row[j])));
-        let core = [DVec2::new(first.max.x, start.max.y), DVec2::new(last.min.x, end.min.y)];
-        Self { origin, frame, range: [whole.min, whole.max], core }
+        around.core = [DVec2::new(first.max.x, start.max.y), DVec2::new(last.min.x, end.min.y)];
+        around.range = [whole.min, whole.max];
+        around
     }
 
-    /// How a ray passes the box.
-    pub(super) fn passage(&self, ray: &Ray) -> Passage {
-        let from = self.frame * (ray.origin - self.origin);
+    /// Points in the frame.
+    pub(super) fn local(&self, points: &[[DVec3; 4]; 4]) -> [[DVec3; 4]; 4] {
+        points.map(|row| row.map(|x| self.frame * (x - self.origin)))
+    }
+
+    /// Boxes in the frame around parts of the tile with the control points `points`.
+    pub(super) fn parts<const N: usize>(
+        &self,
+        points: &[[DVec3; 4]; 4],
+        parts: [[[DVec3; 4]; 4]; N],
+    ) -> [Aabb; N] {
+        let room = self.room(points);
+        parts.map(|part| Aabb::around(self.local(&part).into_iter().flatten()).inflate_each(room))
+    }
+
+    /// Room of boxes in the frame for seams and rounding.
+    fn room(&self, points: &[[DVec3; 4]; 4]) -> DVec3 {
+        let size = Aabb::around(points.as_flattened().iter().copied()).diagonal();
+        let rows = [0, 1, 2].map(|axis| self.frame.row(axis).length());
+        ROOM * size * DVec3::from_array(rows)
+    }
+
+    /// A ray in the frame.
+    pub(super) fn seen(&self, ray: &Ray) -> Local {
         let along = self.frame * ray.direction;
-        let inverse = inverted(along);
+        Local { from: self.frame * (ray.origin - self.origin), along, inverse: inverted(along) }
+    }
+
+    /// How a ray passes the box between two multiples of its direction.
+    pub(super) fn passage(&self, ray: &Local, [start, end]: [f64; 2]) -> Passage {
+        let Local { from, along, inverse } = *ray;
         let [a, b] = self.range.map(|corner| (corner - from) * inverse);
         let (enter, leave) = (a.min(b), a.max(b));
-        let [start, end] = ray.range;
         if enter.max_element().max(start) > leave.min_element().min(end) {
             return Passage::Misses;
         }
@@ -84,7 +124,7 @@ impl Sheared {
     }
 }
 
-/// From space to the units of the mean tangents and the height over them.
+/// From space to the units of the mean tangents and the height over them, in units of the longer one.
 fn frame(points: &[[DVec3; 4]; 4]) -> DMat3 {
     let along: DVec3 = (0..4).map(|j| points[3][j] - points[0][j]).sum::<DVec3>() / 4.0;
     let across: DVec3 = points.iter().map(|row| row[3] - row[0]).sum::<DVec3>() / 4.0;
@@ -92,7 +132,8 @@ fn frame(points: &[[DVec3; 4]; 4]) -> DMat3 {
     if normal.length() <= SLENDER * along.length() * across.length() {
         return DMat3::IDENTITY;
     }
-    DMat3::from_cols(along, across, normal.normalize()).inverse()
+    let size = along.length().max(across.length());
+    DMat3::from_cols(along, across, size * normal.normalize()).inverse()
 }
 
 #[cfg(test)]
@@ -110,7 +151,8 @@ mod tests {
     fn rays_through_the_core_meet_and_rays_beside_the_box_miss() {
         let tile = Sheared::around(&sheet(|x, y| 0.1 * x * y));
         let at = |x: f64, y: f64, low: f64, high: f64| {
-            tile.passage(&Ray::segment(DVec3::new(x, y, low), DVec3::new(x, y, high)))
+            let ray = Ray::segment(DVec3::new(x, y, low), DVec3::new(x, y, high));
+            tile.passage(&tile.seen(&ray), ray.range)
         };
         assert_eq!(at(0.5, 0.5, -1.0, 1.0), Passage::Meets);
         assert_eq!(at(1.5, 0.5, -1.0, 1.0), Passage::Misses);
@@ -123,7 +165,10 @@ mod tests {
     fn a_tile_without_a_frame_is_in_doubt_or_missed() {
         let line = [0.0, 1.0, 2.0, 3.0].map(|i| [i; 4].map(|x| x * DVec3::X));
         let tile = Sheared::around(&line);
-        let up = |x: f64| tile.passage(&Ray::segment(DVec3::new(x, 0.0, -1.0), DVec3::new(x, 0.0, 1.0)));
+        let up = |x: f64| {
+            let ray = Ray::segment(DVec3::new(x, 0.0, -1.0), DVec3::new(x, 0.0, 1.0));
+            tile.passage(&tile.seen(&ray), ray.range)
+        };
         assert_eq!((up(1.0), up(4.0)), (Passage::Doubtful, Passage::Misses));
     }
 }
