@@ -68,102 +68,120 @@ impl<'a> Fit<'a> {
 
     /// The fit; None of too few values, or of values on a line.
     pub(super) fn found(&self) -> Option<Found> {
-        match self.values.len() {
-            count if count >= QUADRATIC + SPARE => {
-                let linear = self.of_degree::<LINEAR>()?;
-                Some(self.of_degree::<QUADRATIC>().map_or(linear.clone(), |found| found.beside(&linear)))
-            }
-            count if count >= LINEAR + SPARE => self.of_degree::<LINEAR>(),
-            _ => None,
-        }
-    }
-
-    fn aside(&self) -> f64 {
-        let sum = |term: &dyn Fn(&Value) -> f64| {
-            self.values.iter().map(|value| value.weight * term(value)).sum::<f64>()
+        let wanted = match self.values.len() {
+            count if count >= QUADRATIC + SPARE => QUADRATIC,
+            count if count >= LINEAR + SPARE => LINEAR,
+            _ => return None,
         };
-        let [x, y] = [0, 1].map(|k| sum(&|value| value.at[k]));
-        let squares = sum(&|value| value.at[0].powi(2) + value.at[1].powi(2));
-        x.hypot(y) / (sum(&|_| 1.0) * squares).sqrt()
+        let rows = self.rows();
+        let factor = Factor::of(self.matrix(&rows), wanted);
+        let terms = if factor.terms == QUADRATIC { QUADRATIC } else { LINEAR };
+        if factor.terms < terms {
+            return None;
+        }
+        let unit = factor.forward([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
+        let bands = self.values[0].bands.len();
+        let mut found = Found { value: vec![0.0; bands], residual: 0.0, aside: self.aside(), bend: 0.0 };
+        let (mut left, mut square, mut apart) = (0.0, 0.0, 0.0);
+        for band in 0..bands {
+            let (side, all) = self.side(&rows, band);
+            let found_by = factor.forward(side);
+            let value = |terms: usize| dot(&unit[..terms], &found_by[..terms]);
+            found.value[band] = value(terms);
+            apart += (value(terms) - value(LINEAR)).abs();
+            left += (all - dot(&found_by[..terms], &found_by[..terms])).max(0.0);
+            square += all;
+        }
+        let size: f64 = found.value.iter().map(|value| value.abs()).sum();
+        found.residual = (left / square.max(f64::MIN_POSITIVE)).sqrt();
+        found.bend = apart / size.max(f64::MIN_POSITIVE);
+        Some(found)
     }
 
-    fn of_degree<const N: usize>(&self) -> Option<Found> {
+    /// a.
+    fn aside(&self) -> f64 {
+        let (mut all, mut x, mut y, mut squares) = (0.0, 0.0, 0.0, 0.0);
+        for value in &self.values {
+            let Value { at, weight, .. } = value;
+            all += weight;
+            x += weight * at[0];
+            y += weight * at[1];
+            squares += weight * (at[0] * at[0] + at[1] * at[1]);
+        }
+        x.hypot(y) / (all * squares).sqrt()
+    }
+
+    /// The terms of the polynomial at each place, which are at most 1.
+    fn rows(&self) -> SmallVec<[[f64; QUADRATIC]; 25]> {
         let size = self.values.iter().flat_map(|value| value.at).fold(0.0, |most: f64, x| most.max(x.abs()));
         let row = |value: &Value| {
             let [x, y] = value.at.map(|x| x / size);
-            let terms = [1.0, x, y, x * x, x * y, y * y];
-            std::array::from_fn::<f64, N, _>(|k| terms[k])
+            [1.0, x, y, x * x, x * y, y * y]
         };
-        let mut matrix = [[0.0; N]; N];
-        for value in &self.values {
-            let row = row(value);
-            for (i, j) in (0..N).flat_map(|i| (0..=i).map(move |j| (i, j))) {
-                matrix[i][j] += value.weight * row[i] * row[j];
+        self.values.iter().map(row).collect()
+    }
+
+    /// The normal equations' matrix, its lower triangle.
+    fn matrix(&self, rows: &[[f64; QUADRATIC]]) -> [[f64; QUADRATIC]; QUADRATIC] {
+        let mut matrix = [[0.0; QUADRATIC]; QUADRATIC];
+        for (value, row) in self.values.iter().zip(rows) {
+            for (i, entries) in matrix.iter_mut().enumerate() {
+                let weighted = value.weight * row[i];
+                entries[..=i].iter_mut().zip(row).for_each(|(entry, x)| *entry += weighted * x);
             }
         }
-        let factor = factor(matrix)?;
-        let bands = self.values[0].bands.len();
-        let (mut value, mut left, mut square) = (vec![0.0; bands], 0.0, 0.0);
-        for (band, found) in value.iter_mut().enumerate() {
-            let mut side = [0.0; N];
-            for value in &self.values {
-                let row = row(value);
-                side.iter_mut().zip(row).for_each(|(side, x)| *side += value.weight * x * value.bands[band]);
-            }
-            let coefficients = solve(&factor, side);
-            *found = coefficients[0];
-            for value in &self.values {
-                let fitted: f64 = row(value).iter().zip(coefficients).map(|(x, c)| x * c).sum();
-                left += value.weight * (fitted - value.bands[band]).powi(2);
-                square += value.weight * value.bands[band].powi(2);
-            }
+        matrix
+    }
+
+    /// The normal equations' right-hand side in a band, and Σ w f².
+    fn side(&self, rows: &[[f64; QUADRATIC]], band: usize) -> ([f64; QUADRATIC], f64) {
+        let (mut side, mut all) = ([0.0; QUADRATIC], 0.0);
+        for (value, row) in self.values.iter().zip(rows) {
+            let weighted = value.weight * value.bands[band];
+            side.iter_mut().zip(row).for_each(|(side, x)| *side += weighted * x);
+            all += weighted * value.bands[band];
         }
-        Some(Found {
-            value,
-            residual: (left / square.max(f64::MIN_POSITIVE)).sqrt(),
-            aside: self.aside(),
-            bend: 0.0,
-        })
+        (side, all)
     }
 }
 
-impl Found {
-    /// This fit, where one of degree 1 finds `linear`.
-    fn beside(self, linear: &Self) -> Self {
-        let apart: f64 = self.value.iter().zip(&linear.value).map(|(a, b)| (a - b).abs()).sum();
-        let size: f64 = self.value.iter().map(|value| value.abs()).sum();
-        Self { bend: apart / size.max(f64::MIN_POSITIVE), ..self }
-    }
+/// A Cholesky factor L of the normal equations' matrix M = L Lᵀ. Its leading rows are the factor of fewer terms.
+///
+/// With L y = b and L z = e₀ the fit is p(0) = z · y, and Σ w (p − f)² = Σ w f² − y · y.
+struct Factor {
+    rows: [[f64; QUADRATIC]; QUADRATIC],
+    /// Rows that are known: M is nearly singular from there on, or no more were wanted.
+    terms: usize,
 }
 
-/// The Cholesky factor of a symmetric matrix, of which the lower triangle is given; None if it is nearly singular.
-fn factor<const N: usize>(mut matrix: [[f64; N]; N]) -> Option<[[f64; N]; N]> {
-    for i in 0..N {
-        let diagonal = matrix[i][i];
-        for j in 0..=i {
-            let sum: f64 = (0..j).map(|k| matrix[i][k] * matrix[j][k]).sum();
-            let rest = matrix[i][j] - sum;
-            matrix[i][j] = match i == j {
-                true if rest <= FLAT * diagonal => return None,
-                true => rest.sqrt(),
-                false => rest / matrix[j][j],
-            };
+impl Factor {
+    /// Factors a symmetric matrix, of which the lower triangle is given, for so many terms.
+    fn of(mut matrix: [[f64; QUADRATIC]; QUADRATIC], wanted: usize) -> Self {
+        for i in 0..wanted {
+            let diagonal = matrix[i][i];
+            for j in 0..i {
+                matrix[i][j] = (matrix[i][j] - dot(&matrix[i][..j], &matrix[j][..j])) / matrix[j][j];
+            }
+            let rest = diagonal - dot(&matrix[i][..i], &matrix[i][..i]);
+            if rest <= FLAT * diagonal {
+                return Self { rows: matrix, terms: i };
+            }
+            matrix[i][i] = rest.sqrt();
         }
+        Self { rows: matrix, terms: wanted }
     }
-    Some(matrix)
+
+    /// y with L y = b, in the known rows.
+    fn forward(&self, mut b: [f64; QUADRATIC]) -> [f64; QUADRATIC] {
+        for i in 0..self.terms {
+            b[i] = (b[i] - dot(&self.rows[i][..i], &b[..i])) / self.rows[i][i];
+        }
+        b
+    }
 }
 
-/// x with L Lᵀ x = b.
-fn solve<const N: usize>(factor: &[[f64; N]; N], mut b: [f64; N]) -> [f64; N] {
-    for i in 0..N {
-        let sum: f64 = (0..i).map(|k| factor[i][k] * b[k]).sum();
-        b[i] = (b[i] - sum) / factor[i][i];
-    }
-    for i in (0..N).rev() {
-        let sum: f64 = (i + 1..N).map(|k| factor[k][i] * b[k]).sum();
-        b[i] = (b[i] - sum) / factor[i][i];
-    }
-    b
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]
