@@ -37,9 +37,10 @@ use crate::visibility::Visibility;
 /// Independent sequences. Chosen.
 const BATCHES: usize = 8;
 
-/// Cosine-distributed rays of each sequence before the error is first looked at. Half of it took errors of 2 % for 1 % at
-/// bright points of a classroom.
+/// Cosine-distributed rays of each sequence before the error is first looked at; in pictures, where readings beside each other
+/// are averaged. Half of the former took errors of 2 % for 1 % at bright points of a classroom.
 const FIRST: u64 = 64;
+const FIRST_OF_MANY: u64 = 32;
 
 /// Factor on the standard deviation of so few sequences where it decides that rays are enough: those whose sequences agree by
 /// chance stop first. Measured in a classroom.
@@ -55,6 +56,9 @@ const ROUGHNESS: f64 = 1.5;
 /// chosen.
 const PATIENCE: f64 = 16.0;
 const MOST: f64 = 1.6e7;
+
+/// Distance of surfaces that cover each other, over the diagonal of the scene's box. Chosen.
+const COVERED: f64 = 1e-9;
 
 /// Irradiance over the mean radiosity of the scene below which the error counts relative to the latter. Chosen.
 const DARK: f64 = 0.02;
@@ -78,7 +82,7 @@ pub enum Receiver<'a> {
 pub struct Estimate {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// Standard deviation of the irradiance, relative, a mean over the bands.
+    /// Standard deviation of the irradiance, relative, root mean square over the bands.
     pub error: f64,
 }
 
@@ -91,6 +95,8 @@ pub struct RayGather<'a> {
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
+    /// Distance of surfaces that cover each other (scene length).
+    touching: f64,
     /// Whether the light that surfaces reflect is itself gathered.
     twice: bool,
 }
@@ -116,29 +122,31 @@ impl<'a> RayGather<'a> {
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
         let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
-        Self { solution, visibility, lamps, scale, eps, twice }
+        let touching = COVERED * visibility.bounds().diagonal();
+        Self { solution, visibility, lamps, scale, eps, touching, twice }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
     pub fn read(&self, receiver: &Receiver) -> Estimate {
         let start = Start::of(receiver);
         let shares = self.lamps.seen_from(&start.middle());
-        self.gathered(&start, Some(&shares), 0.0)
+        self.gathered(&start, Some(&shares), FIRST, &vec![0.0; self.scale.len()])
     }
 
-    /// The reflected light of a point alone, accurate relative to this and the light `other` (W m⁻² per band).
+    /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻² per band).
     pub fn reflected(&self, vantage: &ReceiverPoint, other: &[f64]) -> Estimate {
-        self.gathered(&Start::Point(*vantage), None, self.relative(other.iter().copied()))
+        self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
     }
 
-    /// Reflected light, and direct light where there are `shares`; `other` light arrives too, in multiples of the scale.
-    fn gathered(&self, start: &Start, shares: Option<&Shares>, other: f64) -> Estimate {
+    /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on; `other` light
+    /// (W m⁻² per band) arrives too.
+    fn gathered(&self, start: &Start, shares: Option<&Shares>, first: u64, other: &[f64]) -> Estimate {
         let middle = start.middle();
         let [position, normal] = [middle.position, middle.normal].map(|vector| vector.to_array());
         let number = number_of(position.into_iter().chain(normal));
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
-        let (mut sent, mut now) = (0, FIRST);
+        let (mut sent, mut now) = (0, first);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
@@ -211,7 +219,8 @@ impl<'a> RayGather<'a> {
         let elements = self.solution.elements();
         let Some(element) = elements.at(surface, [hit.u, hit.v]) else { return };
         let own = &elements.list()[element];
-        if own.contact.is_some() {
+        // What is covered shines only on what covers it.
+        if own.contact.is_some() && hit.t > self.touching {
             return;
         }
         let position = x + hit.t * direction;
@@ -281,25 +290,21 @@ impl<'a> RayGather<'a> {
     }
 
     /// What the sums of the batches say.
-    fn estimate(&self, sums: &[f64], sent: u64, other: f64) -> Estimate {
+    fn estimate(&self, sums: &[f64], sent: u64, other: &[f64]) -> Estimate {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
-        let mean =
-            |band: usize| (0..BATCHES).map(|batch| sums[batch * bands + band]).sum::<f64>() / (n * rays);
-        let irradiance: Vec<f64> = (0..bands).map(mean).collect();
-        let levels: Vec<f64> =
-            sums.chunks_exact(bands).map(|sums| self.relative(sums.iter().map(|sum| sum / rays))).collect();
-        let level = levels.iter().sum::<f64>() / n;
-        let square = levels.iter().map(|other| (other - level).powi(2)).sum::<f64>();
-        // What one ray is worth, of something a quarter as bright as the scene on the whole.
-        let one = 0.25 / (n * rays);
-        let error = ((square / (n * (n - 1.0))).sqrt() + one) / (level + other).max(DARK);
-        Estimate { irradiance, error }
-    }
-
-    /// Mean over the bands of E over the band's scale.
-    fn relative(&self, irradiance: impl Iterator<Item = f64>) -> f64 {
-        irradiance.zip(&self.scale).map(|(e, scale)| e / scale).sum::<f64>() / self.scale.len() as f64
+        let (mut irradiance, mut squares) = (Vec::with_capacity(bands), 0.0);
+        for band in 0..bands {
+            let batches = || sums.iter().skip(band).step_by(bands).map(|sum| sum / rays);
+            let mean = batches().sum::<f64>() / n;
+            let square = batches().map(|batch| (batch - mean).powi(2)).sum::<f64>();
+            // What one ray is worth, of something a quarter as bright as the scene on the whole.
+            let one = 0.25 * self.scale[band] / (n * rays);
+            let error = (square / (n * (n - 1.0))).sqrt() + one;
+            squares += (error / (mean + other[band]).max(DARK * self.scale[band])).powi(2);
+            irradiance.push(mean);
+        }
+        Estimate { irradiance, error: (squares / bands as f64).sqrt() }
     }
 }
 

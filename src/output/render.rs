@@ -7,8 +7,8 @@
 mod eye;
 mod fit;
 mod frame;
-mod picture_light;
 mod smooth;
+mod picture_light;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -26,7 +26,7 @@ use crate::visibility::Visibility;
 use eye::{Eye, Seen};
 use frame::Frame;
 use picture_light::PictureLight;
-use smooth::{COARSEST, Smooth, Source};
+use smooth::{COARSEST, Known, Smooth, Source};
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
 const GATHERED: f64 = 3e-3;
@@ -40,9 +40,10 @@ const CONTRAST: f64 = 0.04;
 const PATIENCE: f64 = 10.0;
 const INTERPOLATED: f64 = 20.0;
 
-/// Pixels that are worked on at once, and rows of more before and after them, that neighbours agree. Both are chosen.
+/// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel's value hangs on
+/// those two steps of the lattice away, of each of its spacings, and one beside it. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
-const MARGIN: usize = 3 * COARSEST;
+const MARGIN: usize = 5 * COARSEST;
 
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const ROWS: usize = 4;
@@ -99,7 +100,7 @@ struct Rest<'a> {
 }
 
 impl Source for Rest<'_> {
-    fn smooth(&self, pixel: usize, seen: &Seen) -> Vec<f64> {
+    fn smooth(&self, pixel: usize, seen: &Seen) -> Known {
         self.light.rest(seen, &self.direct[pixel])
     }
 
@@ -161,7 +162,7 @@ impl Shot<'_> {
                 self.light.shown(seen, irradiance)
             }
             None => {
-                let rest = self.light.rest(seen, direct);
+                let rest = self.light.rest(seen, direct).bands;
                 self.light.shown(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
             }
         };
@@ -184,7 +185,7 @@ impl Shot<'_> {
             let Some(seen) = self.eye.along(&self.view.ray(at[0], at[1] + first as f64)) else { continue };
             let direct = self.light.direct(&seen, false);
             let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
-            let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct));
+            let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
             let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
             sum.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
             sum.coverage += scale;

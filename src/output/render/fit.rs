@@ -6,7 +6,7 @@
 //!
 //! with d_i the offset in the tangent plane of the place and r_i the distance in the picture; p has the degree 2 where
 //! there are enough values, else 1. Where the places lie on one side p(0) is extrapolated: a = |Σ w d| / √(Σw Σ w d²), 0
-//! where they lie around it, tells how far.
+//! where they lie around it, tells how far. Values may carry errors, which the fit averages.
 
 use smallvec::SmallVec;
 
@@ -31,6 +31,7 @@ struct Value<'a> {
     at: [f64; 2],
     weight: f64,
     bands: &'a [f64],
+    error: f64,
 }
 
 /// What is found.
@@ -38,12 +39,14 @@ struct Value<'a> {
 pub(super) struct Found {
     /// The value per band.
     pub value: Vec<f64>,
-    /// Root mean square of what the fit leaves, over the size of the values.
+    /// Root mean square of what the fit leaves, the sum over the bands.
     pub residual: f64,
+    /// Root mean square of the values' own errors.
+    pub noise: f64,
     /// a, at most 1.
     pub aside: f64,
-    /// What a fit of degree 1 differs by, over the size of the values; 0 if this one has that degree.
-    pub bend: f64,
+    /// What a fit of degree 1 differs by, the sum over the bands; None if this one has that degree.
+    pub bend: Option<f64>,
 }
 
 impl<'a> Fit<'a> {
@@ -52,9 +55,18 @@ impl<'a> Fit<'a> {
         Self { values: SmallVec::new() }
     }
 
-    /// Takes the value of all bands at the offset `at`, with a weight above 0.
-    pub(super) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64]) {
-        self.values.push(Value { at, weight, bands });
+    /// Takes the value of all bands at the offset `at`, with a weight above 0. Their sum has the standard deviation `error`.
+    pub(super) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64], error: f64) {
+        self.values.push(Value { at, weight, bands, error });
+    }
+
+    /// `found` within the range that the values have, band by band.
+    pub(super) fn within(&self, mut found: Vec<f64>) -> Vec<f64> {
+        for (band, value) in found.iter_mut().enumerate() {
+            let all = || self.values.iter().map(|value| value.bands[band]);
+            *value = value.min(all().fold(f64::MIN, f64::max)).max(all().fold(f64::MAX, f64::min));
+        }
+        found
     }
 
     /// The mean of all values, by their weights; None of none.
@@ -80,22 +92,26 @@ impl<'a> Fit<'a> {
             return None;
         }
         let unit = factor.forward([1.0, 0.0, 0.0, 0.0, 0.0, 0.0]);
-        let bands = self.values[0].bands.len();
-        let mut found = Found { value: vec![0.0; bands], residual: 0.0, aside: self.aside(), bend: 0.0 };
-        let (mut left, mut square, mut apart) = (0.0, 0.0, 0.0);
-        for band in 0..bands {
-            let (side, all) = self.side(&rows, band);
-            let found_by = factor.forward(side);
-            let value = |terms: usize| dot(&unit[..terms], &found_by[..terms]);
-            found.value[band] = value(terms);
-            apart += (value(terms) - value(LINEAR)).abs();
-            left += (all - dot(&found_by[..terms], &found_by[..terms])).max(0.0);
-            square += all;
+        let mut value = Vec::with_capacity(self.values[0].bands.len());
+        let (mut residual, mut bend) = (0.0, 0.0);
+        let (all, noise) = self.weights();
+        for band in 0..self.values[0].bands.len() {
+            let (side, squares) = self.side(&rows, band);
+            let found = factor.forward(side);
+            let of_degree = |terms: usize| dot(&unit[..terms], &found[..terms]);
+            value.push(of_degree(terms));
+            bend += (of_degree(terms) - of_degree(LINEAR)).abs();
+            residual += ((squares - dot(&found[..terms], &found[..terms])).max(0.0) / all).sqrt();
         }
-        let size: f64 = found.value.iter().map(|value| value.abs()).sum();
-        found.residual = (left / square.max(f64::MIN_POSITIVE)).sqrt();
-        found.bend = apart / size.max(f64::MIN_POSITIVE);
-        Some(found)
+        let bend = (terms == QUADRATIC).then_some(bend);
+        Some(Found { value, residual, noise, aside: self.aside(), bend })
+    }
+
+    /// Σ w, and the root mean square of the errors.
+    fn weights(&self) -> (f64, f64) {
+        let all: f64 = self.values.iter().map(|value| value.weight).sum();
+        let squares: f64 = self.values.iter().map(|value| value.weight * value.error.powi(2)).sum();
+        (all, (squares / all).sqrt())
     }
 
     /// a.
@@ -204,7 +220,7 @@ mod tests {
         let values: Vec<[f64; 1]> = PLACES[..count].iter().map(|at| [f(*at)]).collect();
         let mut fit = Fit::new();
         for (at, value) in PLACES.iter().zip(&values) {
-            fit.take(*at, 0.5 + at[0] * at[0], value);
+            fit.take(*at, 0.5 + at[0] * at[0], value, 0.1);
         }
         fit.found()
     }
@@ -212,9 +228,12 @@ mod tests {
     #[test]
     fn polynomials_are_found_and_others_leave_a_residual() {
         let quadratic = fit(9, |[x, y]| 2.0 + 3.0 * x - y + 0.3 * x * x - x * y).expect("nine places");
-        assert!((quadratic.value[0] - 2.0).abs() < 1e-12 && quadratic.residual < 1e-12);
+        // Squares are subtracted: half of the digits remain.
+        assert!((quadratic.value[0] - 2.0).abs() < 1e-12 && quadratic.residual < 1e-6);
+        assert!(quadratic.bend.expect("degree 2") > 0.1 && (quadratic.noise - 0.1).abs() < 1e-12);
         let linear = fit(4, |[x, y]| 2.0 + 3.0 * x - y).expect("four places");
-        assert!((linear.value[0] - 2.0).abs() < 1e-12 && linear.residual < 1e-12);
+        assert!((linear.value[0] - 2.0).abs() < 1e-12 && linear.residual < 1e-6);
+        assert!(linear.bend.is_none(), "nothing is known of it");
         assert!(linear.aside < 0.3, "{}", linear.aside);
         assert!(fit(9, |[x, _]| if x > 0.5 { 1.0 } else { 0.0 }).expect("nine").residual > 0.1);
     }
@@ -225,9 +244,10 @@ mod tests {
         assert!(fit.mean().is_none());
         for k in 0..9 {
             assert!(fit.found().is_none());
-            fit.take([f64::from(k), 2.0 * f64::from(k)], 1.0, &[1.0]);
+            fit.take([f64::from(k), 2.0 * f64::from(k)], 1.0, &[1.0], 0.0);
         }
         assert!(fit.found().is_none());
         assert_eq!(fit.mean(), Some(vec![1.0]));
+        assert_eq!(fit.within(vec![1.2]), vec![1.0]);
     }
 }

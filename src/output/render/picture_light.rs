@@ -1,7 +1,7 @@
 //! The light of a picture, in two parts: direct light, which has edges, and the rest, which is smooth.
 
 use crate::gather::Gather;
-use crate::gather::by_rays::RayGather;
+use crate::gather::by_rays::{Estimate, RayGather};
 use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
 use crate::light::penumbra::Penumbra;
@@ -11,6 +11,7 @@ use crate::solution::Solution;
 use crate::visibility::Visibility;
 
 use super::eye::Seen;
+use super::smooth::Known;
 
 /// Pairs of an emitter and something that may stand before it, at most, for which direct light is computed without rays.
 /// Chosen.
@@ -103,16 +104,20 @@ impl<'a> PictureLight<'a> {
         sums
     }
 
-    /// The rest of the irradiance (W m⁻²) per band, beside the direct light `lit`.
-    pub(super) fn rest(&self, seen: &Seen, lit: &[f64]) -> Vec<f64> {
+    /// The rest of the light beside the direct light `lit` (W m⁻² per band).
+    pub(super) fn rest(&self, seen: &Seen, lit: &[f64]) -> Known {
         match &self.rest {
-            Rest::Polynomials => self.polynomials(seen),
+            Rest::Polynomials => Known { bands: self.polynomials(seen), error: 0.0 },
             Rest::Cells(gather) => {
                 let vantage = seen.vantage();
                 let around = gather.reflection().around(&vantage.site());
-                gather.reflection().irradiance(&vantage, &around, lit)
+                Known { bands: gather.reflection().irradiance(&vantage, &around, lit), error: 0.0 }
             }
-            Rest::Rays(gather) => gather.reflected(&seen.vantage(), lit).irradiance,
+            Rest::Rays(gather) => {
+                let Estimate { irradiance, error } = gather.reflected(&seen.vantage(), lit);
+                let all: f64 = irradiance.iter().chain(lit).sum();
+                Known { bands: irradiance, error: error * all }
+            }
         }
     }
 

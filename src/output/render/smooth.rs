@@ -2,8 +2,10 @@
 //!
 //! Light is computed at every [`COARSEST`]-th pixel both ways, and fitted between ([`super::fit`]) from those that lie on
 //! the same smooth surface. Where fewer than four do, where they lie too far on one side, or where the fit leaves
-//! more than [`ROUGH`], pixels half as far apart follow, down to all pixels: at contacts and in corners, where light changes
-//! fast. Near the borders of surfaces the coarsest are not trusted.
+//! more than [`ROUGH`] beside the values' own errors, pixels half as far apart follow, down to all pixels: at contacts and in
+//! corners, where light changes fast. So do they where the values lie in a row, too few to tell whether light bends between
+//! them. Near the borders of surfaces the coarsest are not trusted. Computed values with errors are themselves replaced by the
+//! fit, which averages them.
 //!
 //! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH 1988
 //! (interpolation of indirect light); there by the distances of what is seen, here by what the fit leaves.
@@ -11,7 +13,7 @@
 use rayon::prelude::*;
 
 use super::eye::Seen;
-use super::fit::Fit;
+use super::fit::{Fit, Found};
 use super::frame::Frame;
 
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
@@ -26,6 +28,9 @@ const BENT: f64 = 3.0;
 const ROUGH: f64 = 4e-3;
 const SMALL: usize = 4;
 
+/// Pixels between computed values up to which linear fits are trusted. Chosen.
+const IN_A_ROW: usize = 2;
+
 /// How far on one side values may lie; and between pixels. Chosen: without the former, light was 5 % off at the border of a
 /// ceiling.
 const ASIDE: f64 = 0.25;
@@ -36,11 +41,20 @@ const BETWEEN: f64 = 2.5;
 
 /// Light that is computed where it is wanted.
 pub(super) trait Source: Sync {
-    /// The smooth light (W m⁻²) per band at a pixel and what it sees.
-    fn smooth(&self, pixel: usize, seen: &Seen) -> Vec<f64>;
+    /// The smooth light at a pixel and what it sees.
+    fn smooth(&self, pixel: usize, seen: &Seen) -> Known;
 
     /// Other light at the pixel, all bands together.
     fn other(&self, pixel: usize) -> f64;
+}
+
+/// Light that was computed.
+#[derive(Clone, Debug)]
+pub(super) struct Known {
+    /// Irradiance per band (W m⁻²).
+    pub bands: Vec<f64>,
+    /// Standard deviation of their sum.
+    pub error: f64,
 }
 
 /// Values per band at every pixel of a frame.
@@ -55,13 +69,13 @@ pub(super) struct Smooth<'a> {
 impl<'a> Smooth<'a> {
     /// The light of all pixels of a frame in so many bands.
     pub(super) fn over(frame: &'a Frame, bands: usize, source: &impl Source) -> Self {
-        let mut known: Vec<Option<Vec<f64>>> = vec![None; frame.len()];
+        let mut known: Vec<Option<Known>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
         let mut spacing = COARSEST;
         while !open.is_empty() && spacing > 0 {
             let wanted = wanted(frame, &known, &open, spacing);
-            let computed: Vec<Option<Vec<f64>>> = wanted
+            let computed: Vec<Option<Known>> = wanted
                 .par_iter()
                 .with_max_len(1)
                 .map(|pixel| frame.seen(*pixel).map(|seen| source.smooth(*pixel, seen)))
@@ -100,19 +114,19 @@ impl<'a> Smooth<'a> {
             self.take(&mut fit, pixel, weight([x - middle[0], y - middle[1]], BETWEEN), seen);
         }
         let found = fit.found().filter(|found| found.aside <= ASIDE_BETWEEN);
-        found.map(|found| found.value).or_else(|| fit.mean())
+        found.map(|found| fit.within(found.value)).or_else(|| fit.mean())
     }
 
     fn take<'b>(&'b self, fit: &mut Fit<'b>, pixel: usize, weight: f64, seen: &Seen) {
         let Some(other) = self.frame.seen(pixel).filter(|other| weight > 0.0 && seen.goes_with(other)) else {
             return;
         };
-        fit.take(offset(seen, other), weight, self.at(pixel));
+        fit.take(offset(seen, other), weight, self.at(pixel), 0.0);
     }
 }
 
 /// The pixels to compute: around those that are open, the next ones of the lattice.
-fn wanted(frame: &Frame, known: &[Option<Vec<f64>>], open: &[usize], spacing: usize) -> Vec<usize> {
+fn wanted(frame: &Frame, known: &[Option<Known>], open: &[usize], spacing: usize) -> Vec<usize> {
     let mut wanted: Vec<usize> =
         open.iter().flat_map(|pixel| around(frame, *pixel, spacing, [0, 1])).flatten().collect();
     wanted.sort_unstable();
@@ -139,21 +153,35 @@ fn around(
 /// The value of a pixel, computed or fitted; None where the lattice is too coarse.
 fn fitted(
     frame: &Frame,
-    known: &[Option<Vec<f64>>],
+    known: &[Option<Known>],
     pixel: usize,
     spacing: usize,
     other: f64,
 ) -> Option<Vec<f64>> {
-    if let Some(value) = &known[pixel] {
-        return Some(value.clone());
-    }
     let seen = frame.seen(pixel)?;
+    let own = known[pixel].as_ref();
+    if let Some(Known { bands, error: 0.0 }) = own {
+        return Some(bands.clone());
+    }
+    let between = || {
+        fit_of(frame, known, pixel, seen, spacing).found().and_then(|found| trusted(found, spacing, other))
+    };
     let goes = |other: Option<usize>| {
         other.and_then(|other| frame.seen(other)).is_some_and(|other| seen.goes_with(other))
     };
-    if spacing == COARSEST && !around(frame, pixel, spacing, [0, 1]).all(goes) {
-        return None;
-    }
+    let is_inside = spacing < COARSEST || around(frame, pixel, spacing, [0, 1]).all(goes);
+    let found = if is_inside { between() } else { None };
+    found.or_else(|| own.map(|own| own.bands.clone()))
+}
+
+/// What is known around a pixel, on the same smooth surface.
+fn fit_of<'a>(
+    frame: &Frame,
+    known: &'a [Option<Known>],
+    pixel: usize,
+    seen: &Seen,
+    spacing: usize,
+) -> Fit<'a> {
     let mut fit = Fit::new();
     let [column, row] = frame.place(pixel);
     for other in around(frame, pixel, spacing, [-1, 2]).flatten() {
@@ -162,13 +190,22 @@ fn fitted(
         let apart = [x as f64 - column as f64, y as f64 - row as f64];
         let weight = weight(apart, 2.0 * spacing as f64);
         if weight > 0.0 && seen.goes_with(there) {
-            fit.take(offset(seen, there), weight, value);
+            fit.take(offset(seen, there), weight, &value.bands, value.error);
         }
     }
-    let found = fit.found().filter(|found| found.aside <= ASIDE)?;
-    let own: f64 = found.value.iter().sum();
-    let rough = if spacing <= SMALL { 2.0 * ROUGH } else { ROUGH };
-    (found.residual.max(found.bend / BENT) * own <= rough * (own + other)).then_some(found.value)
+    fit
+}
+
+/// What is found, if it is trusted beside `other` light. Light below 0 by no more than a fit may leave is none.
+fn trusted(found: Found, spacing: usize, other: f64) -> Option<Vec<f64>> {
+    let Found { value, residual, noise, aside, bend } = found;
+    let size = value.iter().map(|value| value.max(0.0)).sum::<f64>() + other;
+    let rough = if spacing <= SMALL { 2.0 * ROUGH } else { ROUGH } * size;
+    let most = rough.hypot(noise);
+    let bend = bend.or((spacing <= IN_A_ROW).then_some(0.0))?;
+    let is_smooth = aside <= ASIDE && residual <= most && bend <= BENT * most;
+    let is_light = value.iter().all(|value| *value >= -rough);
+    (is_smooth && is_light).then(|| value.into_iter().map(|value| value.max(0.0)).collect())
 }
 
 /// (1 − (r/R)²)².
