@@ -33,6 +33,7 @@ pub(crate) mod area_light;
 pub(crate) mod blockers;
 pub(crate) mod traversal;
 pub mod direct;
+mod lamp_cells;
 pub(crate) mod penumbra;
 pub(crate) mod coats;
 pub(crate) mod reflected;

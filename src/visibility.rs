@@ -291,11 +291,10 @@ impl Visibility {
 
     /// Whether nothing stands between `x`, on `surface` if on any, and `y`, which may lie on another.
     pub fn is_free(&self, surface: Option<usize>, x: DVec3, y: DVec3) -> bool {
-        let met = match surface {
-            Some(surface) => self.rays.nearest_from_until(surface, x, y - x, 1.0 - OWN_END),
-            None => self.rays.nearest(&Ray { range: [0.0, 1.0 - OWN_END], ..Ray::new(x, y - x) }),
-        };
-        met.is_none()
+        match surface {
+            Some(surface) => self.rays.is_free_from(surface, x, y - x, 1.0 - OWN_END),
+            None => self.rays.nearest(&Ray { range: [0.0, 1.0 - OWN_END], ..Ray::new(x, y - x) }).is_none(),
+        }
     }
 }
 

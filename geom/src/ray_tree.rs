@@ -113,26 +113,27 @@ impl RayTree {
 
     /// The first surface that the ray meets within its range.
     pub fn nearest(&self, ray: &Ray) -> Option<Encounter> {
-        Search { tree: self, ray: *ray, best: None, start: None }.walk()
+        Search::new(self, *ray, None).nearest()
     }
 
     /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes along `direction`, of any
     /// length but zero.
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
-        self.nearest_from_until(own, origin, direction, f64::INFINITY)
+        let (ray, start) = self.leaving(own, origin, direction, f64::INFINITY);
+        Search::new(self, ray, Some(start)).nearest()
     }
 
-    /// As [`RayTree::nearest_from`], of what the ray meets before `end`, in multiples of `direction`.
-    pub fn nearest_from_until(
-        &self,
-        own: usize,
-        origin: DVec3,
-        direction: DVec3,
-        end: f64,
-    ) -> Option<Encounter> {
+    /// Whether a ray as of [`RayTree::nearest_from`] meets nothing before `end`, in multiples of `direction`.
+    pub fn is_free_from(&self, own: usize, origin: DVec3, direction: DVec3, end: f64) -> bool {
+        let (ray, start) = self.leaving(own, origin, direction, end);
+        Search { goal: Goal::Any, ..Search::new(self, ray, Some(start)) }.meets_nothing()
+    }
+
+    /// A ray that starts on a surface.
+    fn leaving(&self, own: usize, origin: DVec3, direction: DVec3, end: f64) -> (Ray, Start) {
         let start = Start { own: [own, self.twins[own] as usize], step: 1.0 / direction.length() };
         let range = [-start.step * NEAR * self.size, end];
-        Search { tree: self, ray: Ray { origin, direction, range }, best: None, start: Some(start) }.walk()
+        (Ray { origin, direction, range }, start)
     }
 }
 
@@ -160,13 +161,38 @@ struct Search<'a> {
     ray: Ray,
     best: Option<Best>,
     start: Option<Start>,
+    goal: Goal,
+    /// Whether the ray is known to meet something, wherever that is.
+    is_blocked: bool,
 }
 
-impl Search<'_> {
+/// What is looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Goal {
+    Nearest,
+    Any,
+}
+
+impl<'a> Search<'a> {
+    fn new(tree: &'a RayTree, ray: Ray, start: Option<Start>) -> Self {
+        Self { tree, ray, best: None, start, goal: Goal::Nearest, is_blocked: false }
+    }
+
+    fn nearest(mut self) -> Option<Encounter> {
+        self.walk();
+        let best = self.best?;
+        Some(Encounter { surface: best.surface, hit: best.hit, front: self.is_front(&best) })
+    }
+
+    fn meets_nothing(mut self) -> bool {
+        self.walk();
+        !self.is_blocked && self.best.is_none()
+    }
+
     /// Visits what the ray may meet, near boxes first.
-    fn walk(mut self) -> Option<Encounter> {
+    fn walk(&mut self) {
         let tree = self.tree;
-        let ray = tree.frame.ray(&self.ray)?;
+        let Some(ray) = tree.frame.ray(&self.ray) else { return };
         let mut end = ray.end(self.ray.range[1]);
         let mut stack = [0; STACK];
         stack[0] = at_start(0);
@@ -187,10 +213,11 @@ impl Search<'_> {
                 Content::Flats(leaf) => self.visit_flats(leaf, &ray, end),
                 Content::Curved(surface) => self.visit_curved(surface),
             }
+            if self.goal == Goal::Any && (self.is_blocked || self.best.is_some()) {
+                return;
+            }
             end = ray.end(self.ray.range[1]);
         }
-        let Best { surface, hit, .. } = self.best?;
-        Some(Encounter { surface, hit, front: self.is_front(&self.best?) })
     }
 
     #[inline]
@@ -222,6 +249,16 @@ impl Search<'_> {
         let own = self.start.filter(|start| start.own.contains(&surface));
         let leaving = |start: Start| LEAVING * self.tree.sizes[surface] * start.step;
         let mut ray = Ray { range: [own.map_or(self.ray.range[0], leaving), self.ray.range[1]], ..self.ray };
+        if self.goal == Goal::Any {
+            // Beyond the start of the ray all hits count.
+            let near = self.start.filter(|_| own.is_none()).map(|start| start.step * NEAR * self.tree.size);
+            let far = Ray { range: [near.map_or(ray.range[0], f64::next_up), ray.range[1]], ..ray };
+            self.is_blocked = self.tree.surfaces[surface].occludes(&far);
+            match near {
+                Some(near) if !self.is_blocked => ray.range[1] = near.min(ray.range[1]),
+                _ => return,
+            }
+        }
         for _ in 0..MOST_PASSED {
             let Some(hit) = self.tree.surfaces[surface].intersect(&ray) else { return };
             let best = Best { surface, hit, front: None };

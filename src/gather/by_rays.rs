@@ -273,13 +273,7 @@ impl<'a> RayGather<'a> {
     /// Adds `scale` times the light of one ray to an emitter.
     fn add_lamp(&self, vantage: &ReceiverPoint, target: &Target, ratio: f64, scale: f64, sums: &mut [f64]) {
         let Spot { node, weight } = target.place;
-        let step = node.position - vantage.position;
-        let cosines = [vantage.normal.dot(step), -node.normal.dot(step)];
-        let is_below = vantage.ground.is_some_and(|ground| ground.dot(step) <= 0.0);
-        if is_below || cosines.iter().any(|cosine| *cosine <= 0.0) {
-            return;
-        }
-        let kernel = cosines[0] * cosines[1] / (PI * step.length_squared().powi(2));
+        let Some(kernel) = vantage.kernel_to(&node) else { return };
         if !self.visibility.is_free(vantage.surface, vantage.position, node.position) {
             return;
         }

@@ -113,6 +113,16 @@ impl Lamps {
 }
 
 impl Lamp {
+    /// Distance of a point from its middle (scene length).
+    pub(crate) fn distance(&self, point: DVec3) -> f64 {
+        self.center.distance(point)
+    }
+
+    /// Radius of a ball around its middle that contains it (scene length).
+    pub(crate) fn radius(&self) -> f64 {
+        self.radius
+    }
+
     /// About the light that it sends to a point without shadows; 0 only where it sends none.
     pub(crate) fn bound(&self, vantage: &ReceiverPoint) -> f64 {
         let step = self.center - vantage.position;

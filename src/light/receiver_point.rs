@@ -1,7 +1,10 @@
 //! A point that receives light from one side.
 
+use std::f64::consts::PI;
+
 use radiosity_geom::{DVec3, ROUNDING, clip_polygon};
 
+use crate::elements::patch::Node;
 use crate::irradiance::visible_polygon::visible_irradiance;
 use crate::light::occluders::Site;
 use crate::visibility::shadow_volume::Pyramid;
@@ -63,6 +66,15 @@ impl ReceiverPoint {
                 visible_irradiance(self.position, self.normal, &above, pyramids)
             }
         }
+    }
+
+    /// κ = cos θ cos θ' / (π d²) (1 / scene length²) to a point of a surface; None below a horizon or behind the surface.
+    pub(crate) fn kernel_to(&self, node: &Node) -> Option<f64> {
+        let step = node.position - self.position;
+        let cosines = [self.normal.dot(step), -node.normal.dot(step)];
+        let is_below = self.ground.is_some_and(|ground| ground.dot(step) <= 0.0);
+        let is_seen = !is_below && cosines.iter().all(|cosine| *cosine > 0.0);
+        is_seen.then(|| cosines[0] * cosines[1] / (PI * step.length_squared().powi(2)))
     }
 
     /// Height of `y` above a horizon; zero within rounding.

@@ -9,6 +9,7 @@ mod fit;
 mod frame;
 mod smooth;
 mod picture_light;
+mod direct_pass;
 
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -20,9 +21,11 @@ use super::raster::Raster;
 pub use super::reader::Read;
 use super::shown::Shown;
 use crate::gather::choice::seconds_to_gather;
+use crate::light::penumbra::Care;
 use crate::scene::Camera;
 use crate::solution::Solution;
 use crate::visibility::Visibility;
+use direct_pass::lit;
 use eye::{Eye, Seen};
 use frame::Frame;
 use picture_light::PictureLight;
@@ -44,6 +47,9 @@ const INTERPOLATED: f64 = 20.0;
 /// those two steps of the lattice away, of each of its spacings, and one beside it. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
 const MARGIN: usize = 5 * COARSEST;
+
+/// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
+const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
 
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const ROWS: usize = 4;
@@ -127,11 +133,7 @@ impl Shot<'_> {
         let around = first..(rows.end + MARGIN).min(height);
         let frame = Frame::new(self.eye, &self.view, width, around);
         let bands = self.light.solution().bands().len();
-        let direct: Vec<Vec<f64>> = (0..frame.len())
-            .into_par_iter()
-            .with_max_len(width)
-            .map(|pixel| frame.seen(pixel).map_or_else(Vec::new, |seen| self.light.direct(seen, true)))
-            .collect();
+        let direct = lit(&frame, self.light);
         let rest = Rest { light: self.light, direct: &direct };
         let smooth = self.light.gathers().then(|| Smooth::over(&frame, bands, &rest));
         let middles: Vec<Pixel> = (0..frame.len())
@@ -143,7 +145,7 @@ impl Shot<'_> {
             .flat_map_iter(|row| {
                 let start = (row - first) * width;
                 let pixel = |pixel: usize| match self.samples > 1 && differs(&frame, &middles, pixel) {
-                    true => self.sampled(&frame, smooth.as_ref(), pixel, first),
+                    true => self.sampled(&frame, smooth.as_ref(), pixel, first, &middles[pixel]),
                     false => middles[pixel].clone(),
                 };
                 let pixels: Vec<Pixel> = (start..start + width).map(pixel).collect();
@@ -173,24 +175,58 @@ impl Shot<'_> {
         Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0 }
     }
 
-    /// The mean over a pixel of a frame that begins with the row `first`.
-    fn sampled(&self, frame: &Frame, smooth: Option<&Smooth>, pixel: usize, first: usize) -> Pixel {
-        let [column, row] = frame.place(pixel);
-        let mut sum = self.nothing();
-        let scale = 1.0 / f64::from(self.samples * self.samples);
-        for index in 0..self.samples * self.samples {
-            let offset = |k: u32| (f64::from(k) + 0.5) / f64::from(self.samples);
-            let at =
-                [column as f64 + offset(index % self.samples), row as f64 + offset(index / self.samples)];
-            let Some(seen) = self.eye.along(&self.view.ray(at[0], at[1] + first as f64)) else { continue };
-            let direct = self.light.direct(&seen, false);
-            let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
-            let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
-            let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
-            sum.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
-            sum.coverage += scale;
+    /// The mean over a pixel of a frame that begins with the row `first`; `middle` is what its middle sees. Where the corners
+    /// see about the same, they and the middle are enough.
+    fn sampled(
+        &self,
+        frame: &Frame,
+        smooth: Option<&Smooth>,
+        pixel: usize,
+        first: usize,
+        middle: &Pixel,
+    ) -> Pixel {
+        let sample = |place: [u32; 2]| self.sample(frame, smooth, pixel, first, place);
+        let most = self.samples - 1;
+        let corners = [[0, 0], [most, 0], [0, most], [most, most]];
+        let few: Vec<Pixel> = corners.into_iter().map(sample).chain([middle.clone()]).collect();
+        if few.iter().all(|one| !apart(one, middle)) {
+            return self.mean(&few);
         }
-        sum
+        let is_corner = |place: &[u32; 2]| corners.contains(place);
+        let all = (0..=most).flat_map(|j| (0..=most).map(move |i| [i, j]));
+        let rest: Vec<Pixel> = all.filter(|place| !is_corner(place)).map(sample).collect();
+        self.mean(&[&few[..4], &rest].concat())
+    }
+
+    /// What one point of the regular grid of a pixel sees.
+    fn sample(
+        &self,
+        frame: &Frame,
+        smooth: Option<&Smooth>,
+        pixel: usize,
+        first: usize,
+        place: [u32; 2],
+    ) -> Pixel {
+        let [column, row] = frame.place(pixel);
+        let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
+        let at = [column as f64 + x, row as f64 + y];
+        let seen = self.eye.along(&self.view.ray(at[0], at[1] + first as f64));
+        let Some(seen) = seen else { return self.nothing() };
+        let direct = self.light.direct(&seen, ONE_OF_SEVERAL).bands;
+        let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
+        let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
+        let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
+        Pixel { radiosity, coverage: 1.0 }
+    }
+
+    fn mean(&self, pixels: &[Pixel]) -> Pixel {
+        let mut mean = self.nothing();
+        let scale = 1.0 / pixels.len() as f64;
+        for Pixel { radiosity, coverage } in pixels {
+            mean.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
+            mean.coverage += scale * coverage;
+        }
+        mean
     }
 }
 
@@ -198,13 +234,14 @@ impl Shot<'_> {
 fn differs(frame: &Frame, middles: &[Pixel], pixel: usize) -> bool {
     let [column, row] = frame.place(pixel).map(|at| at as isize);
     let beside = (-1..=1).flat_map(|j| (-1..=1).map(move |i| [column + i, row + j]));
-    let own = &middles[pixel];
-    beside.filter_map(|at| frame.pixel(at)).any(|other| {
-        let other = &middles[other];
-        let apart: f64 = own.radiosity.iter().zip(&other.radiosity).map(|(a, b)| (a - b).abs()).sum();
-        let both: f64 = own.radiosity.iter().chain(&other.radiosity).sum();
-        own.coverage != other.coverage || 2.0 * apart > CONTRAST * both
-    })
+    beside.filter_map(|at| frame.pixel(at)).any(|other| apart(&middles[pixel], &middles[other]))
+}
+
+/// Whether two pixels differ.
+fn apart(a: &Pixel, b: &Pixel) -> bool {
+    let apart: f64 = a.radiosity.iter().zip(&b.radiosity).map(|(a, b)| (a - b).abs()).sum();
+    let both: f64 = a.radiosity.iter().chain(&b.radiosity).sum();
+    a.coverage != b.coverage || 2.0 * apart > CONTRAST * both
 }
 
 /// Factors that make the emitted light of a three-band scene white, as a camera's white balance. All are 1 if a band

@@ -4,7 +4,7 @@ use crate::gather::Gather;
 use crate::gather::by_rays::{Estimate, RayGather};
 use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
-use crate::light::penumbra::Penumbra;
+use crate::light::penumbra::{Care, Factor, Penumbra, Shade};
 use crate::output::reader::Read;
 use crate::output::shown::Shown;
 use crate::solution::Solution;
@@ -21,10 +21,17 @@ const FEW: usize = 2000;
 /// interpolated. Chosen.
 pub(super) const AVERAGED: f64 = 2.0;
 
-/// Error that a ray count is chosen for in penumbrae, over the accuracy asked for; further over it for one of several samples
-/// of a pixel. Chosen: the former is about that behind the worst edges, three times the usual one.
-const WORST: f64 = 3.0;
-const ONE_OF_SEVERAL: f64 = 3.0;
+/// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
+const IN_PENUMBRA: f64 = 2.0;
+
+/// Direct irradiance at a place.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Lit {
+    /// Per band (W m⁻²).
+    pub bands: Vec<f64>,
+    /// Which emitters were seen, where rays looked for them.
+    pub shade: Option<Shade>,
+}
 
 /// Direct light and the rest.
 #[derive(Debug)]
@@ -68,7 +75,7 @@ impl<'a> PictureLight<'a> {
             _ if is_exact(solution, visibility) => {
                 Direct::Exact(DirectLight::within(list, &coatings, visibility, eps))
             }
-            _ => Direct::Rays(Penumbra::new(list, &coatings, visibility, WORST * eps)),
+            _ => Direct::Rays(Penumbra::new(list, &coatings, visibility, IN_PENUMBRA * eps)),
         };
         Self { solution, shown: Shown::default(), direct, rest }
     }
@@ -83,25 +90,27 @@ impl<'a> PictureLight<'a> {
         !matches!(self.rest, Rest::Polynomials)
     }
 
-    /// Direct irradiance (W m⁻²) per band, of the middle of a pixel or of one of several samples.
-    pub(super) fn direct(&self, seen: &Seen, is_middle: bool) -> Vec<f64> {
-        let mut sums = vec![0.0; self.solution.bands().len()];
+    /// Direct light at a place.
+    pub(super) fn direct(&self, seen: &Seen, care: Care) -> Lit {
+        let mut bands = vec![0.0; self.solution.bands().len()];
+        let mut shade = None;
         match &self.direct {
             Direct::None => {}
             Direct::Exact(light) => {
                 let rest = self.polynomials(seen);
-                sums = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
+                bands = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
             }
             Direct::Rays(light) => {
-                let rough = if is_middle { 1.0 } else { ONE_OF_SEVERAL };
-                for (element, factor) in light.factors(&seen.vantage(), rough) {
-                    for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
-                        *sum += factor * band.coating.exitance[element];
+                let sight = light.sight(&seen.vantage(), care);
+                for Factor { element, value } in sight.factors {
+                    for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
+                        *sum += value * band.coating.exitance[element];
                     }
                 }
+                shade = Some(sight.shade);
             }
         }
-        sums
+        Lit { bands, shade }
     }
 
     /// The rest of the light beside the direct light `lit` (W m⁻² per band).
