@@ -288,14 +288,14 @@ impl<'a> RayGather<'a> {
         let bands = self.scale.len();
         let (n, rays) = (BATCHES as f64, sent as f64);
         let (mut irradiance, mut squares) = (Vec::with_capacity(bands), 0.0);
-        for band in 0..bands {
+        for (band, other) in other.iter().enumerate() {
             let batches = || sums.iter().skip(band).step_by(bands).map(|sum| sum / rays);
             let mean = batches().sum::<f64>() / n;
             let square = batches().map(|batch| (batch - mean).powi(2)).sum::<f64>();
             // What one ray is worth, of something a quarter as bright as the scene on the whole.
             let one = 0.25 * self.scale[band] / (n * rays);
             let error = (square / (n * (n - 1.0))).sqrt() + one;
-            squares += (error / (mean + other[band]).max(DARK * self.scale[band])).powi(2);
+            squares += (error / (mean + other).max(DARK * self.scale[band])).powi(2);
             irradiance.push(mean);
         }
         Estimate { irradiance, error: (squares / bands as f64).sqrt() }
