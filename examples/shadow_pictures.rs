@@ -30,6 +30,7 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::render;
 use radiosity::output::scale::Scale;
 use radiosity::output::shown::Shown;
+use radiosity::output::tone::Tone;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Direct, Options, in_threads, solve};
 use radiosity::visibility::{Hiding, Visibility};
@@ -74,7 +75,7 @@ fn main() -> Result<()> {
             println!("| {name} | {:.2} | {rms:.2} | {largest:.1} |", 100.0 * error(raster, &exact, &floor));
         }
         let exposure = EXPOSURE * Image::new(&exact, [1.0; 3]).automatic_exposure();
-        let photograph = |raster: &Raster| Image::new(raster, [1.0; 3]).exposed(exposure);
+        let photograph = |raster: &Raster| Image::new(raster, [1.0; 3]).exposed(exposure, Tone::Linear);
         let scale = Scale::diverging(ENDS);
         let compared = |raster: &Raster| {
             let difference = Difference::new(&raster.field(None), &exact.field(None)).expect("one view");
@@ -135,7 +136,7 @@ fn picture(way: &Way) -> Raster {
     let scene = scene(way.orders);
     let outcome = solve(&scene, &way.options, &|_| {}).expect("the box can be solved");
     let visibility = Visibility::new(&scene, (&way.options).into());
-    render(&outcome.solution, &visibility, &camera(&scene), SAMPLES, way.read, Shown::Radiosity, &|_, _| {})
+    render(&outcome.solution, &visibility, &camera(&scene), SAMPLES, way.read, Shown::Radiosity, &|_| {})
 }
 
 /// For each pixel whether all of its rays meet the floor.

@@ -16,6 +16,7 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::render;
 use radiosity::output::scale::Scale;
 use radiosity::output::shown::Shown;
+use radiosity::output::tone::Tone;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solve::{Options, in_threads, solve};
 use radiosity::visibility::Visibility;
@@ -59,7 +60,7 @@ pub(crate) fn figure_9(out: &mut impl Write) -> Result<(), Box<dyn Error>> {
             difference.rms,
             difference.largest
         )?;
-        above.push(Image::new(&found.raster, [1.0; 3]).exposed(exposure));
+        above.push(Image::new(&found.raster, [1.0; 3]).exposed(exposure, Tone::Linear));
         below.push(false_colour(&difference.field, &Scale::diverging(ENDS)));
     }
     writeln!(
@@ -85,7 +86,7 @@ fn picture(scene: &Scene, options: &Options, read: Read) -> Result<Taken, Box<dy
     let seconds = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(scene, options.into());
     let raster = in_threads(options.threads, || {
-        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_, _| {})
+        render(&solution, &visibility, &camera, 1, read, Shown::Radiosity, &|_| {})
     })?;
     Ok(Taken { raster, unknowns: solution.elements().coefficients(), seconds })
 }

@@ -3,7 +3,9 @@
 use std::io;
 
 use clap::Args;
+use radiosity::gather::choice::By;
 use radiosity::output::grid::{Cell, grid};
+use radiosity::output::read_error::ReadError;
 use radiosity::output::reader::Reader;
 use radiosity::scene::Scene;
 use radiosity::solved::Solved;
@@ -38,7 +40,7 @@ pub(crate) struct GridArgs {
     pub(crate) read: ReadArgs,
 
     /// Points along each side of a cell at which direct and gathered light are computed [default: 4,2; as --quality
-    /// says]
+    /// says; light is then gathered by cells]
     #[arg(long, value_name = "D,I")]
     pub(crate) read_samples: Option<Samples>,
 
@@ -63,20 +65,32 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
         [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
     let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
     forecast::require(needed, &args.method, ["the cells", "--cells"])?;
+    args.read.check(&loaded.options(&args.method))?;
+    if args.read_samples.is_some() && args.read.read_by == Some(By::Rays) {
+        return Err(CliError::Refused {
+            message: "--read-samples counts points, and --read-by rays sends rays until their error is small"
+                .to_owned(),
+            cure: "leave one of them out; --read-eps says how small".to_owned(),
+        });
+    }
     let data = args.data.reserve(&loaded, &args.report, Ok)?;
     let progress = Progress::new(args.report.quiet);
-    let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let mut run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
-    let reading = args.read.reading(&args.method, outcome);
-    let rates = args.read_samples.map_or(reading.rates, |samples| samples.0);
+    let mut reading = args.read.reading(&args.method, &run);
+    if let Some(samples) = args.read_samples {
+        // Rays count no points.
+        (reading.rates, reading.by) = (samples.0, By::Cells);
+    }
     let cells = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
-        grid(&reader, sides, rates, &observe)
+        grid(&reader, sides, reading.rates, &observe)
     })?;
     data.write(|| csv(scene, &cells), || Document::new(scene, &cells))?;
+    run.add_read_error(ReadError::of(cells.iter().map(|cell| cell.deviation)), reading.eps);
     run.finish(progress, data.written())
 }
 
@@ -117,6 +131,8 @@ struct Row<'a> {
     j: usize,
     irradiance: &'a [f64],
     radiosity: &'a [f64],
+    /// Standard deviation of the irradiance over it, where rays gathered it.
+    deviation: Option<f64>,
     area: f64,
     position: [f64; 3],
 }
@@ -132,6 +148,7 @@ impl<'a> Row<'a> {
             j,
             irradiance: &cell.irradiance,
             radiosity: &cell.radiosity,
+            deviation: cell.deviation.map(|deviation| deviation.relative),
             area: cell.area,
             position,
         }

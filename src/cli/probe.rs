@@ -115,6 +115,7 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
         Some(points) => Sensors::Points(points),
         None => Sensors::Planes(args.planes.of(&loaded.scene)?),
     };
+    args.read.check(&loaded.options(&args.method))?;
     args.report.reserve()?.map(|report| args.apart(report)).transpose()?;
     let data = args.data.reserve(&loaded, &args.report, |output| args.apart(output))?;
     let picture = args.picture.reserve(&loaded, &args.report, &sensors)?;
@@ -123,7 +124,7 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);
-    let reading = args.read.reading(&args.method, outcome);
+    let reading = args.read.reading(&args.method, &run);
     let readings = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         probe(&reader, &sensors.probes(), scene.middle, &observe)
@@ -138,7 +139,7 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
     }
     let planes = sensors.by_plane(&readings);
     let figures = planes.map(|on| PlaneFigures::of(on.plane, &scene.bands, on.items)).collect();
-    run.add_read_error(ReadError::of(&readings), reading.eps);
+    run.add_read_error(ReadError::of(readings.iter().map(|reading| reading.deviation)), reading.eps);
     run.add_planes(figures);
     run.finish(progress, (!written.is_empty()).then(|| written.join(" and ")).as_deref())
 }
@@ -210,6 +211,8 @@ struct Row<'a> {
     position: [f64; 3],
     normal: [f64; 3],
     irradiance: &'a [f64],
+    /// Standard deviation of the irradiance over it, where rays gathered it.
+    deviation: Option<f64>,
     surface: Option<&'a str>,
     parameters: Option<[f64; 2]>,
     radiosity: Option<&'a [f64]>,
@@ -223,6 +226,7 @@ impl<'a> Row<'a> {
             position: reading.probe.position.to_array(),
             normal: reading.probe.normal.to_array(),
             irradiance: &reading.irradiance,
+            deviation: reading.deviation.map(|deviation| deviation.relative),
             surface: on.map(|on| scene.surfaces[on.surface].name.as_str()),
             parameters: on.map(|on| on.parameters),
             radiosity: on.map(|on| on.radiosity.as_slice()),

@@ -4,12 +4,17 @@ use std::io::{IsTerminal, Write, stderr};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use radiosity::output::round::round_above;
 
 /// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
+    quiet: bool,
 }
+
+/// Seconds from which waiting is announced. Chosen.
+const LONG: f64 = 1.0;
 
 impl Progress {
     /// A bar that shows nothing yet.
@@ -22,7 +27,7 @@ impl Progress {
         )
         .expect("the template is correct")
         .progress_chars("=> ");
-        Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style) }
+        Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style), quiet }
     }
 
     /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
@@ -47,9 +52,19 @@ impl Progress {
         self.bar.set_position(done);
     }
 
+    /// Announces, also without a terminal, about how long a stage will take, where that is long.
+    pub(crate) fn expect(&self, stage: &str, seconds: f64) {
+        if !self.quiet && seconds >= LONG {
+            self.write(format!("{stage}: about {} s\n", round_above(seconds)));
+        }
+    }
+
     /// Writes a line about a finished stage, also without a terminal.
     pub(crate) fn tell(&self, stage: &str, took: Duration) {
-        let line = format!("{stage}: {:.3} s\n", took.as_secs_f64());
+        self.write(format!("{stage}: {:.3} s\n", took.as_secs_f64()));
+    }
+
+    fn write(&self, line: String) {
         // A closed stderr is no error: nobody would see a message.
         self.bar.suspend(|| drop(stderr().write_all(line.as_bytes())));
     }

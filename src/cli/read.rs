@@ -7,13 +7,16 @@ use radiosity::gather::choice::By;
 use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
-use radiosity::solve::Outcome;
+use radiosity::solve::Options;
+use radiosity::visibility::Hiding;
 
+use crate::cli::error::CliError;
 use crate::cli::numbers::accuracy;
 use crate::cli::options::MethodArgs;
+use crate::cli::run::Run;
 
 /// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
-const BY_RAYS: f64 = 7e-3;
+const BY_RAYS: f64 = 1e-2;
 
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
@@ -22,26 +25,54 @@ pub(crate) struct ReadArgs {
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
-    /// By what light is gathered
-    #[arg(long, value_name = "WAY", default_value = "auto")]
-    pub(crate) read_by: By,
+    /// By what light is gathered [default: auto]
+    #[arg(long, value_name = "WAY")]
+    pub(crate) read_by: Option<By>,
 
-    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 7e-3 of a solution by
-    /// rays; --eps or --accuracy where that is smaller]
+    /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of a solution by
+    /// rays; that of the solution where it is smaller]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
 
 impl ReadArgs {
-    /// As typed, the rest as the quality and the solution say; no coarser than an accuracy that was typed.
-    pub(crate) fn reading(&self, method: &MethodArgs, outcome: &Outcome) -> Reading {
+    /// Refuses what would have no effect on the reading of a solution with these options.
+    pub(crate) fn check(&self, options: &Options) -> Result<(), CliError> {
+        let refuse = |message: &str, cure: &str| {
+            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
+        };
+        match self.read {
+            Some(Read::Basis) if self.read_eps.is_some() => refuse(
+                "--read-eps is the accuracy of recomputed light, and --read basis recomputes none",
+                "leave one of them out",
+            ),
+            Some(Read::Basis | Read::Direct) if self.read_by.is_some() => refuse(
+                "--read-by says by what light is gathered, and --read basis and direct gather none",
+                "leave one of them out, or take --read gather",
+            ),
+            _ if self.read_by == Some(By::Rays)
+                && (options.masks.is_some() || options.shadows == Hiding::Off) =>
+            {
+                refuse(
+                    "--read-by rays always sees exact shadows, and the solution has others: --shadows mask or off",
+                    "take --read-by cells, or solve with other shadows",
+                )
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// As typed, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
+    /// asked for.
+    pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
         let usual = method.quality.reading();
-        let of_solution = if outcome.sampling.is_some() { usual.eps.max(BY_RAYS) } else { usual.eps };
-        let typed = [method.eps, method.wanted_accuracy()].into_iter().flatten();
+        let is_sampled = run.solved.outcome.sampling.is_some();
+        let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
+        let asked = [method.eps, method.wanted_accuracy(), run.saved_accuracy()].into_iter().flatten();
         Reading {
             read: self.read.unwrap_or(usual.read),
-            by: self.read_by,
-            eps: self.read_eps.unwrap_or(typed.fold(of_solution, f64::min)),
+            by: self.read_by.unwrap_or_default(),
+            eps: self.read_eps.unwrap_or(asked.fold(of_solution, f64::min)),
             rates: usual.rates,
         }
     }

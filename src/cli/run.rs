@@ -106,6 +106,11 @@ impl Loaded {
         Ok(Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() })
     }
 
+    /// The options that the scene was or will be solved with.
+    pub(crate) fn options(&self, method: &MethodArgs) -> Options {
+        self.saved.as_ref().map_or_else(|| options(method), |saved| saved.options)
+    }
+
     /// Finds out, before the work, whether `output` can be written, and is neither the input nor the report.
     pub(crate) fn reserve(&self, output: &Path, report: &ReportArgs) -> Result<OutputFile, CliError> {
         let output = self.apart(OutputFile::reserve(output)?)?;
@@ -231,6 +236,16 @@ impl Run {
         }
     }
 
+    /// Relative accuracy that a solution read from a file was computed to, where that is finer than usual.
+    pub(crate) fn saved_accuracy(&self) -> Option<f64> {
+        let Solved { options, achieved, .. } = &self.solved;
+        match achieved {
+            _ if !self.saved => None,
+            Some(achieved) => achieved.estimate,
+            None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
+        }
+    }
+
     /// Number of threads that work.
     pub(crate) fn threads(&self) -> usize {
         match self.threads {
@@ -326,7 +341,13 @@ impl Run {
         );
         lines.extend(self.report.read_error.map(|error| {
             let [rms, largest] = [error.rms, error.largest].map(|error| decimals(100.0 * error, 2));
-            format!("light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")
+            let dark = match error.dark {
+                0 => String::new(),
+                dark => format!("; of {dark} dark readings in % of 2 % of the scene's mean radiosity"),
+            };
+            format!(
+                "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most{dark}"
+            )
         }));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));

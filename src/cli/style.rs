@@ -15,6 +15,7 @@ use radiosity::output::round::{round_above, three_digits};
 use radiosity::output::scale::Scale;
 use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
+use radiosity::output::tone::Tone;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
@@ -29,7 +30,8 @@ use crate::cli::{
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Style")]
 pub(crate) struct StyleArgs {
-    /// Factor on the values before they become colours [default: chosen for the picture]
+    /// Factor on the values before they become colours, in proportion up to white [default: chosen for the picture, with a
+    /// soft approach to white]
     #[arg(long, value_name = "X", value_parser = positive, conflicts_with_all = ["false_colour", "difference"])]
     pub(crate) exposure: Option<f64>,
 
@@ -192,8 +194,11 @@ impl Style<'_> {
             return Ok((self.false_colours(&raster.field(self.band), sights, wired), String::new()));
         }
         let image = Image::new(raster, balance);
-        let exposure = self.args.exposure.unwrap_or_else(|| image.automatic_exposure());
-        Ok((wired(image.exposed(exposure)), String::new()))
+        let picture = match self.args.exposure {
+            Some(exposure) => image.exposed(exposure, Tone::Linear),
+            None => image.exposed(image.automatic_exposure(), Tone::Shoulder),
+        };
+        Ok((wired(picture), String::new()))
     }
 
     fn false_colours(&self, field: &Field, sights: &Sights, wired: impl Fn(Picture) -> Picture) -> Picture {

@@ -1,18 +1,24 @@
 //! An emitter cut into cells that are small beside their distance from a point: targets for rays where it is near.
 //!
 //! The square of numbers that chooses points of the emitter ([`Spread`]) is quartered until each cell is at most half as
-//! large as it is far away. A cell of the share w² of the square, at the distance d, gets the share p ∝ w²/d² of the rays, and
-//! their values the weight w²/p.
+//! large as it is far away. A cell of the share w² of the square, at the distance d, gets the share p ∝ w² (κ + 0.2/(π d²)) of
+//! the rays, with the largest kernel κ of its corners and its middle, and their values the weight w²/p.
 
-use radiosity_geom::DVec3;
+use std::f64::consts::PI;
+
 use smallvec::{SmallVec, smallvec};
 
+use crate::elements::patch::Node;
+use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
 use crate::sampling::shift::shifted;
 use crate::sampling::spread::{Place, Spread};
 
 /// Radius of a cell over its distance, at most.
 const NEAR: f64 = 0.5;
+
+/// Least part of the kernel face on that counts: a cell whose corners face away may yet be seen. Chosen.
+const HIDDEN: f64 = 0.2;
 
 /// Quarterings, at most. A tube of 60 times its radius wants five where it is a radius away.
 const DEEPEST: u32 = 7;
@@ -31,7 +37,7 @@ pub(super) struct LampCells<'a> {
 struct Cell {
     corner: [f64; 2],
     width: f64,
-    /// w²/d², up to this cell and with it.
+    /// w² (κ + 0.2/(π d²)), up to this cell and with it.
     end: f64,
 }
 
@@ -42,28 +48,30 @@ impl<'a> LampCells<'a> {
     }
 
     /// Cells that are small as seen from a point.
-    pub(super) fn near(spread: &'a Spread, point: DVec3) -> Self {
+    pub(super) fn near(spread: &'a Spread, vantage: &ReceiverPoint) -> Self {
         let mut cells = Self { spread, cells: SmallVec::new(), all: 0.0 };
-        cells.divide(point, [0.0; 2], 0);
+        cells.divide(vantage, [0.0; 2], 0);
         cells
     }
 
-    fn divide(&mut self, point: DVec3, corner: [f64; 2], depth: u32) {
+    fn divide(&mut self, vantage: &ReceiverPoint, corner: [f64; 2], depth: u32) {
         let width = 0.5_f64.powi(depth as i32);
-        let at =
-            |s: f64, t: f64| self.spread.point([corner[0] + s * width, corner[1] + t * width]).node.position;
-        let middle = at(0.5, 0.5);
+        let at = |[s, t]: [f64; 2]| self.spread.point([corner[0] + s * width, corner[1] + t * width]).node;
         let corners = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-        let radius = corners.map(|[s, t]| at(s, t).distance(middle)).into_iter().fold(0.0, f64::max);
-        let distance = middle.distance(point);
+        let (middle, ends) = (at([0.5; 2]), corners.map(at));
+        let radius = ends.iter().map(|end| end.position.distance(middle.position)).fold(0.0, f64::max);
+        let distance = middle.position.distance(vantage.position);
         if radius > NEAR * distance && depth < DEEPEST {
             for [s, t] in corners {
                 let corner = [corner[0] + 0.5 * s * width, corner[1] + 0.5 * t * width];
-                self.divide(point, corner, depth + 1);
+                self.divide(vantage, corner, depth + 1);
             }
             return;
         }
-        self.all += (width / distance.max(radius).max(f64::MIN_POSITIVE)).powi(2);
+        let face_on = 1.0 / (PI * distance.max(radius).max(f64::MIN_POSITIVE).powi(2));
+        let kernel = |node: &Node| vantage.kernel_to(node).unwrap_or(0.0).min(face_on);
+        let largest = ends.iter().chain([&middle]).map(kernel).fold(0.0, f64::max);
+        self.all += width * width * (largest + HIDDEN * face_on);
         self.cells.push(Cell { corner, width, end: self.all });
     }
 

@@ -96,6 +96,12 @@ impl Lamps {
         &self.list
     }
 
+    /// Whether an emitter that may send light to a point is within so many of its radii.
+    pub(crate) fn is_near(&self, vantage: &ReceiverPoint, radii: f64) -> bool {
+        let near = |lamp: &Lamp| lamp.distance(vantage.position) < radii * lamp.radius;
+        self.list.iter().any(|lamp| near(lamp) && lamp.bound(vantage) > 0.0)
+    }
+
     /// The shares of all emitters in the rays from a point.
     pub(crate) fn seen_from(&self, vantage: &ReceiverPoint) -> Shares<'_> {
         let mut shares: Vec<f64> = self.list.iter().map(|lamp| lamp.bound(vantage)).collect();

@@ -6,13 +6,14 @@
 //!
 //! U_l of a flat emitter is exact (Lambert's formula), that of a curved one is the mean of w_k κ times its area. The
 //! points y_k are a Kronecker sequence on the emitter, or on its cells where it is near ([`super::lamp_cells`]). Where V is 1
-//! or 0 for all of them D is taken for exact; else rays are doubled until 0.45 E₀ U_l n^(−3/4), the error behind straight
-//! edges, is small beside all light that arrives.
+//! or 0 for all of them D is taken for exact; else rays are doubled until 0.9 σ E₀ U_l n^(−3/4) is small beside all light that
+//! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. For a
+//! curved emitter σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
 //!
 //! Few rays may miss something small. So each point tells which emitters it sees ([`Shade`]); where points beside each
 //! other differ in that, rays are doubled until one of them is worth no more than the error allowed.
 
-use radiosity_geom::DVec3;
+use smallvec::SmallVec;
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
@@ -26,15 +27,17 @@ use crate::visibility::Visibility;
 const FIRST: f64 = 24.0;
 const FEWEST: u64 = 4;
 
-/// Rays to a curved emitter, at least: half of its points may face away. Chosen.
-const FEWEST_TO_CURVED: u64 = 32;
+/// Rays to a curved emitter, at most, before they are compared: half of its points may face away. Chosen.
+const FIRST_TO_CURVED: f64 = 32.0;
 
 /// Most rays to an emitter. Chosen.
 const MOST: u64 = 1024;
 
-/// Root mean square error times n^¾ of the part of a square behind a straight edge by n points of the sequence, over random
-/// edges and shifts. Measured for n = 48 to 384: 0.39 to 0.45.
-const EDGE: f64 = 0.45;
+/// Error times n^¾ of n points of the sequence over the standard deviation of what they see, and the least of these. Root mean
+/// square errors of the part of a square behind a straight edge, over random edges and shifts, were measured for n = 48 to
+/// 384: 0.39 to 0.45 n^(−3/4).
+const EDGE: f64 = 0.9;
+const LEAST: f64 = 0.5;
 
 /// Light that n rays miss, or see too much, times n: at most (1 − f)ⁿ f n = 1/e of what a part f of an emitter sends.
 const MISSED: f64 = 0.37;
@@ -97,9 +100,10 @@ struct Beam<'a> {
     /// U_l of a flat emitter.
     whole: Option<f64>,
     sent: u64,
-    /// Σ w κ over all rays, and over those that arrive.
+    /// Σ w κ over all rays, and over those that arrive; Σ (w κ)² over these.
     all: f64,
     seen: f64,
+    squares: f64,
 }
 
 impl<'a> Penumbra<'a> {
@@ -114,16 +118,16 @@ impl<'a> Penumbra<'a> {
         Self { elements, visibility, lamps, eps }
     }
 
-    /// The direct light at a point.
-    pub(crate) fn sight(&self, vantage: &ReceiverPoint, care: Care) -> Sight {
+    /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
+    pub(crate) fn sight(&self, vantage: &ReceiverPoint, beside: f64, care: Care) -> Sight {
         let bounds: Vec<f64> = self.lamps.list().iter().map(|lamp| lamp.bound(vantage)).collect();
         let all: f64 = bounds.iter().sum();
         let some = self.lamps.list().iter().zip(bounds).filter(|(_, bound)| *bound > 0.0);
         let beams = some.map(|(lamp, bound)| self.beam(vantage, lamp, bound / all));
         let mut beams: Vec<Beam> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
         let arrives: f64 = beams.iter().map(|beam| beam.lamp.brightness * beam.factor()).sum();
-        let tolerance = care.rough * self.eps * arrives.max(DARK * all);
-        beams.iter_mut().for_each(|beam| self.refine(vantage, beam, tolerance, care.sure));
+        let tolerance = care.rough * self.eps * (beside + arrives).max(DARK * all);
+        self.refine(vantage, &mut beams, tolerance, care.sure);
         let factor = |beam: &Beam| Factor { element: beam.lamp.element, value: beam.factor() };
         Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect() }
     }
@@ -133,34 +137,36 @@ impl<'a> Penumbra<'a> {
         let position = vantage.position.to_array();
         let whole = self.without_shadows(vantage, lamp);
         let mut beam = Beam {
-            cells: cells(lamp, vantage.position),
+            cells: cells(lamp, vantage),
             offset: shift(number_of(position.into_iter().chain([lamp.element as f64]))),
             lamp,
             whole,
             sent: 0,
             all: 0.0,
             seen: 0.0,
+            squares: 0.0,
         };
-        let fewest = if whole.is_some() { FEWEST } else { FEWEST_TO_CURVED };
         if whole != Some(0.0) {
-            self.send(vantage, &mut beam, ((FIRST * share) as u64).max(fewest));
+            let first = if whole.is_some() { FIRST * share } else { self.first_to_curved(share) };
+            self.send(vantage, &mut beam, (first as u64).max(FEWEST));
         }
         beam
     }
 
-    /// Doubles the rays to an emitter until the light of it errs by `tolerance` at most.
-    fn refine(&self, vantage: &ReceiverPoint, beam: &mut Beam, tolerance: f64, sure: bool) {
-        while beam.sent < MOST {
-            let size = beam.lamp.brightness * beam.size();
-            let error = match beam.is_mixed() || beam.whole.is_none() {
-                true => EDGE * size * (beam.sent as f64).powf(-0.75),
-                false if sure => MISSED * size / beam.sent as f64,
-                false => return,
-            };
-            if error <= tolerance {
-                return;
-            }
+    /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are not too many.
+    fn first_to_curved(&self, share: f64) -> f64 {
+        (EDGE * LEAST * share / self.eps).powf(4.0 / 3.0).min(FIRST_TO_CURVED)
+    }
+
+    /// Doubles the rays to the emitter whose light errs most, until all together err by `tolerance` at most.
+    fn refine(&self, vantage: &ReceiverPoint, beams: &mut [Beam], tolerance: f64, sure: bool) {
+        let mut errors: SmallVec<[f64; 16]> = beams.iter().map(|beam| beam.error(sure)).collect();
+        while errors.iter().map(|error| error * error).sum::<f64>() > tolerance * tolerance {
+            let open = (0..beams.len()).filter(|k| beams[*k].sent < MOST);
+            let Some(worst) = open.max_by(|a, b| errors[*a].total_cmp(&errors[*b])) else { return };
+            let beam = &mut beams[worst];
             self.send(vantage, beam, beam.sent);
+            errors[worst] = beam.error(sure);
         }
     }
 
@@ -181,6 +187,7 @@ impl<'a> Penumbra<'a> {
             beam.all += value;
             if self.visibility.is_free(vantage.surface, vantage.position, target.node.position) {
                 beam.seen += value;
+                beam.squares += value * value;
             }
         }
         beam.sent += count;
@@ -188,9 +195,9 @@ impl<'a> Penumbra<'a> {
 }
 
 /// The targets on an emitter as seen from a point.
-fn cells(lamp: &Lamp, point: DVec3) -> LampCells<'_> {
-    match lamp.distance(point) < NEAR * lamp.radius() {
-        true => LampCells::near(&lamp.spread, point),
+fn cells<'l>(lamp: &'l Lamp, vantage: &ReceiverPoint) -> LampCells<'l> {
+    match lamp.distance(vantage.position) < NEAR * lamp.radius() {
+        true => LampCells::near(&lamp.spread, vantage),
         false => LampCells::whole(&lamp.spread),
     }
 }
@@ -213,6 +220,26 @@ impl Beam<'_> {
     /// U_l v_l.
     fn factor(&self) -> f64 {
         if self.all > 0.0 { self.size() * self.seen / self.all } else { 0.0 }
+    }
+
+    /// Error of its light; of light that is seen wholly or not at all only if one must be `sure` of that.
+    fn error(&self, sure: bool) -> f64 {
+        let size = self.lamp.brightness * self.size();
+        match self.is_mixed() || self.whole.is_none() {
+            true => EDGE * self.deviation() * size * (self.sent as f64).powf(-0.75),
+            false if sure => MISSED * size / self.sent as f64,
+            false => 0.0,
+        }
+    }
+
+    /// σ.
+    fn deviation(&self) -> f64 {
+        if self.whole.is_some() || self.all == 0.0 {
+            return LEAST;
+        }
+        let rays = self.sent as f64;
+        let squares = self.squares - self.seen * self.seen / rays;
+        ((squares.max(0.0) * rays).sqrt() / self.all).max(LEAST)
     }
 
     /// Whether some rays arrive, and some not.

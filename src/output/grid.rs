@@ -19,12 +19,12 @@ use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
-use crate::gather::by_rays::Receiver;
+use crate::gather::by_rays::{Deviation, Receiver};
 use crate::light::direct::DirectLight;
 use crate::light::occluders::Site;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected::Reflection;
-use crate::output::reader::{Light, Reader};
+use crate::output::reader::{Light, Reader, Value};
 use crate::solution::Place;
 
 /// Means over one cell of one surface.
@@ -38,6 +38,8 @@ pub struct Cell {
     pub irradiance: Vec<f64>,
     /// Mean radiosity per band (W m⁻²).
     pub radiosity: Vec<f64>,
+    /// Standard deviation of an irradiance by rays.
+    pub deviation: Option<Deviation>,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
     /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
@@ -107,17 +109,52 @@ struct Integrals {
     irradiance: Vec<f64>,
     radiosity: Vec<f64>,
     covered: f64,
+    /// Standard deviations of what rays gathered.
+    deviations: Deviations,
+}
+
+/// Standard deviations of integrals that are added, all bands together.
+#[derive(Default)]
+struct Deviations {
+    /// Sum of the squares of their sizes (W).
+    squares: f64,
+    is_dark: bool,
+    are_rays: bool,
+}
+
+impl Deviations {
+    /// Adds that of the integral `size` (W).
+    fn add(&mut self, deviation: Deviation, size: f64) {
+        self.squares += (deviation.relative * size).powi(2);
+        self.is_dark |= deviation.is_dark;
+        self.are_rays = true;
+    }
+
+    /// That of all, where all integrals together are `size` (W).
+    fn over(&self, size: f64) -> Option<Deviation> {
+        let relative = if size > 0.0 { self.squares.sqrt() / size } else { 0.0 };
+        self.are_rays.then_some(Deviation { relative, is_dark: self.is_dark })
+    }
 }
 
 impl Integrals {
     fn over(reader: &Reader, surface: usize, rect: &Rect, rates: Rates) -> Self {
         let bands = reader.solution().bands();
-        let mut sums =
-            Self { irradiance: vec![0.0; bands.len()], radiosity: vec![0.0; bands.len()], covered: 0.0 };
+        let mut sums = Self {
+            irradiance: vec![0.0; bands.len()],
+            radiosity: vec![0.0; bands.len()],
+            covered: 0.0,
+            deviations: Deviations::default(),
+        };
         for element in reader.solution().elements().of_surface(surface) {
             for patch in reader.solution().elements().patches_over(element, rect) {
-                let (irradiance, area) = over_patch(reader, element, &patch, rates);
+                let area = area(&patch);
+                let Value { irradiance, deviation } = over_patch(reader, element, &patch, rates);
+                let irradiance: Vec<f64> = irradiance.into_iter().map(|mean| mean * area).collect();
                 sums.covered += area;
+                if let Some(deviation) = deviation {
+                    sums.deviations.add(deviation, irradiance.iter().sum());
+                }
                 for (index, band) in bands.iter().enumerate() {
                     let emitted = band.coating.exitance[element] * area;
                     sums.irradiance[index] += irradiance[index];
@@ -133,20 +170,20 @@ impl Integrals {
         let area = area.unwrap_or(self.covered);
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
+        let deviation = self.deviations.over(self.irradiance.iter().sum());
         let (irradiance, radiosity) = (mean(self.irradiance), mean(self.radiosity));
-        Cell { surface, index, irradiance, radiosity, area, position }
+        Cell { surface, index, irradiance, radiosity, deviation, area, position }
     }
 }
 
 /// Gauss points along each direction for the area of a curved patch. Chosen; not tuned.
 const AREA_POINTS: usize = 16;
 
-/// ∫ E dA per band over a patch of an element, and its area.
-fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (Vec<f64>, f64) {
+/// Mean of E per band over a patch of an element.
+fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> Value {
     let owner = &reader.solution().elements().list()[element];
     let degree = owner.basis.total_degree();
     let exact = if patch.is_flat() { degree / 2 + 2 } else { degree + 4 };
-    let area = area(patch);
     let place = |node: &Node| Place {
         surface: owner.surface,
         parameters: node.parameters.to_array(),
@@ -155,23 +192,23 @@ fn over_patch(reader: &Reader, element: usize, patch: &Patch, rates: Rates) -> (
     let horizon = owner.plane.map(|(_, normal)| normal);
     let polynomials = |node: &Node| reader.polynomials(element, &place(node));
     let indirect = |node: &Node| reader.indirect_polynomials(element, &place(node));
-    let mean = match reader.light() {
+    match reader.light() {
         // Masks have edges, like direct light.
         Light::Basis if reader.solution().masked().is_some() => {
-            mean(patch, exact.max(rates.direct), polynomials)
+            mean(patch, exact.max(rates.direct), polynomials).into()
         }
-        Light::Basis => mean(patch, exact, polynomials),
+        Light::Basis => mean(patch, exact, polynomials).into(),
         Light::Direct(direct) => {
             sum(lit(direct, owner.surface, patch, horizon, rates.direct), &mean(patch, exact, indirect))
+                .into()
         }
-        Light::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).irradiance,
+        Light::Rays(gather) => gather.read(&Receiver::Patch { surface: owner.surface, patch }).into(),
         Light::Gather(gather) => {
             let lit = lit(gather.direct(), owner.surface, patch, horizon, rates.direct);
             let gathered = gathered(gather.reflection(), owner.surface, patch, horizon, rates.indirect, &lit);
-            sum(lit, &gathered)
+            sum(lit, &gathered).into()
         }
-    };
-    (mean.into_iter().map(|mean| mean * area).collect(), area)
+    }
 }
 
 /// Area of a patch, to rounding if it is flat.

@@ -4,6 +4,7 @@ use radiosity_geom::DVec3;
 use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use crate::gather::by_rays::Deviation;
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::output::reader::{Reader, Value};
@@ -38,8 +39,8 @@ pub struct Reading {
     pub probe: Probe,
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// Standard deviation of what was gathered by rays, relative to it; None otherwise.
-    pub error: Option<f64>,
+    /// Standard deviation of what was gathered by rays; None otherwise.
+    pub deviation: Option<Deviation>,
     /// The surface the probe lies on, if any.
     pub on: Option<OnSurface>,
 }
@@ -110,8 +111,8 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
             (value, Some(on))
         }
     };
-    let Value { irradiance, error } = value;
-    Ok(Reading { probe: *probe, irradiance, error, on })
+    let Value { irradiance, deviation } = value;
+    Ok(Reading { probe: *probe, irradiance, deviation, on })
 }
 
 fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {

@@ -1,6 +1,9 @@
 //! A raster: the radiosity seen through every pixel, per band, in linear light.
 
+use std::collections::BTreeMap;
+
 use super::field::Field;
+use super::samples::Samples;
 
 /// Radiosities (W m⁻²) per pixel and band, rows from the top.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +15,8 @@ pub struct Raster {
     values: Vec<f64>,
     /// Part of each pixel in which a front is seen.
     coverage: Vec<f64>,
+    /// Samples of the pixels that average several, by their places in row order.
+    samples: BTreeMap<usize, Samples>,
 }
 
 impl Raster {
@@ -23,7 +28,13 @@ impl Raster {
     pub fn new([width, height]: [u32; 2], bands: Vec<String>, values: Vec<f64>, coverage: Vec<f64>) -> Self {
         assert_eq!(coverage.len(), width as usize * height as usize, "one coverage per pixel");
         assert_eq!(values.len(), coverage.len() * bands.len(), "one value per pixel and band");
-        Self { width, height, bands, values, coverage }
+        Self { width, height, bands, values, coverage, samples: BTreeMap::new() }
+    }
+
+    /// The same with the samples of pixels that average several, by their places in row order.
+    #[must_use]
+    pub fn with_samples(self, samples: BTreeMap<usize, Samples>) -> Self {
+        Self { samples, ..self }
     }
 
     /// Pixels across and down.
@@ -39,6 +50,11 @@ impl Raster {
     /// Radiosities per band of every pixel, in row order.
     pub fn pixels(&self) -> impl Iterator<Item = &[f64]> {
         self.values.chunks_exact(self.bands.len())
+    }
+
+    /// What the pixel at a place in row order averages, if that is several samples.
+    pub fn samples(&self, pixel: usize) -> Option<&Samples> {
+        self.samples.get(&pixel)
     }
 
     /// Part of each pixel in which a front is seen, in row order.

@@ -3,7 +3,7 @@
 use radiosity_geom::DVec3;
 
 use crate::gather::Gather;
-use crate::gather::by_rays::{Estimate, RayGather, Receiver};
+use crate::gather::by_rays::{Deviation, Estimate, RayGather, Receiver};
 use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
 use crate::light::receiver_point::ReceiverPoint;
@@ -16,9 +16,9 @@ use crate::visibility::Visibility;
 pub enum Read {
     /// The polynomials of the elements alone.
     Basis,
-    /// Direct light and its shadows exact at every point, the rest from the polynomials.
+    /// Direct light and its shadows recomputed at every point, the rest from the polynomials.
     Direct,
-    /// Direct light exact, and the reflected light of all surfaces gathered anew at every point, with shadows.
+    /// Direct light, and the light that all surfaces reflect, gathered anew at every point, with shadows.
     Gather,
     /// The same, with the light of those surfaces gathered as well: slower, for the last digit.
     GatherTwice,
@@ -50,19 +50,19 @@ pub enum Light<'a> {
 pub struct Value {
     /// Irradiance per band (W m⁻²).
     pub irradiance: Vec<f64>,
-    /// Standard deviation of what was gathered by rays, relative to it; None otherwise.
-    pub error: Option<f64>,
+    /// Standard deviation of what was gathered by rays; None otherwise.
+    pub deviation: Option<Deviation>,
 }
 
 impl From<Vec<f64>> for Value {
     fn from(irradiance: Vec<f64>) -> Self {
-        Self { irradiance, error: None }
+        Self { irradiance, deviation: None }
     }
 }
 
 impl From<Estimate> for Value {
-    fn from(Estimate { irradiance, error, .. }: Estimate) -> Self {
-        Self { irradiance, error: Some(error) }
+    fn from(Estimate { irradiance, deviation }: Estimate) -> Self {
+        Self { irradiance, deviation: Some(deviation) }
     }
 }
 

@@ -7,18 +7,20 @@
 mod eye;
 mod fit;
 mod frame;
+mod tally;
 mod smooth;
 mod picture_light;
 mod direct_pass;
 
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
+use super::samples::Samples;
 use super::shown::Shown;
 use crate::gather::choice::seconds_to_gather;
 use crate::light::penumbra::Care;
@@ -30,6 +32,7 @@ use eye::{Eye, Seen};
 use frame::Frame;
 use picture_light::PictureLight;
 use smooth::{COARSEST, Known, Smooth, Source};
+use tally::Tally;
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
 const GATHERED: f64 = 3e-3;
@@ -54,7 +57,28 @@ const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const ROWS: usize = 4;
 
-/// Renders `solution` through `camera`; `progress` gets (rows done, rows in all), from any thread.
+/// Pixels at which light is computed, and of those the ones at which it is gathered, to tell the time that a picture takes.
+/// Chosen: a thousandth of a picture.
+const TRIAL: usize = 256;
+const TRIAL_GATHERED: usize = 32;
+
+/// Samples over the pixels whose direct light is computed once more, or finely. Measured in the built-in scenes: 1.3 to 4.
+const MORE: f64 = 1.5;
+
+/// How far a picture is. Counts are (done, all).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Nothing is done; the picture takes about so many seconds.
+    Expected(f64),
+    /// Pixels whose direct light is computed.
+    Direct(usize, usize),
+    /// Pixels at which reflected light is gathered, of those that are so far known to want it.
+    Gather(usize, usize),
+    /// Pixels that are done.
+    Pixels(usize, usize),
+}
+
+/// Renders `solution` through `camera`; `observe` hears how far the picture is, from any thread.
 ///
 /// The pixels hold what is `shown`, W m⁻² (radiosity is radiance times π), in the bands of the solution.
 pub fn render(
@@ -64,25 +88,35 @@ pub fn render(
     samples: u32,
     read: Read,
     shown: Shown,
-    progress: &(dyn Fn(usize, usize) + Sync),
+    observe: &(dyn Fn(Stage) + Sync),
 ) -> Raster {
     let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
-    let shot = Shot { light: &light, eye: &eye, view: Pinhole::new(camera), size: [width, height], samples };
+    let shot = Shot {
+        light: &light,
+        eye: &eye,
+        view: Pinhole::new(camera),
+        size: [width, height],
+        samples,
+        observe,
+    };
+    observe(Stage::Expected(shot.seconds()));
     let at_once = (AT_ONCE / width).div_ceil(COARSEST).max(1) * COARSEST;
-    let done = AtomicUsize::new(0);
-    let told = || progress(done.fetch_add(1, Ordering::Relaxed) + 1, height);
+    let tell = |done, all| observe(Stage::Pixels(done, all));
+    let done = Tally::new(width * height, &tell);
     let strips = (0..height).step_by(at_once).map(|first| first..(first + at_once).min(height));
-    let pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &told)).collect();
+    let mut pixels: Vec<Pixel> = strips.flat_map(|rows| shot.strip(rows, &done)).collect();
     let bands = solution.bands().iter().map(|band| band.name.clone()).collect();
     let values = pixels.iter().flat_map(|pixel| &pixel.radiosity).copied().collect();
     let coverage = pixels.iter().map(|pixel| pixel.coverage).collect();
-    Raster::new([camera.width, camera.height], bands, values, coverage)
+    let samples = pixels.iter_mut().map(|pixel| pixel.samples.take()).enumerate();
+    let samples = samples.filter_map(|(index, samples)| Some((index, samples?))).collect();
+    Raster::new([camera.width, camera.height], bands, values, coverage).with_samples(samples)
 }
 
 /// How a picture of so many pixels is read unless told otherwise: gathered, if `threads` do that within
-/// some ten seconds, else with direct light alone recomputed.
+/// some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64, threads: usize) -> Read {
     let seconds = seconds_to_gather(solution, visibility, picture_light::AVERAGED * GATHERED);
     let gathered = pixels as f64 / INTERPOLATED / threads as f64 * seconds;
@@ -96,6 +130,8 @@ struct Pixel {
     radiosity: Vec<f64>,
     /// Part of the pixel in which a front is seen.
     coverage: f64,
+    /// What is averaged, if that is more than the middle.
+    samples: Option<Samples>,
 }
 
 /// The light of pixels beside their direct light.
@@ -123,19 +159,48 @@ struct Shot<'a> {
     /// Pixels across and down.
     size: [usize; 2],
     samples: u32,
+    observe: &'a (dyn Fn(Stage) + Sync),
 }
 
 impl Shot<'_> {
-    /// The pixels of some rows; `told` hears of each row.
-    fn strip(&self, rows: Range<usize>, told: &(dyn Fn() + Sync)) -> Vec<Pixel> {
+    /// About the seconds that the picture takes, by those of a few pixels, evenly chosen.
+    fn seconds(&self) -> f64 {
+        let [width, height] = self.size;
+        let pixels = width * height;
+        let start = Instant::now();
+        let trial: Vec<(Seen, Vec<f64>)> = (0..TRIAL)
+            .into_par_iter()
+            .filter_map(|k| {
+                let pixel = (k * pixels + pixels / 2) / TRIAL;
+                let [column, row] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
+                let seen = self.eye.along(&self.view.ray(column, row))?;
+                let direct = self.light.direct(&seen, Care { rough: 1.0, sure: false }).bands;
+                Some((seen, direct))
+            })
+            .collect();
+        let direct = start.elapsed().as_secs_f64() / TRIAL as f64 * pixels as f64;
+        if !self.light.gathers() {
+            return MORE * direct;
+        }
+        let step = (trial.len() / TRIAL_GATHERED).max(1);
+        let chosen: Vec<&(Seen, Vec<f64>)> = trial.iter().step_by(step).collect();
+        let start = Instant::now();
+        chosen.par_iter().for_each(|(seen, direct)| drop(self.light.rest(seen, direct)));
+        let gathered = start.elapsed().as_secs_f64() / chosen.len().max(1) as f64;
+        MORE * direct + gathered * (pixels * trial.len()) as f64 / TRIAL as f64 / INTERPOLATED
+    }
+
+    /// The pixels of some rows.
+    fn strip(&self, rows: Range<usize>, done: &Tally) -> Vec<Pixel> {
         let [width, height] = self.size;
         let first = rows.start.saturating_sub(MARGIN);
         let around = first..(rows.end + MARGIN).min(height);
         let frame = Frame::new(self.eye, &self.view, width, around);
         let bands = self.light.solution().bands().len();
-        let direct = lit(&frame, self.light);
+        let direct = lit(&frame, self.light, &|done, all| (self.observe)(Stage::Direct(done, all)));
         let rest = Rest { light: self.light, direct: &direct };
-        let smooth = self.light.gathers().then(|| Smooth::over(&frame, bands, &rest));
+        let gathered = |done, all| (self.observe)(Stage::Gather(done, all));
+        let smooth = self.light.gathers().then(|| Smooth::over(&frame, bands, &rest, &gathered));
         let middles: Vec<Pixel> = (0..frame.len())
             .into_par_iter()
             .map(|pixel| self.middle(&frame, smooth.as_ref(), &direct[pixel], pixel))
@@ -144,13 +209,14 @@ impl Shot<'_> {
             .with_max_len(ROWS)
             .flat_map_iter(|row| {
                 let start = (row - first) * width;
-                let pixel = |pixel: usize| match self.samples > 1 && differs(&frame, &middles, pixel) {
-                    true => self.sampled(&frame, smooth.as_ref(), pixel, first, &middles[pixel]),
-                    false => middles[pixel].clone(),
+                let pixel = |pixel: usize| {
+                    let is_fine = self.samples > 1 && differs(&frame, &middles, pixel);
+                    let sampled = || self.sampled(&frame, smooth.as_ref(), pixel, first, &middles[pixel]);
+                    let value = if is_fine { sampled() } else { middles[pixel].clone() };
+                    done.add();
+                    value
                 };
-                let pixels: Vec<Pixel> = (start..start + width).map(pixel).collect();
-                told();
-                pixels
+                (start..start + width).map(pixel).collect::<Vec<Pixel>>()
             })
             .collect()
     }
@@ -168,11 +234,11 @@ impl Shot<'_> {
                 self.light.shown(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
             }
         };
-        Pixel { radiosity, coverage: 1.0 }
+        Pixel { radiosity, coverage: 1.0, samples: None }
     }
 
     fn nothing(&self) -> Pixel {
-        Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0 }
+        Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0, samples: None }
     }
 
     /// The mean over a pixel of a frame that begins with the row `first`; `middle` is what its middle sees. Where the corners
@@ -216,17 +282,20 @@ impl Shot<'_> {
         let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
         let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
         let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
-        Pixel { radiosity, coverage: 1.0 }
+        Pixel { radiosity, coverage: 1.0, samples: None }
     }
 
+    /// A pixel of which these are samples.
     fn mean(&self, pixels: &[Pixel]) -> Pixel {
         let mut mean = self.nothing();
         let scale = 1.0 / pixels.len() as f64;
-        for Pixel { radiosity, coverage } in pixels {
+        for Pixel { radiosity, coverage, .. } in pixels {
             mean.radiosity.iter_mut().zip(radiosity).for_each(|(sum, value)| *sum += scale * value);
             mean.coverage += scale * coverage;
         }
-        mean
+        let seen = pixels.iter().filter(|pixel| pixel.coverage > 0.0).map(|pixel| pixel.radiosity.clone());
+        let samples = Samples::new(seen.collect(), mean.radiosity.len(), pixels.len());
+        Pixel { samples: Some(samples), ..mean }
     }
 }
 

@@ -339,9 +339,8 @@ fn memory_is_foretold_within_a_factor_of_two() {
 #[test]
 fn too_little_memory_is_told_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
-    let args =
-        ["render", "empty-box", "--order", "12", "--subdivide", "4", "--memory", "100M", "--solver", "lu"];
-    let output = radiosity(folder.path(), &args);
+    let solve = ["render", "empty-box", "--order", "12", "--subdivide", "4", "--solver", "lu"];
+    let output = radiosity(folder.path(), &[&solve[..], &["--size", "64x64", "--memory", "100M"]].concat());
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{message}");
     for part in

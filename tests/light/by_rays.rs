@@ -36,7 +36,7 @@ fn every_point_of_a_furnace_is_as_bright() {
             let found = gather.read(&Receiver::Point(ReceiverPoint::free(position, normal)));
             // Half of the light is emitted, half of that half is reflected once, and so on.
             let error = (found.irradiance[0] / 2.0 - 1.0).abs();
-            assert!(error <= 4.0 * found.error + 1e-3, "{position} {normal}: {found:?}");
+            assert!(error <= 4.0 * found.deviation.relative + 1e-3, "{position} {normal}: {found:?}");
         }
     }
 }
@@ -62,7 +62,10 @@ fn a_round_lamp_lights_points_near_and_far() {
             let found = gather.read(&Receiver::Point(ReceiverPoint::free(position, normal)));
             let exact = 3.0 * (radius / distance).powi(2) * cosine;
             let error = (found.irradiance[0] / exact - 1.0).abs();
-            assert!(!is_above || error <= 4.0 * found.error, "{distance} {cosine}: {error} {found:?}");
+            assert!(
+                !is_above || error <= 4.0 * found.deviation.relative,
+                "{distance} {cosine}: {error} {found:?}"
+            );
         }
     }
 }
@@ -85,7 +88,7 @@ fn rays_and_cells_agree_and_the_error_told_is_true() {
         let exact = sum(&exact.irradiance);
         // Within the boxes there is none but for rounding.
         if exact > 1e-6 {
-            told += found.error.expect("rays know it").powi(2);
+            told += found.deviation.expect("rays know it").relative.powi(2);
             squares += (sum(&found.irradiance) / exact - 1.0).powi(2);
             count += 1.0;
         }

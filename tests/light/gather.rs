@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 use std::sync::{Arc, OnceLock};
 
 use proptest::prelude::*;
+use radiosity::elements::cells::Layers;
 use radiosity::elements::coating::Coating;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::gather::Gather;
@@ -14,6 +15,7 @@ use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::{Material, Scene, SceneBuilder};
 use radiosity::solution::{Band, Solution};
+use radiosity::solve::{Options, solve};
 use radiosity::system::Coefficients;
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram, Sphere};
@@ -310,4 +312,43 @@ fn cells_of_the_furnace_are_two_times_what_is_uncovered() {
             );
         }
     }
+}
+
+#[test]
+fn tight_accuracies_are_kept_and_gathered_light_is_no_worse_than_its_polynomials() {
+    let file: serde_json::Value =
+        serde_json::from_str(include_str!("../data/box_radiosity.json")).expect("the data file is JSON");
+    let points = file["scenes"][0]["points"].as_array().expect("points are listed");
+    let scene = Scene::builtin("empty-box").expect("built in");
+    let layers = Layers { count: 2, ratio: 0.25 };
+    let options = Options { order: 8, layers, eps: 1e-6, ..Options::default() };
+    let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+    let visibility = Visibility::new(&scene, (&options).into());
+    let rms = |read: Read, eps: f64| {
+        let reader = Reader::new(&outcome.solution, &visibility, read, eps);
+        let square = |point: &serde_json::Value| {
+            let number = |value: &serde_json::Value| value.as_f64().expect("a number");
+            let (a, b, exact) = (number(&point[1][0]), number(&point[1][1]), number(&point[2]));
+            let (surface, place, normal, emitted) = match point[0].as_str() {
+                Some("floor") => (0, [a, b, 0.0], DVec3::Z, 0.0),
+                Some("ceiling") => (1, [a, b, 1.0], -DVec3::Z, 1.0),
+                _ => (2, [0.0, a, b], DVec3::X, 0.0),
+            };
+            let spot = Spot::find(
+                outcome.solution.elements(),
+                &visibility,
+                DVec3::from_array(place) - scene.middle,
+                normal,
+            );
+            let spot = spot.expect("it lies on a wall");
+            assert_eq!(spot.place.surface, surface);
+            let irradiance = reader.irradiance(spot.element, &spot.place, spot.normal).irradiance[0];
+            ((emitted + 0.5 * irradiance) / exact - 1.0).powi(2)
+        };
+        (points.iter().map(square).sum::<f64>() / points.len() as f64).sqrt()
+    };
+    let polynomials = rms(Read::Basis, 1e-6);
+    let gathered = [1e-4, 1e-5, 1e-6].map(|eps| rms(Read::Gather, eps));
+    assert!(gathered[0] < 2e-4 && gathered[1] < 3e-5, "{gathered:?}");
+    assert!(gathered[2] <= polynomials && polynomials < 3e-4, "{gathered:?} {polynomials}");
 }

@@ -83,7 +83,7 @@ fn two_sided_panels_are_seen_from_both_sides() {
         let camera = scene.camera.clone().expect("there is a camera");
         let visibility = Visibility::new(&scene, Shadows::Off);
         let image =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &|_, _| {});
+            render(&outcome.solution, &visibility, &camera, 1, Read::Basis, Shown::Radiosity, &|_| {});
         assert!(image.pixels().all(|pixel| *pixel == [1.0]), "the panel fills the picture");
     }
 }

@@ -1,6 +1,7 @@
 //! Evidence for light behind things: visibility, direct light, what is gathered, the Cornell box against path tracing.
 
 mod by_rays;
+mod penumbrae;
 mod pictures;
 mod closure;
 mod cornell;

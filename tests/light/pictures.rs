@@ -23,7 +23,7 @@ fn fitted_light_is_that_of_every_pixel() {
         let camera =
             Camera { width: SIZE as u32, height: SIZE as u32, ..scene.camera.clone().expect("a camera") };
         let raster =
-            render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_, _| {});
+            render(&outcome.solution, &visibility, &camera, 1, Read::Gather, Shown::Radiosity, &|_| {});
         let reader = Reader::new(&outcome.solution, &visibility, Read::Gather, 1e-3);
         let view = Pinhole::new(&camera);
         let (mut squares, mut sum) = (0.0, 0.0);

@@ -6,22 +6,30 @@ use crate::light::penumbra::{Care, Shade};
 
 use super::frame::Frame;
 use super::picture_light::{Lit, PictureLight};
+use super::tally::Tally;
 
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of five pixels, one of so
 /// many still finds it.
 const BESIDE: isize = 2;
 
-/// The direct irradiance of all pixels; nothing where nothing is seen.
-pub(super) fn lit(frame: &Frame, light: &PictureLight) -> Vec<Vec<f64>> {
-    let look = |pixel: usize, care: Care| {
-        frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care))
+/// The direct irradiance of all pixels; nothing where nothing is seen. `tell` gets (done, all) of the pixels, twice.
+pub(super) fn lit(
+    frame: &Frame,
+    light: &PictureLight,
+    tell: &(dyn Fn(usize, usize) + Sync),
+) -> Vec<Vec<f64>> {
+    let look = |pixel: usize, sure: bool, tally: &Tally| {
+        let care = Care { rough: 1.0, sure };
+        let lit = frame.seen(pixel).map_or_else(Lit::default, |seen| light.direct(seen, care));
+        tally.add();
+        lit
     };
-    let first: Vec<Lit> =
-        (0..frame.len()).into_par_iter().map(|pixel| look(pixel, Care { rough: 1.0, sure: false })).collect();
+    let tally = Tally::new(frame.len(), tell);
+    let first: Vec<Lit> = (0..frame.len()).into_par_iter().map(|pixel| look(pixel, false, &tally)).collect();
     let unsure: Vec<usize> =
         (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
-    let again: Vec<Lit> =
-        unsure.par_iter().map(|pixel| look(*pixel, Care { rough: 1.0, sure: true })).collect();
+    let tally = Tally::new(unsure.len(), tell);
+    let again: Vec<Lit> = unsure.par_iter().map(|pixel| look(*pixel, true, &tally)).collect();
     let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
     unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
     all

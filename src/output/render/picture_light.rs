@@ -101,7 +101,9 @@ impl<'a> PictureLight<'a> {
                 bands = light.at_beside(seen.element, seen.place.position, seen.normal, &rest);
             }
             Direct::Rays(light) => {
-                let sight = light.sight(&seen.vantage(), care);
+                let rest = self.polynomials(seen);
+                let beside = rest.iter().sum::<f64>() / rest.len() as f64;
+                let sight = light.sight(&seen.vantage(), beside, care);
                 for Factor { element, value } in sight.factors {
                     for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
                         *sum += value * band.coating.exitance[element];
@@ -123,9 +125,9 @@ impl<'a> PictureLight<'a> {
                 Known { bands: gather.reflection().irradiance(&vantage, &around, lit), error: 0.0 }
             }
             Rest::Rays(gather) => {
-                let Estimate { irradiance, error } = gather.reflected(&seen.vantage(), lit);
+                let Estimate { irradiance, deviation } = gather.reflected(&seen.vantage(), lit);
                 let all: f64 = irradiance.iter().chain(lit).sum();
-                Known { bands: irradiance, error: error * all }
+                Known { bands: irradiance, error: deviation.relative * all }
             }
         }
     }

@@ -15,6 +15,7 @@ use rayon::prelude::*;
 use super::eye::Seen;
 use super::fit::{Fit, Found};
 use super::frame::Frame;
+use super::tally::Tally;
 
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
 pub(super) const COARSEST: usize = 16;
@@ -67,18 +68,28 @@ pub(super) struct Smooth<'a> {
 }
 
 impl<'a> Smooth<'a> {
-    /// The light of all pixels of a frame in so many bands.
-    pub(super) fn over(frame: &'a Frame, bands: usize, source: &impl Source) -> Self {
+    /// The light of all pixels of a frame in so many bands; `tell` gets (done, all) of the pixels computed at one spacing.
+    pub(super) fn over(
+        frame: &'a Frame,
+        bands: usize,
+        source: &impl Source,
+        tell: &(dyn Fn(usize, usize) + Sync),
+    ) -> Self {
         let mut known: Vec<Option<Known>> = vec![None; frame.len()];
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
         let mut spacing = COARSEST;
         while !open.is_empty() && spacing > 0 {
             let wanted = wanted(frame, &known, &open, spacing);
+            let tally = Tally::new(wanted.len(), tell);
             let computed: Vec<Option<Known>> = wanted
                 .par_iter()
                 .with_max_len(1)
-                .map(|pixel| frame.seen(*pixel).map(|seen| source.smooth(*pixel, seen)))
+                .map(|pixel| {
+                    let known = frame.seen(*pixel).map(|seen| source.smooth(*pixel, seen));
+                    tally.add();
+                    known
+                })
                 .collect();
             wanted.into_iter().zip(computed).for_each(|(pixel, value)| known[pixel] = value);
             let found: Vec<Option<Vec<f64>>> = open

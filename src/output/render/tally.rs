@@ -1,0 +1,46 @@
+//! A count of what is done of one stage, for those who wait.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// What is done between two calls to the listener: a call takes a microsecond. Chosen.
+const OFTEN: usize = 1024;
+
+/// Counts pixels, from any thread.
+pub(super) struct Tally<'a> {
+    done: AtomicUsize,
+    total: usize,
+    /// Gets (done, all).
+    tell: &'a (dyn Fn(usize, usize) + Sync),
+}
+
+impl<'a> Tally<'a> {
+    /// None of `total` is done.
+    pub(super) fn new(total: usize, tell: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
+        Self { done: AtomicUsize::new(0), total, tell }
+    }
+
+    /// One more is done.
+    pub(super) fn add(&self) {
+        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        if done.is_multiple_of(OFTEN) || done == self.total {
+            (self.tell)(done, self.total);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    use super::*;
+
+    #[test]
+    fn the_last_is_told_and_the_count_never_exceeds_all() {
+        let heard = Mutex::new(Vec::new());
+        let tell = |done, all| heard.lock().expect("no panic").push((done, all));
+        let tally = Tally::new(2 * OFTEN + 7, &tell);
+        (0..2 * OFTEN + 7).for_each(|_| tally.add());
+        let all = 2 * OFTEN + 7;
+        assert_eq!(*heard.lock().expect("no panic"), [(OFTEN, all), (2 * OFTEN, all), (all, all)]);
+    }
+}

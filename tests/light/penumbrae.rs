@@ -1,0 +1,126 @@
+//! Direct light in pictures, by rays to emitters, against closed forms and against light computed without them.
+
+use std::f64::consts::PI;
+
+use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::geom::{DVec3, Encounter};
+use radiosity::output::pinhole::Pinhole;
+use radiosity::output::raster::Raster;
+use radiosity::output::reader::{Read, Reader};
+use radiosity::output::render::render;
+use radiosity::output::shown::Shown;
+use radiosity::solution::Place;
+use radiosity::solve::{Options, Outcome, solve};
+use radiosity::visibility::Visibility;
+use radiosity::{Material, Scene, SceneBuilder, scene::Camera};
+
+const SIZE: u32 = 96;
+
+/// A ball that emits or stands in the way, over a floor that reflects nothing.
+fn over_floor(height: f64, radius: f64, exitance: f64, lamp: Option<Parallelogram>) -> Scene {
+    let mut builder = SceneBuilder::new("ball", ["grey"]);
+    let mut material = |name: &str, exitance: f64| {
+        builder.material(name, Material::new(vec![0.0], vec![exitance]).expect("in range"))
+    };
+    let (black, ball, glow) = (material("black", 0.0), material("ball", exitance), material("glow", 1.0));
+    let center = DVec3::new(0.0, 0.0, height);
+    let shape = Sphere::new(center, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball");
+    builder.surface("ball", shape, &ball);
+    let floor = Parallelogram::new(DVec3::new(-4.0, -4.0, 0.0), 8.0 * DVec3::X, 8.0 * DVec3::Y);
+    builder.surface("floor", floor.expect("a square"), &black);
+    if let Some(lamp) = lamp {
+        builder.surface("lamp", lamp, &glow);
+    }
+    let camera = Camera::new(DVec3::new(0.3, -5.0, 3.0), DVec3::new(0.0, 0.0, 0.0));
+    builder.camera(Camera { width: SIZE, height: SIZE, ..camera });
+    builder.build().expect("a scene")
+}
+
+/// A scene, solved, with its picture of irradiance by direct light.
+struct Taken {
+    scene: Scene,
+    outcome: Outcome,
+    visibility: Visibility,
+    raster: Raster,
+}
+
+fn taken(scene: Scene, samples: u32) -> Taken {
+    let options = Options::default();
+    let outcome = solve(&scene, &options, &|_| {}).expect("it is solved");
+    let visibility = Visibility::new(&scene, (&options).into());
+    let camera = scene.camera.clone().expect("a camera");
+    let read = Read::Direct;
+    let raster = render(&outcome.solution, &visibility, &camera, samples, read, Shown::Irradiance, &|_| {});
+    Taken { scene, outcome, visibility, raster }
+}
+
+impl Taken {
+    /// Value and place of each pixel that sees the floor.
+    fn on_floor(&self) -> Vec<(f64, Place)> {
+        let view = Pinhole::new(self.scene.camera.as_ref().expect("a camera"));
+        let pixel = |(index, values): (usize, &[f64])| {
+            let [column, row] = [index as u32 % SIZE, index as u32 / SIZE].map(|at| f64::from(at) + 0.5);
+            let met = self.visibility.nearest(&view.ray(column, row))?;
+            let Encounter { surface, hit, .. } = met;
+            let position = self.outcome.solution.elements().shape(surface).jet(hit.u, hit.v).position;
+            let place = Place { surface, parameters: [hit.u, hit.v], position };
+            (self.scene.surfaces[surface].name == "floor").then_some((values[0], place))
+        };
+        self.raster.pixels().enumerate().filter_map(pixel).collect()
+    }
+}
+
+#[test]
+fn a_round_lamp_lights_the_floor_far_below_and_close_by() {
+    // E = M (r/d)² h/d where all of the ball of radius r at height h is above the horizon.
+    const RADIUS: f64 = 0.25;
+    for height in [2.0, 0.5, 0.28] {
+        let taken = taken(over_floor(height, RADIUS, 3.0, None), 1);
+        let floor = taken.on_floor();
+        assert!(floor.len() > 2000);
+        let (mut squares, mut largest) = (0.0, 0.0_f64);
+        for (value, place) in &floor {
+            let step = place.position + taken.scene.middle - DVec3::new(0.0, 0.0, height);
+            let exact = 3.0 * RADIUS.powi(2) * height / step.length().powi(3);
+            squares += (value / exact - 1.0).powi(2);
+            largest = largest.max((value / exact - 1.0).abs());
+        }
+        let rms = (squares / floor.len() as f64).sqrt();
+        assert!(rms < 8e-3 && largest < 0.15, "{height}: rms {rms}, largest {largest}");
+    }
+}
+
+#[test]
+fn shadows_of_a_ball_are_those_of_exact_light() {
+    let lamp = Parallelogram::new(DVec3::new(-0.5, -0.5, 3.0), DVec3::Y, DVec3::X).expect("a square");
+    let taken = taken(over_floor(1.0, 0.5, 0.0, Some(lamp)), 1);
+    let reader = Reader::new(&taken.outcome.solution, &taken.visibility, Read::Direct, 1e-4);
+    let (mut squares, mut sum, mut dark) = (0.0, 0.0, 0);
+    for (value, place) in taken.on_floor() {
+        let element =
+            taken.outcome.solution.elements().at(place.surface, place.parameters).expect("no holes");
+        let exact = reader.irradiance(element, &place, DVec3::Z).irradiance[0];
+        squares += (value - exact).powi(2);
+        sum += exact * exact;
+        dark += usize::from(exact < 1e-3 / PI);
+    }
+    let rms = f64::sqrt(squares / sum);
+    assert!(rms < 4e-3, "{rms}");
+    assert!(dark > 10, "some pixels are in the umbra: {dark}");
+}
+
+#[test]
+fn parts_of_pixels_make_up_their_means() {
+    let taken = taken(over_floor(0.5, 0.25, 3.0, None), 3);
+    let mut several = 0;
+    for (pixel, values) in taken.raster.pixels().enumerate() {
+        let Some(samples) = taken.raster.samples(pixel) else { continue };
+        let parts: Vec<_> = samples.parts().collect();
+        let mean: f64 = parts.iter().map(|part| part.share * part.radiosity[0]).sum();
+        let cover: f64 = parts.iter().map(|part| part.share).sum();
+        assert!((mean - values[0]).abs() <= 1e-6 * values[0].max(1e-6), "{mean} {values:?}");
+        assert!((cover - taken.raster.coverage()[pixel]).abs() < 1e-6);
+        several += usize::from(parts.len() > 1);
+    }
+    assert!(several > 50, "the borders of ball and floor cross pixels: {several}");
+}
