@@ -1,7 +1,7 @@
 //! The samples of one pixel that averages several.
 //!
 //! A raster holds their mean. A photograph needs them apart: where a lamp ends within a pixel, the mean is as bright as the
-//! lamp once it is cut off at white, and edges become stairs. Of more than [`MOST`], sorted by brightness, groups of
+//! lamp once it is cut off at white, and edges become stairs. Of more than 16, sorted by brightness, groups of
 //! about equal numbers are averaged: such samples look alike.
 
 /// Most values that are kept. Chosen: lamps end in steps of a sixteenth at worst.
