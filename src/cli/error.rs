@@ -85,6 +85,12 @@ pub(crate) enum CliError {
         /// Rays that were to be sent.
         planned: u64,
     },
+    /// The accuracy asked for was not reached; all was written, with the error that was.
+    #[error("the accuracy asked for was not reached: {}; what there is was written", estimated(*estimate))]
+    Missed {
+        /// Estimated relative error.
+        estimate: Option<f64>,
+    },
     /// A strict check found something.
     #[error("{count} of the findings look wrong")]
     LooksWrong {
@@ -133,7 +139,7 @@ pub(crate) enum CliError {
 }
 
 impl CliError {
-    /// 2 if the command line or a file has to be changed, else 1. A closed pipe on standard output is no error.
+    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard output is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_)
@@ -153,6 +159,7 @@ impl CliError {
                 ExitCode::from(2)
             }
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
+            CliError::Missed { .. } => ExitCode::from(3),
             CliError::LooksWrong { .. }
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
@@ -220,6 +227,7 @@ impl CliError {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }
             CliError::LooksWrong { .. }
+            | CliError::Missed { .. }
             | CliError::Relight(RelightError::NotApart)
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
@@ -229,6 +237,14 @@ impl CliError {
             | CliError::Stdout(_) => None,
         }
     }
+}
+
+/// An estimated error in words.
+fn estimated(estimate: Option<f64>) -> String {
+    estimate.map_or_else(
+        || "its error is not known".to_owned(),
+        |estimate| format!("the estimated error is {estimate:.1e}"),
+    )
 }
 
 /// Longest part of a line that is shown, in characters. Chosen.

@@ -25,6 +25,11 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
     number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
 }
 
+/// A time in seconds.
+pub(crate) fn seconds(text: &str) -> Result<f64, String> {
+    number(text, |x| x > 0.0, "expected seconds, above 0, such as 30")
+}
+
 /// A number that is not negative.
 pub(crate) fn not_negative(text: &str) -> Result<f64, String> {
     number(text, |x| x >= 0.0, "expected a length of 0 or more, such as 1e-6")

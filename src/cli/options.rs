@@ -1,6 +1,7 @@
 //! Options that several verbs share.
 
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 use clap::{
     ArgMatches, Args, Command,
@@ -18,7 +19,7 @@ use crate::cli::{
     masks::MaskArgs,
     memory,
     modes::{Kernel, Order, Shadows, Subdivide, subdivide},
-    numbers::{accuracy, at_least_one, fraction, not_negative, positive, threads},
+    numbers::{accuracy, at_least_one, fraction, not_negative, positive, seconds, threads},
     output_file::OutputFile,
 };
 
@@ -131,6 +132,11 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "A", value_parser = fraction)]
     pub(crate) accuracy: Option<f64>,
 
+    /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with
+    /// exit code 3
+    #[arg(long, value_name = "SECONDS", value_parser = seconds)]
+    pub(crate) time_limit: Option<f64>,
+
     /// Polynomials of that degree in each coordinate, not in both together
     #[arg(long)]
     pub(crate) tensor: bool,
@@ -201,8 +207,13 @@ pub(crate) struct MethodArgs {
 }
 
 impl MethodArgs {
-    /// Refuses rays together with the methods of 1993, which know none.
+    /// Refuses rays together with the methods of 1993, which know none, and a time limit without a wanted accuracy.
     pub(crate) fn check(&self) -> Result<(), CliError> {
+        if self.time_limit.is_some() && self.wanted_accuracy().is_none() {
+            let message = "--time-limit does nothing without an accuracy that is wanted".to_owned();
+            let cure = "add --accuracy, such as --accuracy 1e-2, or leave --time-limit out".to_owned();
+            return Err(CliError::Refused { message, cure });
+        }
         let rays = match (self.transport, self.rays) {
             (Transport::Sampled, _) => "--transport sampled",
             (_, Some(_)) => "--rays",
@@ -217,6 +228,12 @@ impl MethodArgs {
         };
         let message = format!("{rays} does not go with {other}");
         Err(CliError::Refused { message, cure: "leave one of them out".to_owned() })
+    }
+
+    /// When the time allowed ends, if it does.
+    pub(crate) fn deadline(&self) -> Option<Instant> {
+        let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
+        Instant::now().checked_add(limit)
     }
 
     /// The relative error wanted, if one is.

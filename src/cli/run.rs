@@ -269,7 +269,8 @@ impl Run {
         self.report.add_read_error(error, asked);
     }
 
-    /// Ends the run: times the output, writes the summary to stderr, writes the report.
+    /// Ends the run: times the output, writes the summary to stderr, writes the report; fails where a wanted accuracy was
+    /// not reached.
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
@@ -280,7 +281,12 @@ impl Run {
         if !self.quiet {
             self.tell(written);
         }
-        Ok(())
+        match self.solved.achieved {
+            Some(achieved) if !self.saved && self.solved.outcome.converged && !achieved.reached() => {
+                Err(CliError::Missed { estimate: achieved.estimate })
+            }
+            _ => Ok(()),
+        }
     }
 
     /// The line about time.
@@ -406,6 +412,7 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,
         memory: method.memory.or_else(memory::usable),
+        deadline: method.deadline(),
         threads: method.threads.unwrap_or(defaults.threads),
         ..defaults
     }

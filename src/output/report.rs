@@ -319,6 +319,9 @@ fn why(end: End) -> Option<&'static str> {
         End::NotConverged => Some(
             "the solver did not converge in a finer run: raise --max-iterations, or take another --solver",
         ),
+        End::Time => Some(
+            "the next finer run would have taken longer than allowed: allow more with --time-limit, or ask for less",
+        ),
         End::Stopped => Some("the run was stopped: let it go on, or ask for less"),
     }
 }

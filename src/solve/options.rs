@@ -1,6 +1,7 @@
 //! What to solve and how well.
 
 use std::num::NonZero;
+use std::time::Instant;
 
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
@@ -60,6 +61,9 @@ pub struct Options {
     /// Raised by another thread to end the sending of rays; what was sent counts.
     #[serde(skip)]
     pub stop: Option<&'static Stop>,
+    /// When the sending of rays ends; what was sent counts. An adaptation begins no run that would end later.
+    #[serde(skip)]
+    pub deadline: Option<Instant>,
     /// Threads; the result does not depend on it.
     #[serde(skip, default = "all_threads")]
     pub threads: usize,
@@ -87,6 +91,7 @@ impl Default for Options {
             keep_partial: false,
             memory: None,
             stop: None,
+            deadline: None,
             threads: all_threads(),
         }
     }
@@ -114,7 +119,12 @@ impl Options {
 impl Options {
     /// Whether rays are no longer wanted.
     pub(super) fn is_stopped(&self) -> bool {
-        self.stop.is_some_and(Stop::is_raised)
+        self.stop.is_some_and(Stop::is_raised) || self.is_late()
+    }
+
+    /// Whether the deadline has passed.
+    pub(crate) fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
     /// Rays of the sampled transport of `scene`.

@@ -11,7 +11,7 @@
 
 mod estimate;
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use radiosity_solvers::SolveError;
 use serde::{Deserialize, Serialize};
@@ -85,6 +85,8 @@ pub enum End {
     Memory,
     /// The solver did not converge in the next run, or in the first.
     NotConverged,
+    /// The next run would have ended after [`Options::deadline`], or its rays were stopped there.
+    Time,
     /// The caller raised [`Options::stop`].
     Stopped,
 }
@@ -139,7 +141,7 @@ const MORE: [f64; 2] = [2.0, 16.0];
 const SHARPENING: f64 = 0.7;
 
 /// Solves `scene` on finer and finer discretisations until the estimated error is small enough, or the next run would
-/// be too large. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
+/// be too large or end too late. A finer run that does not fit into memory, or whose solver does not converge, also ends the sequence.
 ///
 /// Order and layers in `options` are lower bounds, `eps` and `shadow_eps` upper bounds; given cuts stay. `progress` is
 /// called for every run from its beginning.
@@ -166,6 +168,7 @@ pub fn adapt(
     plan.dedup_by_key(|o| (o.order, o.layers.count, o.subdivide));
     let mut plan = plan.into_iter();
     let mut chosen = plan.next().expect("there is a first rung");
+    let mut begun = Instant::now();
     let mut outcome = exactly(&chosen).map_err(advise)?;
     if !outcome.converged {
         let achieved = Achieved { estimate: None, end: End::NotConverged };
@@ -181,9 +184,15 @@ pub fn adapt(
             break End::Reached;
         }
         let Some(options) = plan.next() else { break End::Finest };
-        if unknowns(scene, &options, occluded)? > goal.most_unknowns {
+        let unknowns = unknowns(scene, &options, occluded)?;
+        if unknowns > goal.most_unknowns {
             break End::Unknowns;
         }
+        let growth = unknowns as f64 / outcome.solution.elements().coefficients() as f64;
+        if !fits(options.deadline, begun.elapsed().mul_f64(growth.powi(2))) {
+            break End::Time;
+        }
+        begun = Instant::now();
         match finer(exactly(&options))? {
             Ok(finer) => (outcome, chosen) = (finer, options),
             Err(end) => break end,
@@ -208,6 +217,7 @@ fn by_rays(
 ) -> Result<Adapted, Failure> {
     let order = options.order.max(RAYS_ORDER);
     let mut chosen = Options { order, rays: Some(options.ray_budget(scene)), ..*options };
+    let mut begun = Instant::now();
     let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
     loop {
         let Some(Sampling { rays, planned, error, .. }) = outcome.sampling else {
@@ -216,6 +226,7 @@ fn by_rays(
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
             () if error.is_some_and(|error| error <= goal.accuracy) => Some(End::Reached),
+            () if rays < planned && options.is_late() => Some(End::Time),
             () if rays < planned => Some(End::Stopped),
             () if rays >= MOST_RAYS => Some(End::Finest),
             () => None,
@@ -228,11 +239,29 @@ fn by_rays(
         }
         let factor = error.map_or(MORE[1], |error| (error / goal.accuracy).powi(2).clamp(MORE[0], MORE[1]));
         let more = ((rays as f64 * factor) as u64).min(MOST_RAYS);
+        if !fits(options.deadline, begun.elapsed().mul_f64(MORE[0])) {
+            return ended(outcome, End::Time);
+        }
+        begun = Instant::now();
         match finer(solve(scene, &Options { rays: Some(more), ..chosen }, progress))? {
+            Ok(finer) if is_worse(&finer, &outcome) => {
+                return ended(outcome, if options.is_late() { End::Time } else { End::Stopped });
+            }
             Ok(finer) => (outcome, chosen.rays) = (finer, Some(more)),
             Err(end) => return ended(outcome, end),
         }
     }
+}
+
+/// Whether a run that would take so long ends in time.
+fn fits(deadline: Option<Instant>, run: Duration) -> bool {
+    deadline.is_none_or(|deadline| deadline.saturating_duration_since(Instant::now()) >= run)
+}
+
+/// Whether `finer` was stopped before it had sent more rays than `before`.
+fn is_worse(finer: &Outcome, before: &Outcome) -> bool {
+    let rays = |outcome: &Outcome| outcome.sampling.map_or(0, |sampling| sampling.rays);
+    rays(finer) <= rays(before)
 }
 
 /// A run after the first, or the reason why it ends the sequence.

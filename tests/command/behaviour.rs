@@ -222,7 +222,8 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     let args =
         ["solve", "empty-box", "--accuracy", "1e-6", "--subdivide", "1", "--report", "r.json", "--memory"];
     let output = radiosity(here, &[&args[..], &[&peak]].concat());
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    assert_eq!(output.status.code(), Some(3), "{}", String::from_utf8_lossy(&output.stderr));
+    assert!(here.join("empty-box.solution.json").exists());
     let report = json(&here.join("r.json"));
     assert_eq!(codes(&report), ["accuracy-not-reached"]);
     assert!(report["warnings"][0]["message"].as_str().unwrap().contains("does not fit into memory"));
@@ -231,6 +232,38 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
     refused(here, &args, &["no lower order and no other solver would fit", "help: allow more with --memory"]);
     let args = ["solve", "empty-box", "--layers", "8", "--ratio", "0.01"];
     refused(here, &args, &["8 layers of ratio 0.01", "help: take fewer --layers"]);
+}
+
+#[test]
+fn a_wanted_accuracy_that_takes_too_long_keeps_the_best_run() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let late = |rest: &[&str]| {
+        let args = ["--accuracy", "1e-4", "--time-limit", "1e-6", "-q", "--report", "r.json"];
+        let output = radiosity(here, &[rest, &args].concat());
+        let message = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(3), "{message}");
+        assert!(message.contains("the estimated error is") && message.contains("was written"), "{message}");
+        let report = json(&here.join("r.json"));
+        let text = report["warnings"][0]["message"].as_str().unwrap().to_owned();
+        assert!(text.contains("longer than allowed") && text.contains("--time-limit"), "{text}");
+        assert!(report["accuracy_estimate"].as_f64().unwrap() > 1e-4);
+    };
+    late(&["solve", "empty-box", "-o", "s.json"]);
+    late(&["solve", "cornell-box", "--transport", "sampled", "-o", "s.json"]);
+    late(&["grid", "empty-box", "--cells", "1x1", "-o", "cells.csv"]);
+    // What was not reached is told again where the file is read, which itself succeeds.
+    let read = radiosity(here, &["grid", "s.json", "--cells", "1x1", "-o", "again.csv"]);
+    assert!(read.status.success() && String::from_utf8_lossy(&read.stderr).contains("longer than allowed"));
+    for name in ["cells.csv", "again.csv"] {
+        assert!(here.join(name).exists(), "{name}");
+    }
+    let args = ["solve", "empty-box", "--time-limit", "1"];
+    refused(here, &args, &["--time-limit does nothing", "help: add --accuracy"]);
+    let args = ["solve", "empty-box", "--accuracy", "0.1", "--time-limit", "0"];
+    let output = radiosity(here, &args);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("expected seconds, above 0, such as 30"));
 }
 
 #[test]
