@@ -12,13 +12,14 @@ use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{Scene, SceneError, Source};
 use radiosity::solve::{Direct, MOST_RAYS, Transport};
+use radiosity::studies::adaptation::Goal;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{
     error::CliError,
     masks::MaskArgs,
     memory,
-    modes::{Kernel, Order, Shadows, Subdivide, subdivide},
+    modes::{Kernel, Order, Shadows, Subdivide, Wanted, subdivide},
     numbers::{accuracy, at_least_one, fraction, not_negative, positive, seconds, threads},
     output_file::OutputFile,
 };
@@ -128,9 +129,13 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "N|auto")]
     pub(crate) order: Option<Order>,
 
-    /// Wanted relative error of the radiosity: raises order, layers, cuts and accuracies until it is reached
+    /// Wanted relative error: raises order, layers, cuts and accuracies until it is reached
     #[arg(long, value_name = "A", value_parser = fraction)]
     pub(crate) accuracy: Option<f64>,
+
+    /// Of what the accuracy is wanted, where pairs are carried exactly
+    #[arg(long = "for", id = "for", value_name = "WHAT", default_value = "gathered")]
+    pub(crate) aim: Wanted,
 
     /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with
     /// exit code 3
@@ -234,6 +239,11 @@ impl MethodArgs {
     pub(crate) fn deadline(&self) -> Option<Instant> {
         let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
         Instant::now().checked_add(limit)
+    }
+
+    /// The accuracy wanted, and of what, if one is.
+    pub(crate) fn goal(&self) -> Option<Goal> {
+        self.wanted_accuracy().map(|accuracy| Goal::new(accuracy, self.aim.aim()))
     }
 
     /// The relative error wanted, if one is.

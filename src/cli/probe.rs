@@ -115,7 +115,7 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
         Some(points) => Sensors::Points(points),
         None => Sensors::Planes(args.planes.of(&loaded.scene)?),
     };
-    args.read.check(&loaded.options(&args.method))?;
+    args.read.check(&loaded.options(&args.method), &args.method)?;
     args.report.reserve()?.map(|report| args.apart(report)).transpose()?;
     let data = args.data.reserve(&loaded, &args.report, |output| args.apart(output))?;
     let picture = args.picture.reserve(&loaded, &args.report, &sensors)?;

@@ -8,6 +8,7 @@ use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
 use radiosity::solve::Options;
+use radiosity::studies::adaptation::Aim;
 use radiosity::visibility::Hiding;
 
 use crate::cli::error::CliError;
@@ -36,8 +37,9 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
-    /// Refuses what would have no effect on the reading of a solution with these options.
-    pub(crate) fn check(&self, options: &Options) -> Result<(), CliError> {
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    pub(crate) fn check(&self, options: &Options, method: &MethodArgs) -> Result<(), CliError> {
+        check_aim(self.read, method)?;
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
         };
@@ -75,6 +77,19 @@ impl ReadArgs {
             eps: self.read_eps.unwrap_or(asked.fold(of_solution, f64::min)),
             rates: usual.rates,
         }
+    }
+}
+
+/// Refuses an accuracy of gathered light where polynomials are read.
+pub(crate) fn check_aim(read: Option<Read>, method: &MethodArgs) -> Result<(), CliError> {
+    let is_of_gathered = method.goal().is_some_and(|goal| goal.of == Aim::Gathered);
+    match read {
+        Some(Read::Basis | Read::Direct) if is_of_gathered => Err(CliError::Refused {
+            message: "--accuracy is that of gathered light, and --read basis and direct read polynomials"
+                .to_owned(),
+            cure: "add --for solution, or take --read gather".to_owned(),
+        }),
+        _ => Ok(()),
     }
 }
 

@@ -19,6 +19,7 @@ use crate::cli::{
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
+    read::check_aim,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
@@ -67,6 +68,7 @@ const AT_ONCE: u64 = 1 << 20;
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
+    check_aim(args.read, &args.method)?;
     let kind = args.style.kind(&path)?;
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args, &loaded.scene)?;

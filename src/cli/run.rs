@@ -14,7 +14,7 @@ use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
-use radiosity::studies::adaptation::{Achieved, Goal};
+use radiosity::studies::adaptation::{Achieved, Aim};
 
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
@@ -203,9 +203,9 @@ impl Run {
             Stage::Finished(..) => {}
         };
         let scene = loaded.scene;
-        let solved = match (loaded.saved, method.wanted_accuracy()) {
+        let solved = match (loaded.saved, method.goal()) {
             (Some(saved), _) => saved.with(scene),
-            (None, Some(accuracy)) => Solved::to_accuracy(scene, &asked, Goal::new(accuracy), &observe)?,
+            (None, Some(goal)) => Solved::to_accuracy(scene, &asked, goal, &observe)?,
             (None, None) => Solved::new(scene, asked, &observe)?,
         };
         Ok(Self::new(solved, start, report))
@@ -289,6 +289,14 @@ impl Run {
         }
     }
 
+    /// What the estimated error is of.
+    fn estimated(&self) -> &'static str {
+        match self.solved.achieved.map(|achieved| achieved.of) {
+            Some(Aim::Gathered) => "gathered light",
+            _ => "the radiosity",
+        }
+    }
+
     /// The line about time.
     fn costs(&self) -> String {
         let Report { seconds, solver, residual, .. } = &self.report;
@@ -343,7 +351,8 @@ impl Run {
         // Rays tell their own error with the blocks, that of elements apart.
         let estimate = self.report.accuracy_estimate.filter(|_| self.report.transport.kind == "exact");
         lines.extend(
-            estimate.map(|estimate| format!("estimated relative error of the radiosity {estimate:.1e}")),
+            estimate
+                .map(|estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated())),
         );
         lines.extend(self.report.read_error.map(|error| {
             let [rms, largest] = [error.rms, error.largest].map(|error| decimals(100.0 * error, 2));

@@ -1,14 +1,18 @@
 //! Adaptation: solves on finer and finer discretisations until a wanted accuracy is reached.
 //!
 //! Each run has more polynomials or elements than the one before, and more accurate transfers. Its error is estimated
-//! from light gathered at points (`estimate`), plus what transfers and shadows may miss. Against exact answers and much
-//! finer runs the estimate is within a factor of three of the error (`cargo test --release --test stress --
-//! --ignored`).
+//! from light gathered at points, plus what transfers and shadows may miss: that of the polynomials by what is gathered
+//! beside them (`estimate`), that of gathered light by what is gathered where rays from its points end (`gathered`).
+//! Against exact answers and much finer runs the estimate of polynomials is within a factor of three of the error
+//! (`cargo test --release --test stress -- --ignored`).
 //!
 //! In a scene without shadows the radiosity is smooth except at edges where surfaces meet, and layers graded towards
 //! them converge fastest. Shadow edges lie anywhere, and so do the kinks on a surface that bends away from its light,
 //! where the light crosses its horizon: there the elements are cut evenly.
 
+mod goal;
+mod points;
+mod gathered;
 mod estimate;
 
 use std::time::{Duration, Instant};
@@ -28,21 +32,7 @@ use crate::visibility::Visibility;
 
 use estimate::estimate;
 
-/// What is wanted.
-#[derive(Clone, Copy, Debug)]
-pub struct Goal {
-    /// Relative L2 error of the radiosity without the emitted exitance, all bands pooled.
-    pub accuracy: f64,
-    /// A run with more unknowns per band is not begun, except the first.
-    pub most_unknowns: usize,
-}
-
-impl Goal {
-    /// `accuracy` with at most 8000 unknowns per band, whose matrix has half a gigabyte (8000² · 8 bytes).
-    pub fn new(accuracy: f64) -> Self {
-        Self { accuracy, most_unknowns: 8000 }
-    }
-}
+pub use goal::{Aim, Goal};
 
 /// The finest run and its accuracy.
 #[derive(Debug)]
@@ -60,6 +50,9 @@ pub struct Adapted {
 pub struct Achieved {
     /// Estimated relative error of the finest run; None where its solver did not converge.
     pub estimate: Option<f64>,
+    /// Of what.
+    #[serde(default)]
+    pub of: Aim,
     /// Why no finer run followed.
     pub end: End,
 }
@@ -171,13 +164,13 @@ pub fn adapt(
     let mut begun = Instant::now();
     let mut outcome = exactly(&chosen).map_err(advise)?;
     if !outcome.converged {
-        let achieved = Achieved { estimate: None, end: End::NotConverged };
+        let achieved = Achieved { estimate: None, of: goal.of, end: End::NotConverged };
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
     let end = loop {
         let mut taken = Duration::ZERO;
-        error = timed(&mut taken, || estimate(scene, &outcome, &chosen, goal.accuracy, progress))?;
+        error = timed(&mut taken, || estimate(scene, &outcome, &chosen, goal, progress))?;
         outcome.seconds.estimate = taken;
         progress(Progress::Finished("estimate", outcome.seconds.estimate));
         if error <= goal.accuracy {
@@ -198,7 +191,7 @@ pub fn adapt(
             Err(end) => break end,
         }
     };
-    Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), end } })
+    Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), of: goal.of, end } })
 }
 
 /// Whether rays carry the pairs: in small scenes only if they are asked for, because they tell no error of elements.
@@ -232,7 +225,11 @@ fn by_rays(
             () => None,
         };
         let ended = |outcome, end| {
-            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: error, end } })
+            Ok(Adapted {
+                outcome,
+                options: chosen,
+                achieved: Achieved { estimate: error, of: Aim::Solution, end },
+            })
         };
         if let Some(end) = end {
             return ended(outcome, end);

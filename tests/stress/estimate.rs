@@ -9,7 +9,7 @@ use radiosity::gather::spot::Spot;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solve::{Options, solve};
-use radiosity::studies::adaptation::{Goal, adapt};
+use radiosity::studies::adaptation::{Aim, Goal, adapt};
 use radiosity::studies::error_norm::distance;
 use radiosity::visibility::Visibility;
 
@@ -74,7 +74,8 @@ impl Case {
     /// Estimate and error of the run that is taken for `accuracy`; prints them.
     fn run(&self, accuracy: f64) -> [f64; 2] {
         let options = Options { order: 0, ..Options::default() };
-        let adapted = adapt(&self.scene, &options, Goal::new(accuracy), &|_| {}).expect("it can be solved");
+        let adapted = adapt(&self.scene, &options, Goal::new(accuracy, Aim::Solution), &|_| {})
+            .expect("it can be solved");
         let estimate = adapted.achieved.estimate.expect("the solver converges");
         let solution = &adapted.outcome.solution;
         let error = (self.error)(solution);

@@ -8,14 +8,17 @@ use radiosity::elements::coating::Coating;
 use radiosity::elements::rule::UnitRule;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Element, Elements, Subdivide};
+use radiosity::gather::Gather;
+use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solution::{Band, Place, Solution};
 use radiosity::solve::memory::Footprint;
-use radiosity::solve::{Options, solve};
-use radiosity::studies::adaptation::{Achieved, Adapted, End, Goal, adapt};
+use radiosity::solve::{Options, Outcome, solve};
+use radiosity::studies::adaptation::{Achieved, Adapted, Aim, End, Goal, adapt};
 use radiosity::studies::convergence::{Reference, convergence};
 use radiosity::studies::error_norm::{Incomparable, distance};
 use radiosity::system::Coefficients;
+use radiosity::visibility::Visibility;
 use radiosity_geom::DVec3;
 use serde_json::Value;
 
@@ -185,7 +188,7 @@ fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
 #[test]
 fn the_furnace_is_met_to_the_accuracy_wanted() {
     for accuracy in [1e-2, 1e-4] {
-        let adapted = adapted("furnace-cube", Goal::new(accuracy));
+        let adapted = adapted("furnace-cube", Goal::new(accuracy, Aim::Solution));
         assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
         for surface in 0..6 {
             let element = &adapted.outcome.solution.elements().list()
@@ -203,7 +206,7 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
         serde_json::from_str(include_str!("../data/box_radiosity.json")).expect("the data file is JSON");
     let points = file["scenes"][0]["points"].as_array().expect("points are listed");
     for accuracy in [3e-2, 1e-2, 3e-3] {
-        let adapted = adapted("empty-box", Goal::new(accuracy));
+        let adapted = adapted("empty-box", Goal::new(accuracy, Aim::Solution));
         assert!(adapted.achieved.reached() && adapted.achieved.estimate.unwrap() <= accuracy);
         let squares: Vec<[f64; 2]> = points
             .iter()
@@ -224,9 +227,53 @@ fn the_empty_box_is_met_to_the_accuracy_wanted() {
     }
 }
 
+/// Reflected light gathered to `eps` at the middles of a grid on three walls of the empty box.
+fn gathered(solution: &Solution, options: &Options, eps: f64) -> Vec<f64> {
+    const CELLS: usize = 20;
+    let visibility = Visibility::new(&Scene::builtin("empty-box").expect("it is built in"), options.into());
+    let gather = Gather::new(solution, &visibility, eps);
+    let middle = |k: usize| (k as f64 + 0.5) / CELLS as f64;
+    let mut light = Vec::new();
+    for (a, b) in (0..CELLS * CELLS).map(|k| (middle(k / CELLS), middle(k % CELLS))) {
+        let floor = ReceiverPoint::on(0, DVec3::new(a, b, 0.0), DVec3::Z);
+        let ceiling = ReceiverPoint::on(1, DVec3::new(a, b, 1.0), DVec3::NEG_Z);
+        let wall = ReceiverPoint::on(2, DVec3::new(0.0, a, b), DVec3::X);
+        // There are four walls.
+        light.extend(
+            [(floor, 1.0), (ceiling, 1.0), (wall, 2.0)].map(|(point, root)| root * gather.at(&point)[0]),
+        );
+    }
+    light
+}
+
+#[test]
+fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unknowns() {
+    // This run is known to be right to 1e-4 (`light::gather`).
+    let layers = Layers { count: 2, ratio: 0.25 };
+    let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
+    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let exact = gathered(&solve(&scene, &fine, &|_| {}).expect("it can be solved").solution, &fine, 1e-5);
+    for accuracy in [1e-2, 3e-3, 1e-3, 3e-4] {
+        let adapted = |of| adapted("empty-box", Goal::new(accuracy, of));
+        let Adapted { outcome, options, achieved } = adapted(Aim::Gathered);
+        assert!(achieved.reached() && achieved.of == Aim::Gathered);
+        let found = gathered(&outcome.solution, &options, 1e-5);
+        let squares = |value: &dyn Fn(usize) -> f64| (0..exact.len()).map(|k| value(k).powi(2)).sum::<f64>();
+        let error = (squares(&|k| found[k] - exact[k]) / squares(&|k| exact[k])).sqrt();
+        let estimate = achieved.estimate.expect("it was estimated");
+        assert!(error <= accuracy, "error {error}, {accuracy} wanted");
+        // The noise of the rays hides errors below a tenth of that of the polynomials.
+        let most = (3.0 * error).max(0.5 * accuracy);
+        assert!(error / 2.0 <= estimate && estimate <= most, "error {error}, estimated {estimate}");
+        let unknowns = |outcome: &Outcome| outcome.solution.elements().coefficients();
+        let [few, many] = [unknowns(&outcome), unknowns(&adapted(Aim::Solution).outcome)];
+        assert!(few < many, "{few} unknowns for gathered light, {many} for polynomials");
+    }
+}
+
 #[test]
 fn what_cannot_be_reached_is_told() {
-    let adapted = adapted("empty-box", Goal { accuracy: 1e-3, most_unknowns: 200 });
+    let adapted = adapted("empty-box", Goal { accuracy: 1e-3, of: Aim::Solution, most_unknowns: 200 });
     assert_eq!(adapted.achieved.end, End::Unknowns);
     let estimate = adapted.achieved.estimate.unwrap();
     assert!(estimate > 1e-3 && estimate < 0.1);
@@ -242,8 +289,9 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     let memory = Some(whole(3));
     assert!(whole(2) < whole(3) && whole(3) < whole(4));
     let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
-    let adapted = adapt(&scene, &options, Goal::new(1e-6), &|_| {}).expect("the first run fits");
-    let Achieved { estimate, end } = adapted.achieved;
+    let adapted =
+        adapt(&scene, &options, Goal::new(1e-6, Aim::Solution), &|_| {}).expect("the first run fits");
+    let Achieved { estimate, end, .. } = adapted.achieved;
     assert!(end == End::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);
 }

@@ -13,8 +13,7 @@
 //! ‖B − B_h‖² ≈ ∫ ρ² (E_g − E_h)² dA ≈ Σ_patches 1/n Σ_k (ρ (E_g − E_h))²(x_k) J(x_k) ,
 //! ```
 //!
-//! at the points of a low-discrepancy sequence over the unit square (Roberts's R2, shifted from patch to patch); J is
-//! the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as
+//! at [points](super::points) x_k; J is the area element. ‖B − E₀‖² is the same sum of (ρ E_g)². Kinks, shadow edges and corners count wherever they lie, as
 //! no rate of convergence is assumed; a detail between the points is missed.
 //!
 //! An error of the transfers does not oscillate. E_g shows its first effect, but not its effect after further
@@ -25,21 +24,16 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::elements::patch::Node;
 use crate::gather::Gather;
 use crate::light::occluders::Site;
-use crate::light::receiver_point::ReceiverPoint;
 use crate::scene::Scene;
-use crate::solution::{Place, Solution};
+use crate::solution::Solution;
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
 use crate::visibility::Visibility;
 
-/// Points in all, and the fewest per patch ([`FEWEST`]). Chosen; not tuned.
-const POINTS: usize = 256;
-const FEWEST: usize = 1;
-
-/// Steps of the sequence: 1/p and 1/p² with p³ = p + 1 (Roberts 2018).
-const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
+use super::gathered;
+use super::goal::{Aim, Goal};
+use super::points::{Point, points};
 
 /// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the part
 /// [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
@@ -48,10 +42,14 @@ const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
 const OF_WANTED: f64 = 0.1;
 
+/// Accuracy of gathering over the wanted one, where the error of gathered light is estimated. Chosen; not tuned.
+const OF_WANTED_IF_GATHERED: f64 = 0.3;
+
 /// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
 const TRANSFERRED: f64 = 0.1;
 
-/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with `wanted`.
+/// Estimated ‖B − B_h‖/‖B − E₀‖ of the run `outcome`, all bands pooled, accurate enough to compare with the goal; B_h are
+/// the polynomials, or E₀ + ρ E_g where gathered light is the goal ([`gathered`]).
 ///
 /// # Errors
 /// Threads that cannot be started.
@@ -59,11 +57,15 @@ pub(super) fn estimate(
     scene: &Scene,
     outcome: &Outcome,
     options: &Options,
-    wanted: f64,
+    goal: Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<f64, Failure> {
     let visibility = Visibility::new(scene, options.into());
+    let wanted = goal.accuracy;
     let error = in_threads(options.threads, || {
+        if goal.of == Aim::Gathered {
+            return of_gathered(&outcome.solution, &visibility, OF_WANTED_IF_GATHERED * wanted, progress);
+        }
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
@@ -74,6 +76,19 @@ pub(super) fn estimate(
     Ok(error.hypot(TRANSFERRED * missed(outcome, options)))
 }
 
+/// Error of light gathered to `eps`.
+fn of_gathered(
+    solution: &Solution,
+    visibility: &Visibility,
+    eps: f64,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> f64 {
+    let (done, all) = (AtomicUsize::new(0), solution.elements().list().len());
+    gathered::error(solution, visibility, eps, &|| {
+        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, all));
+    })
+}
+
 /// Error of the polynomials, by light gathered to `eps`.
 fn unresolved(
     solution: &Solution,
@@ -82,50 +97,34 @@ fn unresolved(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> f64 {
     let gather = Gather::new(solution, visibility, eps);
-    let list = solution.elements().list();
-    let patches: usize = list.iter().map(|element| element.patches.len()).sum();
-    let points = POINTS.div_ceil(patches).max(FEWEST);
-    let firsts = list.iter().scan(0, |patches, element| {
-        let first = *patches * points;
-        *patches += element.patches.len();
-        Some(first)
-    });
-    let firsts: Vec<usize> = firsts.collect();
+    let points = points(solution.elements().list());
     let done = AtomicUsize::new(0);
-    let of = |(element, first): (usize, &usize)| {
-        let squares = squares(element, solution, &gather, *first, points);
-        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, list.len()));
+    let of = |(element, own): (usize, &Vec<Point>)| {
+        let squares = squares(element, own, solution, &gather);
+        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, points.len()));
         squares
     };
-    let squares: Vec<[f64; 2]> = firsts.par_iter().enumerate().map(of).collect();
+    let squares: Vec<[f64; 2]> = points.par_iter().enumerate().map(of).collect();
     let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }
 
-/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by `points` points on each of its patches, starting at
-/// index `first` of the sequence.
-fn squares(element: usize, solution: &Solution, gather: &Gather, first: usize, points: usize) -> [f64; 2] {
-    let own = &solution.elements().list()[element];
+/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by its points.
+fn squares(element: usize, points: &[Point], solution: &Solution, gather: &Gather) -> [f64; 2] {
     let reflectances: Vec<f64> =
         solution.bands().iter().map(|band| band.coating.reflectance[element]).collect();
     let mut sums = [0.0; 2];
     if reflectances.iter().all(|reflectance| *reflectance == 0.0) {
         return sums;
     }
-    let company = gather.around(&Site::of(own));
-    for (place, patch) in own.patches.iter().enumerate() {
-        for k in 0..points {
-            let index = first + place * points + k;
-            let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
-            let Node { position, normal, parameters, area, .. } = patch.node(s, t);
-            let gathered = gather.irradiance(&ReceiverPoint::on(own.surface, position, normal), &company);
-            let place = Place { surface: own.surface, parameters: parameters.to_array(), position };
-            for (band, (reflectance, gathered)) in reflectances.iter().zip(gathered).enumerate() {
-                let held = solution.irradiance(band, element, &place);
-                let weight = area * reflectance * reflectance / points as f64;
-                sums[0] += weight * (gathered - held).powi(2);
-                sums[1] += weight * gathered.powi(2);
-            }
+    let company = gather.around(&Site::of(&solution.elements().list()[element]));
+    for point in points {
+        let gathered = gather.irradiance(&point.vantage(), &company);
+        for (band, (reflectance, gathered)) in reflectances.iter().zip(gathered).enumerate() {
+            let held = solution.irradiance(band, element, &point.place);
+            let weight = point.area * reflectance * reflectance;
+            sums[0] += weight * (gathered - held).powi(2);
+            sums[1] += weight * gathered.powi(2);
         }
     }
     sums

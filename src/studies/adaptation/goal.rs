@@ -1,0 +1,33 @@
+//! The accuracy that is wanted, and of what.
+
+use serde::{Deserialize, Serialize};
+
+/// What is wanted.
+#[derive(Clone, Copy, Debug)]
+pub struct Goal {
+    /// Relative L2 error, all bands pooled.
+    pub accuracy: f64,
+    /// Of what.
+    pub of: Aim,
+    /// A run with more unknowns per band is not begun, except the first.
+    pub most_unknowns: usize,
+}
+
+/// What is to be accurate.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Aim {
+    /// The polynomials of the radiosity, without the emitted exitance.
+    #[default]
+    Solution,
+    /// The light that surfaces reflect of what is gathered from the solution at their points, as sensors and pictures
+    /// are read.
+    Gathered,
+}
+
+impl Goal {
+    /// `accuracy` with at most 8000 unknowns per band, whose matrix has half a gigabyte (8000² · 8 bytes).
+    pub fn new(accuracy: f64, of: Aim) -> Self {
+        Self { accuracy, of, most_unknowns: 8000 }
+    }
+}
