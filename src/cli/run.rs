@@ -289,12 +289,14 @@ impl Run {
         }
     }
 
-    /// What the estimated error is of.
+    /// What the estimated error is of, where there is one.
+    fn aim(&self) -> Option<Aim> {
+        self.solved.achieved.map(|achieved| achieved.of)
+    }
+
+    /// The same in words.
     fn estimated(&self) -> &'static str {
-        match self.solved.achieved.map(|achieved| achieved.of) {
-            Some(Aim::Gathered) => "gathered light",
-            _ => "the radiosity",
-        }
+        if self.aim() == Some(Aim::Gathered) { "gathered light" } else { "the radiosity" }
     }
 
     /// The line about time.
@@ -348,8 +350,9 @@ impl Run {
         ];
         lines.extend(groups(&self.report.light_groups));
         lines.extend(self.solved.scene.fitted.line());
-        // Rays tell their own error with the blocks, that of elements apart.
-        let estimate = self.report.accuracy_estimate.filter(|_| self.report.transport.kind == "exact");
+        // The error that rays leave in the radiosity of elements is told with the blocks.
+        let is_told = self.report.transport.kind != "exact" && self.aim() == Some(Aim::Solution);
+        let estimate = self.report.accuracy_estimate.filter(|_| !is_told);
         lines.extend(
             estimate
                 .map(|estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated())),

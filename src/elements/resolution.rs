@@ -25,7 +25,9 @@ struct Grade {
 
 /// The grades, largest surfaces first; constants below. The functions of an element are told apart by its rays: n rays
 /// leave eigenvalues of their sums of products off by about 2 √(m/n) for m functions.
-const GRADES: [Grade; 4] = [
+const GRADES: [Grade; 6] = [
+    Grade { rays: 1.8e6, order: 2, parts: 16 },
+    Grade { rays: 1.15e5, order: 2, parts: 8 },
     Grade { rays: 7200.0, order: 2, parts: 4 },
     Grade { rays: 1100.0, order: 2, parts: 2 },
     Grade { rays: 360.0, order: 2, parts: 1 },

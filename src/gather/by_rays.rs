@@ -138,6 +138,8 @@ enum Far {
     Direct { chance: u64, small: f64 },
     /// All by rays that this number chooses.
     Gathered(u64),
+    /// What [`Far::Direct`] leaves out: light gathered by rays that `chance` chooses, less what that takes instead.
+    Missed { chance: u64, small: f64 },
 }
 
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
@@ -182,6 +184,24 @@ impl<'a> RayGather<'a> {
     /// The reflected light of a point alone, one of many, accurate relative to this and the light `other` (W m⁻² per band).
     pub fn reflected(&self, vantage: &ReceiverPoint, other: &[f64]) -> Estimate {
         self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
+    }
+
+    /// Adds to `sums`, per band, what readings at `vantage` lack because of the polynomials where these cosine-distributed
+    /// rays end: ρ (S_g − S_h) there (W m⁻²), S_g gathered by one ray; on elements whose light is read from polynomials as
+    /// a whole, ρ times all that these miss. `number` chooses the rays.
+    pub(crate) fn add_missed(
+        &self,
+        vantage: &ReceiverPoint,
+        number: u64,
+        rays: Range<u64>,
+        sums: &mut [f64],
+    ) {
+        let offset: [f64; 2] = shift(number);
+        for index in rays {
+            let direction = lambert(vantage.normal, shifted(kronecker::point(index), &offset));
+            let chance = number_of([f64::from_bits(number), index as f64]);
+            self.add_met(vantage, direction, None, Far::Missed { chance, small: SMALL }, sums);
+        }
     }
 
     /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on; `other` light
@@ -291,23 +311,53 @@ impl<'a> RayGather<'a> {
         let mut irradiance = vec![0.0; radiosity.len()];
         let there = || ReceiverPoint::on(surface, position, normal());
         match far {
-            Far::Polynomials => self.solution.irradiance_bands(element, &place, &mut irradiance),
-            Far::Direct { small, .. }
-                if is_small(own, small * hit.t) || self.lamps.is_near(&there(), NEAR) =>
-            {
-                self.solution.irradiance_bands(element, &place, &mut irradiance);
-            }
-            Far::Direct { chance, .. } => {
-                self.solution.indirect_bands(element, &place, &mut irradiance);
-                irradiance.iter_mut().for_each(|irradiance| *irradiance = irradiance.max(0.0));
-                self.add_direct(&there(), chance, &mut irradiance);
+            Far::Polynomials => self.add_held(element, &place, &mut irradiance),
+            Far::Direct { chance, small } => {
+                if self.is_rough(element, &there(), small * hit.t) {
+                    self.add_held(element, &place, &mut irradiance);
+                } else {
+                    self.add_reflected(element, &place, 1.0, &mut irradiance);
+                    self.add_direct(&there(), chance, &mut irradiance);
+                }
             }
             Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
+            Far::Missed { chance, small } => {
+                if self.is_rough(element, &there(), small * hit.t) {
+                    self.add_held(element, &place, &mut irradiance);
+                    irradiance.iter_mut().for_each(|held| *held = -*held);
+                    self.add_estimate(&there(), chance, &mut irradiance);
+                } else {
+                    self.add_reflected(element, &place, -1.0, &mut irradiance);
+                    let direction = lambert(normal(), shift(chance));
+                    let far = Far::Direct { chance: number_of([f64::from_bits(chance)]), small };
+                    self.add_met(&there(), direction, None, far, &mut irradiance);
+                }
+            }
         }
         for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
             let coating = &band.coating;
-            *out += coating.reflectance[element] * irradiance.max(0.0) + weight * coating.exitance[element];
+            *out += coating.reflectance[element] * irradiance + weight * coating.exitance[element];
         }
+    }
+
+    /// Whether readings take all light at a point of an element from its polynomials, because it is near an emitter or smaller
+    /// than a square of this width.
+    fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
+        is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR)
+    }
+
+    /// Adds the polynomials E_h ≥ 0 of all light.
+    fn add_held(&self, element: usize, place: &Place, irradiance: &mut [f64]) {
+        let mut held = vec![0.0; irradiance.len()];
+        self.solution.irradiance_bands(element, place, &mut held);
+        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += held.max(0.0));
+    }
+
+    /// Adds `factor` times the polynomials S_h ≥ 0 of reflected light.
+    fn add_reflected(&self, element: usize, place: &Place, factor: f64, irradiance: &mut [f64]) {
+        let mut held = vec![0.0; irradiance.len()];
+        self.solution.indirect_bands(element, place, &mut held);
+        irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
     }
 
     /// Adds an estimate of the direct light by one ray.

@@ -119,7 +119,8 @@ const EVEN: [Rung; 6] = [
 const FEW: usize = 300;
 
 /// Why small scenes are solved by exact blocks.
-const NO_ERROR_OF_ELEMENTS: &str = "an accuracy is asked for, and rays do not tell the error of elements";
+const NO_ERROR_OF_ELEMENTS: &str =
+    "an accuracy of the polynomials is asked for, and rays do not tell the error of elements";
 
 /// Order of the first rungs. Chosen; not tuned.
 const FIRST_ORDER: usize = 2;
@@ -148,7 +149,7 @@ pub fn adapt(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
     let choice = in_threads(options.threads, || Choice::of(scene, options))?;
-    if is_by_rays(scene, options, &choice) {
+    if is_by_rays(scene, options, goal, &choice) {
         return by_rays(scene, options, goal, progress);
     }
     let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
@@ -169,10 +170,7 @@ pub fn adapt(
     }
     let mut error;
     let end = loop {
-        let mut taken = Duration::ZERO;
-        error = timed(&mut taken, || estimate(scene, &outcome, &chosen, goal, progress))?;
-        outcome.seconds.estimate = taken;
-        progress(Progress::Finished("estimate", outcome.seconds.estimate));
+        error = estimated(scene, &mut outcome, &chosen, goal, progress)?;
         if error <= goal.accuracy {
             break End::Reached;
         }
@@ -194,10 +192,11 @@ pub fn adapt(
     Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), of: goal.of, end } })
 }
 
-/// Whether rays carry the pairs: in small scenes only if they are asked for, because they tell no error of elements.
-fn is_by_rays(scene: &Scene, options: &Options, choice: &Choice) -> bool {
+/// Whether rays carry the pairs: where polynomials are the goal, in small scenes only if they are asked for, because their
+/// own error tells nothing of that of elements.
+fn is_by_rays(scene: &Scene, options: &Options, goal: Goal, choice: &Choice) -> bool {
     let is_asked_for = options.transport == Transport::Sampled || options.rays.is_some();
-    choice.sampled && (is_asked_for || scene.surfaces.len() > FEW)
+    choice.sampled && (goal.of == Aim::Gathered || is_asked_for || scene.surfaces.len() > FEW)
 }
 
 /// Solves `scene` by more and more rays, and elements as fine as these support, until the error that rays leave is
@@ -213,8 +212,15 @@ fn by_rays(
     let mut begun = Instant::now();
     let mut outcome = solve(scene, &chosen, progress).map_err(advise)?;
     loop {
-        let Some(Sampling { rays, planned, error, .. }) = outcome.sampling else {
+        let Some(Sampling { rays, planned, error: of_rays, .. }) = outcome.sampling else {
             unreachable!("rays carried the pairs")
+        };
+        let error = match goal.of {
+            Aim::Solution => of_rays,
+            Aim::Gathered if outcome.converged => {
+                Some(estimated(scene, &mut outcome, &chosen, goal, progress)?)
+            }
+            Aim::Gathered => None,
         };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
@@ -225,11 +231,7 @@ fn by_rays(
             () => None,
         };
         let ended = |outcome, end| {
-            Ok(Adapted {
-                outcome,
-                options: chosen,
-                achieved: Achieved { estimate: error, of: Aim::Solution, end },
-            })
+            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: error, of: goal.of, end } })
         };
         if let Some(end) = end {
             return ended(outcome, end);
@@ -248,6 +250,21 @@ fn by_rays(
             Err(end) => return ended(outcome, end),
         }
     }
+}
+
+/// The estimated error of a run, timed.
+fn estimated(
+    scene: &Scene,
+    outcome: &mut Outcome,
+    options: &Options,
+    goal: Goal,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<f64, Failure> {
+    let mut taken = Duration::ZERO;
+    let error = timed(&mut taken, || estimate(scene, outcome, options, goal, progress))?;
+    outcome.seconds.estimate = taken;
+    progress(Progress::Finished("estimate", taken));
+    Ok(error)
 }
 
 /// Whether a run that would take so long ends in time.

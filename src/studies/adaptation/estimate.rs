@@ -42,9 +42,6 @@ const SHARPER: f64 = 0.2;
 const OF_FOUND: f64 = 0.3;
 const OF_WANTED: f64 = 0.1;
 
-/// Accuracy of gathering over the wanted one, where the error of gathered light is estimated. Chosen; not tuned.
-const OF_WANTED_IF_GATHERED: f64 = 0.3;
-
 /// Part of the transfers' error that reaches the radiosity unseen by E_g: a guess, see the header.
 const TRANSFERRED: f64 = 0.1;
 
@@ -62,10 +59,16 @@ pub(super) fn estimate(
 ) -> Result<f64, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let wanted = goal.accuracy;
+    if goal.of == Aim::Gathered {
+        let goes_on = |done, all| {
+            progress(Progress::Estimate(done, all));
+            !options.is_late()
+        };
+        return in_threads(options.threads, || {
+            gathered::error(&outcome.solution, &visibility, wanted, &goes_on)
+        });
+    }
     let error = in_threads(options.threads, || {
-        if goal.of == Aim::Gathered {
-            return of_gathered(&outcome.solution, &visibility, OF_WANTED_IF_GATHERED * wanted, progress);
-        }
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {
             eps = (SHARPER * eps).max(OF_WANTED * wanted);
@@ -74,19 +77,6 @@ pub(super) fn estimate(
         error
     })?;
     Ok(error.hypot(TRANSFERRED * missed(outcome, options)))
-}
-
-/// Error of light gathered to `eps`.
-fn of_gathered(
-    solution: &Solution,
-    visibility: &Visibility,
-    eps: f64,
-    progress: &(dyn Fn(Progress) + Sync),
-) -> f64 {
-    let (done, all) = (AtomicUsize::new(0), solution.elements().list().len());
-    gathered::error(solution, visibility, eps, &|| {
-        progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, all));
-    })
 }
 
 /// Error of the polynomials, by light gathered to `eps`.

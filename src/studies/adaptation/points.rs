@@ -1,15 +1,16 @@
 //! Points spread over all elements: those of a low-discrepancy sequence (Roberts's R2), shifted from patch to patch.
+//!
+//! Each patch has as many; where there are more patches than points, the patches at equal steps of area have one.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::Element;
-use crate::elements::patch::Node;
+use crate::elements::patch::{Node, Patch};
 use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::Place;
 
-/// Points in all, and the fewest per patch ([`FEWEST`]). Chosen; not tuned.
+/// Points in all, at least. Chosen; not tuned.
 const POINTS: usize = 256;
-const FEWEST: usize = 1;
 
 /// Steps of the sequence: 1/p and 1/p² with p³ = p + 1 (Roberts 2018).
 const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
@@ -35,20 +36,53 @@ impl Point {
 /// The points of each element.
 pub(super) fn points(list: &[Element]) -> Vec<Vec<Point>> {
     let patches: usize = list.iter().map(|element| element.patches.len()).sum();
-    let each = POINTS.div_ceil(patches).max(FEWEST);
-    let mut index = 0;
+    if patches > POINTS { by_area(list) } else { by_patch(list, POINTS.div_ceil(patches)) }
+}
+
+/// So many points on each patch.
+fn by_patch(list: &[Element], each: usize) -> Vec<Vec<Point>> {
+    let mut indices = 0..;
     let of = |element: &Element| {
-        let mut points = Vec::with_capacity(each * element.patches.len());
+        let patches = element.patches.iter().flat_map(|patch| std::iter::repeat_n(patch, each));
+        let point = |(patch, index)| {
+            let (point, area) = point(element, patch, index);
+            Point { area: area / each as f64, ..point }
+        };
+        patches.zip(&mut indices).map(point).collect()
+    };
+    list.iter().map(of).collect()
+}
+
+/// A point wherever another 1/[`POINTS`] of the area is full; it stands for as much.
+fn by_area(list: &[Element]) -> Vec<Vec<Point>> {
+    let step = list.iter().map(|element| element.area).sum::<f64>() / POINTS as f64;
+    let (mut reached, mut index) = (0.5 * step, 0);
+    let of = |element: &Element| {
+        let mut points = Vec::new();
         for patch in &element.patches {
-            for _ in 0..each {
-                let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
-                let Node { position, normal, parameters, area, .. } = patch.node(s, t);
-                let place = Place { surface: element.surface, parameters: parameters.to_array(), position };
-                points.push(Point { place, normal, area: area / each as f64, index });
+            let whole = area(element, patch);
+            reached += whole;
+            while reached >= step {
+                reached -= step;
+                let (point, area) = point(element, patch, index);
+                points.push(Point { area: step * area / whole, ..point });
                 index += 1;
             }
         }
         points
     };
     list.iter().map(of).collect()
+}
+
+/// Point `index` of the sequence on a patch of an element, and the area element there.
+fn point(element: &Element, patch: &Patch, index: usize) -> (Point, f64) {
+    let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
+    let Node { position, normal, parameters, area, .. } = patch.node(s, t);
+    let place = Place { surface: element.surface, parameters: parameters.to_array(), position };
+    (Point { place, normal, area, index }, area)
+}
+
+/// Area of a patch: that of its middle where it is flat, and curved elements have one.
+fn area(element: &Element, patch: &Patch) -> f64 {
+    if patch.is_flat() { patch.node(0.5, 0.5).area } else { element.area }
 }
