@@ -19,6 +19,7 @@ pub mod basis;
 mod fault;
 mod element;
 pub mod coating;
+pub mod mesh;
 mod discretization;
 mod resolution;
 
@@ -31,14 +32,16 @@ use crate::covers::{self, Cover, covers};
 use crate::footings::bare_shapes;
 use crate::scene::{Scene, SceneSurface};
 use basis::HIGHEST_ORDER;
-use cells::{breaks, cells_between, interval};
+use cells::breaks;
 pub use discretization::{Discretization, Subdivide};
 pub use element::{Element, clip_to_cell};
 use element::{Part, element};
 pub use fault::ElementError;
+use mesh::{Mesh, Refinement, Tree};
 use patch::Patch;
 use resolution::Resolution;
 pub(crate) use resolution::shares;
+use space::Space;
 
 /// All elements of a scene, surface by surface.
 #[derive(Debug)]
@@ -46,14 +49,16 @@ pub struct Elements {
     list: Vec<Element>,
     surfaces: Vec<Cut>,
     how: Discretization,
+    mesh: Mesh,
+    /// Whether the mesh is another than follows from `how`.
+    is_refined: bool,
 }
 
-/// The cut of one surface: ends of the cells along u and v, the element of each cell, and the covered elements.
+/// The cut of one surface: its cells with the element of each, and the covered elements.
 #[derive(Debug)]
 struct Cut {
     shape: Arc<dyn Surface>,
-    breaks: [Vec<f64>; 2],
-    element: Vec<Option<usize>>,
+    cells: Tree<Option<usize>>,
     /// Elements of the covered parts.
     covered: Vec<usize>,
 }
@@ -64,7 +69,15 @@ impl Elements {
     /// # Errors
     /// A degree out of range, or a surface without area at the given degree.
     pub fn new(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
-        Self::of_shapes(scene, how, bare_shapes(scene), &covers(scene))
+        Self::of_shapes(scene, how, None, bare_shapes(scene), &covers(scene))
+    }
+
+    /// Cuts `scene` into the cells of `mesh`, which was refined from what `how` says, without its footings.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn of_mesh(scene: &Scene, how: &Discretization, mesh: Mesh) -> Result<Self, ElementError> {
+        Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covers(scene))
     }
 
     /// Cuts `scene` as `how` says, with whole surfaces whatever stands on them.
@@ -73,66 +86,57 @@ impl Elements {
     /// As for [`Elements::new`].
     pub fn of_whole_surfaces(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
         let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
-        Self::of_shapes(scene, how, whole, &[])
+        Self::of_shapes(scene, how, None, whole, &[])
     }
 
     fn of_shapes(
         scene: &Scene,
         how: &Discretization,
+        refined: Option<Mesh>,
         shapes: Vec<Arc<dyn Surface>>,
         covers: &[Cover],
     ) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
         }
-        let resolution = Resolution::new(scene, how);
-        let mut elements = Self { list: Vec::new(), surfaces: Vec::new(), how: *how };
+        let is_refined = refined.is_some();
+        let mesh = refined.unwrap_or_else(|| usual_mesh(scene, how));
+        let mut list = Vec::new();
+        let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
-            let order = resolution.order(index, surface);
+            let cells = &mesh.surfaces()[index];
+            let order = cells.values().into_iter().max().copied().unwrap_or(0);
             if order > HIGHEST_ORDER {
                 return Err(ElementError::Order { order });
             }
-            let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
             let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
-            let cut = elements.cut((index, surface), shape, breaks, &own, order)?;
-            elements.surfaces.push(cut);
+            let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
+            let mut maker = Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
+            let cells = cells.map(&Rect::FULL, &mut |rect, order| {
+                maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
+            })?;
+            let mut covered = Vec::new();
+            for Cover { pieces, contact, .. } in &own {
+                let part = Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) };
+                covered.extend(maker.made(part, order)?);
+            }
+            surfaces.push(Cut { shape: Arc::clone(&shape), cells, covered });
         }
-        Ok(elements)
+        Ok(Self { list, surfaces, how: *how, mesh, is_refined })
     }
 
-    /// Cuts one surface into the cells between `breaks` and its `covers`.
-    fn cut(
-        &mut self,
-        surface: (usize, &SceneSurface),
-        shape: Arc<dyn Surface>,
-        breaks: [Vec<f64>; 2],
-        covers: &[&Cover],
-        order: usize,
-    ) -> Result<Cut, ElementError> {
-        let space = self.how.space;
-        // Beside covers the rest of a cell may be a sliver, for which a constant is enough.
-        let made = |part: Part| match element(surface, part, (space, order)) {
-            Err(ElementError::Thin { .. }) if !covers.is_empty() => element(surface, part, (space, 0)),
-            made => made,
-        };
-        let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, covers));
-        let mut cut = Cut { shape: Arc::clone(&shape), element: Vec::new(), covered: Vec::new(), breaks };
-        for rect in cells_between(&cut.breaks) {
-            let found = made(Part { shape: &shape, pieces: &pieces, rect, contact: None })?;
-            cut.element.push(self.push(found));
-        }
-        for Cover { pieces, contact, .. } in covers {
-            let found = made(Part { shape: &shape, pieces, rect: Rect::FULL, contact: Some(*contact) })?;
-            cut.covered.extend(self.push(found));
-        }
-        Ok(cut)
+    /// The mesh, if it is another than follows from the discretization.
+    pub fn refined_mesh(&self) -> Option<&Mesh> {
+        self.is_refined.then_some(&self.mesh)
     }
 
-    /// Appends an element to the list and returns its index.
-    fn push(&mut self, element: Option<Element>) -> Option<usize> {
-        let place = element.is_some().then_some(self.list.len());
-        self.list.extend(element);
-        place
+    /// The mesh after what `refinement` says of each element; covered parts stay.
+    pub fn refined(&self, refinement: &[Refinement]) -> Mesh {
+        let leaves: Vec<Vec<Option<usize>>> =
+            self.surfaces.iter().map(|cut| cut.cells.values().into_iter().copied().collect()).collect();
+        self.mesh.refined(&|surface, leaf| {
+            leaves[surface][leaf].map_or(Refinement::Keep, |element| refinement[element])
+        })
     }
 
     /// How the scene was cut.
@@ -158,8 +162,7 @@ impl Elements {
         if let Some(covered) = self.covered_at(cut, [u, v]) {
             return Some(covered);
         }
-        let columns = cut.breaks[1].len() - 1;
-        cut.element[interval(&cut.breaks[0], u) * columns + interval(&cut.breaks[1], v)]
+        *cut.cells.at([u, v])
     }
 
     /// The element beyond the seam at (u, v), further by 1e-9 along `step`; None at the border of the surface, inside
@@ -228,6 +231,41 @@ impl Elements {
     }
 }
 
+/// The mesh that follows from `how`.
+fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
+    let resolution = Resolution::new(scene, how);
+    let tree = |(index, surface): (usize, &SceneSurface)| {
+        let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
+        Tree::grid(&breaks, resolution.order(index, surface))
+    };
+    Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
+}
+
+/// Makes the elements of one surface.
+struct Maker<'a> {
+    surface: (usize, &'a SceneSurface),
+    space: Space,
+    covers: &'a [&'a Cover],
+    list: &'a mut Vec<Element>,
+}
+
+impl Maker<'_> {
+    /// Appends the element of a part to the list; its index, or None where the part is empty.
+    fn made(&mut self, part: Part, order: usize) -> Result<Option<usize>, ElementError> {
+        let found = match element(self.surface, part, (self.space, order)) {
+            // Beside covers the rest of a cell may be a sliver, for which a constant is enough.
+            Err(ElementError::Thin { .. }) if !self.covers.is_empty() => {
+                element(self.surface, part, (self.space, 0))
+            }
+            found => found,
+        };
+        let found = found?;
+        let place = found.is_some().then_some(self.list.len());
+        self.list.extend(found);
+        Ok(place)
+    }
+}
+
 /// Pieces beside covers that are narrower than this part of the surface's extent are rounding. Chosen; not tuned.
 const LEAST: f64 = 1e-6;
 
@@ -269,10 +307,22 @@ pub fn cut_sizes(scene: &Scene, how: &Discretization) -> Vec<CutSize> {
     scene.surfaces.iter().enumerate().map(size).collect()
 }
 
+/// Upper bounds of the elements of each surface of a mesh, and about the functions on each.
+pub(crate) fn mesh_sizes(scene: &Scene, how: &Discretization, mesh: &Mesh) -> Vec<CutSize> {
+    let covers = covers(scene);
+    let size = |(index, tree): (usize, &Tree<usize>)| {
+        let orders = tree.values();
+        let squares: usize = orders.iter().map(|order| how.space.count(**order).pow(2)).sum();
+        let functions = (squares as f64 / orders.len() as f64).sqrt().ceil() as u64;
+        let covered = covers::of_surface(&covers, index).count();
+        CutSize { elements: (orders.len() + covered) as u64, functions }
+    };
+    mesh.surfaces().iter().enumerate().map(size).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::cells::Layers;
-    use super::space::Space;
     use super::*;
 
     fn graded_box() -> Elements {

@@ -24,6 +24,7 @@ mod first_light;
 mod outcome;
 mod model;
 
+use crate::elements::mesh::Mesh;
 use crate::scene::Scene;
 
 pub use choice::{Choice, MOST_RAYS, Transport};
@@ -53,7 +54,7 @@ pub fn solve(
     Model::assemble(scene, options, progress)?.solve(scene, progress)
 }
 
-/// The same by exact blocks, for the reason `why`.
+/// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
 ///
 /// # Errors
 /// As [`solve`].
@@ -61,7 +62,8 @@ pub(crate) fn solve_exactly(
     scene: &Scene,
     options: &Options,
     why: &str,
+    mesh: Option<&Mesh>,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
-    Model::assemble_exactly(scene, options, why, progress)?.solve(scene, progress)
+    Model::assemble_exactly(scene, options, why, mesh, progress)?.solve(scene, progress)
 }

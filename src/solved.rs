@@ -68,7 +68,7 @@ impl Solved {
     pub fn to_accuracy(
         scene: Scene,
         options: &Options,
-        goal: Goal,
+        goal: &Goal,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let Adapted { outcome, options, achieved } = adapt(&scene, options, goal, progress)?;

@@ -25,8 +25,8 @@ use rayon::prelude::*;
 
 use scenes::{Case, Fine};
 
-const WANTED: [f64; 3] = [3e-2, 1e-2, 3e-3];
-const POINTS: usize = 256;
+const WANTED: [f64; 5] = [3e-2, 1e-2, 3e-3, 1e-3, 3.1e-4];
+const POINTS: usize = 2048;
 
 /// Accuracy of gathering.
 const BY_CELLS: f64 = 1e-4;
@@ -50,7 +50,7 @@ fn rows(case: &Case) {
     let truth = Truth::of(case);
     for wanted in WANTED {
         let begun = Instant::now();
-        let adapted = adapt(&case.scene, &options(), Goal::new(wanted, Aim::Gathered), &|_| {});
+        let adapted = adapt(&case.scene, &options(), &Goal::new(wanted, Aim::Gathered), &|_| {});
         let Adapted { outcome, achieved, .. } = match adapted {
             Ok(adapted) => adapted,
             Err(failure) => {

@@ -205,7 +205,7 @@ impl Run {
         let scene = loaded.scene;
         let solved = match (loaded.saved, method.goal()) {
             (Some(saved), _) => saved.with(scene),
-            (None, Some(goal)) => Solved::to_accuracy(scene, &asked, goal, &observe)?,
+            (None, Some(goal)) => Solved::to_accuracy(scene, &asked, &goal, &observe)?,
             (None, None) => Solved::new(scene, asked, &observe)?,
         };
         Ok(Self::new(solved, start, report))

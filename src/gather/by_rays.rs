@@ -138,8 +138,6 @@ enum Far {
     Direct { chance: u64, small: f64 },
     /// All by rays that this number chooses.
     Gathered(u64),
-    /// What [`Far::Direct`] leaves out: light gathered by rays that `chance` chooses, less what that takes instead.
-    Missed { chance: u64, small: f64 },
 }
 
 /// Rays of either kind that the balance heuristic combines, per cosine-distributed ray.
@@ -186,22 +184,28 @@ impl<'a> RayGather<'a> {
         self.gathered(&Start::Point(*vantage), None, FIRST_OF_MANY, other)
     }
 
-    /// Adds to `sums`, per band, what readings at `vantage` lack because of the polynomials where these cosine-distributed
-    /// rays end: ρ (S_g − S_h) there (W m⁻²), S_g gathered by one ray; on elements whose light is read from polynomials as
-    /// a whole, ρ times all that these miss. `number` chooses the rays.
-    pub(crate) fn add_missed(
+    /// What readings from `distance` away lack, per band (W m⁻²), at a place of an element, because they take its polynomials:
+    /// S_g − S_h, S_g gathered by one ray; where they take all light from polynomials, all that these miss. `chance` chooses
+    /// the rays.
+    pub(crate) fn missed(
         &self,
-        vantage: &ReceiverPoint,
-        number: u64,
-        rays: Range<u64>,
-        sums: &mut [f64],
-    ) {
-        let offset: [f64; 2] = shift(number);
-        for index in rays {
-            let direction = lambert(vantage.normal, shifted(kronecker::point(index), &offset));
-            let chance = number_of([f64::from_bits(number), index as f64]);
-            self.add_met(vantage, direction, None, Far::Missed { chance, small: SMALL }, sums);
+        (element, place): (usize, &Place),
+        there: &ReceiverPoint,
+        distance: f64,
+        chance: u64,
+    ) -> Vec<f64> {
+        let mut missed = vec![0.0; self.scale.len()];
+        if self.is_rough(element, there, SMALL * distance) {
+            self.add_held(element, place, &mut missed);
+            missed.iter_mut().for_each(|held| *held = -*held);
+            self.add_estimate(there, chance, &mut missed);
+        } else {
+            self.add_reflected(element, place, -1.0, &mut missed);
+            let direction = lambert(there.normal, shift(chance));
+            let far = Far::Direct { chance: number_of([f64::from_bits(chance)]), small: SMALL };
+            self.add_met(there, direction, None, far, &mut missed);
         }
+        missed
     }
 
     /// Reflected light, and direct light where there are `shares`, from `first` rays of each sequence on; `other` light
@@ -321,18 +325,6 @@ impl<'a> RayGather<'a> {
                 }
             }
             Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
-            Far::Missed { chance, small } => {
-                if self.is_rough(element, &there(), small * hit.t) {
-                    self.add_held(element, &place, &mut irradiance);
-                    irradiance.iter_mut().for_each(|held| *held = -*held);
-                    self.add_estimate(&there(), chance, &mut irradiance);
-                } else {
-                    self.add_reflected(element, &place, -1.0, &mut irradiance);
-                    let direction = lambert(normal(), shift(chance));
-                    let far = Far::Direct { chance: number_of([f64::from_bits(chance)]), small };
-                    self.add_met(&there(), direction, None, far, &mut irradiance);
-                }
-            }
         }
         for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
             let coating = &band.coating;

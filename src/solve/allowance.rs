@@ -3,7 +3,8 @@
 use radiosity_solvers::method::Method;
 
 use crate::elements::cells::Layers;
-use crate::elements::{Discretization, Subdivide};
+use crate::elements::mesh::Mesh;
+use crate::elements::{Discretization, Subdivide, mesh_sizes};
 use crate::scene::Scene;
 
 use super::failure::Failure;
@@ -42,6 +43,18 @@ pub(super) fn require_memory(
         fits.push(Fit::WholeSurfaces);
     }
     Err(Failure::Memory { needed, allowed, fits })
+}
+
+/// Refuses a run on elements of a refined mesh that needs more memory than allowed.
+pub(super) fn require_memory_of_mesh(
+    scene: &Scene,
+    how: &Discretization,
+    mesh: &Mesh,
+    options: &Options,
+) -> Result<(), Failure> {
+    let Some(allowed) = options.memory else { return Ok(()) };
+    let needed = Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak();
+    if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
 }
 
 /// The same for the sampled transport, whose elements follow from the number of rays where nothing else is asked for.

@@ -66,16 +66,20 @@ pub struct Footprint {
 impl Footprint {
     /// The footprint of `scene`, cut as `how` says and solved by `method`.
     pub fn of(scene: &Scene, how: &Discretization, method: &Method) -> Self {
-        let own = Self::of_blocks(scene, how);
-        let sizes = cut_sizes(scene, how);
-        let system = system(method, most_unknowns(scene, &sizes), own.blocks) + groups(scene, &sizes);
+        Self::of_sizes(scene, &cut_sizes(scene, how), method)
+    }
+
+    /// The same for surfaces that are cut into so many elements.
+    pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method) -> Self {
+        let own = Self::of_blocks(scene, sizes);
+        let system = system(method, most_unknowns(scene, sizes), own.blocks) + groups(scene, sizes);
         Self { system, ..own }
     }
 
     /// The same by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the matrix is dense.
     pub fn of_1993(scene: &Scene, how: &Discretization, method: &Method) -> Self {
-        let own = Self::of_blocks(scene, how);
         let sizes = cut_sizes(scene, how);
+        let own = Self::of_blocks(scene, &sizes);
         let matrix = NUMBER * most_unknowns(scene, &sizes).pow(2);
         let matrices = matrix * if matches!(method.name, "lu" | "auto") { 2 } else { 1 };
         let system = matrices + groups(scene, &sizes);
@@ -83,8 +87,7 @@ impl Footprint {
     }
 
     /// The footprint without a system.
-    fn of_blocks(scene: &Scene, how: &Discretization) -> Self {
-        let sizes = cut_sizes(scene, how);
+    fn of_blocks(scene: &Scene, sizes: &[CutSize]) -> Self {
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
         let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();

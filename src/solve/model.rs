@@ -13,6 +13,7 @@ use radiosity_solvers::Step;
 use crate::checks::{Balance, Checks, Lit};
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
+use crate::elements::mesh::Mesh;
 use crate::light::first_bounce::Bounce;
 use crate::scene::Scene;
 use crate::solution::Solution;
@@ -21,7 +22,7 @@ use crate::system::{Coefficients, System};
 use crate::transport::Blocks;
 use crate::visibility::Visibility;
 
-use super::allowance::require_memory;
+use super::allowance::{require_memory, require_memory_of_mesh};
 use super::assembly::{carried, discretization};
 use super::band::{Effort, solve_band};
 use super::choice::Choice;
@@ -75,24 +76,28 @@ impl Model {
         options: &Options,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
-        in_threads(options.threads, || Self::assembled(scene, options, Choice::of(scene, options), progress))?
+        in_threads(options.threads, || {
+            Self::assembled(scene, options, Choice::of(scene, options), None, progress)
+        })?
     }
 
-    /// The same by exact blocks, for the reason `why`.
+    /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
     pub(super) fn assemble_exactly(
         scene: &Scene,
         options: &Options,
         why: &str,
+        mesh: Option<&Mesh>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let choice = Choice { sampled: false, why: why.to_owned() };
-        in_threads(options.threads, || Self::assembled(scene, options, choice, progress))?
+        in_threads(options.threads, || Self::assembled(scene, options, choice, mesh, progress))?
     }
 
     fn assembled(
         scene: &Scene,
         options: &Options,
         choice: Choice,
+        mesh: Option<&Mesh>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let mut seconds = Stages::default();
@@ -103,8 +108,11 @@ impl Model {
             (visibility, how)
         });
         progress(Progress::Finished("visibility", seconds.visibility));
-        require_memory(scene, &how, options, rays)?;
-        let elements = timed(&mut seconds.elements, || options.elements(scene, &how))?;
+        match mesh {
+            Some(mesh) => require_memory_of_mesh(scene, &how, mesh, options)?,
+            None => require_memory(scene, &how, options, rays)?,
+        }
+        let elements = timed(&mut seconds.elements, || options.elements(scene, &how, mesh))?;
         progress(Progress::Finished("elements", seconds.elements));
         let emissions = Emission::all(scene, elements.list());
         let bands = &Emission::by_band(&emissions);

@@ -10,6 +10,7 @@ use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use super::stop::Stop;
 use crate::elements::cells::Layers;
+use crate::elements::mesh::Mesh;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
 use crate::scene::Scene;
@@ -103,15 +104,21 @@ impl Options {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
     }
 
-    /// The elements of `scene`, cut as `how` says; for the rules of 1993, which know no footings, with whole surfaces.
+    /// The elements of `scene`, cut as `how` says or into the cells of a mesh that was refined from it; for the rules of
+    /// 1993, which know no footings and no such mesh, with whole surfaces.
     ///
     /// # Errors
     /// As for [`Elements::new`].
-    pub fn elements(&self, scene: &Scene, how: &Discretization) -> Result<Elements, ElementError> {
-        if self.kernel.is_some() {
-            Elements::of_whole_surfaces(scene, how)
-        } else {
-            Elements::new(scene, how)
+    pub fn elements(
+        &self,
+        scene: &Scene,
+        how: &Discretization,
+        refined: Option<&Mesh>,
+    ) -> Result<Elements, ElementError> {
+        match refined {
+            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how),
+            Some(mesh) => Elements::of_mesh(scene, how, mesh.clone()),
+            None => Elements::new(scene, how),
         }
     }
 }

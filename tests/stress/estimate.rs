@@ -74,7 +74,7 @@ impl Case {
     /// Estimate and error of the run that is taken for `accuracy`; prints them.
     fn run(&self, accuracy: f64) -> [f64; 2] {
         let options = Options { order: 0, ..Options::default() };
-        let adapted = adapt(&self.scene, &options, Goal::new(accuracy, Aim::Solution), &|_| {})
+        let adapted = adapt(&self.scene, &options, &Goal::new(accuracy, Aim::Solution), &|_| {})
             .expect("it can be solved");
         let estimate = adapted.achieved.estimate.expect("the solver converges");
         let solution = &adapted.outcome.solution;

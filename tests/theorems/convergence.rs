@@ -169,7 +169,7 @@ fn the_finest_run_has_no_error_of_its_own() {
 fn adapted(name: &str, goal: Goal) -> Adapted {
     let scene = Scene::builtin(name).expect("it is built in");
     let options = Options { order: 0, threads: 2, ..Options::default() };
-    adapt(&scene, &options, goal, &|_| {}).expect("it can be solved")
+    adapt(&scene, &options, &goal, &|_| {}).expect("it can be solved")
 }
 
 fn radiosity(adapted: &Adapted, surface: usize, position: [f64; 3]) -> f64 {
@@ -273,7 +273,7 @@ fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unkn
 
 #[test]
 fn what_cannot_be_reached_is_told() {
-    let adapted = adapted("empty-box", Goal { accuracy: 1e-3, of: Aim::Solution, most_unknowns: 200 });
+    let adapted = adapted("empty-box", Goal { most_unknowns: 200, ..Goal::new(1e-3, Aim::Solution) });
     assert_eq!(adapted.achieved.end, End::Unknowns);
     let estimate = adapted.achieved.estimate.unwrap();
     assert!(estimate > 1e-3 && estimate < 0.1);
@@ -290,7 +290,7 @@ fn a_finer_run_that_fails_leaves_the_one_before() {
     assert!(whole(2) < whole(3) && whole(3) < whole(4));
     let options = Options { order: 2, subdivide: Some(1), memory, ..Options::default() };
     let adapted =
-        adapt(&scene, &options, Goal::new(1e-6, Aim::Solution), &|_| {}).expect("the first run fits");
+        adapt(&scene, &options, &Goal::new(1e-6, Aim::Solution), &|_| {}).expect("the first run fits");
     let Achieved { estimate, end, .. } = adapted.achieved;
     assert!(end == End::Memory && estimate.is_some());
     assert_eq!(adapted.options.order, 2);

@@ -71,7 +71,11 @@ impl SolutionFile {
         if self.bands != scene.bands || self.figures.residuals.len() != scene.bands.len() {
             return Err(SolutionFault::Whole(Mismatch("the list of bands")));
         }
-        let elements = self.options.elements(&scene, checked(&self.discretization)?)?;
+        if self.mesh.as_ref().is_some_and(|mesh| !mesh.is_valid(scene.surfaces.len())) {
+            return Err(SolutionFault::Whole(Mismatch("the mesh")));
+        }
+        let how = checked(&self.discretization)?;
+        let elements = self.options.elements(&scene, how, self.mesh.as_ref())?;
         check_elements(&self.elements, &scene, &elements)?;
         let groups = self.group_lights(&scene, &elements)?;
         let solution = Solution::of_groups(elements, &scene, groups);

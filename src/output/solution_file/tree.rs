@@ -9,6 +9,7 @@ use super::figures::Figures;
 use super::group::SavedGroup;
 use super::version::{FORMAT, VERSION};
 use crate::elements::Discretization;
+use crate::elements::mesh::Mesh;
 use crate::scene::Scene;
 use crate::solve::Options;
 use crate::solved::Solved;
@@ -38,6 +39,9 @@ pub struct SolutionFile {
     evaluation: String,
     pub(super) options: Options,
     pub(super) discretization: Discretization,
+    /// Cells and orders of each surface where they were refined from these.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) mesh: Option<Mesh>,
     pub(super) figures: Figures,
     /// The light groups, not dimmed; empty where the scene has none.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
@@ -94,6 +98,7 @@ impl SolutionFile {
             evaluation: EVALUATION.to_owned(),
             options: *options,
             discretization: *outcome.solution.elements().discretization(),
+            mesh: outcome.solution.elements().refined_mesh().cloned(),
             figures: Figures::of(solved),
             groups: outcome.solution.groups().iter().map(SavedGroup::of).collect(),
             elements: element::all(scene, &outcome.solution),

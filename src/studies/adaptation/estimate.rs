@@ -31,9 +31,10 @@ use crate::solution::Solution;
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
 use crate::visibility::Visibility;
 
-use super::gathered;
+use super::gathered::{Estimate, missed as missed_at};
 use super::goal::{Aim, Goal};
 use super::points::{Point, points};
+use super::sensor::Sensor;
 
 /// Accuracy of gathering: the first, and the factor by which it falls ([`SHARPER`]) until it is below the part
 /// [`OF_FOUND`] of the estimated error or [`OF_WANTED`] of the wanted one. All are chosen, not tuned.
@@ -54,19 +55,24 @@ pub(super) fn estimate(
     scene: &Scene,
     outcome: &Outcome,
     options: &Options,
-    goal: Goal,
+    (goal, expected): (&Goal, f64),
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<f64, Failure> {
+) -> Result<Estimate, Failure> {
     let visibility = Visibility::new(scene, options.into());
     let wanted = goal.accuracy;
-    if goal.of == Aim::Gathered {
-        let goes_on = |done, all| {
-            progress(Progress::Estimate(done, all));
-            !options.is_late()
-        };
-        return in_threads(options.threads, || {
-            gathered::error(&outcome.solution, &visibility, wanted, &goes_on)
-        });
+    let solution = &outcome.solution;
+    let goes_on = |done, all| {
+        progress(Progress::Estimate(done, all));
+        !options.is_late()
+    };
+    let at = |sensors: &[Sensor]| missed_at(solution, &visibility, sensors, (wanted, expected), &goes_on);
+    match goal.of {
+        Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
+        Aim::Points => {
+            let bands = solution.bands().len();
+            return in_threads(options.threads, || at(&Sensor::at(&goal.points, bands)));
+        }
+        Aim::Solution => {}
     }
     let error = in_threads(options.threads, || {
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
@@ -76,7 +82,7 @@ pub(super) fn estimate(
         }
         error
     })?;
-    Ok(error.hypot(TRANSFERRED * missed(outcome, options)))
+    Ok(Estimate { error: error.hypot(TRANSFERRED * missed(outcome, options)), shares: Vec::new() })
 }
 
 /// Error of the polynomials, by light gathered to `eps`.

@@ -10,30 +10,30 @@
 //! gathered reflected light,
 //!
 //! ```text
-//! e = d + G ρ e ,     d = G ρ (S_g − S_h) .
+//! e = d + G ρ e ,     d = G ρ r ,     r = S_g − S_h ,     so     e = G ρ r + G ρ G ρ r + … .
 //! ```
 //!
-//! d is estimated at points x by cosine-distributed rays, at whose ends S_g is gathered: by cells, or where rays are the
-//! cheaper reader ([`By`]) by one further ray each. What readings by rays take from the polynomials of all light counts as
-//! well ([`RayGather::add_missed`]). Two halves of the rays give d′ and d″, independent of each other: the mean of their product is d², that of a square would have the noise of
-//! the rays as well. What follows from d by further reflections is even over the scene, as far as it counts; so the mean of
-//! d, and it alone, is taken 1/(1 − q) times, q the mean reflectance that rays meet:
+//! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end, with the
+//! probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far over these probabilities.
+//! r is gathered by cells, or where rays are the cheaper reader ([`By`]) by one further ray ([`RayGather::missed`]). Two halves
+//! of the walks give e′ and e″, independent of each other: the mean of their product is e², that of a square would have the
+//! noise of the walks as well. With weights w_k of the sensors,
 //!
 //! ```text
-//! ∫ ρ² e² dA ≈ Σ_k ρ² d′d″ ΔA_k + ((1 − q)⁻² − 1) m′m″ Σ_k ρ² ΔA_k + s ,     ΔA_k the area at point k .
+//! ‖e‖² ≈ Σ_k w_k e′e″ + s ,     s² = Σ_k (w_k e′e″)² ,
 //! ```
 //!
-//! m′ and m″ are means by area. s is the standard deviation of the first sum, so that few points do not promise too much,
-//! and the second with (m′ − m″)²/4 in the place of m′m″. Sums run over points that reflect. Rays are doubled while s is much
-//! of the sum.
-//! Measured in boxes with and without blocks, orders 0 to 4: d alone is 0.45 to 1 times e.
+//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum. The part e_j of e
+//! that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″) of ‖e‖²: this is the importance
+//! that light from j has for the sensors, all reflections included.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use radiosity_geom::{DVec3, Encounter};
+use radiosity_geom::{DVec3, Encounter, Ray};
 
 use crate::gather::Gather;
 use crate::gather::by_rays::{RayGather, Receiver};
@@ -41,58 +41,70 @@ use crate::gather::choice::By;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
 use crate::sampling::lambert::lambert;
-use crate::sampling::shift::{shift, shifted};
+use crate::sampling::shift::{number_of, shift, shifted};
 use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
-use super::points::{Point, points};
+use super::sensor::Sensor;
 
-/// Rays in all that are sent first, at the most where the estimate is noisy, and where it is larger than wanted as well; the
-/// fewest per half and point. Chosen: with four times the first number whose ends gather by cells the estimates of the boxes
-/// changed by 5 %.
+/// Walks in all that are made first, at the most where the estimate is noisy, and where it is larger than wanted as well; the
+/// fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by cells the estimates of
+/// boxes changed by 5 %.
 const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, most: 1 << 16 };
 const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, most: 1 << 22 };
-const FEWEST: u64 = 4;
+const FEWEST: u64 = 2;
 
-/// Part of the estimate that s may be where more rays would say nothing new. Chosen.
+/// Part of the estimate that the noise of walks may be. Chosen.
 const NOISE: f64 = 0.5;
 
-/// Accuracy of gathering by cells: this part of the wanted one, or [`LOOSEST`]. With 9e-3 estimates were a third of the errors.
-const OF_WANTED: f64 = 0.3;
+/// Accuracy of gathering by cells: this part of the expected error, or [`LOOSEST`]. With 9e-3 estimates were a third of the errors.
+const OF_EXPECTED: f64 = 0.3;
 const LOOSEST: f64 = 3e-3;
 
 /// Accuracy of light that errors are relative to. Chosen.
 const OF_SIZE: f64 = 0.1;
 
-/// Rays that tell the mean reflectance around a point. Chosen.
-const MEETING: u64 = 8;
+/// Largest probability that a walk goes on. Chosen.
+const LIKELIEST: f64 = 0.95;
 
-/// Largest mean reflectance that is believed: beyond it noise would be taken for an error. Chosen.
-const BRIGHTEST: f64 = 0.9;
-
-/// Numbers of rays.
+/// Numbers of walks.
 struct Numbers {
     first: u64,
     noisy: u64,
     most: u64,
 }
 
-/// What rays from one point found, per band.
+/// An estimated error of gathered light.
+#[derive(Debug)]
+pub(super) struct Estimate {
+    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled.
+    pub error: f64,
+    /// Part of the square of `error` that each element is responsible for; noise makes some negative.
+    pub shares: Vec<f64>,
+}
+
+/// What walks from one sensor found.
 struct Found<'a> {
-    point: &'a Point,
-    reflectances: Vec<f64>,
-    /// Irradiance that was gathered at the point (W m⁻²).
+    sensor: &'a Sensor,
+    number: u64,
+    /// Irradiance that was gathered at the sensor (W m⁻²), per band.
     gathered: Vec<f64>,
-    /// d by each half of the rays, times their number (W m⁻²).
-    halves: [Vec<f64>; 2],
-    /// Mean reflectance that rays meet.
-    met: Vec<f64>,
+    /// For each element, by each half of the walks, the sum of what they found there, per band (W m⁻²).
+    parts: BTreeMap<usize, [Vec<f64>; 2]>,
 }
 
 /// How light is gathered where rays end.
 enum Ends<'a> {
     Cells(Gather<'a>),
     Rays(RayGather<'a>),
+}
+
+/// Where a ray ends.
+struct End {
+    element: usize,
+    place: Place,
+    there: ReceiverPoint,
+    distance: f64,
 }
 
 /// What misses light, and how it is gathered.
@@ -102,45 +114,37 @@ struct Missing<'a> {
     ends: Ends<'a>,
 }
 
-/// Estimated ‖ρ(E − E_g)‖/‖ρ E_g‖ over all surfaces, all bands pooled; no better than tells whether it is below `wanted`, and
-/// not much worse. `goes_on` is told the points done and to be done, and may end the work.
-pub(super) fn error(
+/// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
+/// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the work.
+pub(super) fn missed(
     solution: &Solution,
     visibility: &Visibility,
-    wanted: f64,
+    sensors: &[Sensor],
+    (wanted, expected): (f64, f64),
     goes_on: &(dyn Fn(usize, usize) -> bool + Sync),
-) -> f64 {
-    let missing = Missing::of(solution, visibility, (OF_WANTED * wanted).min(LOOSEST));
-    let points = points(solution.elements().list());
-    let reflects =
-        |element: &usize| solution.bands().iter().any(|band| band.coating.reflectance[*element] > 0.0);
-    let reflecting: Vec<(usize, &Point)> = (0..points.len())
-        .filter(reflects)
-        .flat_map(|element| points[element].iter().map(move |point| (element, point)))
-        .collect();
-    if reflecting.is_empty() {
-        return 0.0;
-    }
-    let mut found: Vec<Found> =
-        reflecting.par_iter().map(|(element, point)| missing.begin(*element, point)).collect();
+) -> Estimate {
+    let unknowns = solution.elements().coefficients();
+    let missing = Missing::of(solution, visibility, (OF_EXPECTED * expected).min(LOOSEST));
+    let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
+    let mut found: Vec<Found> = sensors.par_iter().enumerate().map(begin).collect();
     let Numbers { first, noisy, most } = missing.numbers();
-    let per_half = |rays: u64| rays.div_ceil(2 * found.len() as u64);
+    let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (first, noisy, most) = (per_half(first).max(FEWEST), per_half(noisy), per_half(most));
-    let (mut sent, mut now) = (0, first);
+    let (mut made, mut now) = (0, first);
     loop {
-        let (done, all) = (AtomicUsize::new(0), found.len());
-        let send = |found: &mut Found| {
-            missing.send(found, sent..sent + now);
-            goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, all)
+        let done = AtomicUsize::new(0);
+        let walk = |found: &mut Found| {
+            missing.walk(found, made..made + now);
+            goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len())
         };
-        let finishes = found.par_iter_mut().map(send).reduce(|| true, |a, b| a && b);
-        sent += now;
-        let estimate = Estimate::of(&found, sent, solution.bands().len());
-        let enough = if estimate.error() <= wanted { noisy } else { most };
-        if !finishes || !estimate.is_noisy() || 2 * sent > enough {
-            return estimate.error();
+        let finishes = found.par_iter_mut().map(walk).reduce(|| true, |a, b| a && b);
+        made += now;
+        let sums = Sums::of(&found, made, solution);
+        let enough = if sums.error() <= wanted { noisy } else { most };
+        if !finishes || !sums.is_noisy() || 2 * made > enough {
+            return Estimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
-        now = sent;
+        now = made;
     }
 }
 
@@ -160,168 +164,164 @@ impl<'a> Missing<'a> {
         }
     }
 
-    /// What is known of a point of an element before rays are counted.
-    fn begin<'p>(&self, element: usize, point: &'p Point) -> Found<'p> {
-        let bands = self.solution.bands();
+    /// What is known of a sensor before walks.
+    fn begin<'s>(&self, number: u64, sensor: &'s Sensor) -> Found<'s> {
         let gathered = match &self.ends {
-            Ends::Cells(gather) => gather.at(&point.vantage()),
-            Ends::Rays(gather) => gather.read(&Receiver::Point(point.vantage())).irradiance,
+            Ends::Cells(gather) => gather.at(&sensor.point),
+            Ends::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
         };
-        let reflectances = bands.iter().map(|band| band.coating.reflectance[element]).collect();
-        let halves = [vec![0.0; bands.len()], vec![0.0; bands.len()]];
-        Found { point, reflectances, gathered, halves, met: self.met(point) }
+        Found { sensor, number, gathered, parts: BTreeMap::new() }
     }
 
-    /// Mean reflectance that rays from a point meet.
-    fn met(&self, point: &Point) -> Vec<f64> {
-        let mut met = vec![0.0; self.solution.bands().len()];
-        for (element, ..) in self.ends_of(point, 2 * point.index as u64, 0..MEETING) {
-            let bands = self.solution.bands().iter();
-            met.iter_mut().zip(bands).for_each(|(sum, band)| {
-                *sum += band.coating.reflectance[element] / MEETING as f64;
-            });
-        }
-        met
-    }
-
-    /// Sends the rays of these numbers of each half.
-    fn send(&self, found: &mut Found, rays: Range<u64>) {
-        let point = found.point;
-        for (half, sums) in found.halves.iter_mut().enumerate() {
-            let number = (2 * point.index + half) as u64;
-            match &self.ends {
-                Ends::Rays(gather) => gather.add_missed(&point.vantage(), number, rays.clone(), sums),
-                Ends::Cells(gather) => {
-                    for (element, place, vantage) in self.ends_of(point, number, rays.clone()) {
-                        self.add(gather, element, (&place, &vantage), sums);
-                    }
-                }
+    /// Makes the walks of these numbers of each half.
+    fn walk(&self, found: &mut Found, walks: Range<u64>) {
+        for half in 0..2 {
+            let number = found.number.wrapping_add(half);
+            let offset: [f64; 2] = shift(number);
+            for walk in walks.clone() {
+                let direction = shifted(kronecker::point(walk), &offset);
+                let chance = number_of([f64::from_bits(number), walk as f64]);
+                self.walk_once(found, half as usize, direction, chance);
             }
         }
     }
 
-    /// Elements and places that cosine-distributed rays of these numbers meet from the front.
-    fn ends_of(
+    fn walk_once(&self, found: &mut Found, half: usize, mut direction: [f64; 2], mut chance: u64) {
+        let bands = self.solution.bands();
+        let mut weights = vec![1.0; bands.len()];
+        let mut from = found.sensor.point;
+        while let Some(End { element, place, there, distance }) =
+            self.end(&from, lambert(from.normal, direction))
+        {
+            let reflectances = || bands.iter().map(|band| band.coating.reflectance[element]);
+            let brightest = reflectances().fold(0.0, f64::max);
+            if brightest == 0.0 {
+                return;
+            }
+            weights.iter_mut().zip(reflectances()).for_each(|(weight, reflectance)| *weight *= reflectance);
+            let missed = self.missed(element, &place, &there, distance, chance);
+            let none = || [vec![0.0; bands.len()], vec![0.0; bands.len()]];
+            let sums = &mut found.parts.entry(element).or_insert_with(none)[half];
+            sums.iter_mut().zip(&weights).zip(missed).for_each(|((sum, weight), missed)| *sum += weight * missed);
+            chance = number_of([f64::from_bits(chance)]);
+            let [dice, polar, turn] = shift(chance);
+            let likely = brightest.min(LIKELIEST);
+            if dice >= likely {
+                return;
+            }
+            weights.iter_mut().for_each(|weight| *weight /= likely);
+            (from, direction) = (there, [polar, turn]);
+        }
+    }
+
+    /// Where a ray meets the front of an element.
+    fn end(&self, from: &ReceiverPoint, direction: DVec3) -> Option<End> {
+        if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+            return None;
+        }
+        let met = match from.surface {
+            Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
+            None => self.visibility.nearest(&Ray::new(from.position, direction)),
+        };
+        let Some(Encounter { surface, hit, front: true }) = met else { return None };
+        let elements = self.solution.elements();
+        let element = elements.at(surface, [hit.u, hit.v])?;
+        let jet = elements.shape(surface).jet(hit.u, hit.v);
+        let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+        let there = ReceiverPoint::on(surface, jet.position, jet.normal);
+        Some(End { element, place, there, distance: hit.t })
+    }
+
+    /// r per band at a place of an element.
+    fn missed(
         &self,
-        point: &Point,
-        number: u64,
-        rays: Range<u64>,
-    ) -> impl Iterator<Item = (usize, Place, ReceiverPoint)> {
-        let offset: [f64; 2] = shift(number);
-        let Place { surface: own, position, .. } = point.place;
-        rays.filter_map(move |ray| {
-            let direction: DVec3 = lambert(point.normal, shifted(kronecker::point(ray), &offset));
-            let Some(Encounter { surface, hit, front: true }) =
-                self.visibility.nearest_from(own, position, direction)
-            else {
-                return None;
-            };
-            let elements = self.solution.elements();
-            let element = elements.at(surface, [hit.u, hit.v])?;
-            let jet = elements.shape(surface).jet(hit.u, hit.v);
-            let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
-            Some((element, place, ReceiverPoint::on(surface, jet.position, jet.normal)))
+        element: usize,
+        place: &Place,
+        there: &ReceiverPoint,
+        distance: f64,
+        chance: u64,
+    ) -> Vec<f64> {
+        let gather = match &self.ends {
+            Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
+            Ends::Cells(gather) => gather.reflection(),
+        };
+        let mut held = vec![0.0; self.solution.bands().len()];
+        self.solution.irradiance_bands(element, place, &mut held);
+        let mut missed = gather.irradiance(there, &gather.around(&there.site()), &held);
+        self.solution.indirect_bands(element, place, &mut held);
+        missed.iter_mut().zip(held).for_each(|(missed, held)| *missed -= held.max(0.0));
+        missed
+    }
+}
+
+impl Found<'_> {
+    /// e by each half of so many walks, per band.
+    fn halves(&self, walks: u64) -> [Vec<f64>; 2] {
+        [0, 1].map(|half| {
+            let mut sums = vec![0.0; self.gathered.len()];
+            for part in self.parts.values() {
+                sums.iter_mut().zip(&part[half]).for_each(|(sum, own)| *sum += own / walks as f64);
+            }
+            sums
         })
     }
-
-    /// Adds ρ (S_g − S_h) per band at a place of an element to `sums`.
-    fn add(
-        &self,
-        gather: &Gather,
-        element: usize,
-        (place, vantage): (&Place, &ReceiverPoint),
-        sums: &mut [f64],
-    ) {
-        let bands = self.solution.bands();
-        let reflectances = bands.iter().map(|band| band.coating.reflectance[element]);
-        if reflectances.clone().all(|reflectance| reflectance == 0.0) {
-            return;
-        }
-        let mut held = vec![0.0; bands.len()];
-        self.solution.irradiance_bands(element, place, &mut held);
-        let reflection = gather.reflection();
-        let gathered = reflection.irradiance(vantage, &reflection.around(&vantage.site()), &held);
-        self.solution.indirect_bands(element, place, &mut held);
-        for (((sum, reflectance), gathered), held) in
-            sums.iter_mut().zip(reflectances).zip(gathered).zip(held)
-        {
-            *sum += reflectance * (gathered - held.max(0.0));
-        }
-    }
 }
 
-/// What all points say.
-struct Estimate {
-    bands: Vec<Sums>,
-}
-
-impl Estimate {
-    /// By so many rays of each half.
-    fn of(found: &[Found], rays: u64, bands: usize) -> Self {
-        Self { bands: (0..bands).map(|band| Sums::of(found, rays, band)).collect() }
-    }
-
-    fn error(&self) -> f64 {
-        let size = self.sum(|sums| sums.size);
-        if size > 0.0 { (self.sum(Sums::missed) / size).sqrt() } else { 0.0 }
-    }
-
-    /// Whether much of the error is noise of the rays.
-    fn is_noisy(&self) -> bool {
-        self.sum(Sums::noise) > NOISE * self.sum(Sums::missed)
-    }
-
-    fn sum(&self, value: impl Fn(&Sums) -> f64) -> f64 {
-        self.bands.iter().map(value).sum()
-    }
-}
-
-/// Sums over the points, of one band.
+/// Sums over sensors and bands.
 struct Sums {
-    /// Σ ρ² d′d″ ΔA and its standard deviation.
+    /// Σ w e′e″, and s.
     product: f64,
     deviation: f64,
-    /// m′m″ Σ ρ² ΔA, and (m′ − m″)²/4 in the place of m′m″.
-    mean: f64,
-    doubt: f64,
-    /// q, the mean reflectance that rays met.
-    met: f64,
-    /// Σ (ρ E_g)² ΔA.
+    /// About the standard deviation of the former that is due to the walks.
+    noise: f64,
+    /// Σ w E_g².
     size: f64,
+    elements: usize,
 }
 
 impl Sums {
-    fn of(found: &[Found], rays: u64, band: usize) -> Self {
-        let sum = |value: &dyn Fn(&Found) -> f64| {
-            found.iter().map(|found| found.point.area * value(found)).sum::<f64>()
-        };
-        let half = |found: &Found, half: usize| found.halves[half][band] / rays as f64;
-        let product = |found: &Found| found.reflectances[band].powi(2) * half(found, 0) * half(found, 1);
-        let area = sum(&|_| 1.0);
-        let [first, second] = [0, 1].map(|number| sum(&|found| half(found, number)) / area);
-        let reflecting = sum(&|found| found.reflectances[band].powi(2));
-        Self {
-            product: sum(&product),
-            deviation: sum(&|found| found.point.area * product(found).powi(2)).sqrt(),
-            mean: first * second * reflecting,
-            doubt: (0.5 * (first - second)).powi(2) * reflecting,
-            met: sum(&|point| point.met[band]) / area,
-            size: sum(&|point| (point.reflectances[band] * point.gathered[band]).powi(2)),
+    fn of(found: &[Found], walks: u64, solution: &Solution) -> Self {
+        let mut sums =
+            Self { product: 0.0, deviation: 0.0, noise: 0.0, size: 0.0, elements: solution.elements().list().len() };
+        for found in found {
+            let [first, second] = found.halves(walks);
+            let bands = first.iter().zip(&second).zip(&found.sensor.weights);
+            let product: f64 = bands.clone().map(|((a, b), weight)| weight * a * b).sum();
+            let noise: f64 = bands.map(|((a, b), weight)| 0.5 * weight * (a - b).powi(2)).sum();
+            let light = found.gathered.iter().zip(&found.sensor.weights);
+            sums.product += product;
+            sums.deviation += product.powi(2);
+            sums.noise += noise.powi(2);
+            sums.size += light.map(|(light, weight)| weight * light.powi(2)).sum::<f64>();
         }
+        Self { deviation: sums.deviation.sqrt(), noise: sums.noise.sqrt(), ..sums }
     }
 
-    /// ∫ ρ² e² dA.
     fn missed(&self) -> f64 {
-        (self.product + self.further() * self.mean).max(0.0) + self.noise()
+        self.product.max(0.0) + self.deviation
     }
 
-    /// What the noise of rays and the choice of points may make of it.
-    fn noise(&self) -> f64 {
-        self.deviation + self.further() * self.doubt
+    fn error(&self) -> f64 {
+        if self.size > 0.0 { (self.missed() / self.size).sqrt() } else { 0.0 }
     }
 
-    /// (1 − q)⁻² − 1.
-    fn further(&self) -> f64 {
-        (1.0 - self.met.min(BRIGHTEST)).powi(-2) - 1.0
+    fn is_noisy(&self) -> bool {
+        self.noise > NOISE * self.missed()
+    }
+
+    /// Part of the square of the error that each element is responsible for.
+    fn shares(&self, found: &[Found], walks: u64) -> Vec<f64> {
+        let mut shares = vec![0.0; self.elements];
+        for found in found {
+            let halves = found.halves(walks);
+            for (element, parts) in &found.parts {
+                for half in 0..2 {
+                    let bands = halves[half].iter().zip(&parts[1 - half]).zip(&found.sensor.weights);
+                    let own: f64 = bands.map(|((e, part), weight)| weight * e * part).sum();
+                    shares[*element] += 0.5 * own / walks as f64 / self.size.max(f64::MIN_POSITIVE);
+                }
+            }
+        }
+        shares
     }
 }

@@ -2,13 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
+use crate::light::receiver_point::ReceiverPoint;
+
 /// What is wanted.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Goal {
     /// Relative L2 error, all bands pooled.
     pub accuracy: f64,
     /// Of what.
     pub of: Aim,
+    /// Where light is read, if that is [`Aim::Points`].
+    pub points: Vec<ReceiverPoint>,
     /// A run with more unknowns per band is not begun, except the first.
     pub most_unknowns: usize,
 }
@@ -23,11 +27,19 @@ pub enum Aim {
     /// The light that surfaces reflect of what is gathered from the solution at their points, as sensors and pictures
     /// are read.
     Gathered,
+    /// The light gathered at given points.
+    Points,
 }
 
 impl Goal {
-    /// `accuracy` with at most 8000 unknowns per band, whose matrix has half a gigabyte (8000² · 8 bytes).
+    /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per band, whose matrix
+    /// has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64, of: Aim) -> Self {
-        Self { accuracy, of, most_unknowns: 8000 }
+        Self { accuracy, of, points: Vec::new(), most_unknowns: 8000 }
+    }
+
+    /// The same of light gathered at these points.
+    pub fn at(accuracy: f64, points: Vec<ReceiverPoint>) -> Self {
+        Self { points, ..Self::new(accuracy, Aim::Points) }
     }
 }

@@ -1,6 +1,7 @@
 //! Points spread over all elements: those of a low-discrepancy sequence (Roberts's R2), shifted from patch to patch.
 //!
-//! Each patch has as many; where there are more patches than points, the patches at equal steps of area have one.
+//! Each patch has as many; where there are more patches than points, the patches at equal steps of area have one. Every
+//! discretisation has points of its own: what was refined for the sake of some would look too good from the same.
 
 use radiosity_geom::DVec3;
 
@@ -10,7 +11,10 @@ use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::Place;
 
 /// Points in all, at least. Chosen; not tuned.
-const POINTS: usize = 256;
+const POINTS: usize = 1024;
+
+/// Numbers of the sequence that are left out for each unknown of a discretisation: a prime.
+const STRIDE: usize = 1009;
 
 /// Steps of the sequence: 1/p and 1/p² with p³ = p + 1 (Roberts 2018).
 const STEPS: [f64; 2] = [0.754_877_666_246_692_7, 0.569_840_290_998_053_3];
@@ -23,8 +27,6 @@ pub(super) struct Point {
     pub normal: DVec3,
     /// Area that it stands for (m²).
     pub area: f64,
-    /// Its number among the points of all elements.
-    pub index: usize,
 }
 
 impl Point {
@@ -35,13 +37,15 @@ impl Point {
 
 /// The points of each element.
 pub(super) fn points(list: &[Element]) -> Vec<Vec<Point>> {
+    let coefficients: usize = list.iter().map(|element| element.basis.len()).sum();
+    let first = STRIDE * coefficients;
     let patches: usize = list.iter().map(|element| element.patches.len()).sum();
-    if patches > POINTS { by_area(list) } else { by_patch(list, POINTS.div_ceil(patches)) }
+    if patches > POINTS { by_area(list, first) } else { by_patch(list, first, POINTS.div_ceil(patches)) }
 }
 
 /// So many points on each patch.
-fn by_patch(list: &[Element], each: usize) -> Vec<Vec<Point>> {
-    let mut indices = 0..;
+fn by_patch(list: &[Element], first: usize, each: usize) -> Vec<Vec<Point>> {
+    let mut indices = first..;
     let of = |element: &Element| {
         let patches = element.patches.iter().flat_map(|patch| std::iter::repeat_n(patch, each));
         let point = |(patch, index)| {
@@ -54,9 +58,9 @@ fn by_patch(list: &[Element], each: usize) -> Vec<Vec<Point>> {
 }
 
 /// A point wherever another 1/[`POINTS`] of the area is full; it stands for as much.
-fn by_area(list: &[Element]) -> Vec<Vec<Point>> {
+fn by_area(list: &[Element], first: usize) -> Vec<Vec<Point>> {
     let step = list.iter().map(|element| element.area).sum::<f64>() / POINTS as f64;
-    let (mut reached, mut index) = (0.5 * step, 0);
+    let (mut reached, mut index) = (0.5 * step, first);
     let of = |element: &Element| {
         let mut points = Vec::new();
         for patch in &element.patches {
@@ -79,7 +83,7 @@ fn point(element: &Element, patch: &Patch, index: usize) -> (Point, f64) {
     let [s, t] = STEPS.map(|step| (0.5 + step * index as f64).fract());
     let Node { position, normal, parameters, area, .. } = patch.node(s, t);
     let place = Place { surface: element.surface, parameters: parameters.to_array(), position };
-    (Point { place, normal, area, index }, area)
+    (Point { place, normal, area }, area)
 }
 
 /// Area of a patch: that of its middle where it is flat, and curved elements have one.

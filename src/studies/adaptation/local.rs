@@ -1,0 +1,109 @@
+//! Refinement of those elements that are responsible for the error of what is read.
+//!
+//! From run to run the elements that bear most of the error (`gathered`) are cut, or get more polynomials
+//! (`smoothness`): as few as bear what must go, so that surfaces whose light is read nowhere stay as they are. (W.
+//! Dörfler, *A convergent adaptive algorithm for Poisson's equation*, SIAM J. Numer. Anal. 33 (1996), for the choice by
+//! a part of the whole.)
+
+use std::time::Instant;
+
+use crate::elements::mesh::{Mesh, Refinement};
+use crate::scene::Scene;
+use crate::solution::Solution;
+use crate::solve::{Failure, Options, Progress, solve_exactly};
+
+use super::achieved::{Achieved, Adapted, End};
+use super::goal::Goal;
+use super::run::{FIRST_ORDER, advise, estimated, finer, fits};
+use super::smoothness::refinement;
+
+/// Part of the squared error that the refined elements bear, at the least and at the most. Chosen.
+const BORNE: [f64; 2] = [0.5, 0.95];
+
+/// Part of the squared error that is wanted which refined elements may leave. Chosen.
+const LEFT: f64 = 0.5;
+
+/// Error that the first run is expected to have where less is wanted. Chosen.
+const FIRST: f64 = 3e-3;
+
+/// The least part of the last error that the next run is expected to have; its transfers are made for that. Chosen: refined
+/// where 95 % of the squared error is borne, errors fell by a factor of 1.5 to 4.
+const NEXT: f64 = 0.25;
+
+/// Solves `scene` by exact blocks, for the reason `why`, on elements refined where the goal needs it.
+pub(super) fn locally(
+    scene: &Scene,
+    options: &Options,
+    goal: &Goal,
+    why: &str,
+    progress: &(dyn Fn(Progress) + Sync),
+) -> Result<Adapted, Failure> {
+    let accurate = |accuracy: f64| Options {
+        order: options.order.max(FIRST_ORDER),
+        eps: options.eps.min(accuracy / 4.0),
+        shadow_eps: options.shadow_eps.min(accuracy),
+        ..*options
+    };
+    let mut expected = goal.accuracy.max(FIRST);
+    let mut chosen = accurate(expected);
+    let mut begun = Instant::now();
+    let mut outcome = solve_exactly(scene, &chosen, why, None, progress).map_err(advise)?;
+    if !outcome.converged {
+        let achieved = Achieved { estimate: None, of: goal.of, end: End::NotConverged };
+        return Ok(Adapted { outcome, options: chosen, achieved });
+    }
+    let mut error;
+    let end = loop {
+        let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), progress)?;
+        error = estimate.error;
+        if error <= goal.accuracy {
+            break End::Reached;
+        }
+        let left = (LEFT * (goal.accuracy / error).powi(2)).clamp(1.0 - BORNE[1], 1.0 - BORNE[0]);
+        let Some(mesh) = refined(scene, &outcome.solution, &estimate.shares, 1.0 - left) else {
+            break End::Finest;
+        };
+        expected = goal.accuracy.max(NEXT * error);
+        let sharper = accurate(expected);
+        let elements = outcome.solution.elements();
+        let unknowns = sharper.elements(scene, elements.discretization(), Some(&mesh))?.coefficients();
+        if unknowns > goal.most_unknowns {
+            break End::Unknowns;
+        }
+        let growth = unknowns as f64 / elements.coefficients() as f64;
+        if !fits(options.deadline, begun.elapsed().mul_f64(growth.powi(2))) {
+            break End::Time;
+        }
+        begun = Instant::now();
+        match finer(solve_exactly(scene, &sharper, why, Some(&mesh), progress))? {
+            Ok(finer) => (outcome, chosen) = (finer, sharper),
+            Err(end) => break end,
+        }
+    };
+    Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), of: goal.of, end } })
+}
+
+/// The mesh with those elements refined that bear this part of what all bear; None where none of them may be. Surfaces that
+/// state their own order or cuts keep them.
+fn refined(scene: &Scene, solution: &Solution, shares: &[f64], part: f64) -> Option<Mesh> {
+    let list = solution.elements().list();
+    let is_free = |index: &usize| {
+        let surface = &scene.surfaces[list[*index].surface];
+        let is_own = surface.order.is_some() || surface.subdivide.is_some();
+        shares[*index] > 0.0 && list[*index].contact.is_none() && !is_own
+    };
+    let mut bearing: Vec<usize> = (0..list.len()).filter(is_free).collect();
+    bearing.sort_by(|a, b| shares[*b].total_cmp(&shares[*a]));
+    let wanted = part * bearing.iter().map(|index| shares[*index]).sum::<f64>();
+    let starts = solution.elements().starts();
+    let mut refinements = vec![Refinement::Keep; list.len()];
+    let mut borne = 0.0;
+    for index in bearing {
+        if borne >= wanted {
+            break;
+        }
+        borne += shares[index];
+        refinements[index] = refinement(solution, &starts, index);
+    }
+    (borne > 0.0).then(|| solution.elements().refined(&refinements))
+}
