@@ -10,6 +10,7 @@ mod points;
 mod error;
 mod colours;
 mod planes;
+mod aim;
 mod sensors;
 mod completions;
 mod format;
@@ -35,6 +36,7 @@ mod check;
 mod scenes;
 mod view_factors;
 
+use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use error::CliError;
@@ -83,7 +85,7 @@ enum Verb {
 impl Cli {
     /// What was typed; ends the program with a message where that makes no sense.
     pub(crate) fn typed() -> Self {
-        let matches = Self::command().get_matches();
+        let matches = Self::command().get_matches_from(joined(std::env::args_os()));
         let mut cli = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
         cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
         cli

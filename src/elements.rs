@@ -111,7 +111,8 @@ impl Elements {
             }
             let own: Vec<&Cover> = covers::of_surface(covers, index).collect();
             let pieces = shape.region().map_or_else(Vec::new, |region| open_pieces(region, &own));
-            let mut maker = Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
+            let mut maker =
+                Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;

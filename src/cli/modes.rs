@@ -7,7 +7,6 @@ use clap::{
     builder::{PossibleValuesParser, TypedValueParser},
 };
 use radiosity::scene::MAX_ORDER;
-use radiosity::studies::adaptation::Aim;
 use radiosity::visibility::Hiding;
 use radiosity::zatz1993::transfers::{Reading, Rules};
 
@@ -27,25 +26,6 @@ impl FromStr for Order {
         let degree = || text.parse().ok().filter(|degree| *degree <= MAX_ORDER).map(Order::Degree);
         let order = if text == "auto" { Some(Order::Auto) } else { degree() };
         order.ok_or_else(|| format!("expected a whole number from 0 to {MAX_ORDER}, or auto"))
-    }
-}
-
-/// `--for`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Wanted {
-    /// Light as sensors and pictures read it, on all surfaces
-    Gathered,
-    /// The polynomials, as --read basis shows them
-    Solution,
-}
-
-impl Wanted {
-    /// The same, for the library.
-    pub(crate) fn aim(self) -> Aim {
-        match self {
-            Wanted::Gathered => Aim::Gathered,
-            Wanted::Solution => Aim::Solution,
-        }
     }
 }
 

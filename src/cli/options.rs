@@ -16,10 +16,11 @@ use radiosity::studies::adaptation::Goal;
 use radiosity_solvers::method::Method;
 
 use crate::cli::{
+    aim::Wanted,
     error::CliError,
     masks::MaskArgs,
     memory,
-    modes::{Kernel, Order, Shadows, Subdivide, Wanted, subdivide},
+    modes::{Kernel, Order, Shadows, Subdivide, subdivide},
     numbers::{accuracy, at_least_one, fraction, not_negative, positive, seconds, threads},
     output_file::OutputFile,
 };
@@ -133,9 +134,11 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "A", value_parser = fraction)]
     pub(crate) accuracy: Option<f64>,
 
-    /// Of what the accuracy is wanted, where pairs are carried exactly
-    #[arg(long = "for", id = "for", value_name = "WHAT", default_value = "gathered")]
-    pub(crate) aim: Wanted,
+    /// Of what the accuracy is wanted: gathered (light on all surfaces, as sensors and pictures read it), solution (the
+    /// polynomials), picture (what the scene's camera sees), points FILE.csv, or plane NAME [default: gathered; the sensors
+    /// that probe reads]
+    #[arg(long = "for", id = "for", value_name = "WHAT")]
+    pub(crate) aim: Option<Wanted>,
 
     /// Seconds after which no finer run begins, and rays end, where an accuracy is wanted; what there is is written, with
     /// exit code 3
@@ -241,9 +244,10 @@ impl MethodArgs {
         Instant::now().checked_add(limit)
     }
 
-    /// The accuracy wanted, and of what, if one is.
-    pub(crate) fn goal(&self) -> Option<Goal> {
-        self.wanted_accuracy().map(|accuracy| Goal::new(accuracy, self.aim.aim()))
+    /// The accuracy wanted in a scene, and of what, if one is.
+    pub(crate) fn goal(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
+        let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);
+        self.wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene)).transpose()
     }
 
     /// The relative error wanted, if one is.

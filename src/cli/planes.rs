@@ -41,7 +41,7 @@ impl PlaneArgs {
 }
 
 /// The plane of that name in the scene, or else the one that `text` gives.
-fn plane(text: &str, index: usize, scene: &Scene) -> Result<SensorPlane, CliError> {
+pub(crate) fn plane(text: &str, index: usize, scene: &Scene) -> Result<SensorPlane, CliError> {
     match scene.plane_named(text) {
         Ok(plane) => Ok(plane.clone()),
         Err(_) if text.contains(';') => given(text, index),

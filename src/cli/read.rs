@@ -8,9 +8,9 @@ use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
 use radiosity::solve::Options;
-use radiosity::studies::adaptation::Aim;
 use radiosity::visibility::Hiding;
 
+use crate::cli::aim::Wanted;
 use crate::cli::error::CliError;
 use crate::cli::numbers::accuracy;
 use crate::cli::options::MethodArgs;
@@ -82,7 +82,7 @@ impl ReadArgs {
 
 /// Refuses an accuracy of gathered light where polynomials are read.
 pub(crate) fn check_aim(read: Option<Read>, method: &MethodArgs) -> Result<(), CliError> {
-    let is_of_gathered = method.goal().is_some_and(|goal| goal.of == Aim::Gathered);
+    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Wanted::Solution);
     match read {
         Some(Read::Basis | Read::Direct) if is_of_gathered => Err(CliError::Refused {
             message: "--accuracy is that of gathered light, and --read basis and direct read polynomials"

@@ -8,14 +8,16 @@ use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
 use radiosity::output::plane_figures::PlaneFigures;
+use radiosity::output::probe::Probe;
 use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
-use radiosity::studies::adaptation::{Achieved, Aim};
+use radiosity::studies::adaptation::{Achieved, Aim, Goal};
 
+use crate::cli::aim::at_probes;
 use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
@@ -183,8 +185,36 @@ impl Run {
         Self::with_options(loaded, method, options(method), report, progress)
     }
 
+    /// The same; where an accuracy is wanted and nothing says of what, it is that of these sensors.
+    pub(crate) fn for_sensors(
+        loaded: Loaded,
+        sensors: &[Probe],
+        method: &MethodArgs,
+        report: &ReportArgs,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let goal = match (&method.aim, method.wanted_accuracy()) {
+            (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, &loaded.scene)),
+            _ => method.goal(&loaded.scene)?,
+        };
+        Self::to(goal, loaded, method, options(method), report, progress)
+    }
+
     /// As [`Run::solve`], with options that no longer follow from the command line alone.
     pub(crate) fn with_options(
+        loaded: Loaded,
+        method: &MethodArgs,
+        asked: Options,
+        report: &ReportArgs,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let goal = method.goal(&loaded.scene)?;
+        Self::to(goal, loaded, method, asked, report, progress)
+    }
+
+    /// Solves until the goal is reached, if there is one.
+    fn to(
+        goal: Option<Goal>,
         loaded: Loaded,
         method: &MethodArgs,
         asked: Options,
@@ -203,7 +233,7 @@ impl Run {
             Stage::Finished(..) => {}
         };
         let scene = loaded.scene;
-        let solved = match (loaded.saved, method.goal()) {
+        let solved = match (loaded.saved, goal) {
             (Some(saved), _) => saved.with(scene),
             (None, Some(goal)) => Solved::to_accuracy(scene, &asked, &goal, &observe)?,
             (None, None) => Solved::new(scene, asked, &observe)?,
@@ -296,7 +326,11 @@ impl Run {
 
     /// The same in words.
     fn estimated(&self) -> &'static str {
-        if self.aim() == Some(Aim::Gathered) { "gathered light" } else { "the radiosity" }
+        match self.aim() {
+            Some(Aim::Gathered) => "gathered light",
+            Some(Aim::Points) => "light at the points",
+            Some(Aim::Solution) | None => "the radiosity",
+        }
     }
 
     /// The line about time.

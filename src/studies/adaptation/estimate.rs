@@ -69,8 +69,8 @@ pub(super) fn estimate(
     match goal.of {
         Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
         Aim::Points => {
-            let bands = solution.bands().len();
-            return in_threads(options.threads, || at(&Sensor::at(&goal.points, bands)));
+            let sensors = Sensor::at(&goal.points, solution, &visibility);
+            return in_threads(options.threads, || at(&sensors));
         }
         Aim::Solution => {}
     }

@@ -202,7 +202,10 @@ impl<'a> Missing<'a> {
             let missed = self.missed(element, &place, &there, distance, chance);
             let none = || [vec![0.0; bands.len()], vec![0.0; bands.len()]];
             let sums = &mut found.parts.entry(element).or_insert_with(none)[half];
-            sums.iter_mut().zip(&weights).zip(missed).for_each(|((sum, weight), missed)| *sum += weight * missed);
+            sums.iter_mut()
+                .zip(&weights)
+                .zip(missed)
+                .for_each(|((sum, weight), missed)| *sum += weight * missed);
             chance = number_of([f64::from_bits(chance)]);
             let [dice, polar, turn] = shift(chance);
             let likely = brightest.min(LIKELIEST);
@@ -281,8 +284,13 @@ struct Sums {
 
 impl Sums {
     fn of(found: &[Found], walks: u64, solution: &Solution) -> Self {
-        let mut sums =
-            Self { product: 0.0, deviation: 0.0, noise: 0.0, size: 0.0, elements: solution.elements().list().len() };
+        let mut sums = Self {
+            product: 0.0,
+            deviation: 0.0,
+            noise: 0.0,
+            size: 0.0,
+            elements: solution.elements().list().len(),
+        };
         for found in found {
             let [first, second] = found.halves(walks);
             let bands = first.iter().zip(&second).zip(&found.sensor.weights);

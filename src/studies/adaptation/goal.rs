@@ -1,8 +1,7 @@
 //! The accuracy that is wanted, and of what.
 
+use radiosity_geom::DVec3;
 use serde::{Deserialize, Serialize};
-
-use crate::light::receiver_point::ReceiverPoint;
 
 /// What is wanted.
 #[derive(Clone, Debug)]
@@ -11,8 +10,8 @@ pub struct Goal {
     pub accuracy: f64,
     /// Of what.
     pub of: Aim,
-    /// Where light is read, if that is [`Aim::Points`].
-    pub points: Vec<ReceiverPoint>,
+    /// Where light is read, if that is [`Aim::Points`]: positions, from the scene's middle as its surfaces, and unit normals.
+    pub points: Vec<[DVec3; 2]>,
     /// A run with more unknowns per band is not begun, except the first.
     pub most_unknowns: usize,
 }
@@ -39,7 +38,7 @@ impl Goal {
     }
 
     /// The same of light gathered at these points.
-    pub fn at(accuracy: f64, points: Vec<ReceiverPoint>) -> Self {
+    pub fn at(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
         Self { points, ..Self::new(accuracy, Aim::Points) }
     }
 }

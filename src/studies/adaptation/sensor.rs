@@ -1,12 +1,16 @@
 //! Sensors at which the error of gathered light is estimated.
 
+use radiosity_geom::DVec3;
+
+use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::solution::Solution;
+use crate::visibility::Visibility;
 
 use super::points::{Point, points};
 
-/// Most sensors of those asked for at which errors are estimated, evenly chosen. As many as points of the surfaces.
-const MOST: usize = 256;
+/// Most sensors of those asked for at which errors are estimated, evenly chosen. Chosen.
+const MOST: usize = 512;
 
 /// A receiver, and how much its light counts.
 #[derive(Debug)]
@@ -32,9 +36,15 @@ impl Sensor {
         all.filter(|sensor| sensor.weights.iter().any(|weight| *weight > 0.0)).collect()
     }
 
-    /// Sensors at these points, or some of them; all count the same.
-    pub(super) fn at(points: &[ReceiverPoint], bands: usize) -> Vec<Self> {
+    /// Sensors at these positions with these normals, or at some of them; all count the same.
+    pub(super) fn at(points: &[[DVec3; 2]], solution: &Solution, visibility: &Visibility) -> Vec<Self> {
         let step = points.len().div_ceil(MOST).max(1);
-        points.iter().step_by(step).map(|point| Self { point: *point, weights: vec![1.0; bands] }).collect()
+        let sensor = |[position, normal]: &[DVec3; 2]| {
+            let spot = Spot::find(solution.elements(), visibility, *position, *normal);
+            let free = || ReceiverPoint::free(*position, *normal);
+            let point = spot.map_or_else(free, |spot| spot.vantage(*normal));
+            Self { point, weights: vec![1.0; solution.bands().len()] }
+        };
+        points.iter().step_by(step).map(sensor).collect()
     }
 }

@@ -45,7 +45,8 @@ pub(super) fn refinement(solution: &Solution, starts: &[usize], index: usize) ->
 fn squares(solution: &Solution, own: std::ops::Range<usize>) -> Vec<f64> {
     let mut squares = vec![0.0; own.len()];
     for band in solution.bands() {
-        let all = band.coefficients.irradiance[own.clone()].iter().zip(&band.coefficients.direct[own.clone()]);
+        let all =
+            band.coefficients.irradiance[own.clone()].iter().zip(&band.coefficients.direct[own.clone()]);
         squares.iter_mut().zip(all).for_each(|(square, (all, direct))| *square += (all - direct).powi(2));
     }
     squares

@@ -1,0 +1,143 @@
+//! `--for`: of what an accuracy is wanted.
+
+use std::ffi::OsString;
+use std::str::FromStr;
+
+use radiosity::geom::DVec3;
+use radiosity::output::pinhole::Pinhole;
+use radiosity::output::probe::Probe;
+use radiosity::scene::{Camera, Scene};
+use radiosity::studies::adaptation::{Aim, Goal};
+use radiosity::visibility::{Shadows, Visibility};
+
+use crate::cli::error::CliError;
+use crate::cli::planes::plane;
+use crate::cli::points::Points;
+
+/// What is typed.
+const FORM: &str = "expected gathered, solution, picture, points FILE or plane NAME";
+
+/// Points of a picture along each of its sides. Chosen: about as many as errors are estimated at.
+const ACROSS: u32 = 16;
+
+/// What is to be accurate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Wanted {
+    /// Light as sensors and pictures read it, on all surfaces.
+    Gathered,
+    /// The polynomials, as `--read basis` shows them.
+    Solution,
+    /// Light at the points of this file.
+    Points(String),
+    /// Light at the sensors of this plane.
+    Plane(String),
+    /// Light that the scene's camera sees.
+    Picture,
+}
+
+impl FromStr for Wanted {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        match text.split_once('=') {
+            Some(("points", file)) if !file.is_empty() => Ok(Self::Points(file.to_owned())),
+            Some(("plane", name)) if !name.is_empty() => Ok(Self::Plane(name.to_owned())),
+            None if text == "gathered" => Ok(Self::Gathered),
+            None if text == "solution" => Ok(Self::Solution),
+            None if text == "picture" => Ok(Self::Picture),
+            _ => Err(FORM.to_owned()),
+        }
+    }
+}
+
+impl Wanted {
+    /// The goal of this accuracy in a scene.
+    pub(crate) fn goal(&self, accuracy: f64, scene: &Scene) -> Result<Goal, CliError> {
+        match self {
+            Self::Gathered => Ok(Goal::new(accuracy, Aim::Gathered)),
+            Self::Solution => Ok(Goal::new(accuracy, Aim::Solution)),
+            Self::Points(file) => Ok(at_probes(accuracy, &Points::load(file)?.probes, scene)),
+            Self::Plane(name) => {
+                let sensors: Vec<Probe> = Probe::of_plane(&plane(name, 0, scene)?).collect();
+                Ok(at_probes(accuracy, &sensors, scene))
+            }
+            Self::Picture => match &scene.camera {
+                Some(camera) => Ok(Goal::at(accuracy, seen(scene, camera))),
+                None => Err(CliError::Refused {
+                    message: format!(
+                        "{}: there is no camera, so nothing says what the picture shows",
+                        scene.origin
+                    ),
+                    cure: "add [camera] with eye and target, or take --for gathered".to_owned(),
+                }),
+            },
+        }
+    }
+}
+
+/// The goal of this accuracy at these sensors.
+pub(crate) fn at_probes(accuracy: f64, probes: &[Probe], scene: &Scene) -> Goal {
+    let at = |probe: &Probe| [probe.position - scene.middle, probe.normal];
+    Goal::at(accuracy, probes.iter().map(at).collect())
+}
+
+/// Points, with normals, of surfaces that a camera sees, evenly over its picture.
+fn seen(scene: &Scene, camera: &Camera) -> Vec<[DVec3; 2]> {
+    let visibility = Visibility::new(scene, Shadows::Off);
+    let pinhole = Pinhole::new(camera);
+    let place = |k: u32, size: u32| (f64::from(k) + 0.5) * f64::from(size) / f64::from(ACROSS);
+    let rays = (0..ACROSS * ACROSS)
+        .map(|k| pinhole.ray(place(k % ACROSS, camera.width), place(k / ACROSS, camera.height)));
+    let point = |ray| {
+        let met = visibility.nearest(&ray)?;
+        let jet = scene.surfaces[met.surface].shape.jet(met.hit.u, met.hit.v);
+        met.front.then_some([jet.position, jet.normal])
+    };
+    rays.filter_map(point).collect()
+}
+
+/// What was typed, with `--for points FILE` and `--for plane NAME` written as one word after `--for`.
+pub(crate) fn joined(typed: impl Iterator<Item = OsString>) -> Vec<OsString> {
+    let mut words: Vec<OsString> = Vec::new();
+    for word in typed {
+        let is_kind = |last: &OsString| last == "points" || last == "plane";
+        let is_open = matches!(&words[..], [.., option, kind] if option == "--for" && is_kind(kind));
+        match words.last_mut() {
+            Some(kind) if is_open => {
+                kind.push("=");
+                kind.push(word);
+            }
+            _ => words.push(word),
+        }
+    }
+    words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn words(text: &str) -> Vec<OsString> {
+        text.split(' ').map(OsString::from).collect()
+    }
+
+    #[test]
+    fn names_are_joined_to_what_they_name_alone() {
+        let joined = |text: &str| joined(words(text).into_iter());
+        assert_eq!(joined("solve --for points a.csv room"), words("solve --for points=a.csv room"));
+        assert_eq!(
+            joined("probe --plane points room --for plane"),
+            words("probe --plane points room --for plane")
+        );
+        assert_eq!(joined("--for gathered points x"), words("--for gathered points x"));
+    }
+
+    #[test]
+    fn what_is_wanted_is_told_apart() {
+        assert_eq!("points=a=b".parse(), Ok(Wanted::Points("a=b".to_owned())));
+        assert_eq!("plane=desk".parse(), Ok(Wanted::Plane("desk".to_owned())));
+        for wrong in ["points", "plane=", "all", "picture=x"] {
+            assert!(wrong.parse::<Wanted>().is_err(), "{wrong}");
+        }
+    }
+}
