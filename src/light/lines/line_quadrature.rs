@@ -9,8 +9,8 @@
 //! is continuous, with bends where the outline meets the border of the cell and roots where it touches a line. It is
 //! integrated by Simpson's rule on panels that are halved while two estimates differ by more than the tolerance. If the
 //! outline runs along the lines, so that some see all and others nothing, lines of the other direction are taken. The
-//! same is done for a whole area light if every line sees all of it, or none: a visible or hidden strip beside the edge
-//! of a column may lie between two lines.
+//! same is done if every line sees all of the cell, or none: a visible or hidden strip beside the edge of a column may
+//! lie between two lines.
 
 use std::f64::consts::PI;
 
@@ -101,7 +101,7 @@ impl<'a> LineQuadrature<'a> {
         let step = (high - low) / count as f64;
         let lines: Vec<Sums> = (0..=2 * count).map(|k| self.line(low + 0.5 * step * k as f64)).collect();
         let varied = variation(&lines);
-        let is_told = varied <= ALONG && (!self.is_of_lamp || varied > 0.0);
+        let is_told = varied > 0.0 && varied <= ALONG;
         if !self.is_turned && !is_told {
             let facets = self.facets.transposed();
             let mut turned = LineQuadrature {
