@@ -24,9 +24,14 @@ const BORNE: [f64; 2] = [0.5, 0.95];
 const LEFT: f64 = 0.5;
 
 /// Accuracy of blocks and of their shadows over the expected error: errors of single blocks balance in what is gathered.
-/// With a quarter and 1 the errors were the same, in up to three times the time.
+/// With a quarter and 1 the errors were mostly the same, in up to three times the time.
 const OF_BLOCKS: f64 = 0.5;
 const OF_SHADOWS: f64 = 3.0;
+
+/// After so many runs without a smaller error errors of blocks are taken for the cause, and their accuracies are multiplied by
+/// [`SHARPENING`]: one run may look worse by chance. Both are chosen.
+const VAIN: usize = 2;
+const SHARPENING: f64 = 0.4;
 
 /// Error that the first run is expected to have where less is wanted. Chosen.
 const FIRST: f64 = 3e-3;
@@ -43,14 +48,15 @@ pub(super) fn locally(
     why: &str,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
-    let accurate = |accuracy: f64| Options {
+    let accurate = |accuracy: f64, sharper: f64| Options {
         order: options.order.max(FIRST_ORDER),
-        eps: options.eps.min(OF_BLOCKS * accuracy),
-        shadow_eps: options.shadow_eps.min(OF_SHADOWS * accuracy),
+        eps: sharper * options.eps.min(OF_BLOCKS * accuracy),
+        shadow_eps: sharper * options.shadow_eps.min(OF_SHADOWS * accuracy),
         ..*options
     };
     let mut expected = goal.accuracy.max(FIRST);
-    let mut chosen = accurate(expected);
+    let mut sharper = 1.0;
+    let mut chosen = accurate(expected, sharper);
     let mut begun = Instant::now();
     let mut outcome = solve_exactly(scene, &chosen, why, None, progress).map_err(advise)?;
     if !outcome.converged {
@@ -58,6 +64,7 @@ pub(super) fn locally(
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
+    let (mut least, mut vain) = (f64::INFINITY, 0);
     let end = loop {
         let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), progress)?;
         error = estimate.error;
@@ -69,9 +76,14 @@ pub(super) fn locally(
             break End::Finest;
         };
         expected = goal.accuracy.max(NEXT * error);
-        let sharper = accurate(expected);
+        vain = if error < least { 0 } else { vain + 1 };
+        least = least.min(error);
+        if vain == VAIN {
+            (sharper, vain) = (SHARPENING * sharper, 0);
+        }
+        let next = accurate(expected, sharper);
         let elements = outcome.solution.elements();
-        let unknowns = sharper.elements(scene, elements.discretization(), Some(&mesh))?.coefficients();
+        let unknowns = next.elements(scene, elements.discretization(), Some(&mesh))?.coefficients();
         if unknowns > goal.most_unknowns {
             break End::Unknowns;
         }
@@ -80,8 +92,8 @@ pub(super) fn locally(
             break End::Time;
         }
         begun = Instant::now();
-        match finer(solve_exactly(scene, &sharper, why, Some(&mesh), progress))? {
-            Ok(finer) => (outcome, chosen) = (finer, sharper),
+        match finer(solve_exactly(scene, &next, why, Some(&mesh), progress))? {
+            Ok(finer) => (outcome, chosen) = (finer, next),
             Err(end) => break end,
         }
     };
