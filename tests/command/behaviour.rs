@@ -269,6 +269,38 @@ fn a_wanted_accuracy_that_takes_too_long_keeps_the_best_run() {
 }
 
 #[test]
+fn an_accuracy_may_be_that_of_points_a_plane_or_the_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    fs::write(here.join("points.csv"), "0.5,0.5,0.5,0,0,1\n").unwrap();
+    let aims: [&[&str]; 4] = [
+        &["--for", "points", "points.csv", "empty-box"],
+        &["empty-box", "--for", "plane=0.2,0.2,0.7; 0.6,0,0; 0,0.6,0; 0.2"],
+        &["empty-box", "--for", "picture"],
+        &["--for", "points=points.csv", "empty-box"],
+    ];
+    for aim in aims {
+        let output = radiosity(here, &[&["solve", "--accuracy", "1e-2", "-o", "s.json"], aim].concat());
+        let text = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.success() && text.contains("error of light at the points"), "{aim:?}: {text}");
+    }
+    let probed = radiosity(here, &["probe", "empty-box", "--points", "points.csv", "--accuracy", "1e-2"]);
+    assert!(String::from_utf8_lossy(&probed.stderr).contains("error of light at the points"));
+    let args = ["solve", "empty-box", "--accuracy", "1e-2", "--for", "points", "none.csv"];
+    refused(here, &args, &["none.csv", "help: give the path of a CSV file of points"]);
+    let args = ["solve", "empty-box", "--accuracy", "1e-2", "--for", "plane", "desk"];
+    refused(here, &args, &["desk", "help:"]);
+    let scene = "bands = [\"grey\"]\n[materials.lamp]\nreflectance = 0\nemission = 1\n[[surfaces]]\nname = \"lamp\"\n\
+                 material = \"lamp\"\nquad = { vertices = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]] }\n";
+    fs::write(here.join("dark.toml"), scene).unwrap();
+    let args = ["solve", "dark.toml", "--accuracy", "1e-2", "--for", "picture"];
+    refused(here, &args, &["there is no camera", "help: add [camera]"]);
+    let output = radiosity(here, &["solve", "empty-box", "--accuracy", "1e-2", "--for", "all"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("points FILE or plane NAME"));
+}
+
+#[test]
 fn a_report_has_every_key_and_they_agree() {
     let folder = tempfile::tempdir().unwrap();
     let args =

@@ -10,6 +10,7 @@ use radiosity::output::solution_file::{SolutionFile, is_solution, read};
 use radiosity::scene::{Scene, Source};
 use radiosity::solve::Options;
 use radiosity::solved::Solved;
+use radiosity::studies::adaptation::{Aim, Goal};
 use serde_json::{Value, json};
 
 /// A bent floor, a wall with a hole, a triangle that is lit on both sides and shades the rest, a lamp.
@@ -108,6 +109,25 @@ fn what_was_read_is_written_as_it_was() {
     let again = read(&Source::new("a.json", &text)).unwrap();
     assert_eq!(again.scene.name, "room");
     assert_eq!(text_of(&again), text);
+}
+
+#[test]
+fn refined_elements_are_read_as_they_were() {
+    let scene = Scene::builtin("empty-box").unwrap();
+    let goal = Goal::new(1e-3, Aim::Gathered);
+    let solved = Solved::to_accuracy(scene, &Options::default(), &goal, &|_| {}).unwrap();
+    assert!(solved.outcome.solution.elements().refined_mesh().is_some(), "the box needs refined elements");
+    let text = text_of(&solved);
+    let again = read(&Source::new("a.json", &text)).unwrap();
+    assert_eq!(
+        again.outcome.solution.elements().refined_mesh(),
+        solved.outcome.solution.elements().refined_mesh()
+    );
+    assert_eq!(text_of(&again), text);
+    let mut file: Value = serde_json::from_str(&text).unwrap();
+    file["mesh"][0] = json!({ "cut": { "across": "u", "at": 3.0, "parts": [{ "leaf": 2 }, { "leaf": 2 }] } });
+    let message = read(&Source::new("a.json", &file.to_string())).unwrap_err().to_string();
+    assert!(message.contains("the mesh"), "{message}");
 }
 
 #[test]

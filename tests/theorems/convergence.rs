@@ -272,6 +272,35 @@ fn gathered_light_of_the_empty_box_is_met_to_the_accuracy_wanted_with_fewer_unkn
 }
 
 #[test]
+fn light_at_points_is_met_with_fewer_unknowns_than_on_all_surfaces() {
+    // This run is known to be right to 1e-4 (`light::gather`).
+    let layers = Layers { count: 2, ratio: 0.25 };
+    let fine = Options { order: 8, layers, eps: 1e-6, shadow_eps: 1e-6, threads: 2, ..Options::default() };
+    let scene = Scene::builtin("empty-box").expect("it is built in");
+    let visibility = Visibility::new(&scene, (&fine).into());
+    let exact = solve(&scene, &fine, &|_| {}).expect("it can be solved").solution;
+    let places: Vec<DVec3> =
+        (0..20).map(|k| DVec3::new(0.3 + 0.02 * f64::from(k), 0.6 - 0.01 * f64::from(k), 0.5)).collect();
+    let read = |solution: &Solution| -> Vec<f64> {
+        let gather = Gather::new(solution, &visibility, 1e-5);
+        places.iter().map(|place| gather.at(&ReceiverPoint::free(*place, DVec3::Z))[0]).collect()
+    };
+    let known = read(&exact);
+    for accuracy in [1e-3, 3e-4] {
+        let points = places.iter().map(|place| [*place - scene.middle, DVec3::Z]).collect();
+        let here = adapted("empty-box", Goal::at(accuracy, points));
+        assert!(here.achieved.reached() && here.achieved.of == Aim::Points);
+        let found = read(&here.outcome.solution);
+        let off = found.iter().zip(&known).map(|(found, known)| (found / known - 1.0).powi(2));
+        let error = (off.sum::<f64>() / 20.0).sqrt();
+        assert!(error <= accuracy, "error {error}, {accuracy} wanted");
+        let everywhere = adapted("empty-box", Goal::new(accuracy, Aim::Gathered));
+        let [few, many] = [&here, &everywhere].map(|run| run.outcome.solution.elements().coefficients());
+        assert!(2 * few <= many, "{few} unknowns for the points, {many} for all surfaces");
+    }
+}
+
+#[test]
 fn what_cannot_be_reached_is_told() {
     let adapted = adapted("empty-box", Goal { most_unknowns: 200, ..Goal::new(1e-3, Aim::Solution) });
     assert_eq!(adapted.achieved.end, End::Unknowns);
