@@ -34,6 +34,7 @@ use crate::scene::{Scene, SceneSurface};
 use basis::HIGHEST_ORDER;
 use cells::breaks;
 pub use discretization::{Discretization, Subdivide};
+pub(crate) use element::flat_patches;
 pub use element::{Element, clip_to_cell};
 use element::{Part, element};
 pub use fault::ElementError;

@@ -58,6 +58,7 @@ pub mod transport;
 pub mod light;
 pub mod zatz1993;
 pub mod system;
+pub mod hierarchy;
 pub mod solution;
 pub mod gather;
 pub mod checks;

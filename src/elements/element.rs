@@ -129,7 +129,8 @@ pub(super) fn element(
     Ok(Some(Element { surface: index, rect, basis, patches, plane, area, constant, hull, extent, contact }))
 }
 
-fn flat_patches(
+/// The patches of the part of flat `pieces` over `rect`, those below 1e-14 of the surface's `area` left out, and its plane.
+pub(crate) fn flat_patches(
     shape: &Arc<dyn Surface>,
     pieces: &[Vec<DVec3>],
     area: f64,

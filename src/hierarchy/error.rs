@@ -1,0 +1,24 @@
+//! Why a scene could not be solved hierarchically.
+
+use radiosity_solvers::SolveError;
+
+/// Why a scene could not be solved hierarchically.
+#[derive(Debug, thiserror::Error)]
+pub enum HierarchyError {
+    /// An option out of its range.
+    #[error("{name} has to be {wanted}")]
+    Option {
+        /// Its name.
+        name: &'static str,
+        /// The range.
+        wanted: &'static str,
+    },
+    /// The linear solver failed.
+    #[error("band '{band}': {source}")]
+    Solver {
+        /// Name of the band.
+        band: String,
+        /// What the solver says.
+        source: SolveError,
+    },
+}

@@ -1,0 +1,38 @@
+//! What is linked, how well it is seen, and how it is solved.
+
+use radiosity_solvers::method::Method;
+
+/// How finely light is linked and solved.
+#[derive(Clone, Copy, Debug)]
+pub struct HierarchyOptions {
+    /// Greatest power of a link that is not refined, in parts of the power that the scene emits; above 0.
+    pub eps: f64,
+    /// Faces up to this part of the area of all surfaces are not cut; above 0.
+    pub least_area: f64,
+    /// Least distance of the centres of two linked nodes of which one is a cluster, in sums of their radii; at least 1.
+    pub separation: f64,
+    /// Most rounds of refinement; at least 1.
+    pub rounds: usize,
+    /// Rays that find the visibility of a link; at least 1.
+    pub rays_per_link: usize,
+    /// The solver.
+    pub method: &'static Method,
+    /// Relative residual of the solver.
+    pub tolerance: f64,
+}
+
+impl Default for HierarchyOptions {
+    /// Links of 1e-4 of the power, faces of 1e-5 of the area, balls half a sum of radii apart, eight rounds, sixteen
+    /// rays, conjugate gradients to 1e-8.
+    fn default() -> Self {
+        Self {
+            eps: 1e-4,
+            least_area: 1e-5,
+            separation: 1.5,
+            rounds: 8,
+            rays_per_link: 16,
+            method: Method::named("cg").expect("cg is always listed"),
+            tolerance: 1e-8,
+        }
+    }
+}
