@@ -82,16 +82,21 @@ fn cornell() {
     let Outcome { solution, .. } = solve(&scene, &options, &|_| {}).expect("the scene can be solved");
     println!("| eps | leaves | links | links per leaf | links / leaves² | error | rounds | seconds |");
     println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    let mut rows: Vec<[f64; 2]> = Vec::new();
     for eps in FALLING {
         let options = HierarchyOptions { eps, least_area: 1e-6, ..HierarchyOptions::default() };
         let (solved, seconds) = timed(&scene, &options);
         let Counts { leaves, links, rounds, .. } = solved.counts();
         let (each, all) = (links as f64 / leaves as f64, links as f64 / (leaves as f64).powi(2));
         let error = error(&scene, &solved, &solution);
+        rows.push([leaves as f64, links as f64]);
         println!(
             "| {eps:.0e} | {leaves} | {links} | {each:.1} | {all:.1e} | {error:.1e} | {rounds} | {seconds:.2} |"
         );
     }
+    let [first, .., last] = rows[..] else { return };
+    let power = (last[1] / first[1]).ln() / (last[0] / first[0]).ln();
+    println!("\n{} to {} leaves: links p = {power:.2}, y ~ leavesᵖ.", first[0], last[0]);
 }
 
 /// √(Σ A (E − E*)² / Σ A) of the surfaces' mean irradiances in the first band, over the largest of them.

@@ -24,7 +24,7 @@ pub(crate) struct Refinement<'a> {
 }
 
 impl Refinement<'_> {
-    /// Refines `pairs`, which are known to be alike in what they may be replaced by, into pairs to be linked.
+    /// The pairs to be linked that stand for `pairs`.
     pub(crate) fn refine(&mut self, pairs: Vec<Pair>) -> Vec<Pair> {
         let (mut open, mut found) = (pairs, Vec::new());
         while let Some(pair) = open.pop() {
@@ -63,9 +63,10 @@ impl Refinement<'_> {
         if face.is_some_and(|face| face.normal.is_some()) {
             return;
         }
-        let is_dim = face.is_some() && self.oracle.links_itself(self.light, index);
+        let is_face = face.is_some();
+        let is_dim = is_face && self.oracle.links_itself(self.light, index);
         if is_dim || !self.divide(node) {
-            face_of(self.tree, index).then(|| found.push([node; 2]));
+            is_face.then(|| found.push([node; 2]));
             return;
         }
         let children = &self.tree.nodes()[index].children;
@@ -104,9 +105,4 @@ impl Refinement<'_> {
         }
         true
     }
-}
-
-/// Whether a node is a face.
-fn face_of(tree: &Tree, node: usize) -> bool {
-    tree.nodes()[node].face.is_some()
 }

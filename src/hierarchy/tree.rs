@@ -46,14 +46,12 @@ impl Tree {
         if let Some(Group::Two(parts)) = group(&mut members, &boxes) {
             tree.add_cluster(&parts);
         }
-        for surface in 0..tree.shapes.len() {
-            let shape = &tree.shapes[surface];
-            let node = match Face::whole(surface, shape) {
-                Some(face) => face_node(face, shape.area()),
-                None => Node::nothing(boxes[surface].center()),
-            };
-            tree.nodes.push(node);
-        }
+        let whole = |(surface, shape): (usize, &Arc<dyn Surface>)| match Face::whole(surface, shape) {
+            Some(face) => face_node(face, shape.area()),
+            None => Node::nothing(boxes[surface].center()),
+        };
+        let faces: Vec<Node> = tree.shapes.iter().enumerate().map(whole).collect();
+        tree.nodes.extend(faces);
         for cluster in (0..clusters).rev() {
             tree.bound(cluster);
         }

@@ -4,6 +4,7 @@ mod builder;
 mod convergence;
 mod documents;
 mod fuzz;
+mod hierarchy;
 mod layering;
 mod scene_format;
 mod shapes;
