@@ -3,9 +3,10 @@
 //! `cargo run --release --example links > links.md`
 //!
 //! `halls` alone prints the halls, `cornell` alone the Cornell box. The halls are closed rooms in which boxes hover. Below
-//! their table stand the exponents p of y ~ surfacesᵖ between each row and the next. The error in the Cornell box is that of
-//! the mean irradiance of the surfaces, weighted by area, in parts of the largest: against polynomials of order 5. Seconds are
-//! wall time of all threads.
+//! their table stand the exponents p of y ~ surfacesᵖ between each row and the next, and the error of the smallest hall against
+//! elements of order 0 with blocks from many rays. An error is the root of the mean square, by area, of the errors of the
+//! surfaces' mean irradiances, in parts of the largest of these; that of the Cornell box is against polynomials of order 5.
+//! Seconds are wall time of all threads.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 
@@ -27,6 +28,8 @@ use words::words;
 const GRIDS: [[usize; 3]; 3] = [[7, 6, 4], [15, 13, 9], [31, 28, 19]];
 /// Greatest power of a link in the halls, and rays for its visibility.
 const HALLS: (f64, usize) = (1e-3, 8);
+/// Rays for the blocks that the smallest hall is compared with.
+const RAYS: u64 = 30_000_000;
 /// Greatest powers of a link in the Cornell box.
 const FALLING: [f64; 6] = [3e-2, 1e-2, 3e-3, 1e-3, 3e-4, 1e-4];
 
@@ -35,6 +38,7 @@ fn main() -> Result<(), String> {
     let is_chosen = |name: &str| chosen.is_empty() || chosen.iter().any(|word| word == name);
     if is_chosen("halls") {
         halls();
+        errors_of_hall();
     }
     if is_chosen("cornell") {
         cornell();
@@ -49,6 +53,10 @@ fn timed(scene: &Scene, options: &HierarchyOptions) -> (Hierarchical, f64) {
     (solved, start.elapsed().as_secs_f64())
 }
 
+fn hall_options() -> HierarchyOptions {
+    HierarchyOptions { eps: HALLS.0, rays_per_link: HALLS.1, ..HierarchyOptions::default() }
+}
+
 fn halls() {
     println!(
         "| surfaces | nodes | leaves | links | with clusters | hidden | rounds | links per surface | seconds |"
@@ -57,9 +65,7 @@ fn halls() {
     let mut rows: Vec<[f64; 3]> = Vec::new();
     for grid in GRIDS {
         let scene = room(grid);
-        let options =
-            HierarchyOptions { eps: HALLS.0, rays_per_link: HALLS.1, ..HierarchyOptions::default() };
-        let (solved, seconds) = timed(&scene, &options);
+        let (solved, seconds) = timed(&scene, &hall_options());
         let Counts { surfaces, nodes, leaves, links, cluster_links, hidden, rounds, .. } = solved.counts();
         println!(
             "| {surfaces} | {nodes} | {leaves} | {links} | {cluster_links} | {hidden} | {rounds} | {:.1} | {seconds:.2} |",
@@ -72,6 +78,23 @@ fn halls() {
         let power = |k: usize| (pair[1][k] / pair[0][k]).ln() / (pair[1][0] / pair[0][0]).ln();
         let [from, to] = [pair[0][0], pair[1][0]];
         println!("{from} to {to} surfaces: links p = {:.2}, seconds p = {:.2}.", power(1), power(2));
+    }
+    println!();
+}
+
+/// Prints the error of the smallest hall, against blocks from many rays.
+fn errors_of_hall() {
+    let scene = room(GRIDS[0]);
+    let options = Options { order: 0, rays: Some(RAYS), ..Options::default() };
+    let Outcome { solution, .. } = solve(&scene, &options, &|_| {}).expect("the scene can be solved");
+    for separation in [1.5, 3.0] {
+        let options = HierarchyOptions { separation, ..hall_options() };
+        let (solved, seconds) = timed(&scene, &options);
+        let (error, links) = (error(&scene, &solved, &solution), solved.counts().links);
+        println!(
+            "{} surfaces, separation {separation}: error {error:.1e}, {links} links, {seconds:.2} s.",
+            scene.surfaces.len()
+        );
     }
     println!();
 }

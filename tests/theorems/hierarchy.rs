@@ -256,6 +256,23 @@ fn furnace_of_a_hollow_ball_is_nearly_two() {
     }
 }
 
+#[test]
+fn furnace_with_a_ball_in_a_box_is_nearly_two() {
+    let mut room = SceneBuilder::new("ball in a box", ["grey"]);
+    let glow = room.material("glow", Material::new(vec![0.5], vec![1.0]).expect("½ is a reflectance"));
+    add_box(&mut room, "room", [DVec3::ONE, DVec3::ZERO], &glow);
+    let ball = Sphere::new(DVec3::splat(0.5), 0.3, DVec3::Z, [-0.3, 0.3], FULL_TURN).expect("it is a ball");
+    room.surface("ball", ball, &glow);
+    let scene = room.build().expect("the ball fits into the box");
+    let solved = solved(&scene, &HierarchyOptions { eps: 1e-3, ..HierarchyOptions::default() });
+    let mean = mean_radiosity(&solved);
+    assert!((mean - 2.0).abs() < 0.03, "{mean}");
+    for surface in 0..scene.surfaces.len() {
+        let irradiance = solved.mean_irradiance(0, surface);
+        assert!((irradiance - 2.0).abs() < 0.06, "{surface}: {irradiance}");
+    }
+}
+
 /// Of n surfaces in the same room there are n²/2 pairs, but links of the order of n.
 #[test]
 fn links_grow_like_the_surfaces() {
