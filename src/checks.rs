@@ -19,9 +19,6 @@
 
 mod balance;
 
-use std::borrow::Cow;
-use std::collections::BTreeMap;
-
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -30,7 +27,7 @@ use crate::elements::coating::Coating;
 use crate::light::first_bounce::Bounce;
 use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
-use crate::transport::Blocks;
+use crate::transport::Carrier;
 
 pub use balance::{Balance, Lit};
 
@@ -45,7 +42,7 @@ const SETTLED_BY_RAYS: f64 = 1e-3;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Checks {
     /// Largest ‖c_i − (G c)_i‖ / ‖c_i‖ over the elements; about 0 in a closed scene. Here and in the row sums only
-    /// elements count whose blocks were all computed ([`Blocks::is_complete`]) and which nothing covers.
+    /// elements count whose blocks were all computed ([`Carrier::is_complete`]) and which nothing covers.
     pub closure_max: f64,
     /// Largest |A_i F_ij − A_j F_ji| / min(A_i, A_j), over a sample of pairs that were integrated in both directions;
     /// over all pairs with the rules of 1993.
@@ -68,14 +65,14 @@ pub struct Checks {
 
 impl Checks {
     /// The checks of a solution computed with `blocks`, and with `bounce` where direct light was split off.
-    pub fn of(solution: &Solution, blocks: &Blocks, bounce: Option<&Bounce>) -> Self {
+    pub fn of(solution: &Solution, blocks: &dyn Carrier, bounce: Option<&Bounce>) -> Self {
         let light: Vec<Lit<'_>> = solution.bands().iter().map(lit).collect();
         let powers = Balance::of(solution.elements(), blocks).powers(&light, bounce);
         Self::with_powers(solution, blocks, powers)
     }
 
     /// The checks of a solution computed with `blocks`, whose balance of power is known.
-    pub fn with_powers(solution: &Solution, blocks: &Blocks, powers: Powers) -> Self {
+    pub fn with_powers(solution: &Solution, blocks: &dyn Carrier, powers: Powers) -> Self {
         let list = solution.elements().list();
         let ones = solution.elements().constant();
         let transported = blocks.integrated_constant(&ones);
@@ -88,7 +85,7 @@ impl Checks {
         let bounds: Vec<f64> = solution.bands().par_iter().map(bound).collect();
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
-            reciprocity_max: reciprocity(list, blocks),
+            reciprocity_max: blocks.reciprocity(list),
             row_sum_min: sums.iter().copied().reduce(f64::min).unwrap_or(0.0),
             row_sum_max: sums.iter().copied().fold(0.0, f64::max),
             energy_in: powers.emitted,
@@ -130,22 +127,6 @@ fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64
     which.iter().map(ratio).fold(0.0, f64::max)
 }
 
-/// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j; the other φ_k have no mean.
-fn reciprocity(list: &[Element], blocks: &Blocks) -> f64 {
-    if blocks.symmetric() {
-        return blocks.reciprocity.largest;
-    }
-    let exchanged = |(i, j, block): (usize, usize, Cow<'_, [f64]>)| {
-        ((i, j), list[i].constant[0] * block[0] * list[j].constant[0])
-    };
-    let exchanged: BTreeMap<(usize, usize), f64> = blocks.iter().map(exchanged).collect();
-    let difference = |((i, j), there): (&(usize, usize), &f64)| {
-        let back = exchanged.get(&(*j, *i)).copied().unwrap_or_default();
-        (there - back).abs() / list[*i].area.min(list[*j].area)
-    };
-    exchanged.iter().map(difference).fold(0.0, f64::max)
-}
-
 fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[f64]) -> Vec<f64> {
     let sum = |i: &usize| {
         let own = &transported[starts[*i]..];
@@ -158,13 +139,13 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
 /// in the interval of that radius about λ.
 ///
 /// The kernel is not negative, so the eigenfunction of the largest eigenvalue is positive, and the constant is near it.
-fn spectral_bound(blocks: &Blocks, coating: &Coating, ones: &[f64]) -> f64 {
+fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 {
     let mut roots = Vec::with_capacity(ones.len());
     for (range, reflectance) in blocks.starts().windows(2).zip(&coating.reflectance) {
         roots.resize(roots.len() + range[1] - range[0], reflectance.sqrt());
     }
     let mut v: Vec<f64> = ones.iter().zip(&roots).map(|(c, root)| c * root).collect();
-    let settled = if blocks.is_by_rays() { SETTLED_BY_RAYS } else { SETTLED };
+    let settled = if blocks.is_noisy() { SETTLED_BY_RAYS } else { SETTLED };
     let mut bound = 0.0;
     for _ in 0..MOST_STEPS {
         let norm = v.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -225,7 +206,7 @@ mod tests {
     use super::*;
     use crate::scene::{Material, SceneBuilder};
     use crate::solve::{Options, solve};
-    use crate::transport;
+    use crate::transport::{self, Blocks};
     use crate::visibility::{Shadows, Visibility};
 
     /// The checks of a unit cube whose walls have reflectance ½ and emit 1, without the walls `missing`, with the wall

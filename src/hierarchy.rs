@@ -44,6 +44,7 @@ mod error;
 mod band_system;
 mod solution;
 mod driver;
+mod leaf_elements;
 pub mod two_scale;
 pub mod linked_blocks;
 
@@ -51,6 +52,7 @@ pub use band_system::BandSystem;
 pub use driver::{Round, solve_hierarchically};
 pub use error::HierarchyError;
 pub use fields::Fields;
+pub use leaf_elements::{LinkedElements, leaf_elements};
 pub use network::{Counts, Hierarchy, Leaf};
 pub use options::HierarchyOptions;
 pub use solution::Hierarchical;

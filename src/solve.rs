@@ -10,6 +10,7 @@ mod fit;
 mod failure;
 mod pool;
 mod stopwatch;
+mod algorithm;
 mod choice;
 mod stop;
 mod options;
@@ -23,10 +24,13 @@ mod assembly;
 mod first_light;
 mod outcome;
 mod model;
+mod by_links;
 
 use crate::elements::mesh::Mesh;
 use crate::scene::Scene;
 
+pub use algorithm::Algorithm;
+use by_links::solve_by_links;
 pub use choice::{Choice, MOST_RAYS, Transport};
 pub use direct::Direct;
 pub use failure::Failure;
@@ -51,7 +55,10 @@ pub fn solve(
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Outcome, Failure> {
-    Model::assemble(scene, options, progress)?.solve(scene, progress)
+    match options.algorithm {
+        Algorithm::Galerkin => Model::assemble(scene, options, progress)?.solve(scene, progress),
+        Algorithm::Hierarchical => solve_by_links(scene, options, progress),
+    }
 }
 
 /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.

@@ -10,8 +10,8 @@
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
 //! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `schedule` (all pairs),
-//! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail) and `assembly` (all
-//! blocks).
+//! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
+//! blocks) and `carrier` (blocks or links, as checks see them).
 
 pub(crate) mod moments;
 pub(crate) mod contact;
@@ -25,6 +25,7 @@ pub(crate) mod price;
 pub(crate) mod sampled;
 pub(in crate::transport) mod unreached;
 mod assembly;
+mod carrier;
 
 pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
 pub use blocks::Blocks;
@@ -32,6 +33,7 @@ pub use blocks::block::{Accuracy, Kind};
 pub use blocks::miss::Miss;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
+pub use carrier::Carrier;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use sampled::{Rays, SampledTransport};

@@ -5,7 +5,7 @@ use crate::elements::coating::Coating;
 use crate::light::first_bounce::Bounce;
 use crate::solution::powers::Powers;
 use crate::system::Coefficients;
-use crate::transport::Blocks;
+use crate::transport::Carrier;
 
 /// What blocks lose of the radiosity that they carry.
 #[derive(Debug)]
@@ -28,7 +28,7 @@ pub struct Lit<'a> {
 
 impl Balance {
     /// That of the `blocks` between `elements`.
-    pub fn of(elements: &Elements, blocks: &Blocks) -> Self {
+    pub fn of(elements: &Elements, blocks: &dyn Carrier) -> Self {
         let ones = elements.constant();
         let kept = blocks.apply_transposed(&ones);
         let lost = ones.iter().zip(&kept).map(|(c, gc)| c - gc).collect();

@@ -11,7 +11,7 @@ use clap::{
 use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
 use radiosity::scene::{Scene, SceneError, Source};
-use radiosity::solve::{Direct, MOST_RAYS, Transport};
+use radiosity::solve::{Algorithm, Direct, MOST_RAYS, Transport};
 use radiosity::studies::adaptation::Goal;
 use radiosity_solvers::method::Method;
 
@@ -125,6 +125,10 @@ pub(crate) struct MethodArgs {
     #[arg(long, value_name = "Q", default_value = "default")]
     pub(crate) quality: Quality,
 
+    /// Which algorithm finds the light
+    #[arg(long = "method", id = "method", value_name = "NAME", default_value = "galerkin")]
+    pub(crate) algorithm: Algorithm,
+
     /// Degree of the polynomials on each element; 0 is classical radiosity, auto is --accuracy 1e-2 [default: 3; as
     /// --quality says]
     #[arg(long, value_name = "N|auto")]
@@ -222,6 +226,7 @@ impl MethodArgs {
             let cure = "add --accuracy, such as --accuracy 1e-2, or leave --time-limit out".to_owned();
             return Err(CliError::Refused { message, cure });
         }
+        self.check_algorithm()?;
         let rays = match (self.transport, self.rays) {
             (Transport::Sampled, _) => "--transport sampled",
             (_, Some(_)) => "--rays",
@@ -236,6 +241,30 @@ impl MethodArgs {
         };
         let message = format!("{rays} does not go with {other}");
         Err(CliError::Refused { message, cure: "leave one of them out".to_owned() })
+    }
+
+    /// Refuses options that hierarchical radiosity does not know.
+    fn check_algorithm(&self) -> Result<(), CliError> {
+        let is_higher = matches!(self.order, Some(Order::Degree(1..)));
+        let unknown = [
+            (is_higher, "--order above 0"),
+            (self.tensor, "--tensor"),
+            (self.subdivide.0.is_some(), "--subdivide"),
+            (self.layers > 0, "--layers"),
+            (self.kernel.rules().is_some(), "--kernel"),
+            (self.transport != Transport::Auto, "--transport"),
+            (self.rays.is_some(), "--rays"),
+            (self.shadows != Shadows::Auto, "--shadows"),
+            (self.shadow_eps.is_some(), "--shadow-eps"),
+            (self.direct != Direct::Auto, "--direct"),
+        ];
+        match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
+            Some((_, name)) if self.algorithm == Algorithm::Hierarchical => Err(CliError::Refused {
+                message: format!("--method hierarchical knows no {name}: it links constants"),
+                cure: format!("leave {name} out, or leave --method out"),
+            }),
+            _ => Ok(()),
+        }
     }
 
     /// When the time allowed ends, if it does.

@@ -7,6 +7,7 @@ use std::time::Instant;
 use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
+use radiosity::hierarchy::Counts;
 use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::Probe;
 use radiosity::output::read_error::ReadError;
@@ -343,8 +344,12 @@ impl Run {
                 seconds.load
             );
         }
-        let blocks = match self.report.transport.error {
-            Some(error) => {
+        let blocks = match (self.report.transport.links, self.report.transport.error) {
+            (Some(counts), _) => {
+                let Counts { nodes, links, cluster_links, rounds, .. } = counts;
+                format!("{links} links between {nodes} nodes, {cluster_links} of clusters, {rounds} rounds")
+            }
+            (None, Some(error)) => {
                 let rays = self.report.transport.rays as f64 / seconds.blocks.max(1e-9) / 1e6;
                 let exact = match self.report.transport.exact_pairs {
                     0 => String::new(),
@@ -355,7 +360,7 @@ impl Run {
                     self.report.transport.rays
                 )
             }
-            None => {
+            (None, None) => {
                 let Report { kernel_samples, shadow_rays, .. } = &self.report;
                 format!("{kernel_samples} kernel samples, {shadow_rays} shadow rays")
             }
@@ -368,10 +373,14 @@ impl Run {
     }
 
     fn tell(&self, written: Option<&str>) {
-        let Report { surfaces, elements, unknowns, order, checks, .. } = &self.report;
+        let Report { surfaces, elements, unknowns, orders, checks, .. } = &self.report;
+        let order = match orders {
+            [lowest, highest] if lowest == highest => format!("order {lowest}"),
+            [lowest, highest] => format!("orders {lowest} to {highest}"),
+        };
         let mut lines = vec![
             format!(
-                "{}: {surfaces} surfaces, {elements} elements, order {order}, {unknowns} unknowns a band",
+                "{}: {surfaces} surfaces, {elements} elements, {order}, {unknowns} unknowns a band",
                 self.report.scene
             ),
             self.costs(),
@@ -438,6 +447,7 @@ fn groups(groups: &[LightGroup]) -> Option<String> {
 pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = method.quality.options();
     Options {
+        algorithm: method.algorithm,
         order: match method.order {
             Some(Order::Degree(order)) => order,
             None if method.wanted_accuracy().is_none() => defaults.order,

@@ -3,6 +3,8 @@
 //! A cell is a rectangle of the parameters (u, v) ∈ [−1, 1]². A [`Tree`] cuts it across u or v at some place into two, or
 //! leaves it whole. Leaves are numbered in the order of the tree, the part of lower parameters first.
 
+use std::convert::Infallible;
+
 use radiosity_geom::Rect;
 use serde::{Deserialize, Serialize};
 
@@ -165,6 +167,18 @@ impl<T: Copy> Tree<T> {
         Self::Cut(Box::new(Halves { across, at: breaks[middle], parts }))
     }
 
+    /// The cells of `rect`: cut as `cut` says of it and of what comes of that, as long as it says so.
+    pub fn cut_while(rect: &Rect, value: T, cut: &dyn Fn(&Rect) -> Refinement) -> Self {
+        let Refinement::Cut(across) = cut(rect) else { return Self::Leaf(value) };
+        match Self::halved(rect, across, value) {
+            whole @ Self::Leaf(_) => whole,
+            parts => {
+                let part = |rect: &Rect, value: &T| Ok::<_, Infallible>(Self::cut_while(rect, *value, cut));
+                parts.replaced(rect, &mut { part }).unwrap_or_else(|never| match never {})
+            }
+        }
+    }
+
     /// A cell of the rectangle `rect`, cut at the middles of both parameters or of one.
     fn halved(rect: &Rect, across: Option<Axis>, value: T) -> Self {
         let both = [Axis::U, Axis::V];
@@ -217,7 +231,7 @@ impl Mesh {
             let refined = tree.replaced(&Rect::FULL, &mut |rect, order| {
                 let what = refinement(surface, leaf);
                 leaf += 1;
-                Ok::<_, std::convert::Infallible>(match what {
+                Ok::<_, Infallible>(match what {
                     Refinement::Keep => Tree::Leaf(*order),
                     Refinement::Raise(by) => Tree::Leaf((order + by).min(HIGHEST_ORDER)),
                     Refinement::Cut(across) => Tree::halved(rect, across, *order),

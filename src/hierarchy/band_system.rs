@@ -7,7 +7,8 @@
 //! The equation of [`crate::system`] on constants: with b = √A B it reads (I − √ρ G √ρ) y = √ρ G e, G = A^−½ T A^−½.
 //! Leaves with ρ = 0 have no unknowns.
 
-use radiosity_solvers::{Operator, Partition};
+use radiosity_solvers::method::Method;
+use radiosity_solvers::{Operator, Partition, Report, Settings, SolveError};
 
 use super::network::Hierarchy;
 
@@ -47,13 +48,36 @@ impl<'a> BandSystem<'a> {
         self.received(&self.hierarchy.exchange(&self.exitance))
     }
 
-    /// Irradiance of all leaves (W m⁻²) from the unknowns.
-    pub fn irradiance(&self, unknowns: &[f64]) -> Vec<f64> {
+    /// E₀ of all leaves (W m⁻²).
+    pub fn exitance(&self) -> &[f64] {
+        &self.exitance
+    }
+
+    /// Solves the system. Returns the radiosity of all leaves (W m⁻²), and what the solver tells.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn solve(&self, method: &Method, settings: &Settings<'_>) -> Result<(Vec<f64>, Report), SolveError> {
+        let right = self.right_hand_side();
+        let mut unknowns = vec![0.0; right.len()];
+        let report = method.solver.solve(self, &right, &mut unknowns, settings, &mut |_| {})?;
         let mut radiosity = self.exitance.clone();
-        for ((leaf, scale), y) in self.reflecting.iter().zip(&self.scale).zip(unknowns) {
+        for ((leaf, scale), y) in self.reflecting.iter().zip(&self.scale).zip(&unknowns) {
             radiosity[*leaf] += scale * y;
         }
-        self.gather(&radiosity)
+        Ok((radiosity, report))
+    }
+
+    /// ‖B − E₀ − ρ T B/A‖₂ / ‖E₀‖₂ of a radiosity, by area; 0 if nothing emits.
+    pub fn residual(&self, radiosity: &[f64]) -> f64 {
+        let leaves = self.hierarchy.leaves();
+        let square = |values: &mut dyn Iterator<Item = f64>| -> f64 {
+            values.zip(leaves).map(|(value, leaf)| leaf.area * value * value).sum()
+        };
+        let next = self.radiosity(&self.gather(radiosity));
+        let missed = square(&mut radiosity.iter().zip(&next).map(|(own, next)| own - next));
+        let emitted = square(&mut self.exitance.iter().copied());
+        if emitted > 0.0 { (missed / emitted).sqrt() } else { 0.0 }
     }
 
     /// Radiosity of all leaves (W m⁻²) under an irradiance, B = E₀ + ρ E.

@@ -128,12 +128,10 @@ impl Work<'_> {
         let reflectance: Vec<f64> = surfaces.iter().map(|own| own.material.reflectance[band]).collect();
         let exitance: Vec<f64> = surfaces.iter().map(|own| own.exitance(band)).collect();
         let system = BandSystem::new(hierarchy, &reflectance, &exitance);
-        let right = system.right_hand_side();
-        let mut unknowns = vec![0.0; right.len()];
         let settings = Settings { tolerance: self.options.tolerance, ..Settings::default() };
-        let solved = self.options.method.solver.solve(&system, &right, &mut unknowns, &settings, &mut |_| {});
-        solved.map_err(|source| HierarchyError::Solver { band: self.scene.bands[band].clone(), source })?;
-        let irradiance = system.irradiance(&unknowns);
+        let solved = system.solve(self.options.method, &settings);
+        let failed = |source| HierarchyError::Solver { band: self.scene.bands[band].clone(), source };
+        let irradiance = system.gather(&solved.map_err(failed)?.0);
         let radiosity = system.radiosity(&irradiance);
         Ok(Light { irradiance, radiosity })
     }

@@ -1,13 +1,15 @@
 //! The hierarchy: the tree, its leaves and the links between its nodes.
 
 use radiosity_geom::Rect;
+use serde::{Deserialize, Serialize};
 
 use super::fields::Fields;
 use super::links::{Link, Links};
 use super::tree::Tree;
+use crate::elements::mesh::Refinement;
 
 /// How many nodes, links and pairs there are.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Counts {
     /// Surfaces.
     pub surfaces: usize,
@@ -105,6 +107,11 @@ impl Hierarchy {
         let node = self.tree.leaf_at(surface, place)?;
         let own = self.of_surface(surface);
         self.nodes[own.clone()].iter().position(|leaf| *leaf == node).map(|place| own.start + place)
+    }
+
+    /// How the cell `rect` of a surface is cut.
+    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
+        self.tree.cut_of(surface, rect)
     }
 
     /// What all nodes send, from the radiosity of the leaves (W m⁻²).

@@ -10,6 +10,7 @@ use smallvec::{SmallVec, smallvec};
 
 use super::face::Face;
 use super::grouping::{Group, group};
+use crate::elements::mesh::{Axis, Refinement};
 
 /// A cluster or a face.
 #[derive(Debug)]
@@ -142,6 +143,28 @@ impl Tree {
             stack.extend(self.children(node).rev());
         }
         leaves
+    }
+
+    /// How the cell `rect` of a surface is cut; not at all if it is no node.
+    pub(crate) fn cut_of(&self, surface: usize, rect: &Rect) -> Refinement {
+        let [u, v] = rect.center();
+        let mut node = self.of_surface(surface);
+        while let Some(face) = &self.nodes[node].face {
+            let part = self.children(node).find_map(|child| Some(self.nodes[child].face.as_ref()?.rect));
+            let Some(part) = part else { break };
+            if face.rect == *rect {
+                return Refinement::Cut(match () {
+                    () if part.u == rect.u => Some(Axis::V),
+                    () if part.v == rect.v => Some(Axis::U),
+                    () => None,
+                });
+            }
+            let holds =
+                |child: &usize| self.nodes[*child].face.as_ref().is_some_and(|face| face.rect.contains(u, v));
+            let Some(child) = self.children(node).find(holds) else { break };
+            node = child;
+        }
+        Refinement::Keep
     }
 
     /// The leaf of a surface that holds the parameters (u, v); None in a hole that fills a cell.

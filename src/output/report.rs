@@ -3,6 +3,8 @@
 use serde::Serialize;
 
 use crate::checks::Checks;
+use crate::elements::Elements;
+use crate::hierarchy::Counts;
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
 use crate::output::plane_figures::PlaneFigures;
@@ -34,6 +36,8 @@ pub struct Report {
     pub unknowns: usize,
     /// Total degree where a surface does not state its own.
     pub order: usize,
+    /// Lowest and highest degree of any element.
+    pub orders: [usize; 2],
     /// Name of the solver that was used.
     pub solver: String,
     /// Threads used.
@@ -80,7 +84,7 @@ pub struct Report {
 /// What carried the pairs of elements.
 #[derive(Clone, Debug, Serialize)]
 pub struct Transport {
-    /// `exact` or `sampled`.
+    /// `exact`, `sampled` or `hierarchical`.
     pub kind: &'static str,
     /// Why it was chosen.
     pub why: String,
@@ -91,15 +95,21 @@ pub struct Transport {
     /// Estimate of the relative error that rays leave in the mean irradiances of the elements (L2, largest of the
     /// bands); none if exact.
     pub error: Option<f64>,
+    /// What was linked, if hierarchical.
+    pub links: Option<Counts>,
 }
 
 impl Transport {
     fn of(outcome: &Outcome) -> Self {
-        let kind = if outcome.choice.sampled { "sampled" } else { "exact" };
+        let kind = match outcome.links {
+            Some(_) => "hierarchical",
+            None if outcome.choice.sampled => "sampled",
+            None => "exact",
+        };
         let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
         let error = outcome.sampling.and_then(|sampling| sampling.error);
         let exact_pairs = outcome.sampling.map_or(0, |sampling| sampling.exact_pairs);
-        Self { kind, why: outcome.choice.why.clone(), rays, exact_pairs, error }
+        Self { kind, why: outcome.choice.why.clone(), rays, exact_pairs, error, links: outcome.links }
     }
 }
 
@@ -157,6 +167,7 @@ impl Report {
             elements: elements.list().len(),
             unknowns: elements.coefficients(),
             order: options.order,
+            orders: orders(elements),
             solver: outcome.solver.to_owned(),
             threads: options.threads,
             version: env!("CARGO_PKG_VERSION"),
@@ -214,6 +225,12 @@ fn dark(plane: &PlaneFigures) -> Option<Warning> {
         )
     };
     (plane.dark > 0).then(|| warning("dark-sensors", message()))
+}
+
+/// Lowest and highest degree of the elements; zeros if there are none.
+fn orders(elements: &Elements) -> [usize; 2] {
+    let orders = || elements.list().iter().map(|element| element.basis.order());
+    [orders().min().unwrap_or(0), orders().max().unwrap_or(0)]
 }
 
 fn seconds(outcome: &Outcome) -> Seconds {

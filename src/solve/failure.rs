@@ -4,6 +4,7 @@ use radiosity_solvers::SolveError;
 use rayon::ThreadPoolBuildError;
 
 use crate::elements::ElementError;
+use crate::hierarchy::HierarchyError;
 
 use super::fit;
 use super::fit::Fit;
@@ -31,6 +32,9 @@ pub enum Failure {
         /// What the solver says.
         source: SolveError,
     },
+    /// Hierarchical radiosity failed.
+    #[error(transparent)]
+    Hierarchy(#[from] HierarchyError),
     /// A model was asked to solve a scene of other surfaces.
     #[error(
         "surface '{surface}': the model has another one, or other bands: assemble a model of this scene, or change \

@@ -202,6 +202,7 @@ impl Model {
             converged: efforts.iter().all(|effort| effort.converged),
             choice: self.choice.clone(),
             sampling: self.sampling,
+            links: None,
             seconds,
         })
     }

@@ -6,6 +6,7 @@ use std::time::Instant;
 use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
+use super::algorithm::Algorithm;
 use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
 use super::stop::Stop;
@@ -22,6 +23,9 @@ use crate::zatz1993::transfers;
 /// What to solve and how well.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Options {
+    /// Which algorithm finds the light. The hierarchical one takes of all others `eps`, the solver and the threads.
+    #[serde(default)]
+    pub algorithm: Algorithm,
     /// Order of the basis where a surface does not state its own.
     pub order: usize,
     /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
@@ -74,6 +78,7 @@ impl Default for Options {
     /// Order 3, blocks to 1e-3, shadows to 3e-3, direct light and solver as the scene needs, all threads.
     fn default() -> Self {
         Self {
+            algorithm: Algorithm::Galerkin,
             order: 3,
             space: Space::Total,
             subdivide: None,

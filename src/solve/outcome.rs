@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use crate::checks::Checks;
+use crate::hierarchy::Counts;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::transport::{Miss, PairCounts};
@@ -45,6 +46,8 @@ pub struct Outcome {
     pub choice: Choice,
     /// Cost and error of the rays, where they carried the pairs.
     pub sampling: Option<Sampling>,
+    /// What was linked, where hierarchical radiosity found the light.
+    pub links: Option<Counts>,
     /// Wall time of each stage.
     pub seconds: Stages,
 }

@@ -8,7 +8,8 @@
 //! (`cargo run --release --example estimates`).
 //!
 //! Where the goal is gathered light, elements are refined where they are responsible for its error (`local`); where
-//! rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`).
+//! rays carry the pairs, by more of them (`rays`); for polynomials all alike (`rungs`); for hierarchical radiosity by weaker
+//! links (`links`).
 
 mod goal;
 mod achieved;
@@ -19,15 +20,17 @@ mod estimate;
 mod run;
 mod rungs;
 mod rays;
+mod links;
 mod smoothness;
 mod local;
 
 use crate::scene::Scene;
-use crate::solve::{Choice, Failure, Options, Progress, Transport, in_threads};
+use crate::solve::{Algorithm, Choice, Failure, Options, Progress, Transport, in_threads};
 
 pub use achieved::{Achieved, Adapted, End};
 pub use goal::{Aim, Goal};
 
+use links::by_links;
 use local::locally;
 use rays::by_rays;
 use rungs::by_rungs;
@@ -53,6 +56,9 @@ pub fn adapt(
     goal: &Goal,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Adapted, Failure> {
+    if options.algorithm == Algorithm::Hierarchical {
+        return by_links(scene, options, goal, progress);
+    }
     let choice = in_threads(options.threads, || Choice::of(scene, options))?;
     if is_by_rays(scene, options, goal, &choice) {
         return by_rays(scene, options, goal, progress);

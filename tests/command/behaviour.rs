@@ -301,6 +301,29 @@ fn an_accuracy_may_be_that_of_points_a_plane_or_the_picture() {
 }
 
 #[test]
+fn hierarchical_radiosity_is_a_method_that_every_verb_reads() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let args = ["solve", "two-boxes", "--method", "hierarchical", "-o", "s.json", "--report", "r.json"];
+    let solved = radiosity(here, &args);
+    let text = String::from_utf8_lossy(&solved.stderr).into_owned();
+    assert!(
+        solved.status.success() && text.contains("order 0") && text.contains(" links between "),
+        "{text}"
+    );
+    let report = json(&here.join("r.json"));
+    assert_eq!(report["transport"]["kind"], "hierarchical");
+    assert!(report["transport"]["links"]["links"].as_u64().unwrap() > 100);
+    let read = radiosity(here, &["grid", "s.json", "--cells", "2x2"]);
+    assert!(read.status.success(), "{}", String::from_utf8_lossy(&read.stderr));
+    for (option, value) in [("--rays", "100"), ("--order", "2"), ("--layers", "1"), ("--transport", "exact")]
+    {
+        let args = ["solve", "two-boxes", "--method", "hierarchical", option, value];
+        refused(here, &args, &[&format!("knows no {option}"), "help: leave --"]);
+    }
+}
+
+#[test]
 fn a_report_has_every_key_and_they_agree() {
     let folder = tempfile::tempdir().unwrap();
     let args =

@@ -15,7 +15,9 @@ use radiosity::hierarchy::{
     BandSystem, Counts, Fields, Hierarchical, HierarchyError, HierarchyOptions, solve_hierarchically,
 };
 use radiosity::scene::{Material, NamedMaterial, Scene, SceneBuilder};
-use radiosity::solve::{Options, in_threads, solve};
+use radiosity::solve::{Algorithm, Options, Outcome, in_threads, solve};
+use radiosity::solved::Solved;
+use radiosity::studies::adaptation::{Aim, Goal};
 use radiosity::transport::{Accuracy, Blocks, assemble};
 use radiosity::visibility::{Shadows, Visibility};
 use radiosity_core::legendre::{Half, two_scale};
@@ -192,6 +194,63 @@ fn furnace_of_whole_squares_is_two() {
     assert_eq!((solved.leaves().len(), solved.counts().links), (6, 15));
     assert!(solved.radiosity(0).iter().all(|b| (b - 2.0).abs() < 1e-12));
     assert!(solved.irradiance(0).iter().all(|e| (e - 2.0).abs() < 1e-12));
+}
+
+fn by_links(scene: &Scene, eps: f64) -> Outcome {
+    let options = Options { algorithm: Algorithm::Hierarchical, eps, ..Options::default() };
+    solve(scene, &options, &|_| {}).expect("the scene can be solved")
+}
+
+/// A run by links has an element on each leaf, and the light of the leaves.
+#[test]
+fn runs_by_links_have_the_light_of_their_hierarchy() {
+    let scene = builtin("occluder-box");
+    let outcome = by_links(&scene, 1e-3);
+    let found =
+        solved(&scene, &HierarchyOptions { eps: 1e-3, least_area: 1e-6, ..HierarchyOptions::default() });
+    let elements = outcome.solution.elements().list();
+    assert_eq!((elements.len(), outcome.links), (found.leaves().len(), Some(found.counts())));
+    for surface in 0..scene.surfaces.len() {
+        let [own, other] = [outcome.solution.mean_irradiance(0, surface), found.mean_irradiance(0, surface)];
+        assert!((own - other).abs() <= 1e-6 * other, "{surface}: {own}, {other}");
+    }
+    assert!(outcome.residual < 1e-6 && outcome.checks.reciprocity_max == 0.0);
+    let checks = outcome.checks;
+    let balance = checks.energy_in - checks.energy_absorbed - checks.energy_lost;
+    assert!(balance.abs() < 1e-6 * checks.energy_in, "{balance}");
+}
+
+/// Whole squares have exact links: the furnace is one, and closed.
+#[test]
+fn a_run_by_links_of_whole_squares_is_the_furnace() {
+    let checks = by_links(&builtin("furnace-cube"), 1.0).checks;
+    assert!((checks.row_sum_min - 1.0).abs() < 1e-12 && (checks.row_sum_max - 1.0).abs() < 1e-12);
+    assert!(checks.energy_lost.abs() < 1e-7 * checks.energy_in && (checks.spectral_bound - 0.5).abs() < 1e-9);
+}
+
+/// The error that is told of gathered light is that against polynomials of order 5, within a factor of three.
+#[test]
+fn runs_by_links_tell_the_error_of_gathered_light() {
+    let scene = builtin("two-boxes");
+    let options = Options { algorithm: Algorithm::Hierarchical, ..Options::default() };
+    let goal = Goal::new(2e-2, Aim::Gathered);
+    let rough = Solved::to_accuracy(scene.clone(), &options, &goal, &|_| {}).expect("it can be solved");
+    let told = rough.achieved.and_then(|achieved| achieved.estimate).expect("it is told");
+    let exact = Options { order: 5, eps: 1e-4, shadow_eps: 1e-3, ..Options::default() };
+    let exact = Solved::new(scene, exact, &|_| {}).expect("it can be solved");
+    let (mut missed, mut size) = (0.0, 0.0);
+    let elements =
+        exact.outcome.solution.elements().list().iter().filter(|element| element.contact.is_none());
+    for element in elements {
+        let [u, v] = element.rect.center();
+        let jet = exact.scene.surfaces[element.surface].shape.jet(u, v);
+        let lifted = jet.position + 1e-6 * jet.normal;
+        let [own, other] = [&rough, &exact].map(|solved| solved.irradiance_at(lifted, jet.normal)[0]);
+        missed += element.area * (own - other).powi(2);
+        size += element.area * other.powi(2);
+    }
+    let error = (missed / size).sqrt();
+    assert!(told < 2e-2 && told / 3.0 < error && error < 3.0 * told, "{told} {error}");
 }
 
 /// Links at any levels carry exact exchanges of constants: in a closed room even light is as bright on each wall.

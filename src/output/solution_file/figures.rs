@@ -5,6 +5,7 @@ use radiosity_solvers::method::Method;
 use serde::{Deserialize, Serialize};
 
 use crate::checks::Checks;
+use crate::hierarchy::Counts;
 use crate::solution::Solution;
 use crate::solution::powers::Powers;
 use crate::solve::{Choice, Outcome, Sampling, Stages};
@@ -37,6 +38,9 @@ pub(super) struct Figures {
     choice: Choice,
     /// Cost and error of the rays, where they did.
     sampling: Option<Sampling>,
+    /// What was linked, where hierarchical radiosity found the light.
+    #[serde(default)]
+    links: Option<Counts>,
     pairs: PairCounts,
     checks: Checks,
 }
@@ -61,6 +65,7 @@ impl Figures {
             achieved: solved.achieved,
             choice: outcome.choice.clone(),
             sampling: outcome.sampling,
+            links: outcome.links,
             pairs: outcome.pairs,
             checks: outcome.checks,
         }
@@ -78,6 +83,7 @@ impl Figures {
             checks: self.checks,
             choice: self.choice,
             sampling: self.sampling,
+            links: self.links,
             pairs: self.pairs,
             samples: self.kernel_samples,
             distinct: self.kernel_samples_distinct,
