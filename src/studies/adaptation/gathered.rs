@@ -47,11 +47,10 @@ use crate::visibility::Visibility;
 
 use super::sensor::Sensor;
 
-/// Walks in all that are made first, at the most where the estimate is noisy, and where it is larger than wanted as well; the
-/// fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by cells the estimates of
-/// boxes changed by 5 %.
-const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, most: 1 << 16 };
-const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, most: 1 << 22 };
+/// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by
+/// cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less than many of these.
+const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
+const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 22, most: 1 << 22 };
 const FEWEST: u64 = 2;
 
 /// Part of the estimate that the noise of walks may be. Chosen.
@@ -71,11 +70,29 @@ const OF_SIZE: f64 = 0.1;
 /// Largest probability that a walk goes on. Chosen.
 const LIKELIEST: f64 = 0.95;
 
-/// Numbers of walks.
+/// Numbers of walks in all.
 struct Numbers {
+    /// Made first.
     first: u64,
+    /// At the most, where the estimate is noisy.
     noisy: u64,
+    /// Where it is larger than wanted, and noise may be the cause.
+    doubtful: u64,
+    /// Where it is noisy, and larger than wanted.
     most: u64,
+}
+
+impl Numbers {
+    /// Walks at the most for what is known so far.
+    fn allowed(&self, sums: &Sums, wanted: f64) -> u64 {
+        let is_above = sums.error() > wanted;
+        match sums.is_noisy() {
+            true if is_above => self.most,
+            true => self.noisy,
+            false if is_above && !sums.is_surely_above(wanted) => self.doubtful,
+            false => 0,
+        }
+    }
 }
 
 /// An estimated error of gathered light.
@@ -131,10 +148,9 @@ pub(super) fn missed(
     let missing = Missing::of(solution, visibility, (OF_EXPECTED * expected).min(LOOSEST));
     let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
     let mut found: Vec<Found> = sensors.par_iter().enumerate().map(begin).collect();
-    let Numbers { first, noisy, most } = missing.numbers();
+    let numbers = missing.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
-    let (first, noisy, most) = (per_half(first).max(FEWEST), per_half(noisy), per_half(most));
-    let (mut made, mut now) = (0, first);
+    let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
     loop {
         let done = AtomicUsize::new(0);
         let walk = |found: &mut Found| {
@@ -144,9 +160,7 @@ pub(super) fn missed(
         let finishes = found.par_iter_mut().map(walk).reduce(|| true, |a, b| a && b);
         made += now;
         let sums = Sums::of(&found, made, solution);
-        let is_above = sums.error() > wanted;
-        let is_open = sums.is_noisy() || (is_above && !sums.is_surely_above(wanted));
-        if !finishes || !is_open || 2 * made > if is_above { most } else { noisy } {
+        if !finishes || 2 * made > per_half(numbers.allowed(&sums, wanted)) {
             return Estimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
         now = made;
