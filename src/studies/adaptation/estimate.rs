@@ -65,7 +65,7 @@ pub(super) fn estimate(
         progress(Progress::Estimate(done, all));
         !options.is_late()
     };
-    let at = |sensors: &[Sensor]| missed_at(solution, &visibility, sensors, (wanted, expected), &goes_on);
+    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (wanted, expected), &goes_on);
     match goal.of {
         Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
         Aim::Points => {

@@ -43,6 +43,7 @@ use crate::sampling::kronecker;
 use crate::sampling::lambert::lambert;
 use crate::sampling::shift::{number_of, shift, shifted};
 use crate::solution::{Place, Solution};
+use crate::solve::Outcome;
 use crate::visibility::Visibility;
 
 use super::sensor::Sensor;
@@ -50,8 +51,11 @@ use super::sensor::Sensor;
 /// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by
 /// cells the estimates of boxes changed by 5 %; in small scenes a finer run costs less than many of these.
 const BY_CELLS: Numbers = Numbers { first: 1 << 12, noisy: 1 << 14, doubtful: 1 << 12, most: 1 << 16 };
-const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 22, most: 1 << 22 };
+const BY_RAYS: Numbers = Numbers { first: 1 << 16, noisy: 1 << 18, doubtful: 1 << 18, most: 1 << 22 };
 const FEWEST: u64 = 2;
+
+/// Walks for each ray that carried the pairs where an estimate is doubtful: a finer run would send at least as many. Chosen.
+const PER_RAY: u64 = 2;
 
 /// Part of the estimate that the noise of walks may be. Chosen.
 const NOISE: f64 = 0.5;
@@ -133,19 +137,22 @@ struct Missing<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
     ends: Ends<'a>,
+    /// Rays that carried the pairs.
+    rays: u64,
 }
 
 /// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
 /// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the work.
 pub(super) fn missed(
-    solution: &Solution,
+    outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
     (wanted, expected): (f64, f64),
     goes_on: &(dyn Fn(usize, usize) -> bool + Sync),
 ) -> Estimate {
+    let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missing = Missing::of(solution, visibility, (OF_EXPECTED * expected).min(LOOSEST));
+    let missing = Missing::of(outcome, visibility, (OF_EXPECTED * expected).min(LOOSEST));
     let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
     let mut found: Vec<Found> = sensors.par_iter().enumerate().map(begin).collect();
     let numbers = missing.numbers();
@@ -168,18 +175,23 @@ pub(super) fn missed(
 }
 
 impl<'a> Missing<'a> {
-    fn of(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+    fn of(outcome: &'a Outcome, visibility: &'a Visibility, eps: f64) -> Self {
+        let solution = &outcome.solution;
+        let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
         let ends = match By::Auto.rays(solution, visibility, eps, false) {
             true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
             false => Ends::Cells(Gather::new(solution, visibility, eps)),
         };
-        Self { solution, visibility, ends }
+        Self { solution, visibility, ends, rays }
     }
 
     fn numbers(&self) -> Numbers {
         match self.ends {
             Ends::Cells(_) => BY_CELLS,
-            Ends::Rays(_) => BY_RAYS,
+            Ends::Rays(_) => {
+                let doubtful = BY_RAYS.doubtful.max((PER_RAY * self.rays).min(BY_RAYS.most));
+                Numbers { doubtful, ..BY_RAYS }
+            }
         }
     }
 
@@ -390,7 +402,7 @@ mod tests {
             Ends::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
         ];
         let [by_cells, by_rays] = ends
-            .map(|ends| Missing { solution: &solution, visibility: &visibility, ends })
+            .map(|ends| Missing { solution: &solution, visibility: &visibility, ends, rays: 0 })
             .map(|missing| match missing.ends {
                 Ends::Cells(_) => mean(&missing, &sensors, 2),
                 Ends::Rays(_) => mean(&missing, &sensors, 64),
