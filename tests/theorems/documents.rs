@@ -26,7 +26,7 @@ const MAPS: [&str; 5] = [
     "docs/theory/gathering.md",
     "docs/theory/solvers.md",
 ];
-const PACKAGES: [&str; 4] = [".", "core", "geom", "solvers"];
+const PACKAGES: [&str; 5] = [".", "core", "formats", "geom", "solvers"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -169,7 +169,7 @@ fn spread<'a>(text: &'a str, mut stem: Vec<String>, found: &mut Vec<Vec<String>>
 
 #[test]
 fn in_every_folder_modules_import_only_what_stands_above_them() {
-    for package in ["", "core", "geom", "solvers"] {
+    for package in ["", "core", "formats", "geom", "solvers"] {
         let house = House::of(&Path::new(env!("CARGO_MANIFEST_DIR")).join(package).join("src"));
         let imports = house.imports();
         assert!(imports.len() > 10, "the imports of '{package}' were found");
@@ -207,7 +207,7 @@ fn imports_against_the_order_are_found() {
 
 #[test]
 fn no_source_file_is_an_orphan() {
-    for package in ["", "core", "geom", "solvers"] {
+    for package in ["", "core", "formats", "geom", "solvers"] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(package).join("src");
         let mut known: BTreeSet<PathBuf> =
             ["lib.rs", "main.rs"].iter().map(|root| folder.join(root)).filter(|root| root.exists()).collect();

@@ -1,0 +1,75 @@
+//! Colours as bands: linear red, green and blue with the primaries and the white of ITU-R BT.709, or one grey band.
+
+use crate::model::Model;
+
+/// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
+pub const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
+
+/// Values of red, green and blue that differ by less than this part of the largest are grey: less than what formats
+/// round colours by (three digits of a chromaticity). Chosen; not tuned.
+const GREY: f64 = 4e-3;
+
+/// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to the white of
+/// equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below 0, of colours outside
+/// the triangle of the primaries, are raised to 0 and the rest scaled so that the luminance stays 1.
+pub fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
+    let white = linear(1.0 / 3.0, 1.0 / 3.0);
+    let own = linear(x, y);
+    let raised = [0, 1, 2].map(|band| (own[band] / white[band]).max(0.0));
+    let sum = luminance(raised);
+    raised.map(|value| value / sum)
+}
+
+/// XYZ with Y = 1 → linear red, green and blue. Source of the matrix: primaries and white of ITU-R BT.709-6, item 1.
+fn linear(x: f64, y: f64) -> [f64; 3] {
+    let [big_x, big_z] = [x / y, (1.0 - x - y) / y];
+    [
+        3.240_969_941_904_521_4 * big_x - 1.537_383_177_570_093_5 - 0.498_610_760_293_003_3 * big_z,
+        -0.969_243_636_280_879_8 * big_x + 1.875_967_501_507_720_7 + 0.041_555_057_407_175_61 * big_z,
+        0.055_630_079_696_993_61 * big_x - 0.203_976_958_888_976_57 + 1.056_971_514_242_878_6 * big_z,
+    ]
+}
+
+/// Luminance of linear red, green and blue.
+pub fn luminance(rgb: [f64; 3]) -> f64 {
+    rgb.iter().zip(LUMINANCE).map(|(value, weight)| value * weight).sum()
+}
+
+/// One band `grey` instead of red, green and blue where no material has a colour; where some have, as it is.
+pub fn settle(model: &mut Model) {
+    let is_grey = |values: &Vec<f64>| {
+        let most = values.iter().copied().fold(0.0, f64::max);
+        values.iter().all(|value| most - value <= GREY * most)
+    };
+    if model.materials.iter().all(|material| is_grey(&material.reflectance) && is_grey(&material.emission)) {
+        to_grey(model);
+    }
+}
+
+/// One band `grey` of the luminances; as it is if the bands are not three.
+pub fn to_grey(model: &mut Model) {
+    if model.bands.len() != 3 {
+        return;
+    }
+    model.bands = vec!["grey".to_owned()];
+    for material in &mut model.materials {
+        for values in [&mut material.reflectance, &mut material.emission] {
+            *values = vec![luminance([values[0], values[1], values[2]])];
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equal_energy_is_grey_and_all_have_luminance_one() {
+        let white = of_chromaticity(1.0 / 3.0, 1.0 / 3.0);
+        assert!(white.iter().all(|value| (value - 1.0).abs() < 1e-12), "{white:?}");
+        for [x, y] in [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06], [0.7, 0.29], [1.0 / 3.0, 1.0 / 3.0]] {
+            let rgb = of_chromaticity(x, y);
+            assert!((luminance(rgb) - 1.0).abs() < 1e-12 && rgb.iter().all(|value| *value >= 0.0));
+        }
+    }
+}

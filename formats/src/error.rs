@@ -1,0 +1,30 @@
+//! Refusals: file, place, cause, cure.
+
+use std::fmt;
+
+use crate::place::Place;
+
+/// Why a file cannot be read or written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
+    /// The file, as it was named; of an included file its own name.
+    pub file: String,
+    /// The line or the byte.
+    pub place: Option<Place>,
+    /// What is wrong, without a full stop: "a face has 2 vertices, 3 are the least".
+    pub cause: String,
+    /// How to mend it, without a full stop; empty where the cause says so.
+    pub cure: String,
+}
+
+impl fmt::Display for Refusal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.place {
+            Some(Place::Line(line)) => write!(f, "{}:{line}: {}", self.file, self.cause),
+            Some(Place::Byte(byte)) => write!(f, "{}: byte {byte}: {}", self.file, self.cause),
+            None => write!(f, "{}: {}", self.file, self.cause),
+        }
+    }
+}
+
+impl std::error::Error for Refusal {}

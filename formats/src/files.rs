@@ -1,0 +1,63 @@
+//! The files that a scene names: materials of an OBJ, buffers of a glTF, included parts.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::{Component, Path, PathBuf};
+
+/// Most bytes that are read from one file. An endless one ends here.
+const MOST: u64 = 1 << 30;
+
+/// Finds files by the names that a scene gives them.
+pub trait Files {
+    /// The bytes of the file `name`, a path relative to the scene's own folder.
+    ///
+    /// # Errors
+    /// A file that is missing, cannot be read, or is too long.
+    fn bytes(&self, name: &str) -> io::Result<Vec<u8>>;
+}
+
+/// Files in the folder of the scene and below or beside it.
+#[derive(Clone, Debug)]
+pub struct Beside(PathBuf);
+
+impl Beside {
+    /// Files beside the scene at `path`.
+    pub fn scene(path: &Path) -> Self {
+        Beside(path.parent().unwrap_or(Path::new("")).to_path_buf())
+    }
+}
+
+impl Files for Beside {
+    fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
+        // Files made on Windows write backslashes.
+        let name = name.replace('\\', "/");
+        let path = Path::new(&name);
+        if path.components().any(|part| matches!(part, Component::RootDir | Component::Prefix(_))) {
+            return Err(io::Error::new(
+                io::ErrorKind::InvalidInput,
+                "only paths relative to the scene are followed",
+            ));
+        }
+        let mut bytes = Vec::new();
+        File::open(self.0.join(path))?.take(MOST + 1).read_to_end(&mut bytes)?;
+        match bytes.len() as u64 > MOST {
+            true => {
+                Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {MOST} bytes")))
+            }
+            false => Ok(bytes),
+        }
+    }
+}
+
+/// No files: a scene from standard input or from memory.
+#[derive(Clone, Copy, Debug)]
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn bytes(&self, _name: &str) -> io::Result<Vec<u8>> {
+        Err(io::Error::new(
+            io::ErrorKind::NotFound,
+            "a scene without a folder of its own names no other files",
+        ))
+    }
+}

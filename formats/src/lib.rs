@@ -1,0 +1,12 @@
+//! Scenes of other programs: a [`Model`](model::Model) is read from one of several [formats](format::Format), repaired,
+//! and written.
+//!
+//! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
+
+pub mod place;
+pub mod error;
+pub mod files;
+pub mod model;
+pub mod names;
+pub mod colour;
+pub mod format;
