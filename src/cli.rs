@@ -97,7 +97,10 @@ impl Cli {
         match &self.verb {
             Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
             Verb::Relight(args) => relight::run(args),
-            Verb::Render(args) => render::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Render(args) => {
+                let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
+                render::run(args, Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?)
+            }
             Verb::Probe(args) => {
                 let points = args.load_points()?;
                 probe::run(args, points, Loaded::readable(&args.scene, &self.fixing)?)

@@ -15,6 +15,7 @@ pub mod spot;
 mod scale;
 pub mod by_rays;
 pub mod choice;
+pub(crate) mod walks;
 
 use crate::elements::patch::Node;
 use crate::light::direct::DirectLight;

@@ -99,6 +99,11 @@ impl Solution {
         Self { elements, bands, masked: None, groups: Arc::default(), powers: None }
     }
 
+    /// Other light over the same elements.
+    pub(crate) fn with_bands(&self, bands: Vec<Band>) -> Self {
+        Self::new(Arc::clone(&self.elements), bands)
+    }
+
     /// The light of `groups` together, at their factors in `scene`, of which `elements` are. It stays apart where the
     /// scene has light groups.
     pub fn of_groups(

@@ -6,14 +6,17 @@ use clap::Args;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::reader::Read;
 use radiosity::output::render::{Stage, render, usual_read, white_balance};
+use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
-use radiosity::solved::Solved;
+use radiosity::solution::Solution;
+use radiosity::studies::adaptation::{Goal, importance};
 use radiosity::visibility::Visibility;
 use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
+    aim::Wanted,
     error::CliError,
     forecast,
     numbers::Counts,
@@ -47,6 +50,11 @@ pub(crate) struct RenderArgs {
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
+    /// Shows, instead of light, how much the light that leaves each place is worth to what --for names: its mean
+    /// irradiance is the integral of this times the exitance (1/area)
+    #[arg(long, conflicts_with_all = ["read", "show", "difference"])]
+    pub(crate) importance: bool,
+
     #[command(flatten)]
     pub(crate) style: StyleArgs,
 
@@ -75,7 +83,9 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
     forecast::require(needed, &args.method, ["the pixels", "--size"])?;
-    let mut style = args.style.prepare(&loaded.scene, &camera)?;
+    let [quantity, unit] = args.shown(&loaded.scene);
+    let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
+    let wanted = args.wanted(&loaded.scene)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
@@ -85,18 +95,26 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
         Stage::Gather(done, total) => progress.show("gathering", done, total),
         Stage::Pixels(done, total) => progress.show("picture", done, total),
     };
-    let solution = &run.solved.outcome.solution;
-    let usual = usual_read(solution, visibility, pixels, run.threads());
-    let read = args.read.unwrap_or(usual);
-    let take = |solved: &Solved, visibility: &Visibility| {
-        render(&solved.outcome.solution, visibility, &camera, args.samples, read, args.style.show, &observe)
+    let threads = run.threads();
+    let worth = wanted.map(|goal| importance(&run.solved.outcome.solution, visibility, &goal, threads));
+    let worth = worth.transpose()?;
+    let solution = worth.as_ref().unwrap_or(&run.solved.outcome.solution);
+    let (read, show) = match args.importance {
+        true => (Read::Basis, Shown::Irradiance),
+        false => {
+            let usual = || usual_read(solution, visibility, pixels, threads);
+            (args.read.unwrap_or_else(usual), args.style.show)
+        }
+    };
+    let take = |solution: &Solution, visibility: &Visibility| {
+        render(solution, visibility, &camera, args.samples, read, show, &observe)
     };
     let (raster, borders, sights) = run.in_threads(|| {
-        style.take_other(|other| take(other, other.visibility()));
+        style.take_other(|other| take(&other.outcome.solution, other.visibility()));
         let borders = || wireframe(solution.elements(), visibility, &camera, args.samples);
         let sights = || Sights::through(&camera, args.samples, &run.solved.scene, visibility);
         let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
-        (take(&run.solved, visibility), borders, sights)
+        (take(solution, visibility), borders, sights)
     })?;
     let mut written = path.display().to_string();
     if args.read.is_none() && read == Read::Direct {
@@ -112,6 +130,23 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
         }
     }
     run.finish(progress, Some(&written))
+}
+
+impl RenderArgs {
+    /// The quantity that the picture shows and its unit.
+    fn shown(&self, scene: &Scene) -> [String; 2] {
+        match self.importance {
+            true => ["importance".to_owned(), "1/area".to_owned()],
+            false => [self.style.show.name(&scene.unit).to_owned(), scene.unit.clone()],
+        }
+    }
+
+    /// What light is to be worth something to, where its importance is shown.
+    fn wanted(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
+        let aim = self.method.aim.as_ref().unwrap_or(&Wanted::Gathered);
+        // No accuracy follows from the sensors alone; any stands for none.
+        self.importance.then(|| aim.goal(1.0, scene)).transpose()
+    }
 }
 
 fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {

@@ -104,14 +104,18 @@ impl StyleArgs {
         }
     }
 
-    /// Finds the band and reads the other picture, before the work.
-    pub(crate) fn prepare(&self, scene: &Scene, camera: &Camera) -> Result<Style<'_>, CliError> {
+    /// Finds the band and reads the other picture of a quantity in this unit, before the work.
+    pub(crate) fn prepare(
+        &self,
+        scene: &Scene,
+        camera: &Camera,
+        [quantity, unit]: [String; 2],
+    ) -> Result<Style<'_>, CliError> {
         self.check_colours()?;
         self.colours.check()?;
         let band = self.colours.band(scene)?;
         let band_name = self.colours.band_name(scene);
-        let quantity = self.show.name(&scene.unit).to_owned();
-        let title = [quantity].into_iter().chain(band_name.clone()).chain([scene.unit.clone()]).collect();
+        let title = [quantity].into_iter().chain(band_name.clone()).chain([unit]).collect();
         let other = self.difference.as_deref().map(|path| other(path, scene, camera)).transpose()?;
         Ok(Style { args: self, band, title, band_name, other })
     }

@@ -16,6 +16,7 @@ mod achieved;
 mod points;
 mod sensor;
 mod gathered;
+mod importance;
 mod estimate;
 mod run;
 mod rungs;
@@ -29,6 +30,7 @@ use crate::solve::{Algorithm, Choice, Failure, Options, Progress, Transport, in_
 
 pub use achieved::{Achieved, Adapted, End};
 pub use goal::{Aim, Goal};
+pub use importance::importance;
 
 use links::by_links;
 use local::locally;

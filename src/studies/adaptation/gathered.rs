@@ -33,16 +33,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use radiosity_geom::{DVec3, Encounter, Ray};
-
 use crate::gather::Gather;
 use crate::gather::by_rays::{RayGather, Receiver};
 use crate::gather::choice::By;
-use crate::light::receiver_point::ReceiverPoint;
+use crate::gather::walks::{End, Walks};
 use crate::sampling::kronecker;
-use crate::sampling::lambert::lambert;
 use crate::sampling::shift::{number_of, shift, shifted};
-use crate::solution::{Place, Solution};
+use crate::solution::Solution;
 use crate::solve::Outcome;
 use crate::visibility::Visibility;
 
@@ -70,9 +67,6 @@ const LOOSEST: f64 = 3e-3;
 
 /// Accuracy of light that errors are relative to. Chosen.
 const OF_SIZE: f64 = 0.1;
-
-/// Largest probability that a walk goes on. Chosen.
-const LIKELIEST: f64 = 0.95;
 
 /// Numbers of walks in all.
 struct Numbers {
@@ -124,18 +118,10 @@ enum Ends<'a> {
     Rays(RayGather<'a>),
 }
 
-/// Where a ray ends.
-struct End {
-    element: usize,
-    place: Place,
-    there: ReceiverPoint,
-    distance: f64,
-}
-
 /// What misses light, and how it is gathered.
 struct Missing<'a> {
     solution: &'a Solution,
-    visibility: &'a Visibility,
+    walks: Walks<'a>,
     ends: Ends<'a>,
     /// Rays that carried the pairs.
     rays: u64,
@@ -182,7 +168,7 @@ impl<'a> Missing<'a> {
             true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
             false => Ends::Cells(Gather::new(solution, visibility, eps)),
         };
-        Self { solution, visibility, ends, rays }
+        Self { solution, walks: Walks::new(solution, visibility), ends, rays }
     }
 
     fn numbers(&self) -> Numbers {
@@ -217,65 +203,26 @@ impl<'a> Missing<'a> {
         }
     }
 
-    fn walk_once(&self, found: &mut Found, half: usize, mut direction: [f64; 2], mut chance: u64) {
-        let bands = self.solution.bands();
-        let mut weights = vec![1.0; bands.len()];
-        let mut from = found.sensor.point;
-        while let Some(End { element, place, there, distance }) =
-            self.end(&from, lambert(from.normal, direction))
-        {
-            let reflectances = || bands.iter().map(|band| band.coating.reflectance[element]);
-            let brightest = reflectances().fold(0.0, f64::max);
-            if brightest == 0.0 {
+    fn walk_once(&self, found: &mut Found, half: usize, direction: [f64; 2], chance: u64) {
+        let from = found.sensor.point;
+        self.walks.walk(from, direction, chance, &mut |end, weights| {
+            if self.walks.brightest(end.element) == 0.0 {
                 return;
             }
-            weights.iter_mut().zip(reflectances()).for_each(|(weight, reflectance)| *weight *= reflectance);
-            let missed = self.missed(element, &place, &there, distance, chance);
-            let none = || [vec![0.0; bands.len()], vec![0.0; bands.len()]];
-            let sums = &mut found.parts.entry(element).or_insert_with(none)[half];
+            let missed = self.missed(end);
+            let none = || [vec![0.0; weights.len()], vec![0.0; weights.len()]];
+            let sums = &mut found.parts.entry(end.element).or_insert_with(none)[half];
+            let reflected = weights.iter().zip(self.walks.reflectances(end.element));
             sums.iter_mut()
-                .zip(&weights)
+                .zip(reflected)
                 .zip(missed)
-                .for_each(|((sum, weight), missed)| *sum += weight * missed);
-            // Other numbers than those that `missed` makes of `chance`: what the dice allow must not choose its rays.
-            let [dice, polar, turn] = shift(number_of([f64::from_bits(chance), 1.0]));
-            chance = number_of([f64::from_bits(chance), 2.0]);
-            let likely = brightest.min(LIKELIEST);
-            if dice >= likely {
-                return;
-            }
-            weights.iter_mut().for_each(|weight| *weight /= likely);
-            (from, direction) = (there, [polar, turn]);
-        }
+                .for_each(|((sum, (weight, reflectance)), missed)| *sum += weight * reflectance * missed);
+        });
     }
 
-    /// Where a ray meets the front of an element.
-    fn end(&self, from: &ReceiverPoint, direction: DVec3) -> Option<End> {
-        if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
-            return None;
-        }
-        let met = match from.surface {
-            Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
-            None => self.visibility.nearest(&Ray::new(from.position, direction)),
-        };
-        let Some(Encounter { surface, hit, front: true }) = met else { return None };
-        let elements = self.solution.elements();
-        let element = elements.at(surface, [hit.u, hit.v])?;
-        let jet = elements.shape(surface).jet(hit.u, hit.v);
-        let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
-        let there = ReceiverPoint::on(surface, jet.position, jet.normal);
-        Some(End { element, place, there, distance: hit.t })
-    }
-
-    /// r per band at a place of an element.
-    fn missed(
-        &self,
-        element: usize,
-        place: &Place,
-        there: &ReceiverPoint,
-        distance: f64,
-        chance: u64,
-    ) -> Vec<f64> {
+    /// r per band where a walk ends.
+    fn missed(&self, end: &End) -> Vec<f64> {
+        let End { element, ref place, ref there, distance, chance } = *end;
         let gather = match &self.ends {
             Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
             Ends::Cells(gather) => gather.reflection(),
@@ -402,7 +349,12 @@ mod tests {
             Ends::Rays(RayGather::new(&solution, &visibility, OF_SIZE, false)),
         ];
         let [by_cells, by_rays] = ends
-            .map(|ends| Missing { solution: &solution, visibility: &visibility, ends, rays: 0 })
+            .map(|ends| Missing {
+                solution: &solution,
+                walks: Walks::new(&solution, &visibility),
+                ends,
+                rays: 0,
+            })
             .map(|missing| match missing.ends {
                 Ends::Cells(_) => mean(&missing, &sensors, 2),
                 Ends::Rays(_) => mean(&missing, &sensors, 64),

@@ -1,0 +1,97 @@
+//! Walks: paths of rays from a receiver from surface to surface, against the light.
+//!
+//! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the probability of
+//! the largest reflectance there, at most [`LIKELIEST`]. The product w of the reflectances so far over these probabilities
+//! makes sums over the ends y unbiased estimates of the Neumann series:
+//!
+//! ```text
+//! E[ Σ_ends w f(y) ] = (G + GρG + GρGρG + …) f    at the receiver,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y .
+//! ```
+
+use radiosity_geom::{DVec3, Encounter, Ray};
+
+use crate::light::receiver_point::ReceiverPoint;
+use crate::sampling::lambert::lambert;
+use crate::sampling::shift::{number_of, shift};
+use crate::solution::{Place, Solution};
+use crate::visibility::Visibility;
+
+/// Largest probability that a walk goes on. Chosen.
+const LIKELIEST: f64 = 0.95;
+
+/// Walks over the elements of a solution, with the reflectances of its bands.
+pub(crate) struct Walks<'a> {
+    solution: &'a Solution,
+    visibility: &'a Visibility,
+}
+
+/// Where a ray of a walk ends.
+pub(crate) struct End {
+    pub(crate) element: usize,
+    pub(crate) place: Place,
+    /// The same as a receiver.
+    pub(crate) there: ReceiverPoint,
+    /// How far the ray came.
+    pub(crate) distance: f64,
+    /// A number of its own for whatever is chosen there.
+    pub(crate) chance: u64,
+}
+
+impl<'a> Walks<'a> {
+    pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
+        Self { solution, visibility }
+    }
+
+    /// The reflectances of an element, band by band.
+    pub(crate) fn reflectances(&self, element: usize) -> impl Iterator<Item = f64> {
+        self.solution.bands().iter().map(move |band| band.coating.reflectance[element])
+    }
+
+    /// The largest reflectance of an element.
+    pub(crate) fn brightest(&self, element: usize) -> f64 {
+        self.reflectances(element).fold(0.0, f64::max)
+    }
+
+    /// Walks from a receiver in a direction of its hemisphere, given by a point of the unit square; `visit` gets every end with
+    /// its weights w, band by band. `chance` chooses the rest.
+    pub(crate) fn walk(
+        &self,
+        mut from: ReceiverPoint,
+        mut direction: [f64; 2],
+        mut chance: u64,
+        visit: &mut impl FnMut(&End, &[f64]),
+    ) {
+        let mut weights = vec![1.0; self.solution.bands().len()];
+        while let Some(end) = self.end(&from, lambert(from.normal, direction), chance) {
+            visit(&end, &weights);
+            let likely = self.brightest(end.element).min(LIKELIEST);
+            // Other numbers than those that `visit` makes of `chance`: what the dice allow must not choose its rays.
+            let [dice, polar, turn] = shift(number_of([f64::from_bits(chance), 1.0]));
+            chance = number_of([f64::from_bits(chance), 2.0]);
+            if dice >= likely {
+                return;
+            }
+            let reflected = self.reflectances(end.element).map(|reflectance| reflectance / likely);
+            weights.iter_mut().zip(reflected).for_each(|(weight, factor)| *weight *= factor);
+            (from, direction) = (end.there, [polar, turn]);
+        }
+    }
+
+    /// Where a ray meets the front of an element.
+    fn end(&self, from: &ReceiverPoint, direction: DVec3, chance: u64) -> Option<End> {
+        if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
+            return None;
+        }
+        let met = match from.surface {
+            Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
+            None => self.visibility.nearest(&Ray::new(from.position, direction)),
+        };
+        let Some(Encounter { surface, hit, front: true }) = met else { return None };
+        let elements = self.solution.elements();
+        let element = elements.at(surface, [hit.u, hit.v])?;
+        let jet = elements.shape(surface).jet(hit.u, hit.v);
+        let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
+        let there = ReceiverPoint::on(surface, jet.position, jet.normal);
+        Some(End { element, place, there, distance: hit.t, chance })
+    }
+}
