@@ -3,12 +3,13 @@
 use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use radiosity::output::chart::Chart;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solved::Solved;
-use radiosity::studies::convergence::{Reference, Run, convergence};
+use radiosity::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
@@ -44,6 +45,11 @@ pub(crate) struct ConvergenceArgs {
     /// Solution file that errors are measured against [default: the finest run]
     #[arg(long, value_name = "FILE.json")]
     pub(crate) reference: Option<PathBuf>,
+
+    /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker and weaker links),
+    /// hp (elements refined for gathered light), sampled (more and more rays)
+    #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = other_way())]
+    pub(crate) other: Vec<Way>,
 
     /// How the table on standard output is written
     #[arg(long, value_name = "FORMAT", default_value = "text")]
@@ -83,12 +89,12 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
     let options = options(&args.method);
     let runs = match &reference {
-        None => convergence(scene, &options, &Reference::FinestRun, &advance)?,
+        None => convergence(scene, &options, &args.other, &Reference::FinestRun, &advance)?,
         Some(Solved { outcome, .. }) => {
             let error = |solution: &Solution| {
                 distance(solution, &outcome.solution).expect("surfaces and bands were compared")
             };
-            convergence(scene, &options, &Reference::Given(&error), &advance)?
+            convergence(scene, &options, &args.other, &Reference::Given(&error), &advance)?
         }
     };
     drop(progress);
@@ -103,6 +109,13 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
         let _ = writeln!(stderr(), "wrote {}", path.display());
     }
     Ok(())
+}
+
+/// A way other than that of all runs.
+fn other_way() -> impl TypedValueParser<Value = Way> {
+    let others = Way::value_variants().iter().filter(|way| **way != Way::Uniform);
+    PossibleValuesParser::new(others.map(|way| way.name()))
+        .map(|name| Way::from_str(&name, false).expect("the parser lets only listed names pass"))
 }
 
 /// What kind of file a chart is.
@@ -139,7 +152,8 @@ fn same_scene(path: &Path, scene: &Scene) -> Result<Solved, CliError> {
 
 fn chart<'a>(args: &ConvergenceArgs, scene: &Scene, runs: &'a [Run]) -> Chart<'a> {
     let title = scene.title.as_ref().unwrap_or(&scene.name);
-    let finest = runs.last().map_or_else(String::new, |run| match run.layers {
+    let uniform = runs.iter().rfind(|run| run.way == Way::Uniform);
+    let finest = uniform.map_or_else(String::new, |run| match run.layers {
         0 => format!("order {}", run.order),
         layers => format!("order {} on {layers} layers", run.order),
     });
@@ -171,14 +185,15 @@ fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> 
     }
 }
 
-const HEADER: [&str; 9] =
-    ["order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate"];
+const HEADER: [&str; 10] =
+    ["way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate"];
 
 fn text(runs: &[Run]) -> String {
     let mut table = Table::new(HEADER);
     for run in runs {
         let number = |x: Option<f64>, show: fn(f64) -> String| x.map_or_else(|| "–".to_owned(), show);
         table.row([
+            run.way.name().to_owned(),
             run.order.to_string(),
             run.layers.to_string(),
             run.elements.to_string(),
@@ -198,8 +213,10 @@ fn csv(runs: &[Run]) -> String {
     for run in runs {
         let Run { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
         let [error, rate] = [run.error, run.rate].map(|x| x.map_or_else(String::new, |x| x.to_string()));
-        table +=
-            &format!("{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate}\n");
+        table += &format!(
+            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate}\n",
+            run.way.name()
+        );
     }
     table
 }

@@ -7,7 +7,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use super::canvas::Canvas;
 use super::decades::Decades;
 use super::picture::Picture;
-use crate::studies::convergence::Run;
+use crate::studies::convergence::{Run, Way};
 
 /// A chart that could not be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -34,7 +34,7 @@ pub struct Chart<'a> {
     pub title: String,
     /// The line below the title: what the errors are measured against.
     pub caption: String,
-    /// Runs, sorted by the number of layers; runs without an error above 0 are not shown.
+    /// Runs, sorted by their way and by the number of layers; runs without an error above 0 are not shown.
     pub runs: &'a [Run],
 }
 
@@ -107,19 +107,19 @@ impl Chart<'_> {
             .light_line_style(RGBColor(235, 235, 235).stroke_width(zoom as u32))
             .set_all_tick_mark_size(4 * zoom)
             .draw()?;
-        for (k, (layers, points)) in series.iter().enumerate() {
+        for (k, (label, points)) in series.iter().enumerate() {
             let colour = COLOURS[k % COLOURS.len()];
             let line = colour.stroke_width(2 * zoom as u32);
             let drawn = chart.draw_series(LineSeries::new(points.iter().map(|p| p.place), line))?;
-            drawn.label(layer_label(*layers)).legend(move |(x, y)| {
+            drawn.label(label.clone()).legend(move |(x, y)| {
                 PathElement::new(vec![(x, y), (x + 18 * zoom, y)], colour.stroke_width(2 * zoom as u32))
             });
-            // A dot with the order next to it.
+            // A dot, with the order next to it where that is what changes.
             let letters = text(11 * zoom).color(&colour);
             chart.draw_series(points.iter().map(|point| {
                 EmptyElement::at(point.place)
                     + Circle::new((0, 0), 3 * zoom, colour.filled())
-                    + Text::new(point.order.to_string(), (6 * zoom, -13 * zoom), letters.clone())
+                    + Text::new(point.text.clone(), (6 * zoom, -13 * zoom), letters.clone())
             }))?;
         }
         if with_legend {
@@ -136,14 +136,15 @@ impl Chart<'_> {
         Ok(())
     }
 
-    /// The points for each number of layers.
-    fn series(&self, abscissa: &impl Fn(&Run) -> f64) -> Vec<(usize, Vec<Point>)> {
-        let groups = self.runs.chunk_by(|a, b| a.layers == b.layers);
+    /// The points of each way and number of layers, with their label.
+    fn series(&self, abscissa: &impl Fn(&Run) -> f64) -> Vec<(String, Vec<Point>)> {
+        let groups = self.runs.chunk_by(|a, b| a.layers == b.layers && a.way == b.way);
         let point = |run: &Run| {
             let error = run.error.filter(|error| *error > 0.0)?;
-            Some(Point { place: (abscissa(run).max(1e-6), error), order: run.order })
+            let text = if run.way == Way::Uniform { run.order.to_string() } else { String::new() };
+            Some(Point { place: (abscissa(run).max(1e-6), error), text })
         };
-        groups.map(|runs| (runs[0].layers, runs.iter().filter_map(point).collect())).collect()
+        groups.map(|runs| (label(&runs[0]), runs.iter().filter_map(point).collect())).collect()
     }
 }
 
@@ -152,14 +153,18 @@ type DrawError<B> = DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
 /// A run's place in a panel.
 struct Point {
     place: (f64, f64),
-    order: usize,
+    /// What is written beside it.
+    text: String,
 }
 
-fn layer_label(layers: usize) -> String {
-    match layers {
-        0 => "whole elements".to_owned(),
-        1 => "1 layer".to_owned(),
-        layers => format!("{layers} layers"),
+fn label(run: &Run) -> String {
+    match (run.way, run.layers) {
+        (Way::Hierarchical, _) => "hierarchical, constants".to_owned(),
+        (Way::Hp, _) => "refined for gathered light".to_owned(),
+        (Way::Sampled, _) => format!("order {} by rays", run.order),
+        (Way::Uniform, 0) => "whole elements".to_owned(),
+        (Way::Uniform, 1) => "1 layer".to_owned(),
+        (Way::Uniform, layers) => format!("{layers} layers"),
     }
 }
 
@@ -173,7 +178,18 @@ mod tests {
 
     fn run(order: usize, unknowns: usize, error: Option<f64>) -> Run {
         let seconds = 1e-4 * unknowns as f64;
-        Run { order, layers: 0, elements: 1, unknowns, samples: 1, rays: 0, seconds, error, rate: None }
+        Run {
+            way: Way::Uniform,
+            order,
+            layers: 0,
+            elements: 1,
+            unknowns,
+            samples: 1,
+            rays: 0,
+            seconds,
+            error,
+            rate: None,
+        }
     }
 
     #[test]

@@ -1,25 +1,66 @@
-//! Convergence: one scene solved at rising orders, and on meshes with more and more layers; how its error falls.
+//! Convergence: one scene solved at rising orders, on meshes with more and more layers, and in other [ways](Way); how its
+//! error falls.
 //!
 //! The error of a run is its [distance](crate::studies::error_norm) from a reference. Without one this is the finest
-//! run, whose own unknown error then adds to that of every other run. Between two runs of n and n′ unknowns on the same
-//! number of layers the rate is
+//! of the uniform runs, whose own unknown error then adds to that of every other run. Between two runs of n and n′ unknowns of
+//! one way, on the same number of layers, the rate is
 //!
 //! ```text
 //! log(error / error′) / log(n′ / n) .
 //! ```
 
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::Instant;
 
 use crate::elements::cells::Layers;
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::solve::{Failure, Options, Outcome, Progress, solve};
+use crate::solve::{Algorithm, Failure, Options, Outcome, Progress, Transport, solve};
+use crate::studies::adaptation::{Aim, Goal, adapt};
 use crate::studies::error_norm::distance;
+
+/// Powers of the strongest links of the hierarchical runs, in parts of the largest. Chosen: from a tenth of a second to
+/// some seconds in the Cornell box.
+const LINKS: [f64; 4] = [1e-2, 2.5e-3, 6e-4, 1.5e-4];
+
+/// Accuracies of gathered light that elements are refined for. Chosen.
+const WANTED: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
+
+/// Rays of the sampled runs: from 2¹⁷ by factors of four. Chosen.
+const RAYS: [u64; 4] = [1 << 17, 1 << 19, 1 << 21, 1 << 23];
+
+/// A way in which a sequence of runs gets finer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+pub enum Way {
+    /// Higher orders, and more layers, on all surfaces alike.
+    Uniform,
+    /// Hierarchical radiosity on constants, by weaker and weaker links.
+    Hierarchical,
+    /// Elements cut, or of higher order, where they bear the error of gathered light.
+    Hp,
+    /// More and more rays at the highest order.
+    Sampled,
+}
+
+impl Way {
+    /// Its name in tables.
+    pub fn name(self) -> &'static str {
+        match self {
+            Way::Uniform => "uniform",
+            Way::Hierarchical => "hierarchical",
+            Way::Hp => "hp",
+            Way::Sampled => "sampled",
+        }
+    }
+}
 
 /// One solved discretisation.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Run {
-    /// Order of the basis.
+    /// The way that it is a step of.
+    pub way: Way,
+    /// Highest order of the bases.
     pub order: usize,
     /// Layers of graded elements.
     pub layers: usize,
@@ -31,7 +72,7 @@ pub struct Run {
     pub samples: u64,
     /// Segments tested for visibility.
     pub rays: u64,
-    /// Wall time from elements to coefficients (s).
+    /// Wall time from elements to coefficients (s); of refined elements with all runs before and their estimates.
     pub seconds: f64,
     /// Relative error; None for the run that is itself the reference.
     pub error: Option<f64>,
@@ -41,13 +82,28 @@ pub struct Run {
 
 /// The reference that errors are measured against.
 pub enum Reference<'a> {
-    /// The last and finest run.
+    /// The last and finest uniform run.
     FinestRun,
     /// A function that gives the error of a solution.
     Given(&'a dyn Fn(&Solution) -> f64),
 }
 
-/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest.
+/// A run to be made.
+struct Trial {
+    way: Way,
+    options: Options,
+    /// The accuracy that elements are refined for.
+    wanted: Option<f64>,
+}
+
+/// A run that was made.
+struct Made {
+    outcome: Outcome,
+    seconds: f64,
+}
+
+/// Solves `scene` at orders 0 to `options.order` on 0 to `options.layers.count` layers, layers slowest, and then in the
+/// `other` ways.
 ///
 /// `progress` gets the finished part of the work, from 0 to 1; from any thread.
 ///
@@ -56,71 +112,108 @@ pub enum Reference<'a> {
 pub fn convergence(
     scene: &Scene,
     options: &Options,
+    other: &[Way],
     reference: &Reference,
     progress: &(dyn Fn(f64) + Sync),
 ) -> Result<Vec<Run>, Failure> {
-    let plan = plan(options);
-    let work: Vec<f64> = plan.iter().map(work).collect();
+    let plan = plan(options, other);
+    let work: Vec<f64> = plan.iter().map(Trial::work).collect();
     let all: f64 = work.iter().sum();
-    let mut outcomes = Vec::with_capacity(plan.len());
+    let mut made = Vec::with_capacity(plan.len());
     let mut before = 0.0;
-    for (options, work) in plan.iter().zip(work) {
+    for (trial, work) in plan.iter().zip(work) {
         let furthest = AtomicUsize::new(0);
         let hear = |stage| {
             if let Progress::Blocks(done, total) = stage {
                 let done = furthest.fetch_max(done, Ordering::Relaxed).max(done);
-                progress((before + work * done as f64 / total.max(1) as f64) / all);
+                progress((before + work * (done as f64 / total.max(1) as f64).min(1.0)) / all);
             }
         };
-        outcomes.push(solve(scene, options, &hear)?);
+        made.push(trial.solve(scene, &hear)?);
         before += work;
     }
-    Ok(runs(&plan, &outcomes, reference))
+    Ok(runs(&plan, &made, reference))
 }
 
-fn plan(options: &Options) -> Vec<Options> {
+fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
     let layers = |count| Layers { count, ..options.layers };
-    let of_layers =
-        |count| (0..=options.order).map(move |order| Options { order, layers: layers(count), ..*options });
-    (0..=options.layers.count).flat_map(of_layers).collect()
+    let uniform = |options| Trial { way: Way::Uniform, options, wanted: None };
+    let of_layers = |count| {
+        (0..=options.order).map(move |order| uniform(Options { order, layers: layers(count), ..*options }))
+    };
+    let mut plan: Vec<Trial> = (0..=options.layers.count).flat_map(of_layers).collect();
+    let plain = Options { layers: layers(0), ..*options };
+    let of_way = |way: Way| -> Vec<Trial> {
+        let trial = |options, wanted| Trial { way, options, wanted };
+        let by_links = |eps| Options { algorithm: Algorithm::Hierarchical, order: 0, eps, ..plain };
+        let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };
+        match way {
+            Way::Uniform => Vec::new(),
+            Way::Hierarchical => LINKS.map(|eps| trial(by_links(eps), None)).into(),
+            Way::Hp => WANTED.map(|wanted| trial(Options { order: 0, ..plain }, Some(wanted))).into(),
+            Way::Sampled => RAYS.map(|rays| trial(by_rays(rays), None)).into(),
+        }
+    };
+    plan.extend(other.iter().flat_map(|way| of_way(*way)));
+    plan
 }
 
-/// Work of a run: about the number of pairs of basis functions.
-fn work(options: &Options) -> f64 {
-    let cells = (1 + 2 * options.layers.count).pow(2);
-    ((cells * options.space.count(options.order)) as f64).powi(2)
+impl Trial {
+    /// Work of the run: about the number of pairs of basis functions, for uniform runs.
+    fn work(&self) -> f64 {
+        let cells = (1 + 2 * self.options.layers.count).pow(2);
+        ((cells * self.options.space.count(self.options.order)) as f64).powi(2)
+    }
+
+    fn solve(&self, scene: &Scene, progress: &(dyn Fn(Progress) + Sync)) -> Result<Made, Failure> {
+        let begun = Instant::now();
+        let Some(wanted) = self.wanted else {
+            let outcome = solve(scene, &self.options, progress)?;
+            let stages = outcome.seconds;
+            let seconds = stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve;
+            return Ok(Made { outcome, seconds: seconds.as_secs_f64() });
+        };
+        let goal = Goal::new(wanted, Aim::Gathered);
+        let outcome = adapt(scene, &self.options, &goal, progress)?.outcome;
+        Ok(Made { outcome, seconds: begun.elapsed().as_secs_f64() })
+    }
 }
 
-fn runs(plan: &[Options], outcomes: &[Outcome], reference: &Reference) -> Vec<Run> {
-    let finest = &outcomes[outcomes.len() - 1].solution;
+fn runs(plan: &[Trial], made: &[Made], reference: &Reference) -> Vec<Run> {
+    let last = plan.iter().rposition(|trial| trial.way == Way::Uniform).unwrap_or(0);
     let error = |k: usize| match reference {
-        Reference::Given(error) => Some(error(&outcomes[k].solution)),
-        Reference::FinestRun if k + 1 == outcomes.len() => None,
+        Reference::Given(error) => Some(error(&made[k].outcome.solution)),
+        Reference::FinestRun if k == last => None,
         Reference::FinestRun => {
-            Some(distance(&outcomes[k].solution, finest).expect("the runs are of one scene"))
+            let finest = &made[last].outcome.solution;
+            Some(distance(&made[k].outcome.solution, finest).expect("the runs are of one scene"))
         }
     };
     let mut runs: Vec<Run> = Vec::with_capacity(plan.len());
-    for (k, (options, outcome)) in plan.iter().zip(outcomes).enumerate() {
-        let run = run(options, outcome, error(k));
+    for (k, (trial, made)) in plan.iter().zip(made).enumerate() {
+        let run = run(trial, made, error(k));
         let rate = runs.last().and_then(|before| rate(before, &run));
         runs.push(Run { rate, ..run });
     }
     runs
 }
 
-fn run(options: &Options, outcome: &Outcome, error: Option<f64>) -> Run {
-    let elements = outcome.solution.elements();
-    let stages = outcome.seconds;
+fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
+    let elements = made.outcome.solution.elements();
+    let orders = elements.list().iter().map(|element| element.basis.order());
+    let order = match trial.way {
+        Way::Uniform => trial.options.order,
+        _ => orders.max().unwrap_or(0),
+    };
     Run {
-        order: options.order,
-        layers: options.layers.count,
+        way: trial.way,
+        order,
+        layers: trial.options.layers.count,
         elements: elements.list().len(),
         unknowns: elements.coefficients(),
-        samples: outcome.samples,
-        rays: outcome.rays,
-        seconds: (stages.elements + stages.visibility + stages.blocks + stages.direct + stages.solve)
-            .as_secs_f64(),
+        samples: made.outcome.samples,
+        rays: made.outcome.rays,
+        seconds: made.seconds,
         error,
         rate: None,
     }
@@ -128,7 +221,8 @@ fn run(options: &Options, outcome: &Outcome, error: Option<f64>) -> Run {
 
 fn rate(before: &Run, run: &Run) -> Option<f64> {
     let (old, new) = (before.error?, run.error?);
+    let is_one_way = before.way == run.way && before.layers == run.layers;
     // Surfaces that state their own order may leave the unknowns as they are.
-    let comparable = before.layers == run.layers && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
+    let comparable = is_one_way && before.unknowns != run.unknowns && old > 0.0 && new > 0.0;
     comparable.then(|| (old / new).ln() / (run.unknowns as f64 / before.unknowns as f64).ln())
 }

@@ -81,6 +81,33 @@ fn pictures_of_solution_files_are_compared() {
 }
 
 #[test]
+fn convergence_draws_other_ways_beside_rising_orders() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked = ["convergence", "furnace-cube", "--max-order", "1", "--format", "csv", "-q"];
+    let output = radiosity(folder.path(), &[&asked[..], &["--with", "hierarchical,hp"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8_lossy(&output.stdout);
+    let ways: Vec<&str> = table.lines().skip(1).filter_map(|line| line.split(',').next()).collect();
+    assert_eq!(ways, [&["uniform"; 2][..], &["hierarchical"; 4], &["hp"; 4]].concat());
+    let drawn = fs::read_to_string(folder.path().join("furnace-cube.svg")).unwrap();
+    assert!(drawn.contains("hierarchical, constants") && drawn.contains("refined for gathered light"));
+    refused(&["convergence", "--with", "uniform"], &["hierarchical, hp, sampled"]);
+}
+
+#[test]
+fn importance_is_drawn_of_a_solution_too() {
+    let folder = tempfile::tempdir().unwrap();
+    done(folder.path(), &["solve", "cornell-box", "--order", "0", "-o", "s.json"]);
+    for scene in ["cornell-box", "s.json"] {
+        done(
+            folder.path(),
+            &["render", scene, "--importance", "--for", "picture", "--size", "16x16", "-o", "i.exr"],
+        );
+    }
+    refused(&["render", "--importance", "--show", "irradiance"], &["cannot be used with", "--show"]);
+}
+
+#[test]
 fn a_solution_file_is_a_reference() {
     let folder = tempfile::tempdir().unwrap();
     done(folder.path(), &["solve", "empty-box", "--order", "2", "-o", "s.json"]);
@@ -89,7 +116,7 @@ fn a_solution_file_is_a_reference() {
     assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
     let table = String::from_utf8_lossy(&output.stdout);
     let errors: Vec<f64> =
-        table.lines().skip(1).map(|line| line.split(',').nth(7).unwrap().parse().unwrap()).collect();
+        table.lines().skip(1).map(|line| line.split(',').nth(8).unwrap().parse().unwrap()).collect();
     assert_eq!(errors.len(), 3);
     assert!(errors[0] > errors[1] && errors[1] > 0.01, "{errors:?}");
     assert!(errors[2] < 1e-12, "the same run: {errors:?}");

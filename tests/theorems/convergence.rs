@@ -143,7 +143,8 @@ fn a_series_finds_the_known_errors_of_the_empty_box() {
     let heard = Mutex::new(vec![0.0]);
     let hear = |part| heard.lock().expect("nobody panics").push(part);
     let options = Options { order: 6, threads: 2, ..Options::default() };
-    let runs = convergence(&scene, &options, &Reference::Given(&error), &hear).expect("it can be solved");
+    let runs =
+        convergence(&scene, &options, &[], &Reference::Given(&error), &hear).expect("it can be solved");
     assert_eq!(runs.iter().map(|run| run.order).collect::<Vec<_>>(), [0, 1, 2, 3, 4, 5, 6]);
     for (order, known) in WHOLE_WALLS {
         let error = runs[order].error.expect("there is a reference");
@@ -158,7 +159,7 @@ fn the_finest_run_has_no_error_of_its_own() {
     let scene = Scene::builtin("furnace-cube").expect("it is built in");
     let layers = Layers { count: 1, ratio: 0.25 };
     let options = Options { order: 1, layers, threads: 2, ..Options::default() };
-    let runs = convergence(&scene, &options, &Reference::FinestRun, &|_| {}).expect("it can be solved");
+    let runs = convergence(&scene, &options, &[], &Reference::FinestRun, &|_| {}).expect("it can be solved");
     let places: Vec<(usize, usize)> = runs.iter().map(|run| (run.layers, run.order)).collect();
     assert_eq!(places, [(0, 0), (0, 1), (1, 0), (1, 1)]);
     assert_eq!(runs[3].error, None);
@@ -335,6 +336,6 @@ fn runs_of_equal_size_have_no_rate() {
     let scene = Scene::from_toml(&text, "test").unwrap();
     let against = |_: &Solution| 0.1;
     let options = Options { order: 2, ..Options::default() };
-    let runs = convergence(&scene, &options, &Reference::Given(&against), &|_| {}).unwrap();
+    let runs = convergence(&scene, &options, &[], &Reference::Given(&against), &|_| {}).unwrap();
     assert!(runs.iter().all(|run| run.unknowns == runs[0].unknowns && run.rate.is_none()));
 }
