@@ -18,6 +18,7 @@ impl Fault {
                 choose(name, known.iter().copied(), "parameters of this scene")
             }
             Fault::UnknownKey { key, known } => choose(key, known.iter().copied(), "known keys"),
+            Fault::UnknownFace { name, known } => choose(name, known.iter().copied(), "faces of a box"),
             Fault::UnknownMaterial { name, known } if known.is_empty() => {
                 format!("define it: [materials.{name}] with reflectance = 0.5")
             }
@@ -82,6 +83,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
              has a shape and a material"
         }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
+        Fault::Exclusive { .. } => "leave one of them out",
         Fault::TwoShapes { .. } => "make two surfaces, one for each shape",
         Fault::WrongType { expected, .. } => match *expected {
             "a number" => "write it without quotes, e.g. 0.5",
@@ -126,6 +128,7 @@ fn example(key: &str) -> &'static str {
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
         "spacing" => ", a length, or one along each edge",
+        "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",
         "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
         "patches" => ", a list of patches, each 16 indices of points, counted from 0",

@@ -103,6 +103,22 @@ pub enum Fault {
         /// The second one.
         second: &'static str,
     },
+    /// Two keys that say the same in different ways.
+    #[error("{first:?} and {second:?} are both given")]
+    Exclusive {
+        /// One of the keys.
+        first: &'static str,
+        /// The other one.
+        second: &'static str,
+    },
+    /// A face that a box does not have.
+    #[error("a box has no face {name:?}")]
+    UnknownFace {
+        /// What was typed.
+        name: String,
+        /// The faces of a box.
+        known: Vec<&'static str>,
+    },
     /// A value of the wrong kind.
     #[error("expected {expected}, found {found}")]
     WrongType {

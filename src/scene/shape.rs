@@ -2,6 +2,7 @@
 
 mod form;
 mod flat;
+mod solid;
 mod spline;
 mod turned;
 
@@ -19,11 +20,12 @@ use form::{Built, Form};
 type Entry = (&'static str, Reader<Box<dyn Form>>);
 
 /// Every shape, in the order of the manual.
-const SHAPES: [Entry; 14] = [
+const SHAPES: [Entry; 15] = [
     ("parallelogram", flat::parallelogram),
     ("quad", flat::quad),
     ("triangle", flat::triangle),
     ("polygon", flat::polygon),
+    ("box", solid::cuboid),
     ("disk", turned::disk),
     ("cylinder", turned::cylinder),
     ("cone", turned::cone),
@@ -67,14 +69,14 @@ impl ShapeFile {
         }
     }
 
-    /// The surfaces, put where `motion` says; one, but for `patches`.
+    /// The surfaces, put where `motion` says; one, but for `box` and `patches`.
     pub(super) fn surfaces(&self, motion: &Motion) -> Built {
         self.form.surfaces(motion)
     }
 
-    /// Whether each surface gets a number behind its name.
-    pub(super) fn is_numbered(&self) -> bool {
-        self.kind == "patches"
+    /// The name of the surface at `index` of these, where the shape is called `base`.
+    pub(super) fn name(&self, base: &str, index: usize) -> String {
+        self.form.name(base, index)
     }
 
     /// The place of the field that a shape error names (`vertices`, `holes[1]`); the whole shape if there is none.

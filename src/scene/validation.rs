@@ -182,10 +182,7 @@ fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<NamedShape>, Located> {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;
-    let named = |(index, shape): (usize, Box<dyn Surface>)| match file.shape.is_numbered() {
-        true => (format!("{name}-{index}"), Arc::from(shape)),
-        false => (name.to_owned(), Arc::from(shape)),
-    };
+    let named = |(index, shape): (usize, Box<dyn Surface>)| (file.shape.name(name, index), Arc::from(shape));
     Ok(shapes.into_iter().enumerate().map(named).collect())
 }
 

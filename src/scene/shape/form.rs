@@ -6,8 +6,13 @@ use radiosity_geom::{Motion, Placed, ShapeError, Surface};
 
 /// A shape as typed, before its numbers are known to make a surface.
 pub(super) trait Form: Debug {
-    /// The surfaces it makes, one but for `patches`, put where `motion` says.
+    /// The surfaces it makes, one but for `box` and `patches`, put where `motion` says.
     fn surfaces(&self, motion: &Motion) -> Built;
+
+    /// The name of the surface at `index` of these, where the shape is called `base`.
+    fn name(&self, base: &str, _index: usize) -> String {
+        base.to_owned()
+    }
 }
 
 /// The surfaces of one shape, or what keeps it from being built.

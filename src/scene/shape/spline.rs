@@ -117,6 +117,10 @@ impl Form for PatchesFile {
         };
         self.nets.iter().enumerate().map(patch).collect()
     }
+
+    fn name(&self, base: &str, index: usize) -> String {
+        format!("{base}-{index}")
+    }
 }
 
 impl Form for RationalFile {
