@@ -260,7 +260,8 @@ fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
 /// Tree → as typed → valid.
 fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
     let file = SceneFile::read(tree)?;
-    let bands = validation::bands(file.bands, source)?;
+    let is_grey = file.is_grey();
+    let bands = validation::bands(file.bands, is_grey, source)?;
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;

@@ -176,7 +176,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "group": surface.group.as_ref().map(|group| &group.name),
+            "emission": surface.material.emission, "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {

@@ -89,6 +89,7 @@ impl SceneBuilder {
             material,
             material_name: Some(material_name),
             group: None,
+            flux: None,
             order: None,
             subdivide: None,
             two_sided: false,

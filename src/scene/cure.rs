@@ -84,6 +84,9 @@ fn plain_cure(fault: &Fault) -> &'static str {
         }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
         Fault::Exclusive { .. } => "leave one of them out",
+        Fault::FluxAndEmission { .. } => {
+            "leave the flux out, or give the surface a material of the same reflectance without emission"
+        }
         Fault::TwoShapes { .. } => "make two surfaces, one for each shape",
         Fault::WrongType { expected, .. } => match *expected {
             "a number" => "write it without quotes, e.g. 0.5",

@@ -10,9 +10,9 @@ use radiosity_geom::{Flipped, Rect, Surface};
 use crate::scene::{
     error::{Fault, Located, surface_title},
     light_group::LightGroup,
-    material::Material,
+    material::{Material, check_count, check_flux},
     names::check_text,
-    ranges::{check_order, check_parts},
+    ranges::{check_number, check_order, check_parts},
     source::{Place, Span},
     surface::SceneSurface,
 };
@@ -26,6 +26,7 @@ pub struct SurfaceDraft {
     pub(super) material: Material,
     pub(super) material_name: Option<String>,
     pub(super) group: Option<String>,
+    pub(super) flux: Option<Vec<f64>>,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
     pub(super) two_sided: bool,
@@ -43,6 +44,7 @@ pub(super) struct Typed {
     pub name: Span,
     pub name_line: usize,
     pub shape: Span,
+    pub flux: Option<Span>,
 }
 
 impl SurfaceDraft {
@@ -62,6 +64,13 @@ impl SurfaceDraft {
     /// ([`Scene::dimmed`](crate::scene::Scene::dimmed)).
     pub fn group(&mut self, name: impl Into<String>) -> &mut Self {
         self.group = Some(name.into());
+        self
+    }
+
+    /// The flux of each band (W) that all of it emits, the back included where it is two-sided, instead of the emission of
+    /// its material, which has to be 0: its exitance is the flux over its area.
+    pub fn flux(&mut self, flux: Vec<f64>) -> &mut Self {
+        self.flux = Some(flux);
         self
     }
 
@@ -86,6 +95,33 @@ impl SurfaceDraft {
             Ok(()) => Ok(self),
             Err(fault) => Err(self.located(None, fault)),
         }
+    }
+
+    /// Turns its flux into the emission of its material.
+    pub(super) fn lit(mut self) -> Result<Self, Located> {
+        let span = self.typed.as_ref().and_then(|typed| typed.flux.clone());
+        match self.flux.as_deref().map(|flux| self.emission(flux)).transpose() {
+            Ok(emission) => {
+                self.material.emission = emission.unwrap_or(self.material.emission);
+                Ok(self)
+            }
+            Err(fault) => Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name))),
+        }
+    }
+
+    /// The exitance of each band (W m⁻²) that makes this flux (W).
+    fn emission(&self, flux: &[f64]) -> Result<Vec<f64>, Fault> {
+        check_count("the flux", flux, self.material.reflectance.len())?;
+        flux.iter().try_for_each(|flux| check_flux(*flux))?;
+        if self.material.emits() {
+            let material = self.material_name.clone().unwrap_or_default();
+            return Err(Fault::FluxAndEmission { material });
+        }
+        let sides = if self.two_sided { 2.0 } else { 1.0 };
+        let area = sides * self.shapes.iter().map(|(_, shape)| shape.area()).sum::<f64>();
+        let emission: Vec<f64> = flux.iter().map(|flux| flux / area).collect();
+        emission.iter().try_for_each(|exitance| check_number(*exitance))?;
+        Ok(emission)
     }
 
     /// A fault at `span` if the draft comes from a file, else one of the surface.
@@ -114,6 +150,10 @@ impl SurfaceDraft {
             material: self.material.clone(),
             material_name: self.material_name.clone(),
             group: self.group.as_ref().map(LightGroup::new),
+            flux: self
+                .flux
+                .as_ref()
+                .map(|_| self.material.emission.iter().map(|own| own * shape.area()).collect()),
             order: self.order,
             subdivide: self.subdivide,
             place: self.typed.as_ref().map(|typed| typed.place.clone()),

@@ -170,6 +170,12 @@ pub enum Fault {
         /// The materials of the scene.
         known: Vec<String>,
     },
+    /// A flux of a surface whose material emits as well.
+    #[error("a flux is given, yet the material {material:?} emits as well")]
+    FluxAndEmission {
+        /// The material.
+        material: String,
+    },
     /// A surface that was asked for and is not there.
     #[error("unknown surface {name:?}")]
     UnknownSurface {

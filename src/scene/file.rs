@@ -68,6 +68,7 @@ pub(super) struct SurfaceFile {
     pub span: Span,
     pub material: Option<At<String>>,
     pub group: Option<At<String>>,
+    pub flux: Option<PerBand>,
     pub shape: ShapeFile,
     pub motion: Motion,
     pub order: Option<usize>,
@@ -76,7 +77,29 @@ pub(super) struct SurfaceFile {
     pub flip: bool,
 }
 
+impl PerBand {
+    /// Where it stands.
+    pub(super) fn span(&self) -> &Span {
+        match self {
+            PerBand::All(number) => &number.span,
+            PerBand::Each(list) => &list.span,
+        }
+    }
+
+    fn is_one_number(&self) -> bool {
+        matches!(self, PerBand::All(_))
+    }
+}
+
 impl SceneFile {
+    /// Whether every reflectance, emission and flux is a single number.
+    pub(super) fn is_grey(&self) -> bool {
+        let materials = self.materials.iter();
+        let per_band = materials.flat_map(|own| [Some(&own.reflectance), own.emission.as_ref()]);
+        let fluxes = self.surfaces.iter().map(|surface| surface.flux.as_ref());
+        per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
+    }
+
     /// Reads the tree of a whole scene.
     pub(super) fn read(tree: &Node) -> Result<Self, Located> {
         let fields =
@@ -190,8 +213,8 @@ fn read_named_surface((index, node): (usize, &Node)) -> Result<SurfaceFile, Loca
     })
 }
 
-const SURFACE_KEYS: [&str; 8] =
-    ["name", "material", "group", "order", "subdivide", "two_sided", "flip", "transform"];
+const SURFACE_KEYS: [&str; 9] =
+    ["name", "material", "group", "flux", "order", "subdivide", "two_sided", "flip", "transform"];
 
 fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
     let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(keys()).collect();
@@ -201,6 +224,7 @@ fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
         span: fields.span().clone(),
         material: fields.optional("material", text)?,
         group: fields.optional("group", text)?,
+        flux: fields.optional("flux", per_band)?,
         shape: ShapeFile::read(&fields)?,
         motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),
         order: fields.optional("order", order)?,

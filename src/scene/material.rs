@@ -50,7 +50,8 @@ impl Material {
     }
 }
 
-fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> Result<(), Fault> {
+/// As many numbers as bands.
+pub(super) fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> Result<(), Fault> {
     if numbers.len() == bands {
         return Ok(());
     }
@@ -69,6 +70,11 @@ pub(super) fn check_reflectance(rho: f64) -> Result<(), Fault> {
 /// Emission ≥ 0.
 pub(super) fn check_emission(exitance: f64) -> Result<(), Fault> {
     check(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
+}
+
+/// Flux ≥ 0.
+pub(super) fn check_flux(flux: f64) -> Result<(), Fault> {
+    check(flux, flux >= 0.0, "the flux", "flux ≥ 0")
 }
 
 fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {

@@ -4,11 +4,12 @@ use crate::scene::{
     Scene,
     error::{Fault, Located, SceneError, material_title},
     material::Material,
+    surface::SceneSurface,
 };
 
 impl Scene {
-    /// The same scene where the material `name` is `material`, with a number for each band. It no longer has the text it
-    /// was read from.
+    /// The same scene where the material `name` is `material`, with a number for each band. Surfaces of a given flux keep
+    /// it. It no longer has the text it was read from.
     ///
     /// # Errors
     /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range.
@@ -22,7 +23,7 @@ impl Scene {
             .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
         let mut painted = Self { source: None, ..self.clone() };
         let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
-        let count = own.map(|own| own.material = material.clone()).count();
+        let count = own.map(|own| paint(own, material)).count();
         if count > 0 { Ok(painted) } else { Err(Located::nowhere(self.unknown_material(name))) }
     }
 
@@ -33,4 +34,10 @@ impl Scene {
         known.dedup();
         Fault::UnknownMaterial { name: name.to_owned(), known }
     }
+}
+
+/// Gives a surface the material; one of a given flux goes on emitting that.
+fn paint(surface: &mut SceneSurface, material: &Material) {
+    let emission = if surface.flux.is_some() { &surface.material.emission } else { &material.emission };
+    surface.material = Material { reflectance: material.reflectance.clone(), emission: emission.clone() };
 }

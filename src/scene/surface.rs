@@ -22,6 +22,8 @@ pub struct SceneSurface {
     pub material_name: Option<String>,
     /// Its light group, if it has one: its own, or else that of its material.
     pub group: Option<LightGroup>,
+    /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.
+    pub flux: Option<Vec<f64>>,
     /// Order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
     pub order: Option<usize>,
     /// Elements along u and v, each at least 1, instead of the subdivision asked for.

@@ -27,8 +27,9 @@ pub(super) fn fitted_surfaces(
     drafts: impl IntoIterator<Item = Result<SurfaceDraft, Located>>,
     tolerance: Option<f64>,
 ) -> Result<Surfaces, Located> {
-    let mut drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
+    let drafts = drafts.into_iter().collect::<Result<Vec<_>, _>>()?;
     drafts.iter().try_for_each(SurfaceDraft::check_extents)?;
+    let mut drafts = drafts.into_iter().map(SurfaceDraft::lit).collect::<Result<Vec<_>, _>>()?;
     tolerance.map_or(Ok(()), check_tolerance)?;
     let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
     let fitted = fitted::fit(&mut drafts, middle, tolerance);

@@ -9,7 +9,7 @@ use crate::scene::{
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, plane_title, surface_title},
     file::{CameraFile, MaterialFile, PerBand, PlaneFile, SurfaceFile, default_name},
-    material::{Material, check_emission, check_reflectance},
+    material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     sensor_plane::SensorPlane,
     source::{At, Source},
@@ -27,9 +27,16 @@ pub(super) struct GroupedMaterial {
     group: Option<String>,
 }
 
-/// The names of the bands; r, g, b if none are given.
-pub(super) fn bands(names: Option<At<Vec<At<String>>>>, source: &Source) -> Result<Vec<String>, Located> {
-    let Some(names) = names else { return Ok(["r", "g", "b"].map(str::to_owned).to_vec()) };
+/// The names of the bands; if none are given, a single one where no list has a number per band, else r, g, b.
+pub(super) fn bands(
+    names: Option<At<Vec<At<String>>>>,
+    is_grey: bool,
+    source: &Source,
+) -> Result<Vec<String>, Located> {
+    let Some(names) = names else {
+        let usual: &[&str] = if is_grey { &["grey"] } else { &["r", "g", "b"] };
+        return Ok(usual.iter().map(|name| (*name).to_owned()).collect());
+    };
     let lines = names.value.iter().map(|name| Some(source.line(name.span.start)));
     check_bands(names.value.iter().map(|name| name.value.as_str()).zip(lines)).map_err(
         |(index, fault)| {
@@ -158,6 +165,7 @@ fn draft(
     let GroupedMaterial { material, group } = surface_material(file.material.as_ref(), materials, bands)?;
     Ok(SurfaceDraft {
         kind: file.shape.kind,
+        flux: flux(file.flux.as_ref(), bands)?,
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
         group: file.group.as_ref().map(|own| own.value.clone()).or(group),
@@ -172,8 +180,13 @@ fn draft(
             name: name_span.clone(),
             name_line: source.line(name_span.start),
             shape: file.shape.span.clone(),
+            flux: file.flux.as_ref().map(|flux| flux.span().clone()),
         }),
     })
+}
+
+fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Located> {
+    flux.map(|flux| spread(flux, bands, "the flux", check_flux)).transpose()
 }
 
 /// The shapes of one entry, each with the name of its surface.

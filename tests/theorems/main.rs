@@ -4,6 +4,7 @@ mod boxes;
 mod builder;
 mod convergence;
 mod documents;
+mod flux;
 mod fuzz;
 mod hierarchy;
 mod layering;
