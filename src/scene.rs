@@ -26,6 +26,8 @@ mod surface;
 mod draft;
 mod tree;
 mod fields;
+mod formula;
+mod variables;
 mod json_text;
 mod polygon_list;
 mod language;
@@ -40,7 +42,7 @@ mod builder;
 mod dimming;
 mod painting;
 
-use std::{io, path::Path};
+use std::{collections::BTreeSet, io, path::Path};
 
 use radiosity_geom::DVec3;
 
@@ -59,10 +61,11 @@ pub use surface::SceneSurface;
 pub use weld::Welded;
 
 use error::{Located, surface_title};
-use file::SceneFile;
+use file::{SceneFile, VARIABLES};
 use language::Language;
 use surfaces::Surfaces;
-use tree::{Node, Value};
+use tree::{Node, Value, entry};
+use variables::Variables;
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -85,6 +88,8 @@ pub struct Scene {
     pub surfaces: Vec<SceneSurface>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
+    /// Variables of the text with their values, in its order.
+    pub variables: Vec<(String, f64)>,
     /// Planes of sensors, in the coordinates that the scene was given in.
     pub planes: Vec<SensorPlane>,
     /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
@@ -106,10 +111,10 @@ impl Scene {
         Scene::load_with(source, &[])
     }
 
-    /// Loads a scene as [`Scene::load`] does, a built-in one with parameters set by name.
+    /// Loads a scene as [`Scene::load`] does, with parameters of a built-in one, or variables of any other, set by name.
     ///
     /// # Errors
-    /// As for [`Scene::load`] and [`Scene::builtin_with`]; settings for anything but a built-in scene.
+    /// As for [`Scene::load`] and [`Scene::builtin_with`]; [`Fault::NoVariables`], [`Fault::UnknownVariable`].
     pub fn load_with(source: &str, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
         Scene::parse(&Scene::text_of(source, settings)?)
     }
@@ -117,7 +122,7 @@ impl Scene {
     /// The text that [`Scene::load_with`] reads.
     ///
     /// # Errors
-    /// A file that cannot be read, an unknown name or setting; settings for anything but a built-in scene.
+    /// A file that cannot be read, an unknown name of a scene or a parameter.
     pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
         if let Some(scene) = builtin::named(source) {
             let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
@@ -128,10 +133,7 @@ impl Scene {
             path => (path, input::text(path)),
         };
         let text = text.map_err(|error| unreadable(source, origin, &error))?;
-        if let Some((name, _)) = settings.first() {
-            return Err(whole_file(origin, Fault::ParameterOfFile { name: (*name).to_owned() }));
-        }
-        Ok(Source::new(origin, &text))
+        Ok(Source::new(origin, &text).set(settings.iter().copied()))
     }
 
     /// Reads a scene in the language given by the ending of its origin, or else by its beginning; see [`Scene::load`].
@@ -140,6 +142,33 @@ impl Scene {
     /// The first fault in the text.
     pub fn parse(source: &Source) -> Result<Scene, SceneError> {
         read(source, Language::of(source))
+    }
+
+    /// Reads a scene as [`Scene::parse`] does, with settings of its variables and of its light groups by name; see
+    /// [`Scene::dimmed`].
+    ///
+    /// # Errors
+    /// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what [`Scene::dimmed`]
+    /// refuses.
+    pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
+        let tree = tree_of(source, Language::of(source)).map_err(|located| located.in_source(source))?;
+        let names: BTreeSet<&str> = variable_names(&tree).collect();
+        let (own, groups): (Vec<_>, Vec<_>) = settings.iter().partition(|(name, _)| names.contains(name));
+        let source = source.clone().set(own.iter().copied());
+        let scene = built(tree, &source).map_err(|located| located.in_source(&source))?;
+        let refused = |fault| Err(whole_file(&source.origin, fault));
+        let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
+        let has = |name: &str| known.iter().any(|known| known == name);
+        if let Some((name, _)) = own.iter().find(|(name, _)| has(name)) {
+            return refused(Fault::VariableAndGroup { name: (*name).to_owned() });
+        }
+        match groups.iter().find(|(name, _)| !has(name)) {
+            Some((name, _)) if !scene.variables.is_empty() => {
+                let variables = scene.variables.iter().map(|(name, _)| name.clone()).collect();
+                refused(Fault::UnknownSetting { name: (*name).to_owned(), variables, groups: known.into() })
+            }
+            _ => scene.dimmed(&groups),
+        }
     }
 
     /// Reads TOML; `origin` is its name in messages.
@@ -246,19 +275,48 @@ impl Scene {
 
 /// Text → tree → scene.
 fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
-    let tree = match language {
+    tree_of(source, language)
+        .and_then(|tree| built(tree, source))
+        .map_err(|located| located.in_source(source))
+}
+
+/// Text → tree.
+fn tree_of(source: &Source, language: Language) -> Result<Node, Located> {
+    match language {
         Language::Toml => toml_text::parse(&source.text),
         Language::Json => json_text::parse(&source.text).map(|tree| match &tree.value {
             Value::List(polygons) => polygon_list::from_list(polygons, &tree.span),
             _ => tree,
         }),
         Language::Csv => polygon_list::from_csv(&source.text),
+    }
+}
+
+/// The table of variables in a tree.
+fn variable_table(tree: &Node) -> Option<&Node> {
+    let Value::Table(entries) = &tree.value else { return None };
+    entry(entries, VARIABLES)
+}
+
+fn variable_names(tree: &Node) -> impl Iterator<Item = &str> {
+    let entries = match variable_table(tree).map(|node| &node.value) {
+        Some(Value::Table(entries)) => entries.as_slice(),
+        _ => &[],
     };
-    tree.and_then(|tree| assemble(&tree, source)).map_err(|located| located.in_source(source))
+    entries.iter().map(|(name, _)| name.value.as_str())
+}
+
+/// Tree → tree with formulas evaluated → scene.
+fn built(mut tree: Node, source: &Source) -> Result<Scene, Located> {
+    let mut variables = Variables::default();
+    variable_table(&tree).map_or(Ok(()), |node| variables.add(node, &source.settings))?;
+    let variables = variables.with(&source.settings)?;
+    variables.fill(&mut tree);
+    assemble(&tree, variables.list(), source)
 }
 
 /// Tree → as typed → valid.
-fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
+fn assemble(tree: &Node, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
     let file = SceneFile::read(tree)?;
     let is_grey = file.is_grey();
     let bands = validation::bands(file.bands, is_grey, source)?;
@@ -276,6 +334,7 @@ fn assemble(tree: &Node, source: &Source) -> Result<Scene, Located> {
         surfaces: list,
         bands,
         unit,
+        variables,
         planes,
         camera: camera.map(|camera| camera.about(middle)),
         origin: source.origin.to_string(),

@@ -1,6 +1,7 @@
 //! `radiosity check`: what is in a scene, and what looks wrong.
 
 use std::{
+    collections::BTreeMap,
     fmt::{self, Write as _},
     io::{Write as _, stdout},
 };
@@ -66,6 +67,11 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
     writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
     let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
+    if !scene.variables.is_empty() {
+        let variables: Vec<String> =
+            scene.variables.iter().map(|(name, value)| format!("{name} = {value}")).collect();
+        writeln!(text, "variables: {}\n", variables.join(", "))?;
+    }
     if !groups.is_empty() {
         writeln!(text, "light groups: {}\n", groups.join(", "))?;
     }
@@ -206,6 +212,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
     json!({
         "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
+        "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
         "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,

@@ -30,8 +30,8 @@ pub(crate) const SCENE_OR_SOLUTION: &str =
     "Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input";
 
 /// Help on `--set` of verbs that compute or read light.
-pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scene (`radiosity scenes` lists them), or multiplies the light of a group of any other \
-     scene or solution by a factor; as often as needed";
+pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, or multiplies the \
+     light of a group of a scene file or solution by a factor; as often as needed";
 
 /// The scene a verb works on.
 #[derive(Debug, Args)]
@@ -40,7 +40,7 @@ pub(crate) struct SceneArg {
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
-    /// Sets a parameter of a built-in scene, as often as needed; `radiosity scenes` lists them
+    /// Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, as often as needed
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
 
@@ -53,12 +53,17 @@ pub(crate) struct SceneArg {
 impl SceneArg {
     /// Loads the scene; refuses a solution.
     pub(crate) fn load(&self) -> Result<Scene, CliError> {
-        unsolved(&self.text_with(&self.settings)?)
+        Ok(Scene::parse(&unsolved(self.text_with(&self.settings)?)?)?)
+    }
+
+    /// The scene of a text that [`SceneArg::text`] gave, with its variables and light groups as they were set.
+    pub(crate) fn parse(&self, text: &Source) -> Result<Scene, CliError> {
+        Ok(Scene::parse_with(text, &self.later())?)
     }
 
     /// Loads the scene with its light groups at the factors that were set; refuses a solution.
     pub(crate) fn load_lit(&self) -> Result<Scene, CliError> {
-        Ok(unsolved(&self.text()?)?.dimmed(&self.factors())?)
+        self.parse(&unsolved(self.text()?)?)
     }
 
     /// The file of the scene, if it comes from one.
@@ -90,18 +95,18 @@ impl SceneArg {
         Ok(Scene::text_of(&self.scene, &borrowed(settings))?.within(self.tolerance_length))
     }
 
-    /// The factors of light groups that were set: the settings of a scene that is not built in.
-    pub(crate) fn factors(&self) -> Vec<(&str, f64)> {
+    /// The settings of variables and light groups, which a scene has that is not built in.
+    pub(crate) fn later(&self) -> Vec<(&str, f64)> {
         if self.is_builtin() { Vec::new() } else { borrowed(&self.settings) }
     }
 }
 
-/// The scene of a text; refuses a solution.
-fn unsolved(text: &Source) -> Result<Scene, CliError> {
-    if is_solution(&text.text) {
-        return Err(CliError::AlreadySolved { origin: text.origin.to_string() });
+/// The text of a scene; refuses a solution.
+fn unsolved(text: Source) -> Result<Source, CliError> {
+    match is_solution(&text.text) {
+        true => Err(CliError::AlreadySolved { origin: text.origin.to_string() }),
+        false => Ok(text),
     }
-    Ok(Scene::parse(text)?)
 }
 
 /// Settings as the library takes them.

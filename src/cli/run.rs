@@ -72,14 +72,14 @@ impl Loaded {
         let started = Instant::now();
         let text = source.text()?;
         if !is_solution(&text.text) {
-            let scene = Scene::parse(&text)?.dimmed(&source.factors())?;
+            let scene = source.parse(&text)?;
             return Self::new(source.path(), scene, None, started);
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
         if let Some(option) = fixed.first().or(tolerance.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        Self::saved(source.path(), relit(read(&text)?, &source.factors())?, started)
+        Self::saved(source.path(), relit(read(&text)?, &source.later())?, started)
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.

@@ -153,6 +153,7 @@ impl SceneBuilder {
             bands: self.bands,
             unit: self.unit,
             planes: self.planes,
+            variables: Vec::new(),
             camera: camera.map(|camera| camera.about(middle)),
             title: None,
             origin: self.name.clone(),

@@ -18,6 +18,27 @@ impl Fault {
                 choose(name, known.iter().copied(), "parameters of this scene")
             }
             Fault::UnknownKey { key, known } => choose(key, known.iter().copied(), "known keys"),
+            Fault::NoVariables { name } => format!(
+                "define it: [variables] with {name} = 2.5, and write \"={name}\" in place of a number; light groups are set \
+                 where light is computed"
+            ),
+            Fault::UnknownVariable { name, known } if known.is_empty() => {
+                format!("define it: [variables] with {name} = 2.5")
+            }
+            Fault::UnknownVariable { name, known } => {
+                choose(name, known.iter().map(String::as_str), "variables of this scene")
+            }
+            Fault::UnknownSetting { name, variables, groups } => {
+                let names = variables.iter().chain(groups.iter()).map(String::as_str);
+                let near =
+                    nearest(name, names).map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
+                let groups = if groups.is_empty() { "none".to_owned() } else { groups.join(", ") };
+                format!("{near}variables of this scene: {}; light groups: {groups}", variables.join(", "))
+            }
+            Fault::FixedVariable { name } => {
+                format!("give the scene itself with --set {name}=…, not a solution of it")
+            }
+            Fault::UnknownFunction { name, known } => choose(name, known.iter().copied(), "functions"),
             Fault::UnknownFace { name, known } => choose(name, known.iter().copied(), "faces of a box"),
             Fault::UnknownMaterial { name, known } if known.is_empty() => {
                 format!("define it: [materials.{name}] with reflectance = 0.5")
@@ -68,9 +89,14 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "check the path and its permissions; `radiosity scenes` lists scenes that need no file"
         }
         Fault::ParameterRange { .. } => "choose a value in that range",
-        Fault::ParameterOfFile { .. } => {
-            "change the number in the file; parameters belong to built-in scenes, see `radiosity scenes`"
+        Fault::VariableAndGroup { .. } => "rename one of them in the scene",
+        Fault::VariableCycle { .. } => "give one of them a number",
+        Fault::BadVariableName { .. } => "choose another name, such as width or lamp_2",
+        Fault::FormulaSyntax { .. } => {
+            "write it such as \"=2 * (width - 0.1)\": numbers, variables, + - * /, parentheses, pi, and \
+             sin, cos, tan (of degrees), sqrt, abs, min, max"
         }
+        Fault::NoValue { .. } => "change the formula, or the variables in it",
         Fault::Syntax { language: "JSON", .. } => {
             "JSON wants quotes around every key and a comma between items, none after the last"
         }

@@ -21,7 +21,8 @@ impl Scene {
     /// factors they had before. Groups that are not named keep theirs.
     ///
     /// # Errors
-    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a factor.
+    /// [`Fault::UnknownGroup`], [`Fault::GroupSetTwice`]; [`Fault::FixedVariable`] and [`Fault::VariableAndGroup`] for the name of
+    /// a variable; [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a factor.
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
         let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
         let mut dimmed = self.clone();
@@ -36,6 +37,10 @@ impl Scene {
         let groups = self.light_groups();
         let mut factors = BTreeMap::new();
         for (name, factor) in settings {
+            let is_variable = self.variables.iter().any(|(variable, _)| variable == name);
+            if is_variable {
+                return Err(Located::nowhere(self.of_variable(name)));
+            }
             if !groups.iter().any(|group| group.name == *name) {
                 let known = groups.iter().map(|group| group.name.clone()).collect();
                 return Err(Located::nowhere(Fault::UnknownGroup { name: (*name).to_owned(), known }));
@@ -46,6 +51,15 @@ impl Scene {
             }
         }
         Ok(factors)
+    }
+
+    /// Why a setting of a variable dims nothing.
+    fn of_variable(&self, name: &str) -> Fault {
+        let name = name.to_owned();
+        match self.light_groups().iter().any(|group| group.name == name) {
+            true => Fault::VariableAndGroup { name },
+            false => Fault::FixedVariable { name },
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! What can be wrong with a scene: the fault, where it stands, and how to cure it.
 
-use std::fmt;
+use std::{fmt, sync::Arc};
 
 use radiosity_geom::ShapeError;
 use thiserror::Error;
@@ -58,11 +58,75 @@ pub enum Fault {
         /// Largest value it takes.
         most: f64,
     },
-    /// A setting for a scene that is not built in.
-    #[error("a scene file has no parameters, yet {name:?} is set")]
-    ParameterOfFile {
+    /// A setting of a scene without variables.
+    #[error("the scene has no variables, yet {name:?} is set")]
+    NoVariables {
         /// What was typed.
         name: String,
+    },
+    /// A variable that is not defined.
+    #[error("there is no variable {name:?}")]
+    UnknownVariable {
+        /// What was typed.
+        name: String,
+        /// The variables of the scene, shared by all faults.
+        known: Arc<[String]>,
+    },
+    /// A setting of neither a variable nor a light group.
+    #[error("there is no variable or light group {name:?}")]
+    UnknownSetting {
+        /// What was typed.
+        name: String,
+        /// The variables of the scene.
+        variables: Arc<[String]>,
+        /// The light groups of the scene.
+        groups: Arc<[String]>,
+    },
+    /// A setting of a name that a variable and a light group have.
+    #[error("a variable and a light group are both called {name:?}")]
+    VariableAndGroup {
+        /// Their name.
+        name: String,
+    },
+    /// A setting of a variable where the scene was read before.
+    #[error("{name:?} is a variable, which is set when the scene is read")]
+    FixedVariable {
+        /// Its name.
+        name: String,
+    },
+    /// A variable whose formula needs its own value.
+    #[error("it needs its own value: {}", names.join(" → "))]
+    VariableCycle {
+        /// The variables of which each needs the next; the last is the first.
+        names: Vec<String>,
+    },
+    /// A name that no variable can have.
+    #[error("{name:?} {problem}")]
+    BadVariableName {
+        /// What was typed.
+        name: String,
+        /// What is wrong with it.
+        problem: &'static str,
+    },
+    /// A text that begins as a formula and is none.
+    #[error("the formula cannot be read: {problem}")]
+    FormulaSyntax {
+        /// What is wrong with it.
+        problem: String,
+    },
+    /// A function that formulas do not know.
+    #[error("there is no function {name:?}")]
+    UnknownFunction {
+        /// What was typed.
+        name: String,
+        /// Every function.
+        known: Vec<&'static str>,
+    },
+    /// A formula without a value.
+    #[error("the formula {problem}")]
+    NoValue {
+        /// What it does.
+        problem: &'static str,
     },
     /// The text is not TOML or JSON.
     #[error("syntax error: {message}")]
@@ -281,6 +345,11 @@ pub(super) fn group_title(name: &str) -> String {
 /// How messages call a plane of sensors.
 pub(super) fn plane_title(name: &str) -> String {
     format!("plane {name:?}")
+}
+
+/// How messages call a variable.
+pub(super) fn variable_title(name: &str) -> String {
+    format!("variable {name:?}")
 }
 
 /// How messages call a surface.

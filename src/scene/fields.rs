@@ -80,12 +80,14 @@ pub(super) fn list(node: &Node) -> Result<&[Node], Located> {
 
 /// A text that is not blank.
 pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
-    match &node.value {
-        Value::Text(text) => match check_text(text) {
-            Ok(()) => Ok(At::new(text.clone(), &node.span)),
-            Err(fault) => Err(Located::at(&node.span, fault)),
-        },
-        _ => Err(wrong(node, "a text in quotes")),
+    let text = match &node.value {
+        Value::Text(text) => text,
+        Value::Formula(formula) => &formula.text,
+        _ => return Err(wrong(node, "a text in quotes")),
+    };
+    match check_text(text) {
+        Ok(()) => Ok(At::new(text.clone(), &node.span)),
+        Err(fault) => Err(Located::at(&node.span, fault)),
     }
 }
 
@@ -97,9 +99,15 @@ pub(super) fn truth(node: &Node) -> Result<bool, Located> {
     }
 }
 
-/// A finite number of a size that can be computed with.
+/// A finite number, or a formula of one, of a size that can be computed with.
 pub(super) fn number(node: &Node) -> Result<At<f64>, Located> {
-    let Value::Number(value) = node.value else { return Err(wrong(node, "a number")) };
+    let value = match &node.value {
+        Value::Number(value) => *value,
+        Value::Formula(formula) => {
+            formula.outcome.clone().map_err(|fault| Located::at(&fault.span, fault.value))?
+        }
+        _ => return Err(wrong(node, "a number")),
+    };
     check_number(value).map_err(|fault| Located::at(&node.span, fault))?;
     Ok(At::new(value, &node.span))
 }

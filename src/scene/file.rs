@@ -91,6 +91,12 @@ impl PerBand {
     }
 }
 
+/// The key of the table of variables, which are evaluated before the rest is read.
+pub(super) const VARIABLES: &str = "variables";
+
+const SCENE_KEYS: [&str; 8] =
+    ["title", "bands", "unit", VARIABLES, "camera", "planes", "materials", "surfaces"];
+
 impl SceneFile {
     /// Whether every reflectance, emission and flux is a single number.
     pub(super) fn is_grey(&self) -> bool {
@@ -102,8 +108,7 @@ impl SceneFile {
 
     /// Reads the tree of a whole scene.
     pub(super) fn read(tree: &Node) -> Result<Self, Located> {
-        let fields =
-            Fields::new(tree, &["title", "bands", "unit", "camera", "planes", "materials", "surfaces"])?;
+        let fields = Fields::new(tree, &SCENE_KEYS)?;
         let surfaces =
             fields.optional("surfaces", |node| list(node).map(<[Node]>::to_vec))?.unwrap_or_default();
         Ok(SceneFile {

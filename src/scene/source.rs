@@ -1,6 +1,6 @@
 //! The text a scene is read from, and places in it.
 
-use std::{fmt, ops::Range, sync::Arc};
+use std::{collections::BTreeMap, fmt, ops::Range, sync::Arc};
 
 /// Longest line that is kept for messages, bytes. Chosen; not tuned.
 const LONGEST_LINE: usize = 4096;
@@ -39,6 +39,8 @@ pub struct Source {
     pub text: Arc<str>,
     /// Distance (scene length) within which corners and planes are made to agree, instead of that of the input.
     pub tolerance: Option<f64>,
+    /// Values of its variables, by name, instead of those that the text gives them.
+    pub settings: Arc<BTreeMap<String, f64>>,
     /// Starts of lines, ascending, since every surface looks up its place.
     line_starts: Arc<[usize]>,
     /// Characters before each [`STRIDE`] bytes of the text.
@@ -73,6 +75,7 @@ impl Source {
             origin: origin.into(),
             text: text.into(),
             tolerance: None,
+            settings: Arc::default(),
             line_starts: std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect(),
             characters: std::iter::once(0).chain(counts).collect(),
         }
@@ -82,6 +85,14 @@ impl Source {
     #[must_use]
     pub fn within(self, tolerance: Option<f64>) -> Self {
         Self { tolerance, ..self }
+    }
+
+    /// The same text, to be read with these variables set, the last setting of each.
+    #[must_use]
+    pub fn set<'a>(mut self, settings: impl IntoIterator<Item = (&'a str, f64)>) -> Self {
+        let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), value));
+        Arc::make_mut(&mut self.settings).extend(settings);
+        self
     }
 
     /// The line on which `index` stands, counted from 1.

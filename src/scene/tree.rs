@@ -1,6 +1,6 @@
 //! A scene's text as a tree of values, each with the bytes it stands on: what TOML and JSON have in common.
 
-use crate::scene::source::At;
+use crate::scene::{error::Fault, source::At};
 
 /// A value and where it stands.
 pub(super) type Node = At<Value>;
@@ -10,6 +10,8 @@ pub(super) type Node = At<Value>;
 pub(super) enum Value {
     /// A string.
     Text(String),
+    /// A string that begins with `=`, evaluated: a number where one is read, else a text.
+    Formula(Box<Formula>),
     /// Any number; integers are exact up to 2⁵³.
     Number(f64),
     /// `true` or `false`.
@@ -22,11 +24,20 @@ pub(super) enum Value {
     Other(&'static str),
 }
 
+/// A formula and what comes out, or the fault and where that stands.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Formula {
+    /// The whole string.
+    pub text: String,
+    /// Its value.
+    pub outcome: Result<f64, At<Fault>>,
+}
+
 impl Value {
     /// The kind of value, for messages.
     pub(super) fn kind(&self) -> &'static str {
         match self {
-            Value::Text(_) => "a text",
+            Value::Text(_) | Value::Formula(_) => "a text",
             Value::Number(_) => "a number",
             Value::Truth(_) => "true or false",
             Value::List(_) => "a list",

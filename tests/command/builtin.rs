@@ -56,7 +56,7 @@ fn settings_are_refused_with_a_reason() {
     assert!(matches!(fault("furnace-cube", &[("reflectance", 1.0)]), Fault::ParameterRange { .. }));
     assert!(matches!(fault("furnace-cube", &[("reflectance", f64::NAN)]), Fault::ParameterRange { .. }));
     assert!(matches!(fault("temple", &[("bays", 4.5)]), Fault::NotWhole { .. }));
-    assert!(matches!(fault("Cargo.toml", &[("bays", 4.0)]), Fault::ParameterOfFile { .. }));
+    assert!(matches!(fault("examples/office.toml", &[("bays", 4.0)]), Fault::NoVariables { .. }));
     assert!(matches!(fault("temples", &[("bays", 4.0)]), Fault::UnknownScene { .. }));
 }
 

@@ -213,5 +213,9 @@ fn scenes_without_groups_say_how_to_have_some() {
     let parts = ["there is no parameter \"lamps\"", "parameters of this scene"];
     refused(here, &["grid", "furnace-cube", "--set", "lamps=0.5"], &parts);
     fs::write(here.join("room.toml"), room(1.0, 1.0)).unwrap();
-    refused(here, &["check", "room.toml", "--set", "lamps=0.5"], &["a scene file has no parameters"]);
+    refused(
+        here,
+        &["check", "room.toml", "--set", "lamps=0.5"],
+        &["the scene has no variables, yet \"lamps\" is set", "help: define it: [variables]"],
+    );
 }

@@ -10,4 +10,5 @@ mod hierarchy;
 mod layering;
 mod scene_format;
 mod shapes;
+mod variables;
 mod whole;

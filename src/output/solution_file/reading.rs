@@ -174,8 +174,9 @@ impl<'a> Masks<'a> {
 impl SavedScene {
     fn read(&self) -> Result<Scene, SolutionFault> {
         let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
-        let scene = Scene::parse(&Source::new(&self.origin, text).within(self.tolerance))
-            .map_err(|error| SolutionFault::Scene(Box::new(error)))?;
+        let settings = self.settings.iter().map(|(name, value)| (name.as_str(), *value));
+        let source = Source::new(&self.origin, text).within(self.tolerance).set(settings);
+        let scene = Scene::parse(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name != self.name {
             return Err(SolutionFault::Whole(Mismatch("the scene's name")));
         }

@@ -60,6 +60,9 @@ pub(super) struct SavedScene {
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
+    /// Values of variables in the text that were set, by name.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub(super) settings: BTreeMap<String, f64>,
     /// Factors on the emission in the text, by light groups; those that are not dimmed are left out.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(super) factors: BTreeMap<String, f64>,
@@ -91,6 +94,7 @@ impl SolutionFile {
                 origin: scene.origin.clone(),
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
+                settings: scene.source.as_ref().map(|source| (*source.settings).clone()).unwrap_or_default(),
                 factors: factors(scene),
                 middle: scene.middle.to_array(),
             },

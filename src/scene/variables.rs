@@ -1,0 +1,179 @@
+//! Variables of a scene file, and the formulas that stand in place of its numbers.
+
+use std::{
+    cell::RefCell,
+    collections::{BTreeMap, BTreeSet},
+    sync::Arc,
+};
+
+use crate::scene::{
+    error::{Fault, Located, variable_title},
+    fields::{number, table},
+    formula::{self, is_name, is_reserved},
+    ranges::check_number,
+    source::{At, Span},
+    tree::{Formula, Node, Value},
+};
+
+/// The mark that a formula begins with.
+const MARK: char = '=';
+
+/// Variables by name.
+#[derive(Debug, Default)]
+pub(super) struct Variables {
+    values: BTreeMap<String, f64>,
+    /// Their names in the order of the text.
+    names: Arc<[String]>,
+}
+
+impl Variables {
+    /// Reads a table of variables, which may use each other in any order; a setting takes the place of what the text says.
+    pub(super) fn add(&mut self, node: &Node, settings: &BTreeMap<String, f64>) -> Result<(), Located> {
+        let entries = table(node)?;
+        entries.iter().try_for_each(|(name, _)| check_name(name))?;
+        let names = entries.iter().map(|(name, _)| name.value.clone());
+        self.names = self.names.iter().cloned().chain(names).collect();
+        let typed = entries.iter().map(|(name, node)| (name.value.as_str(), node)).collect();
+        let definitions = Definitions { typed, settings };
+        entries.iter().try_for_each(|(name, _)| self.find(&name.value, &definitions))
+    }
+
+    /// Finds the value of a variable, and before it of those that it needs.
+    fn find(&mut self, name: &str, definitions: &Definitions<'_>) -> Result<(), Located> {
+        let mut open = vec![name.to_owned()];
+        let mut seen = BTreeSet::from([name.to_owned()]);
+        while let Some(name) = open.last() {
+            if self.values.contains_key(name) {
+                open.pop();
+                continue;
+            }
+            let step = self.step(name, definitions);
+            match step.map_err(|error| error.within(|| variable_title(name)))? {
+                Step::Known(value) => {
+                    self.values.insert(name.clone(), value);
+                }
+                Step::Needs(other, place) => {
+                    let is_new = seen.insert(other.clone());
+                    open.push(other);
+                    if !is_new {
+                        return Err(cycle(&open, &place));
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// The value of a variable, or the first variable that it needs and that is not known yet.
+    fn step(&self, name: &str, definitions: &Definitions<'_>) -> Result<Step, Located> {
+        if let Some(value) = definitions.settings.get(name) {
+            return check_number(*value).map(|()| Step::Known(*value)).map_err(Located::nowhere);
+        }
+        let Some(node) = definitions.typed.get(name) else {
+            return Err(Located::nowhere(self.unknown(name)));
+        };
+        let needed = RefCell::new(None);
+        let value = number(&evaluated(node, &|other| {
+            if definitions.typed.contains_key(other) && !self.values.contains_key(other) {
+                needed.replace(Some(other.to_owned()));
+            }
+            self.value(other)
+        }));
+        match (needed.into_inner(), value) {
+            (Some(other), _) => Ok(Step::Needs(other, node.span.clone())),
+            (None, value) => value.map(|number| Step::Known(number.value)),
+        }
+    }
+
+    /// These variables, if all `settings` are of one of them.
+    pub(super) fn with(self, settings: &BTreeMap<String, f64>) -> Result<Self, Located> {
+        let Some(name) = settings.keys().find(|name| !self.values.contains_key(*name)) else {
+            return Ok(self);
+        };
+        let (name, known) = (name.clone(), self.names);
+        Err(Located::nowhere(match known.is_empty() {
+            true => Fault::NoVariables { name },
+            false => Fault::UnknownVariable { name, known },
+        }))
+    }
+
+    /// Names and values in the order of the text.
+    pub(super) fn list(&self) -> Vec<(String, f64)> {
+        let value = |name: &String| Some((name.clone(), *self.values.get(name)?));
+        self.names.iter().filter_map(value).collect()
+    }
+
+    /// Evaluates every text in `node` that begins with `=`. What comes out counts only where a number is read.
+    pub(super) fn fill(&self, node: &mut Node) {
+        match &mut node.value {
+            Value::List(items) => items.iter_mut().for_each(|item| self.fill(item)),
+            Value::Table(entries) => entries.iter_mut().for_each(|(_, item)| self.fill(item)),
+            Value::Text(text) if text.starts_with(MARK) => {
+                *node = evaluated(node, &|name| self.value(name));
+            }
+            _ => {}
+        }
+    }
+
+    fn value(&self, name: &str) -> Result<f64, Fault> {
+        self.values.get(name).copied().ok_or_else(|| self.unknown(name))
+    }
+
+    fn unknown(&self, name: &str) -> Fault {
+        Fault::UnknownVariable { name: name.to_owned(), known: Arc::clone(&self.names) }
+    }
+}
+
+/// What variables are made from.
+struct Definitions<'a> {
+    typed: BTreeMap<&'a str, &'a Node>,
+    settings: &'a BTreeMap<String, f64>,
+}
+
+/// What came of the attempt to find a value.
+enum Step {
+    Known(f64),
+    /// Another variable comes first; the formula that needs it stands there.
+    Needs(String, Span),
+}
+
+/// The fault of a path of variables that ends with one of those before.
+fn cycle(path: &[String], place: &Span) -> Located {
+    let start = path.iter().position(|name| Some(name) == path.last()).unwrap_or_default();
+    let fault = Fault::VariableCycle { names: path[start..].to_vec() };
+    Located::at(place, fault).within(|| variable_title(&path[start]))
+}
+
+fn check_name(name: &At<String>) -> Result<(), Located> {
+    let problem = if is_reserved(&name.value) {
+        "means something else in formulas"
+    } else if !is_name(&name.value) {
+        "is not a word of letters, digits and _"
+    } else {
+        return Ok(());
+    };
+    Err(Located::at(&name.span, Fault::BadVariableName { name: name.value.clone(), problem }))
+}
+
+/// The node with the value of its formula, if it is one; `variable` finds the value of a name.
+fn evaluated(node: &Node, variable: &dyn Fn(&str) -> Result<f64, Fault>) -> Node {
+    let Some((text, formula)) = formula_of(node) else { return node.clone() };
+    let outcome = formula::value(formula, variable);
+    let outcome = outcome.map_err(|fault| At::new(fault.value, &place(&node.span, text, &fault.span)));
+    At::new(Value::Formula(Box::new(Formula { text: text.to_owned(), outcome })), &node.span)
+}
+
+/// The text of a node and the formula in it.
+fn formula_of(node: &Node) -> Option<(&str, &str)> {
+    let Value::Text(text) = &node.value else { return None };
+    Some((text, text.strip_prefix(MARK)?))
+}
+
+/// Where a piece of a formula stands: within the quotes of its text, if that is typed without escapes.
+fn place(node: &Span, text: &str, piece: &Span) -> Span {
+    let start = node.start + '"'.len_utf8() + MARK.len_utf8();
+    match node.len() == text.len() + 2 {
+        true => start + piece.start..start + piece.end,
+        false => node.clone(),
+    }
+}
