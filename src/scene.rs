@@ -33,6 +33,7 @@ mod polygon_list;
 mod language;
 mod shape;
 mod file;
+mod instances;
 mod toml_text;
 mod weld;
 mod fitted;
@@ -323,8 +324,8 @@ fn assemble(tree: &Node, variables: Vec<(String, f64)>, source: &Source) -> Resu
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
-    let Surfaces { list, middle, fitted } =
-        validation::surfaces(file.surfaces, &materials, bands.len(), source)?;
+    let surfaces = instances::placed(&file.content, &file.parts, source)?;
+    let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
         name: stem(&source.origin),

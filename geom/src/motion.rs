@@ -42,6 +42,16 @@ impl Motion {
         Ok(Motion { translation: translate, rotation, scale })
     }
 
+    /// This motion and then `next`.
+    #[must_use]
+    pub fn then(&self, next: &Motion) -> Motion {
+        Motion {
+            translation: next.point(self.translation),
+            rotation: next.rotation * self.rotation,
+            scale: next.scale * self.scale,
+        }
+    }
+
     /// The factor by which lengths grow.
     pub fn scale(&self) -> f64 {
         self.scale
@@ -85,6 +95,17 @@ mod tests {
         assert!((motion.vector(x).length() - 2.5 * x.length()).abs() < 1e-14);
         let quarter = Motion::new(DVec3::X, 3.0 * DVec3::Z, std::f64::consts::FRAC_PI_2, 2.0).unwrap();
         assert!(quarter.point(DVec3::X).distance(DVec3::new(1.0, 2.0, 0.0)) < 1e-15);
+    }
+
+    #[test]
+    fn one_motion_after_another_is_a_motion() {
+        let first = Motion::new(DVec3::new(1.0, 2.0, 3.0), DVec3::new(1.0, 1.0, 0.0), 0.7, 2.5).unwrap();
+        let next = Motion::new(DVec3::new(-4.0, 0.5, 1.0), DVec3::new(0.0, 1.0, 3.0), -1.3, 0.4).unwrap();
+        let (both, x) = (first.then(&next), DVec3::new(0.3, -4.0, 2.0));
+        assert!(both.point(x).distance(next.point(first.point(x))) < 1e-14);
+        assert!(both.vector(x).distance(next.vector(first.vector(x))) < 1e-14);
+        assert_eq!(first.then(&Motion::IDENTITY), first);
+        assert_eq!(Motion::IDENTITY.then(&first), first);
     }
 
     #[test]

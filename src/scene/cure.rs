@@ -40,6 +40,12 @@ impl Fault {
             }
             Fault::UnknownFunction { name, known } => choose(name, known.iter().copied(), "functions"),
             Fault::UnknownFace { name, known } => choose(name, known.iter().copied(), "faces of a box"),
+            Fault::UnknownPart { name, known } if known.is_empty() => {
+                format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]")
+            }
+            Fault::UnknownPart { name, known } => {
+                choose(name, known.iter().map(String::as_str), "parts of this scene")
+            }
             Fault::UnknownMaterial { name, known } if known.is_empty() => {
                 format!("define it: [materials.{name}] with reflectance = 0.5")
             }
@@ -90,6 +96,9 @@ fn plain_cure(fault: &Fault) -> &'static str {
         }
         Fault::ParameterRange { .. } => "choose a value in that range",
         Fault::VariableAndGroup { .. } => "rename one of them in the scene",
+        Fault::PartCycle { .. } => "take one of these instances out",
+        Fault::TooDeep { .. } => "make fewer levels",
+        Fault::TooManySurfaces { .. } => "make fewer copies",
         Fault::VariableCycle { .. } => "give one of them a number",
         Fault::BadVariableName { .. } => "choose another name, such as width or lamp_2",
         Fault::FormulaSyntax { .. } => {
@@ -156,6 +165,9 @@ fn example(key: &str) -> &'static str {
         | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
+        "part" => ", the name of one of [parts.…]",
+        "count" => ", a number, or up to three in brackets",
+        "step" => ", a vector, or one for each number of count",
         "spacing" => ", a length, or one along each edge",
         "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",

@@ -240,6 +240,34 @@ pub enum Fault {
         /// The material.
         material: String,
     },
+    /// A part that is not defined.
+    #[error("unknown part {name:?}")]
+    UnknownPart {
+        /// What was typed.
+        name: String,
+        /// The parts of the scene.
+        known: Vec<String>,
+    },
+    /// A part that contains itself.
+    #[error("the part contains itself: {}", names.join(" → "))]
+    PartCycle {
+        /// The parts of which each contains the next; the last is the first.
+        names: Vec<String>,
+    },
+    /// Things within things, too many levels.
+    #[error("{what} are nested more than {most} deep")]
+    TooDeep {
+        /// What is nested, e.g. `parts`.
+        what: &'static str,
+        /// Most levels.
+        most: usize,
+    },
+    /// More surfaces than can be computed with.
+    #[error("the instances make more than {most} surfaces")]
+    TooManySurfaces {
+        /// Most surfaces.
+        most: usize,
+    },
     /// A surface that was asked for and is not there.
     #[error("unknown surface {name:?}")]
     UnknownSurface {
@@ -350,6 +378,16 @@ pub(super) fn plane_title(name: &str) -> String {
 /// How messages call a variable.
 pub(super) fn variable_title(name: &str) -> String {
     format!("variable {name:?}")
+}
+
+/// How messages call a part.
+pub(super) fn part_title(name: &str) -> String {
+    format!("part {name:?}")
+}
+
+/// How messages call the instance of that number in its list, counted from 1.
+pub(super) fn instance_title(number: usize) -> String {
+    format!("instance {number}")
 }
 
 /// How messages call a surface.

@@ -141,6 +141,14 @@ pub(super) fn whole(node: &Node) -> Result<At<u32>, Located> {
     Ok(At::new(number.value as u32, &node.span))
 }
 
+/// A whole number that passes `check`.
+pub(super) fn counted(node: &Node, check: fn(usize) -> Result<(), Fault>) -> Result<usize, Located> {
+    let count = whole(node)?;
+    let value = count.value as usize;
+    check(value).map_err(|fault| Located::at(&count.span, fault))?;
+    Ok(value)
+}
+
 /// Exactly `N` items, each read by `read`; `what` and `unit` name the list and its items in messages.
 pub(super) fn exactly<const N: usize, T: Clone>(
     node: &Node,

@@ -11,6 +11,9 @@ pub const MAX_PARTS: usize = 256;
 /// Largest width and height of a picture. Chosen; not tuned.
 const MAX_PIXELS: usize = 16384;
 
+/// Most copies along one step of an array. Chosen; not tuned.
+const MAX_COPIES: usize = 1_000_000;
+
 /// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
 const LARGEST: f64 = 1e30;
 
@@ -33,6 +36,11 @@ pub(super) fn check_order(order: usize) -> Result<(), Fault> {
 /// Elements along one parameter.
 pub(super) fn check_parts(parts: usize) -> Result<(), Fault> {
     counted(parts, 1, MAX_PARTS, "the number of elements", "1 ≤ subdivide ≤ 256")
+}
+
+/// Copies along one step of an array.
+pub(super) fn check_copies(copies: usize) -> Result<(), Fault> {
+    counted(copies, 1, MAX_COPIES, "the number of copies", "1 ≤ count ≤ 1000000")
 }
 
 /// Width or height of a picture.

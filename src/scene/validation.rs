@@ -8,7 +8,8 @@ use crate::scene::{
     camera::Camera,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, plane_title, surface_title},
-    file::{CameraFile, MaterialFile, PerBand, PlaneFile, SurfaceFile, default_name},
+    file::{CameraFile, MaterialFile, PerBand, PlaneFile},
+    instances::PlacedSurface,
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     sensor_plane::SensorPlane,
@@ -140,27 +141,26 @@ pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
 
 /// Every surface with its name, shape and material, no two in one another.
 pub(super) fn surfaces(
-    files: Vec<SurfaceFile>,
+    files: &[PlacedSurface<'_>],
     materials: &Materials,
     bands: usize,
     source: &Source,
 ) -> Result<Surfaces, Located> {
-    let drafts = files.iter().enumerate().map(|(index, file)| {
-        let name = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
-        let title = surface_title(&name);
-        draft(file, name, materials, bands, source).map_err(|error| error.within(|| title))
+    let drafts = files.iter().map(|placed| {
+        let error = |error: Located| error.within(|| surface_title(&placed.name));
+        draft(placed, materials, bands, source).map_err(error)
     });
     fitted_surfaces(drafts, source.tolerance)
 }
 
 /// One entry, with its material and shapes.
 fn draft(
-    file: &SurfaceFile,
-    name: String,
+    placed: &PlacedSurface<'_>,
     materials: &Materials,
     bands: usize,
     source: &Source,
 ) -> Result<SurfaceDraft, Located> {
+    let PlacedSurface { file, name, .. } = placed;
     let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
     let GroupedMaterial { material, group } = surface_material(file.material.as_ref(), materials, bands)?;
     Ok(SurfaceDraft {
@@ -169,8 +169,8 @@ fn draft(
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
         group: file.group.as_ref().map(|own| own.value.clone()).or(group),
-        shapes: shapes(file, &name)?,
-        name,
+        shapes: shapes(placed)?,
+        name: name.clone(),
         order: file.order,
         subdivide: file.subdivide,
         two_sided: file.two_sided,
@@ -190,8 +190,8 @@ fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Locate
 }
 
 /// The shapes of one entry, each with the name of its surface.
-fn shapes(file: &SurfaceFile, name: &str) -> Result<Vec<NamedShape>, Located> {
-    let shapes = file.shape.surfaces(&file.motion).map_err(|error| {
+fn shapes(PlacedSurface { file, name, motion }: &PlacedSurface<'_>) -> Result<Vec<NamedShape>, Located> {
+    let shapes = file.shape.surfaces(motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))
     })?;

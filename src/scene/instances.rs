@@ -1,0 +1,172 @@
+//! Instances of parts → surfaces, each with a name and a place of its own.
+//!
+//! The surface `seat` of the instance `chair` is `chair.seat`; in an array it is `chair[1,0].seat`.
+
+use std::collections::BTreeMap;
+
+use radiosity_geom::{DVec3, Motion};
+
+use crate::scene::{
+    error::{Fault, Located},
+    file::{ContentFile, InstanceFile, PartFile, SurfaceFile, default_name},
+    names::UniqueNames,
+    source::Source,
+};
+
+/// Parts within parts. Chosen; not tuned.
+const DEEPEST: usize = 32;
+
+/// Most entries of surfaces, and most copies of parts: each takes about a kilobyte. Chosen; not tuned.
+const MOST: usize = 1_000_000;
+
+/// An entry of a file where it is put.
+#[derive(Debug)]
+pub(super) struct PlacedSurface<'a> {
+    pub file: &'a SurfaceFile,
+    pub name: String,
+    pub motion: Motion,
+}
+
+/// The surfaces of the scene, then those of its instances.
+pub(super) fn placed<'a>(
+    content: &'a ContentFile,
+    parts: &'a [PartFile],
+    source: &Source,
+) -> Result<Vec<PlacedSurface<'a>>, Located> {
+    let contents = parts.iter().map(|part| &part.content).chain([content]);
+    contents.into_iter().try_for_each(|content| check_names(&content.instances, source))?;
+    let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part)).collect();
+    check_sizes(content, &parts)?;
+    let mut surfaces = Vec::new();
+    place(content, "", &Motion::IDENTITY, &parts, &mut surfaces)?;
+    Ok(surfaces)
+}
+
+/// Parts by name.
+type Parts<'a> = BTreeMap<&'a str, &'a PartFile>;
+
+/// Refuses two instances of one name in one list.
+fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Located> {
+    let mut names = UniqueNames::default();
+    instances.iter().try_for_each(|InstanceFile { name, .. }| {
+        let added = names.add(&name.value, Some(source.line(name.span.start)));
+        added.map_err(|fault| Located::at(&name.span, fault))
+    })
+}
+
+/// Adds all surfaces of `content` to `list`, moved, with `prefix` before their names.
+fn place<'a>(
+    content: &'a ContentFile,
+    prefix: &str,
+    motion: &Motion,
+    parts: &Parts<'a>,
+    list: &mut Vec<PlacedSurface<'a>>,
+) -> Result<(), Located> {
+    for (index, file) in content.surfaces.iter().enumerate() {
+        let own = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
+        list.push(PlacedSurface { file, name: format!("{prefix}{own}"), motion: file.motion.then(motion) });
+    }
+    for instance in &content.instances {
+        let part = part_of(instance, parts)?;
+        for (index, offset) in copies(instance)? {
+            let own = instance.motion.then(&offset).then(motion);
+            let prefix = format!("{prefix}{}{index}.", instance.name.value);
+            place(&part.content, &prefix, &own, parts, list)?;
+        }
+    }
+    Ok(())
+}
+
+fn part_of<'a>(instance: &InstanceFile, parts: &Parts<'a>) -> Result<&'a PartFile, Located> {
+    parts.get(instance.part.value.as_str()).copied().ok_or_else(|| {
+        let (name, known) =
+            (instance.part.value.clone(), parts.keys().map(|name| (*name).to_owned()).collect());
+        Located::at(&instance.part.span, Fault::UnknownPart { name, known })
+    })
+}
+
+/// The indices of all copies of an instance, as they stand behind its name, and how far each is moved.
+fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
+    let Some(array) = &instance.array else { return Ok(vec![(String::new(), Motion::IDENTITY)]) };
+    let mut copies = vec![(Vec::new(), DVec3::ZERO)];
+    for (count, step) in &array.rows {
+        let along = |(indices, offset): &(Vec<String>, DVec3)| {
+            let next = |k: usize| ([&indices[..], &[k.to_string()]].concat(), *offset + k as f64 * *step);
+            (0..*count).map(next).collect::<Vec<_>>()
+        };
+        copies = copies.iter().flat_map(along).collect();
+    }
+    let moved = |(indices, offset): (Vec<String>, DVec3)| {
+        let motion = Motion::new(offset, DVec3::ZERO, 0.0, 1.0);
+        let motion = motion.map_err(|error| Located::at(&array.span, Fault::Shape(error)))?;
+        Ok((format!("[{}]", indices.join(",")), motion))
+    };
+    copies.into_iter().map(moved).collect()
+}
+
+/// How much a part makes.
+#[derive(Clone, Copy)]
+struct Size {
+    /// Entries of surfaces and copies of parts.
+    count: usize,
+    /// Parts within it.
+    depth: usize,
+}
+
+/// Refuses parts that contain themselves, are nested too deep, or make too many surfaces.
+fn check_sizes(content: &ContentFile, parts: &Parts<'_>) -> Result<(), Located> {
+    let mut known = BTreeMap::new();
+    for part in parts.values() {
+        size(part, parts, &mut known, &mut Vec::new())?;
+    }
+    size_of(content, parts, &mut known, &mut Vec::new()).map(|_| ())
+}
+
+fn size<'a>(
+    part: &'a PartFile,
+    parts: &Parts<'a>,
+    known: &mut BTreeMap<&'a str, Size>,
+    path: &mut Vec<&'a str>,
+) -> Result<Size, Located> {
+    let name = part.name.value.as_str();
+    if let Some(size) = known.get(name) {
+        return Ok(*size);
+    }
+    path.push(name);
+    let size = size_of(&part.content, parts, known, path)?;
+    path.pop();
+    known.insert(name, size);
+    Ok(size)
+}
+
+fn size_of<'a>(
+    content: &ContentFile,
+    parts: &Parts<'a>,
+    known: &mut BTreeMap<&'a str, Size>,
+    path: &mut Vec<&'a str>,
+) -> Result<Size, Located> {
+    let mut all = Size { count: content.surfaces.len(), depth: 0 };
+    for instance in &content.instances {
+        let refused = |fault| Err(Located::at(&instance.part.span, fault));
+        let part = part_of(instance, parts)?;
+        if let Some(start) = path.iter().position(|name| *name == part.name.value) {
+            let names = path[start..].iter().chain([&path[start]]);
+            return refused(Fault::PartCycle { names: names.map(|name| (*name).to_owned()).collect() });
+        }
+        if path.len() >= DEEPEST {
+            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+        }
+        let own = size(part, parts, known, path)?;
+        all.depth = all.depth.max(own.depth + 1);
+        if path.len() + all.depth > DEEPEST {
+            return refused(Fault::TooDeep { what: "parts", most: DEEPEST });
+        }
+        let rows = instance.array.iter().flat_map(|array| &array.rows);
+        let copies = rows.fold(1, |copies: usize, (count, _)| copies.saturating_mul(*count));
+        all.count = all.count.saturating_add(copies.saturating_mul(own.count.saturating_add(1)));
+        if all.count > MOST {
+            return refused(Fault::TooManySurfaces { most: MOST });
+        }
+    }
+    Ok(all)
+}
