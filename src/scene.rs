@@ -31,10 +31,12 @@ mod variables;
 mod json_text;
 mod polygon_list;
 mod language;
+mod toml_text;
+mod include;
 mod shape;
 mod file;
+mod merging;
 mod instances;
-mod toml_text;
 mod weld;
 mod fitted;
 mod surfaces;
@@ -57,13 +59,15 @@ pub use light_group::LightGroup;
 pub use material::Material;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use sensor_plane::SensorPlane;
-pub use source::{Place, Source};
+pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;
 pub use weld::Welded;
 
 use error::{Located, surface_title};
 use file::{SceneFile, VARIABLES};
+use include::FileTree;
 use language::Language;
+use merging::merged;
 use surfaces::Surfaces;
 use tree::{Node, Value, entry};
 use variables::Variables;
@@ -120,7 +124,7 @@ impl Scene {
         Scene::parse(&Scene::text_of(source, settings)?)
     }
 
-    /// The text that [`Scene::load_with`] reads.
+    /// The text that [`Scene::load_with`] reads; files that it includes are read with the scene.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name of a scene or a parameter.
@@ -134,7 +138,7 @@ impl Scene {
             path => (path, input::text(path)),
         };
         let text = text.map_err(|error| unreadable(source, origin, &error))?;
-        Ok(Source::new(origin, &text).set(settings.iter().copied()))
+        Ok(Source::new(origin, &text).with_files().set(settings.iter().copied()))
     }
 
     /// Reads a scene in the language given by the ending of its origin, or else by its beginning; see [`Scene::load`].
@@ -152,11 +156,14 @@ impl Scene {
     /// The first fault in the text; [`Fault::UnknownSetting`], [`Fault::VariableAndGroup`] and what [`Scene::dimmed`]
     /// refuses.
     pub fn parse_with(source: &Source, settings: &[(&str, f64)]) -> Result<Scene, SceneError> {
-        let tree = tree_of(source, Language::of(source)).map_err(|located| located.in_source(source))?;
-        let names: BTreeSet<&str> = variable_names(&tree).collect();
+        let mut source = source.clone();
+        let language = Language::of(&source);
+        let files = include::trees(&mut source, language);
+        let files = files.map_err(|located| located.in_source(&source))?;
+        let names: BTreeSet<&str> = variable_names(&files).collect();
         let (own, groups): (Vec<_>, Vec<_>) = settings.iter().partition(|(name, _)| names.contains(name));
-        let source = source.clone().set(own.iter().copied());
-        let scene = built(tree, &source).map_err(|located| located.in_source(&source))?;
+        let source = source.set(own.iter().copied());
+        let scene = built(files, &source).map_err(|located| located.in_source(&source))?;
         let refused = |fault| Err(whole_file(&source.origin, fault));
         let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
         let has = |name: &str| known.iter().any(|known| known == name);
@@ -274,51 +281,41 @@ impl Scene {
     }
 }
 
-/// Text → tree → scene.
+/// Text → trees → scene.
 fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
-    tree_of(source, language)
-        .and_then(|tree| built(tree, source))
-        .map_err(|located| located.in_source(source))
+    let mut source = source.clone();
+    let trees = include::trees(&mut source, language);
+    trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))
 }
 
-/// Text → tree.
-fn tree_of(source: &Source, language: Language) -> Result<Node, Located> {
-    match language {
-        Language::Toml => toml_text::parse(&source.text),
-        Language::Json => json_text::parse(&source.text).map(|tree| match &tree.value {
-            Value::List(polygons) => polygon_list::from_list(polygons, &tree.span),
-            _ => tree,
-        }),
-        Language::Csv => polygon_list::from_csv(&source.text),
-    }
+/// The tables of variables in all files.
+fn variable_tables(files: &[FileTree]) -> impl Iterator<Item = &Node> {
+    files.iter().filter_map(|file| match &file.tree.value {
+        Value::Table(entries) => entry(entries, VARIABLES),
+        _ => None,
+    })
 }
 
-/// The table of variables in a tree.
-fn variable_table(tree: &Node) -> Option<&Node> {
-    let Value::Table(entries) = &tree.value else { return None };
-    entry(entries, VARIABLES)
+/// The names in these tables, as far as they are right.
+fn variable_names(files: &[FileTree]) -> impl Iterator<Item = &str> {
+    let entries = variable_tables(files).filter_map(|node| match &node.value {
+        Value::Table(entries) => Some(entries),
+        _ => None,
+    });
+    entries.flatten().map(|(name, _)| name.value.as_str())
 }
 
-fn variable_names(tree: &Node) -> impl Iterator<Item = &str> {
-    let entries = match variable_table(tree).map(|node| &node.value) {
-        Some(Value::Table(entries)) => entries.as_slice(),
-        _ => &[],
-    };
-    entries.iter().map(|(name, _)| name.value.as_str())
+/// Trees → trees with formulas evaluated → as typed → valid.
+fn built(mut files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
+    let variables = Variables::read(variable_tables(&files), source)?;
+    files.iter_mut().for_each(|file| variables.fill(&mut file.tree));
+    let files = files.iter().map(|file| SceneFile::read(&file.tree, &file.prefix));
+    let file = merged(files.collect::<Result<_, _>>()?, source)?;
+    assemble(file, variables.list(), source)
 }
 
-/// Tree → tree with formulas evaluated → scene.
-fn built(mut tree: Node, source: &Source) -> Result<Scene, Located> {
-    let mut variables = Variables::default();
-    variable_table(&tree).map_or(Ok(()), |node| variables.add(node, &source.settings))?;
-    let variables = variables.with(&source.settings)?;
-    variables.fill(&mut tree);
-    assemble(&tree, variables.list(), source)
-}
-
-/// Tree → as typed → valid.
-fn assemble(tree: &Node, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
-    let file = SceneFile::read(tree)?;
+/// As typed → valid.
+fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> Result<Scene, Located> {
     let is_grey = file.is_grey();
     let bands = validation::bands(file.bands, is_grey, source)?;
     let unit = validation::unit(file.unit)?;

@@ -74,10 +74,10 @@ impl Fault {
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
-            Fault::DuplicateName { first_line: Some(line), .. } => {
-                format!("rename this one or the first, which stands on line {line}")
+            Fault::DuplicateName { first: Some(line), .. } => {
+                format!("rename this one or the first, which stands on {line}")
             }
-            Fault::DuplicateName { first_line: None, .. } => "rename one of the two".to_owned(),
+            Fault::DuplicateName { first: None, .. } => "rename one of the two".to_owned(),
             Fault::Coincident { other } => format!(
                 "remove one of the two, move them apart by a millionth of their size or more, or cut a hole into {other:?} where this one \
                  lies; \
@@ -99,6 +99,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::PartCycle { .. } => "take one of these instances out",
         Fault::TooDeep { .. } => "make fewer levels",
         Fault::TooManySurfaces { .. } => "make fewer copies",
+        Fault::UnreadableInclude { .. } => "check the path, which starts from the folder of this file",
+        Fault::NoIncludes { .. } => "read the scene from its file, such as `radiosity check room.toml`",
+        Fault::IncludeCycle { .. } => "take one of these includes out",
+        Fault::OtherThan { .. } => "state it in one of the files only, or alike in all",
         Fault::VariableCycle { .. } => "give one of them a number",
         Fault::BadVariableName { .. } => "choose another name, such as width or lamp_2",
         Fault::FormulaSyntax { .. } => {

@@ -13,7 +13,7 @@ use crate::scene::{
     material::{Material, check_count, check_flux},
     names::check_text,
     ranges::{check_number, check_order, check_parts},
-    source::{Place, Span},
+    source::{Line, Place, Span},
     surface::SceneSurface,
 };
 
@@ -42,7 +42,7 @@ pub(super) type NamedShape = (String, Arc<dyn Surface>);
 pub(super) struct Typed {
     pub place: Place,
     pub name: Span,
-    pub name_line: usize,
+    pub name_line: Line,
     pub shape: Span,
     pub flux: Option<Span>,
 }

@@ -5,7 +5,7 @@ use std::{fmt, sync::Arc};
 use radiosity_geom::ShapeError;
 use thiserror::Error;
 
-use crate::scene::source::{Place, Source, Span};
+use crate::scene::source::{Line, Place, Source, Span};
 
 /// A scene that cannot be used, with the place in its text where there is one.
 ///
@@ -303,8 +303,8 @@ pub enum Fault {
     DuplicateName {
         /// The name.
         name: String,
-        /// Line of the first use; none in a scene built in code.
-        first_line: Option<usize>,
+        /// Where the first one stands; nothing in a scene built in code.
+        first: Option<Line>,
     },
     /// A list of polygons where light is asked for.
     #[error("a list of polygons carries no materials")]
@@ -319,6 +319,32 @@ pub enum Fault {
         index: u32,
         /// How many points there are.
         count: usize,
+    },
+    /// An included file that cannot be read.
+    #[error("{file:?} cannot be read: {reason}")]
+    UnreadableInclude {
+        /// Its path, as it was opened.
+        file: String,
+        /// What the system said.
+        reason: String,
+    },
+    /// An included file where no files are read.
+    #[error("{file:?} cannot be included: the text is not that of a file")]
+    NoIncludes {
+        /// Its path.
+        file: String,
+    },
+    /// A file that includes itself.
+    #[error("the file includes itself: {}", files.join(" → "))]
+    IncludeCycle {
+        /// The files of which each includes the next; the last is the first.
+        files: Vec<String>,
+    },
+    /// Two files that state something differently.
+    #[error("the {what} of this file are not those of the other files")]
+    OtherThan {
+        /// What is stated.
+        what: &'static str,
     },
     /// A camera that looks nowhere.
     #[error("{problem}")]
@@ -424,6 +450,11 @@ impl Located {
     pub(super) fn within(mut self, owner: impl FnOnce() -> String) -> Self {
         self.owner = self.owner.or_else(|| Some(owner()));
         self
+    }
+
+    /// The same fault, `base` bytes further on.
+    pub(super) fn shifted(self, base: usize) -> Self {
+        Located { span: self.span.map(|span| span.start + base..span.end + base), ..self }
     }
 
     /// Looks the place up in the text.

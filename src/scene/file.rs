@@ -9,6 +9,7 @@ use radiosity_geom::DVec3;
 use crate::scene::{
     error::{Located, material_title, plane_title},
     fields::{Fields, counted, exactly, list, number, point, real, table, text},
+    include::INCLUDE,
     names::check_text,
     ranges::{check_fov, check_pixels},
     source::{At, Span},
@@ -19,10 +20,10 @@ use per_band::per_band;
 
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
-pub(super) use surface::{SurfaceFile, default_name};
+pub(super) use surface::SurfaceFile;
 
 /// A scene file.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(super) struct SceneFile {
     pub title: Option<String>,
     pub bands: Option<At<Vec<At<String>>>>,
@@ -49,7 +50,7 @@ pub(super) struct CameraFile {
 /// `[planes.NAME]`.
 #[derive(Debug)]
 pub(super) struct PlaneFile {
-    pub name: String,
+    pub name: At<String>,
     pub origin: DVec3,
     pub edges: At<[DVec3; 2]>,
     pub spacing: At<[f64; 2]>,
@@ -67,8 +68,19 @@ pub(super) struct MaterialFile {
 /// The key of the table of variables, which are evaluated before the rest is read.
 pub(super) const VARIABLES: &str = "variables";
 
-const SCENE_KEYS: [&str; 10] =
-    ["title", "bands", "unit", VARIABLES, "camera", "planes", "materials", "parts", "surfaces", "instances"];
+const SCENE_KEYS: [&str; 11] = [
+    INCLUDE,
+    "title",
+    "bands",
+    "unit",
+    VARIABLES,
+    "camera",
+    "planes",
+    "materials",
+    "parts",
+    "surfaces",
+    "instances",
+];
 
 impl SceneFile {
     /// Whether every reflectance, emission and flux is a single number.
@@ -80,8 +92,8 @@ impl SceneFile {
         per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
     }
 
-    /// Reads the tree of a whole scene.
-    pub(super) fn read(tree: &Node) -> Result<Self, Located> {
+    /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given none.
+    pub(super) fn read(tree: &Node, prefix: &str) -> Result<Self, Located> {
         let fields = Fields::new(tree, &SCENE_KEYS)?;
         Ok(SceneFile {
             title: fields.optional("title", text)?.map(|title| title.value),
@@ -92,7 +104,7 @@ impl SceneFile {
             planes: fields.optional("planes", read_planes)?.unwrap_or_default(),
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             parts: fields.optional("parts", read_parts)?.unwrap_or_default(),
-            content: read_content(&fields)?,
+            content: read_content(&fields, prefix)?,
         })
     }
 }
@@ -126,15 +138,15 @@ fn pixels(node: &Node) -> Result<u32, Located> {
 fn read_planes(node: &Node) -> Result<Vec<PlaneFile>, Located> {
     let read = |(name, node): &(At<String>, Node)| {
         check_text(&name.value).map_err(|fault| Located::at(&name.span, fault))?;
-        read_plane(&name.value, node).map_err(|error| error.within(|| plane_title(&name.value)))
+        read_plane(name, node).map_err(|error| error.within(|| plane_title(&name.value)))
     };
     table(node)?.iter().map(read).collect()
 }
 
-fn read_plane(name: &str, node: &Node) -> Result<PlaneFile, Located> {
+fn read_plane(name: &At<String>, node: &Node) -> Result<PlaneFile, Located> {
     let fields = Fields::new(node, &["origin", "edges", "spacing"])?;
     Ok(PlaneFile {
-        name: name.to_owned(),
+        name: name.clone(),
         origin: fields.require("origin", point)?,
         edges: fields
             .require("edges", |node| Ok(At::new(exactly(node, "edges", "vectors", point)?, &node.span)))?,

@@ -26,6 +26,17 @@ pub fn text(source: &str) -> io::Result<String> {
     String::from_utf8(bytes(source)?).map_err(no_text)
 }
 
+/// The text of a file, whatever it is called.
+///
+/// # Errors
+/// As [`text`].
+pub(super) fn file(path: &str) -> io::Result<String> {
+    match path {
+        "-" => text("./-"),
+        path => text(path),
+    }
+}
+
 fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {
     let mut bytes = Vec::new();
     input.take(most + 1).read_to_end(&mut bytes)?;

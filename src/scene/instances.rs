@@ -8,7 +8,7 @@ use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
     error::{Fault, Located},
-    file::{ContentFile, InstanceFile, PartFile, SurfaceFile, default_name},
+    file::{ContentFile, InstanceFile, PartFile, SurfaceFile},
     names::UniqueNames,
     source::Source,
 };
@@ -62,9 +62,9 @@ fn place<'a>(
     parts: &Parts<'a>,
     list: &mut Vec<PlacedSurface<'a>>,
 ) -> Result<(), Located> {
-    for (index, file) in content.surfaces.iter().enumerate() {
-        let own = file.name.as_ref().map_or_else(|| default_name(index), |name| name.value.clone());
-        list.push(PlacedSurface { file, name: format!("{prefix}{own}"), motion: file.motion.then(motion) });
+    for file in &content.surfaces {
+        let name = format!("{prefix}{}", file.name.value);
+        list.push(PlacedSurface { file, name, motion: file.motion.then(motion) });
     }
     for instance in &content.instances {
         let part = part_of(instance, parts)?;

@@ -14,17 +14,22 @@ pub(super) enum Language {
 }
 
 impl Language {
-    /// The language of `source`; upper and lower case of its ending are the same.
+    /// The language of `source`.
     pub(super) fn of(source: &Source) -> Self {
-        let ending = Path::new(&*source.origin).extension().unwrap_or_default().to_string_lossy();
+        Self::of_text(&source.origin, &source.text)
+    }
+
+    /// The language of the text `text` called `origin`; upper and lower case of its ending are the same.
+    pub(super) fn of_text(origin: &str, text: &str) -> Self {
+        let ending = Path::new(origin).extension().unwrap_or_default().to_string_lossy();
         match ending.to_ascii_lowercase().as_str() {
             "json" => Language::Json,
             "csv" => Language::Csv,
             // No TOML starts like that.
-            _ if source.text.trim_start().starts_with('{') => Language::Json,
+            _ if text.trim_start().starts_with('{') => Language::Json,
             "toml" => Language::Toml,
-            _ if starts_with_points(&source.text) => Language::Json,
-            _ if polygon_list::starts_csv(&source.text) => Language::Csv,
+            _ if starts_with_points(text) => Language::Json,
+            _ if polygon_list::starts_csv(text) => Language::Csv,
             _ => Language::Toml,
         }
     }

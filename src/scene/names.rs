@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, source::Line};
 
 /// Refuses a name without a letter.
 pub(super) fn check_text(text: &str) -> Result<(), Fault> {
@@ -11,15 +11,15 @@ pub(super) fn check_text(text: &str) -> Result<(), Fault> {
 
 /// Names seen so far, each with its line where it stands in a file.
 #[derive(Default)]
-pub(super) struct UniqueNames(BTreeMap<String, Option<usize>>);
+pub(super) struct UniqueNames(BTreeMap<String, Option<Line>>);
 
 impl UniqueNames {
     /// Takes in a name that no other has.
-    pub(super) fn add(&mut self, name: &str, line: Option<usize>) -> Result<(), Fault> {
+    pub(super) fn add(&mut self, name: &str, line: Option<Line>) -> Result<(), Fault> {
         check_text(name)?;
         match self.0.insert(name.to_owned(), line) {
             None => Ok(()),
-            Some(first_line) => Err(Fault::DuplicateName { name: name.to_owned(), first_line }),
+            Some(first) => Err(Fault::DuplicateName { name: name.to_owned(), first }),
         }
     }
 }

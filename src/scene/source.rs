@@ -41,7 +41,27 @@ pub struct Source {
     pub tolerance: Option<f64>,
     /// Values of its variables, by name, instead of those that the text gives them.
     pub settings: Arc<BTreeMap<String, f64>>,
-    /// Starts of lines, ascending, since every surface looks up its place.
+    /// The texts that it includes, or may include.
+    included: Arc<Vec<Included>>,
+    /// Whether files that it includes may be read.
+    reads_files: bool,
+    index: LineIndex,
+}
+
+/// A text that another includes. In places of the whole its bytes come behind those of the texts before it.
+#[derive(Clone, Debug, PartialEq)]
+struct Included {
+    origin: Arc<str>,
+    text: Arc<str>,
+    /// Its first byte in places of the whole.
+    base: usize,
+    index: LineIndex,
+}
+
+/// Where the lines and characters of a text are, since every surface looks up its place.
+#[derive(Clone, Debug, PartialEq)]
+struct LineIndex {
+    /// Starts of lines, ascending.
     line_starts: Arc<[usize]>,
     /// Characters before each [`STRIDE`] bytes of the text.
     characters: Arc<[usize]>,
@@ -62,22 +82,27 @@ pub struct Place {
     pub width: usize,
 }
 
+/// A line of a text, and which text where that is an included one. Displays as `line 9` or `line 9 of lamps.toml`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Line {
+    /// Counted from 1.
+    pub number: usize,
+    /// Name of the included text; none for that which includes.
+    pub file: Option<Arc<str>>,
+}
+
 impl Source {
     /// The text `text`, called `origin` in messages.
     pub fn new(origin: &str, text: &str) -> Self {
-        let text = text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text);
-        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
-        let counts = text.as_bytes().chunks(STRIDE).map(characters).scan(0, |before, count| {
-            *before += count;
-            Some(*before)
-        });
+        let text = without_mark(text);
         Source {
             origin: origin.into(),
             text: text.into(),
             tolerance: None,
             settings: Arc::default(),
-            line_starts: std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect(),
-            characters: std::iter::once(0).chain(counts).collect(),
+            included: Arc::default(),
+            reads_files: false,
+            index: LineIndex::of(text),
         }
     }
 
@@ -95,34 +120,122 @@ impl Source {
         self
     }
 
-    /// The line on which `index` stands, counted from 1.
-    pub(super) fn line(&self, index: usize) -> usize {
-        self.line_starts.partition_point(|start| *start <= index.min(self.text.len()))
+    /// The same text with another, called `origin`, that it may include: by the path `origin` itself, or one that leads
+    /// there from the including text.
+    #[must_use]
+    pub fn including(mut self, origin: &str, text: &str) -> Self {
+        self.include(origin, text);
+        self
     }
 
-    /// How many characters start before `index`.
-    fn characters_before(&self, index: usize) -> usize {
-        let counted = index / STRIDE;
-        self.characters[counted] + characters(&self.text.as_bytes()[counted * STRIDE..index])
+    /// The texts that it includes, or may include: the name and the text of each.
+    pub fn included(&self) -> impl Iterator<Item = (&str, &str)> {
+        self.included.iter().map(|own| (&*own.origin, &*own.text))
+    }
+
+    /// The same text, which may include files.
+    pub(super) fn with_files(self) -> Self {
+        Self { reads_files: true, ..self }
+    }
+
+    /// Whether files that it includes may be read.
+    pub(super) fn reads_files(&self) -> bool {
+        self.reads_files
+    }
+
+    /// Adds a text that it includes. Returns its first byte in places of the whole.
+    pub(super) fn include(&mut self, origin: &str, text: &str) -> usize {
+        let last = self.included.last().map_or(self.text.len(), |last| last.base + last.text.len());
+        let (text, base) = (without_mark(text), last + 1);
+        let index = LineIndex::of(text);
+        let included = Included { origin: origin.into(), text: text.into(), base, index };
+        Arc::make_mut(&mut self.included).push(included);
+        base
+    }
+
+    /// The included text of that name, with its first byte in places of the whole.
+    pub(super) fn included_text(&self, origin: &str) -> Option<(Arc<str>, usize)> {
+        let own = self.included.iter().find(|own| *own.origin == *origin)?;
+        Some((Arc::clone(&own.text), own.base))
+    }
+
+    /// The included text in which `index` stands; none for the text itself.
+    fn included_at(&self, index: usize) -> Option<&Included> {
+        let count = self.included.partition_point(|own| own.base <= index);
+        self.included[..count].last()
+    }
+
+    /// The line on which `index` stands.
+    pub(super) fn line(&self, index: usize) -> Line {
+        match self.included_at(index) {
+            Some(own) => {
+                let number = own.index.line(index - own.base, own.text.len());
+                Line { number, file: Some(Arc::clone(&own.origin)) }
+            }
+            None => Line { number: self.index.line(index, self.text.len()), file: None },
+        }
     }
 
     /// The place where `span` starts. A span over several lines is cut at the end of its first.
     pub(super) fn place(&self, span: &Span) -> Place {
-        let start = floor_boundary(&self.text, span.start);
-        let line = self.line(start);
-        let line_start = self.line_starts[line - 1];
-        let line_end = self.line_starts.get(line).map_or(self.text.len(), |next| next - 1);
-        let end = floor_boundary(&self.text, span.end).clamp(start, line_end);
-        // Every surface keeps its place: a long line must not be copied into all of them.
-        let text =
-            &self.text[line_start..if line_end - line_start > LONGEST_LINE { line_start } else { line_end }];
-        Place {
-            origin: self.origin.clone(),
-            line,
-            column: self.characters_before(start) - self.characters_before(line_start) + 1,
-            text: text.trim_end_matches('\r').replace('\t', " "),
-            width: self.text[start..end].trim_end().chars().count().max(1),
+        match self.included_at(span.start) {
+            Some(own) => {
+                let span = span.start - own.base..span.end.saturating_sub(own.base);
+                own.index.place(&own.origin, &own.text, &span)
+            }
+            None => self.index.place(&self.origin, &self.text, span),
         }
+    }
+}
+
+impl LineIndex {
+    fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        let counts = text.as_bytes().chunks(STRIDE).map(characters).scan(0, |before, count| {
+            *before += count;
+            Some(*before)
+        });
+        LineIndex {
+            line_starts: std::iter::once(0).chain(ends.map(|(end, _)| end + 1)).collect(),
+            characters: std::iter::once(0).chain(counts).collect(),
+        }
+    }
+
+    /// The line on which `index` stands in a text of that length, counted from 1.
+    fn line(&self, index: usize, length: usize) -> usize {
+        self.line_starts.partition_point(|start| *start <= index.min(length))
+    }
+
+    /// How many characters of `text` start before `index`.
+    fn characters_before(&self, text: &str, index: usize) -> usize {
+        let counted = index / STRIDE;
+        self.characters[counted] + characters(&text.as_bytes()[counted * STRIDE..index])
+    }
+
+    /// The place where `span` starts in `text`.
+    fn place(&self, origin: &Arc<str>, text: &str, span: &Span) -> Place {
+        let start = floor_boundary(text, span.start);
+        let line = self.line(start, text.len());
+        let line_start = self.line_starts[line - 1];
+        let line_end = self.line_starts.get(line).map_or(text.len(), |next| next - 1);
+        let end = floor_boundary(text, span.end).clamp(start, line_end);
+        // Every surface keeps its place: a long line must not be copied into all of them.
+        let shown =
+            &text[line_start..if line_end - line_start > LONGEST_LINE { line_start } else { line_end }];
+        Place {
+            origin: Arc::clone(origin),
+            line,
+            column: self.characters_before(text, start) - self.characters_before(text, line_start) + 1,
+            text: shown.trim_end_matches('\r').replace('\t', " "),
+            width: text[start..end].trim_end().chars().count().max(1),
+        }
+    }
+}
+
+impl fmt::Display for Line {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}", self.number)?;
+        self.file.as_ref().map_or(Ok(()), |file| write!(f, " of {file}"))
     }
 }
 
@@ -130,6 +243,10 @@ impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}:{}", self.origin, self.line, self.column)
     }
+}
+
+fn without_mark(text: &str) -> &str {
+    text.strip_prefix(BYTE_ORDER_MARK).unwrap_or(text)
 }
 
 /// How many characters start in these bytes of a text: bytes 10xxxxxx go on with one.

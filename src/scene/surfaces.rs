@@ -50,7 +50,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
         let typed = draft.typed.as_ref();
         let shapes: Vec<Vec<SceneSurface>> = draft.shapes.iter().map(|shape| draft.sides(shape)).collect();
         for side in shapes.iter().flatten() {
-            let name = names.add(&side.name, typed.map(|typed| typed.name_line));
+            let name = names.add(&side.name, typed.map(|typed| typed.name_line.clone()));
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         }
         for sides in shapes {

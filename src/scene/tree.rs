@@ -1,6 +1,9 @@
 //! A scene's text as a tree of values, each with the bytes it stands on: what TOML and JSON have in common.
 
-use crate::scene::{error::Fault, source::At};
+use crate::scene::{
+    error::Fault,
+    source::{At, Span},
+};
 
 /// A value and where it stands.
 pub(super) type Node = At<Value>;
@@ -43,6 +46,27 @@ impl Value {
             Value::List(_) => "a list",
             Value::Table(_) => "a table",
             Value::Other(kind) => kind,
+        }
+    }
+}
+
+impl Node {
+    /// Moves it and all in it by `base` bytes: a piece of a text that stands there in the whole.
+    pub(super) fn shift(&mut self, base: usize) {
+        let moved = |span: &mut Span| *span = span.start + base..span.end + base;
+        moved(&mut self.span);
+        match &mut self.value {
+            Value::List(items) => items.iter_mut().for_each(|item| item.shift(base)),
+            Value::Table(entries) => entries.iter_mut().for_each(|(key, item)| {
+                moved(&mut key.span);
+                item.shift(base);
+            }),
+            Value::Formula(formula) => {
+                if let Err(fault) = &mut formula.outcome {
+                    moved(&mut fault.span);
+                }
+            }
+            Value::Text(_) | Value::Number(_) | Value::Truth(_) | Value::Other(_) => {}
         }
     }
 }

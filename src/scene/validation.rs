@@ -13,7 +13,7 @@ use crate::scene::{
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     sensor_plane::SensorPlane,
-    source::{At, Source},
+    source::{At, Line, Source},
     surfaces::{Surfaces, fitted_surfaces},
     unit::{self, check_unit},
 };
@@ -50,7 +50,7 @@ pub(super) fn bands(
 
 /// Checks the names of bands, each given with its line in a file; an error has the index of the name.
 pub(super) fn check_bands<'a>(
-    names: impl IntoIterator<Item = (&'a str, Option<usize>)>,
+    names: impl IntoIterator<Item = (&'a str, Option<Line>)>,
 ) -> Result<(), (usize, Fault)> {
     let mut unique = UniqueNames::default();
     let mut count = 0;
@@ -77,8 +77,8 @@ pub(super) fn unit(text: Option<At<String>>) -> Result<String, Located> {
 /// A plane of sensors.
 pub(super) fn plane(file: PlaneFile) -> Result<SensorPlane, Located> {
     let PlaneFile { name, origin, edges, spacing } = file;
-    let title = plane_title(&name);
-    SensorPlane::new(name, origin, edges.value, spacing.value).map_err(|fault| {
+    let title = plane_title(&name.value);
+    SensorPlane::new(name.value, origin, edges.value, spacing.value).map_err(|fault| {
         let span = if matches!(fault, Fault::BadPlane { .. }) { &edges.span } else { &spacing.span };
         Located::at(span, fault).within(|| title)
     })
@@ -161,7 +161,7 @@ fn draft(
     source: &Source,
 ) -> Result<SurfaceDraft, Located> {
     let PlacedSurface { file, name, .. } = placed;
-    let name_span = file.name.as_ref().map_or(&file.span, |name| &name.span);
+    let name_span = &file.name.span;
     let GroupedMaterial { material, group } = surface_material(file.material.as_ref(), materials, bands)?;
     Ok(SurfaceDraft {
         kind: file.shape.kind,

@@ -10,8 +10,9 @@ use crate::scene::{
     error::{Fault, Located, variable_title},
     fields::{number, table},
     formula::{self, is_name, is_reserved},
+    names::UniqueNames,
     ranges::check_number,
-    source::{At, Span},
+    source::{At, Source, Span},
     tree::{Formula, Node, Value},
 };
 
@@ -19,7 +20,7 @@ use crate::scene::{
 const MARK: char = '=';
 
 /// Variables by name.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Variables {
     values: BTreeMap<String, f64>,
     /// Their names in the order of the text.
@@ -27,15 +28,25 @@ pub(super) struct Variables {
 }
 
 impl Variables {
-    /// Reads a table of variables, which may use each other in any order; a setting takes the place of what the text says.
-    pub(super) fn add(&mut self, node: &Node, settings: &BTreeMap<String, f64>) -> Result<(), Located> {
-        let entries = table(node)?;
-        entries.iter().try_for_each(|(name, _)| check_name(name))?;
-        let names = entries.iter().map(|(name, _)| name.value.clone());
-        self.names = self.names.iter().cloned().chain(names).collect();
+    /// Reads tables of variables, which may use each other in any order; the settings of the source take the place of what
+    /// the text says.
+    pub(super) fn read<'a>(tables: impl Iterator<Item = &'a Node>, source: &Source) -> Result<Self, Located> {
+        let mut entries = Vec::new();
+        for node in tables {
+            entries.extend(table(node)?);
+        }
+        let mut unique = UniqueNames::default();
+        for (name, _) in &entries {
+            check_name(name)?;
+            let added = unique.add(&name.value, Some(source.line(name.span.start)));
+            added.map_err(|fault| Located::at(&name.span, fault))?;
+        }
+        let names = entries.iter().map(|(name, _)| name.value.clone()).collect();
+        let mut variables = Self { values: BTreeMap::new(), names };
         let typed = entries.iter().map(|(name, node)| (name.value.as_str(), node)).collect();
-        let definitions = Definitions { typed, settings };
-        entries.iter().try_for_each(|(name, _)| self.find(&name.value, &definitions))
+        let definitions = Definitions { typed, settings: &source.settings };
+        entries.iter().try_for_each(|(name, _)| variables.find(&name.value, &definitions))?;
+        variables.with(&source.settings)
     }
 
     /// Finds the value of a variable, and before it of those that it needs.
@@ -86,7 +97,7 @@ impl Variables {
     }
 
     /// These variables, if all `settings` are of one of them.
-    pub(super) fn with(self, settings: &BTreeMap<String, f64>) -> Result<Self, Located> {
+    fn with(self, settings: &BTreeMap<String, f64>) -> Result<Self, Located> {
         let Some(name) = settings.keys().find(|name| !self.values.contains_key(*name)) else {
             return Ok(self);
         };

@@ -36,7 +36,7 @@ fn fault(owner: Option<&str>, change: impl FnOnce(&mut SceneBuilder, &NamedMater
 
 #[test]
 fn names_are_given_once_and_say_something() {
-    let twice = |name: &str| Fault::DuplicateName { name: name.to_owned(), first_line: None };
+    let twice = |name: &str| Fault::DuplicateName { name: name.to_owned(), first: None };
     let found = fault(Some("surface \"floor\""), |room, white| {
         room.surface("floor", square(1.0), white);
     });

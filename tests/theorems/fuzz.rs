@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use proptest::test_runner::{Config, TestRunner};
 use radiosity::elements::{Discretization, Elements};
 use radiosity::inspection::Inspection;
-use radiosity::scene::Scene;
+use radiosity::scene::{Scene, Source};
 
 const BUILT_IN: [&str; 5] = ["cornell-box", "empty-box", "furnace-cube", "occluder-box", "hinge-squares"];
 
@@ -174,6 +174,11 @@ fn is_small(scene: &Scene) -> bool {
 /// Reads, cuts and inspects a text; whether it was read.
 fn survives(text: &str, is_json: bool) -> bool {
     let scene = if is_json { Scene::from_json(text, "x.json") } else { Scene::from_toml(text, "x.toml") };
+    if text.len().is_multiple_of(8) {
+        let whole = Source::new("room.toml", "title = \"room\"\ninclude = \"x\"").including("x", text);
+        let included = Scene::parse(&whole);
+        assert!(included.is_ok() || scene.is_err(), "what is right alone is right included");
+    }
     match scene {
         Ok(scene) => {
             let order = if text.len().is_multiple_of(2) { 0 } else { 2 };

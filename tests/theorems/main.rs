@@ -7,6 +7,7 @@ mod documents;
 mod flux;
 mod fuzz;
 mod hierarchy;
+mod includes;
 mod instances;
 mod layering;
 mod scene_format;

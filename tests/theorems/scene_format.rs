@@ -88,6 +88,26 @@ fn scenes_of_the_document_are_read() {
     assert!(missing.is_empty(), "no example of {missing:?}");
 }
 
+/// The blocks that are files of one scene, each with its name.
+fn files(text: &str) -> Vec<(&str, &str)> {
+    let fenced = text.split("```").skip(1).step_by(2);
+    fenced.filter_map(|block| block.strip_prefix("toml ")?.split_once('\n')).collect()
+}
+
+#[test]
+fn the_scene_of_several_files_is_read() {
+    let text = document();
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files(&text) {
+        fs::write(folder.path().join(name), text).unwrap();
+    }
+    let room = folder.path().join("room.toml");
+    let scene = Scene::load(&room.to_string_lossy()).unwrap_or_else(|error| panic!("{error}"));
+    scene.require_light().unwrap();
+    assert_eq!(scene.surfaces.len(), 8);
+    assert!(scene.surface_named("lamp[1].globe").is_ok());
+}
+
 #[test]
 fn scenes_in_toml_have_light() {
     let text = document();

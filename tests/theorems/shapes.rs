@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI};
 
-use radiosity::scene::{Fault, Scene, SceneError, SceneSurface};
+use radiosity::scene::{Fault, Line, Scene, SceneError, SceneSurface};
 use radiosity_geom::DVec3;
 
 /// A shape as typed, and what it must be.
@@ -247,7 +247,10 @@ fn numbered_names_are_unique_too() {
     let text =
         format!("{}\n[[surfaces]]\nname = \"pot-1\"\n{}", toml("name = \"pot\"", PATCHES), flat()[0].shape);
     let error = Scene::from_toml(&text, "case").unwrap_err();
-    assert_eq!(error.fault, Fault::DuplicateName { name: "pot-1".to_owned(), first_line: Some(2) });
+    assert_eq!(
+        error.fault,
+        Fault::DuplicateName { name: "pot-1".to_owned(), first: Some(Line { number: 2, file: None }) }
+    );
 }
 
 /// The error of a surface whose shape is wrong, and the text its place underlines.

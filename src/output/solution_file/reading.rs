@@ -176,6 +176,8 @@ impl SavedScene {
         let text = self.text.as_ref().ok_or(SolutionFault::NoScene)?;
         let settings = self.settings.iter().map(|(name, value)| (name.as_str(), *value));
         let source = Source::new(&self.origin, text).within(self.tolerance).set(settings);
+        let source =
+            self.included.iter().fold(source, |source, own| source.including(&own.origin, &own.text));
         let scene = Scene::parse(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name != self.name {
             return Err(SolutionFault::Whole(Mismatch("the scene's name")));

@@ -10,7 +10,7 @@ use super::group::SavedGroup;
 use super::version::{FORMAT, VERSION};
 use crate::elements::Discretization;
 use crate::elements::mesh::Mesh;
-use crate::scene::Scene;
+use crate::scene::{Scene, Source};
 use crate::solve::Options;
 use crate::solved::Solved;
 
@@ -57,6 +57,9 @@ pub(super) struct SavedScene {
     pub(super) origin: String,
     /// TOML or JSON; null for a scene built in code, which cannot be read back.
     pub(super) text: Option<String>,
+    /// The texts that it includes.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) included: Vec<SavedText>,
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
@@ -69,6 +72,20 @@ pub(super) struct SavedScene {
     /// Vector subtracted from the coordinates of a scene far from the origin: frames refer to this point.
     #[serde(default, skip_serializing_if = "is_origin")]
     middle: [f64; 3],
+}
+
+/// A text that the scene includes.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SavedText {
+    /// The name shown in messages, by which it is included.
+    pub(super) origin: String,
+    pub(super) text: String,
+}
+
+/// The texts that a scene includes.
+fn included(scene: &Scene) -> Vec<SavedText> {
+    let saved = |(origin, text): (&str, &str)| SavedText { origin: origin.to_owned(), text: text.to_owned() };
+    scene.source.iter().flat_map(Source::included).map(saved).collect()
 }
 
 fn is_origin(middle: &[f64; 3]) -> bool {
@@ -93,6 +110,7 @@ impl SolutionFile {
                 name: scene.name.clone(),
                 origin: scene.origin.clone(),
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
+                included: included(scene),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
                 settings: scene.source.as_ref().map(|source| (*source.settings).clone()).unwrap_or_default(),
                 factors: factors(scene),

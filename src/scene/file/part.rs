@@ -20,7 +20,7 @@ pub(in crate::scene) struct PartFile {
 }
 
 /// What a part, or the scene, is made of.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub(in crate::scene) struct ContentFile {
     pub surfaces: Vec<SurfaceFile>,
     pub instances: Vec<InstanceFile>,
@@ -53,29 +53,29 @@ pub(in crate::scene) fn read_parts(node: &Node) -> Result<Vec<PartFile>, Located
 
 fn read_part(name: &At<String>, node: &Node) -> Result<PartFile, Located> {
     let fields = Fields::new(node, &["surfaces", "instances"])?;
-    Ok(PartFile { name: name.clone(), content: read_content(&fields)? })
+    Ok(PartFile { name: name.clone(), content: read_content(&fields, "")? })
 }
 
-/// The lists of surfaces and instances.
-pub(in crate::scene) fn read_content(fields: &Fields<'_>) -> Result<ContentFile, Located> {
+/// The lists of surfaces and instances; `prefix` stands before the names of those that are given none.
+pub(in crate::scene) fn read_content(fields: &Fields<'_>, prefix: &str) -> Result<ContentFile, Located> {
     Ok(ContentFile {
-        surfaces: fields.optional("surfaces", read_surfaces)?.unwrap_or_default(),
-        instances: fields.optional("instances", read_instances)?.unwrap_or_default(),
+        surfaces: fields.get("surfaces").map_or(Ok(Vec::new()), |node| read_surfaces(node, prefix))?,
+        instances: fields.get("instances").map_or(Ok(Vec::new()), |node| read_instances(node, prefix))?,
     })
 }
 
-fn read_instances(node: &Node) -> Result<Vec<InstanceFile>, Located> {
+fn read_instances(node: &Node, prefix: &str) -> Result<Vec<InstanceFile>, Located> {
     let read = |(index, node)| {
-        read_instance(index, node).map_err(|error| error.within(|| instance_title(index + 1)))
+        read_instance(index, node, prefix).map_err(|error| error.within(|| instance_title(index + 1)))
     };
     list(node)?.iter().enumerate().map(read).collect()
 }
 
 /// An instance without a name is called after its part and its number in the list.
-fn read_instance(index: usize, node: &Node) -> Result<InstanceFile, Located> {
+fn read_instance(index: usize, node: &Node, prefix: &str) -> Result<InstanceFile, Located> {
     let fields = Fields::new(node, &["part", "name", "transform", "array"])?;
     let part = fields.require("part", text)?;
-    let unnamed = || At::new(format!("{}-{}", part.value, index + 1), fields.span());
+    let unnamed = || At::new(format!("{prefix}{}-{}", part.value, index + 1), fields.span());
     Ok(InstanceFile {
         name: fields.optional("name", text)?.unwrap_or_else(unnamed),
         motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),

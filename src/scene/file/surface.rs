@@ -15,7 +15,7 @@ use crate::scene::{
 /// `[[surfaces]]`.
 #[derive(Debug)]
 pub(in crate::scene) struct SurfaceFile {
-    pub name: Option<At<String>>,
+    pub name: At<String>,
     pub span: Span,
     pub material: Option<At<String>>,
     pub group: Option<At<String>>,
@@ -28,33 +28,31 @@ pub(in crate::scene) struct SurfaceFile {
     pub flip: bool,
 }
 
-/// The name of the surface at `index` (from 0) if it is given none.
-pub(in crate::scene) fn default_name(index: usize) -> String {
-    format!("surface-{}", index + 1)
+/// The list of surfaces; `prefix` stands before the names of those that are given none.
+pub(in crate::scene) fn read_surfaces(node: &Node, prefix: &str) -> Result<Vec<SurfaceFile>, Located> {
+    let read = |(index, node)| {
+        let name = format!("{prefix}surface-{}", index + 1);
+        read_surface(node, &name)
+            .map_err(|error| error.within(|| surface_title(&given(node).unwrap_or(name))))
+    };
+    list(node)?.iter().enumerate().map(read).collect()
 }
 
-/// The list of surfaces.
-pub(in crate::scene) fn read_surfaces(node: &Node) -> Result<Vec<SurfaceFile>, Located> {
-    list(node)?.iter().enumerate().map(read_named_surface).collect()
-}
-
-fn read_named_surface((index, node): (usize, &Node)) -> Result<SurfaceFile, Located> {
-    read_surface(node).map_err(|error| {
-        error.within(|| match table(node).ok().and_then(|entries| entry(entries, "name")).map(text) {
-            Some(Ok(name)) => surface_title(&name.value),
-            _ => surface_title(&default_name(index)),
-        })
-    })
+/// The name in a table that may be wrong otherwise.
+fn given(node: &Node) -> Option<String> {
+    let name = text(entry(table(node).ok()?, "name")?).ok()?;
+    Some(name.value)
 }
 
 const SURFACE_KEYS: [&str; 9] =
     ["name", "material", "group", "flux", "order", "subdivide", "two_sided", "flip", "transform"];
 
-fn read_surface(node: &Node) -> Result<SurfaceFile, Located> {
+/// A surface, called `unnamed` if it is given no name.
+fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
     let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(keys()).collect();
     let fields = Fields::new(node, &known)?;
     Ok(SurfaceFile {
-        name: fields.optional("name", text)?,
+        name: fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span())),
         span: fields.span().clone(),
         material: fields.optional("material", text)?,
         group: fields.optional("group", text)?,

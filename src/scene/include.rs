@@ -1,0 +1,160 @@
+//! Scenes of several files: `include = ["lamps.toml"]`.
+//!
+//! Each file is taken in once, however often it is included, and before the file that includes it. The texts are added to
+//! the [`Source`], so that a scene can be read again without its files.
+
+use std::{
+    path::{Component, Path, PathBuf},
+    sync::Arc,
+};
+
+use crate::scene::{
+    error::{Fault, Located},
+    fields::{list, text},
+    input, json_text,
+    language::Language,
+    polygon_list,
+    source::{At, Source},
+    toml_text,
+    tree::{Node, Value, entry},
+};
+
+/// The key of the list of files.
+pub(super) const INCLUDE: &str = "include";
+
+/// Files within files. Chosen; not tuned.
+const DEEPEST: usize = 32;
+
+/// The tree of one file.
+#[derive(Debug)]
+pub(super) struct FileTree {
+    pub tree: Node,
+    /// What stands before the names that the file leaves out: nothing in the first file, `lamps.` in `lamps.toml`.
+    pub prefix: String,
+}
+
+/// The trees of all files, that of `source` itself last; texts that are read are added to `source`.
+pub(super) fn trees(source: &mut Source, language: Language) -> Result<Vec<FileTree>, Located> {
+    let mut files = Files { source, done: Vec::new(), trees: Vec::new() };
+    let origin = files.source.origin.to_string();
+    let tree = parsed(&files.source.text, language)?;
+    files.take(tree, String::new(), &mut vec![origin])?;
+    Ok(files.trees)
+}
+
+/// Text → tree.
+fn parsed(text: &str, language: Language) -> Result<Node, Located> {
+    match language {
+        Language::Toml => toml_text::parse(text),
+        Language::Json => json_text::parse(text).map(|tree| match &tree.value {
+            Value::List(polygons) => polygon_list::from_list(polygons, &tree.span),
+            _ => tree,
+        }),
+        Language::Csv => polygon_list::from_csv(text),
+    }
+}
+
+/// Files on their way into a scene.
+struct Files<'a> {
+    source: &'a mut Source,
+    /// The files that were begun.
+    done: Vec<String>,
+    trees: Vec<FileTree>,
+}
+
+impl Files<'_> {
+    /// Takes in the files that a tree includes, then the tree; `path` leads to its file from the first.
+    fn take(&mut self, tree: Node, prefix: String, path: &mut Vec<String>) -> Result<(), Located> {
+        for name in names(&tree)? {
+            self.include(&name, path)?;
+        }
+        self.trees.push(FileTree { tree, prefix });
+        Ok(())
+    }
+
+    fn include(&mut self, name: &At<String>, path: &mut Vec<String>) -> Result<(), Located> {
+        let at_name = |fault| Located::at(&name.span, fault).within(|| INCLUDE.to_owned());
+        let file = beside(path.last().map_or("", String::as_str), &name.value);
+        if let Some(start) = path.iter().position(|open| *open == file) {
+            let files = path[start..].iter().cloned().chain([file]).collect();
+            return Err(at_name(Fault::IncludeCycle { files }));
+        }
+        if self.done.contains(&file) {
+            return Ok(());
+        }
+        if path.len() > DEEPEST {
+            return Err(at_name(Fault::TooDeep { what: "files", most: DEEPEST }));
+        }
+        self.done.push(file.clone());
+        let (text, base) = self.text(&file).map_err(at_name)?;
+        let mut tree =
+            parsed(&text, Language::of_text(&file, &text)).map_err(|located| located.shifted(base))?;
+        tree.shift(base);
+        let stem = Path::new(&file).file_stem().unwrap_or_default().to_string_lossy();
+        let prefix = format!("{stem}.");
+        path.push(file);
+        self.take(tree, prefix, path)?;
+        path.pop();
+        Ok(())
+    }
+
+    /// The text of an included file, and its first byte in places of the whole.
+    fn text(&mut self, file: &str) -> Result<(Arc<str>, usize), Fault> {
+        if let Some(known) = self.source.included_text(file) {
+            return Ok(known);
+        }
+        if !self.source.reads_files() {
+            return Err(Fault::NoIncludes { file: file.to_owned() });
+        }
+        let text = input::file(file)
+            .map_err(|error| Fault::UnreadableInclude { file: file.to_owned(), reason: error.to_string() })?;
+        self.source.include(file, &text);
+        self.source.included_text(file).ok_or_else(|| Fault::NoIncludes { file: file.to_owned() })
+    }
+}
+
+/// The files that a tree includes: a list, or one.
+fn names(tree: &Node) -> Result<Vec<At<String>>, Located> {
+    let Value::Table(entries) = &tree.value else { return Ok(Vec::new()) };
+    match entry(entries, INCLUDE) {
+        None => Ok(Vec::new()),
+        Some(node) if matches!(node.value, Value::List(_)) => list(node)?.iter().map(text).collect(),
+        Some(node) => Ok(vec![text(node)?]),
+    }
+}
+
+/// The path of `name`, which starts from the folder of `file`, without detours.
+fn beside(file: &str, name: &str) -> String {
+    let mut path = PathBuf::new();
+    for part in Path::new(file).parent().unwrap_or(Path::new("")).join(name).components() {
+        match part {
+            Component::CurDir => {}
+            Component::ParentDir if matches!(path.components().next_back(), Some(Component::Normal(_))) => {
+                path.pop();
+            }
+            part => path.push(part),
+        }
+    }
+    path.to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::beside;
+
+    #[test]
+    fn paths_start_from_the_folder_of_the_file() {
+        for (file, name, path) in [
+            ("room.toml", "lamps.toml", "lamps.toml"),
+            ("<stdin>", "lamps.toml", "lamps.toml"),
+            ("rooms/desk.toml", "lamps.toml", "rooms/lamps.toml"),
+            ("rooms/desk.toml", "./more/lamps.toml", "rooms/more/lamps.toml"),
+            ("rooms/desk.toml", "../lamps.toml", "lamps.toml"),
+            ("desk.toml", "../../lamps.toml", "../../lamps.toml"),
+            ("rooms/desk.toml", "/all/lamps.toml", "/all/lamps.toml"),
+            ("rooms/../desk.toml", "lamps.toml", "lamps.toml"),
+        ] {
+            assert_eq!(beside(file, name).replace('\\', "/"), path);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! The files of one scene → a single file: lists one after the other, tables with every name once.
+
+use crate::scene::{
+    error::{Fault, Located, material_title, part_title, plane_title},
+    file::SceneFile,
+    names::UniqueNames,
+    source::{At, Source},
+};
+
+/// All files in one. Title and camera are those of the last, which includes the others.
+pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile, Located> {
+    let mut files = files.into_iter().rev();
+    let mut whole = files.next().unwrap_or_default();
+    for file in files {
+        whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
+        whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
+        put_before(&mut whole.planes, file.planes);
+        put_before(&mut whole.materials, file.materials);
+        put_before(&mut whole.parts, file.parts);
+        put_before(&mut whole.content.surfaces, file.content.surfaces);
+        put_before(&mut whole.content.instances, file.content.instances);
+    }
+    once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;
+    once(whole.materials.iter().map(|material| &material.name), material_title, source)?;
+    once(whole.parts.iter().map(|part| &part.name), part_title, source)?;
+    Ok(whole)
+}
+
+fn names_of(bands: &At<Vec<At<String>>>) -> Vec<&str> {
+    bands.value.iter().map(|band| band.value.as_str()).collect()
+}
+
+/// What either of two files states; both have to state the same.
+fn stated<T>(
+    own: Option<At<T>>,
+    other: Option<At<T>>,
+    what: &'static str,
+    texts: fn(&At<T>) -> Vec<&str>,
+) -> Result<Option<At<T>>, Located> {
+    match (&own, &other) {
+        (Some(own), Some(other)) if texts(own) != texts(other) => {
+            Err(Located::at(&other.span, Fault::OtherThan { what }))
+        }
+        _ => Ok(own.or(other)),
+    }
+}
+
+fn put_before<T>(list: &mut Vec<T>, mut before: Vec<T>) {
+    before.append(list);
+    *list = before;
+}
+
+/// Refuses a name that is given twice.
+fn once<'a>(
+    names: impl Iterator<Item = &'a At<String>>,
+    title: fn(&str) -> String,
+    source: &Source,
+) -> Result<(), Located> {
+    let mut seen = UniqueNames::default();
+    for name in names {
+        let added = seen.add(&name.value, Some(source.line(name.span.start)));
+        added.map_err(|fault| Located::at(&name.span, fault).within(|| title(&name.value)))?;
+    }
+    Ok(())
+}
