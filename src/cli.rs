@@ -34,6 +34,7 @@ mod table;
 mod convergence;
 mod check;
 mod scenes;
+mod schema;
 mod view_factors;
 
 use aim::joined;
@@ -52,7 +53,7 @@ Examples:
   radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
-  radiosity check room.toml                   what is in a scene, and what looks wrong
+  radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 
 SCENE is a path (.toml or .json), the name of a built-in scene, or - for standard input.";
 
@@ -79,6 +80,7 @@ enum Verb {
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
     Scenes(scenes::ScenesArgs),
+    Schema(schema::SchemaArgs),
     Completions(completions::CompletionsArgs),
 }
 
@@ -110,6 +112,7 @@ impl Cli {
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load()?),
             Verb::Scenes(args) => scenes::run(args),
+            Verb::Schema(args) => schema::run(args),
             Verb::Completions(args) => completions::run(args, Self::command()),
         }
     }

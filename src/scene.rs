@@ -44,6 +44,7 @@ mod validation;
 mod builder;
 mod dimming;
 mod painting;
+mod schema;
 
 use std::{collections::BTreeSet, io, path::Path};
 
@@ -58,6 +59,7 @@ pub use fitted::{Fitted, Lying};
 pub use light_group::LightGroup;
 pub use material::Material;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
+pub use schema::schema;
 pub use sensor_plane::SensorPlane;
 pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;

@@ -9,10 +9,10 @@ pub const MAX_ORDER: usize = 20;
 pub const MAX_PARTS: usize = 256;
 
 /// Largest width and height of a picture. Chosen; not tuned.
-const MAX_PIXELS: usize = 16384;
+pub(super) const MAX_PIXELS: usize = 16384;
 
 /// Most copies along one step of an array. Chosen; not tuned.
-const MAX_COPIES: usize = 1_000_000;
+pub(super) const MAX_COPIES: usize = 1_000_000;
 
 /// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
 const LARGEST: f64 = 1e30;

@@ -7,6 +7,7 @@ mod builtin;
 mod exact_factors;
 mod fitted;
 mod inspection;
+mod language;
 mod pictures;
 mod planes;
 mod probe;

@@ -11,6 +11,7 @@ mod includes;
 mod instances;
 mod layering;
 mod scene_format;
+mod schema;
 mod shapes;
 mod variables;
 mod whole;

@@ -1,0 +1,23 @@
+//! `radiosity schema`: the scene format for editors and other programs.
+
+use std::io::{Write, stdout};
+
+use clap::Args;
+use radiosity::scene;
+
+use crate::cli::error::CliError;
+
+/// Prints the JSON schema of the scene format
+#[derive(Debug, Args)]
+#[command(after_help = "\
+Editors complete keys, show what they mean and underline what is wrong: in TOML, write `#:schema radiosity.schema.json` on the first \
+line of a scene (Taplo, Even Better TOML).
+
+Example:
+  radiosity schema > radiosity.schema.json")]
+pub(crate) struct SchemaArgs {}
+
+/// Prints the schema.
+pub(crate) fn run(_: &SchemaArgs) -> Result<(), CliError> {
+    Ok(stdout().write_all(format!("{:#}\n", scene::schema()).as_bytes())?)
+}

@@ -1,0 +1,86 @@
+//! Terms that schemas are made of: texts, numbers, points, tables.
+
+use serde_json::{Map, Value, json};
+
+/// A table with these keys and no others; `required` of them have to be there.
+pub(super) fn table(description: &str, required: &[&str], keys: Vec<(&str, Value)>) -> Value {
+    let properties: Map<String, Value> =
+        keys.into_iter().map(|(key, value)| (key.to_owned(), value)).collect();
+    json!({
+        "description": description, "type": "object", "properties": properties, "required": required,
+        "additionalProperties": false,
+    })
+}
+
+/// A table of any names, all of whose values are of one kind.
+pub(super) fn by_name(description: &str, kind: &str) -> Value {
+    json!({
+        "description": description, "type": "object", "additionalProperties": reference(kind),
+        "propertyNames": { "pattern": "\\S" },
+    })
+}
+
+/// A definition of the schema.
+pub(super) fn reference(name: &str) -> Value {
+    json!({ "$ref": format!("#/$defs/{name}") })
+}
+
+/// A value of a kind that is defined.
+pub(super) fn of(kind: &str, description: &str) -> Value {
+    with(reference(kind), "description", description.into())
+}
+
+/// A list of values of a kind that is defined, at least `least` of them.
+pub(super) fn list(kind: &str, description: &str, least: usize) -> Value {
+    json!({ "description": description, "type": "array", "items": reference(kind), "minItems": least })
+}
+
+/// Exactly `count` values of a kind that is defined.
+pub(super) fn exactly(count: usize, kind: &str, description: &str) -> Value {
+    with(list(kind, description, count), "maxItems", count.into())
+}
+
+/// A text that is not blank.
+pub(super) fn text(description: &str) -> Value {
+    json!({ "description": description, "type": "string", "pattern": "\\S" })
+}
+
+/// `true` or `false`.
+pub(super) fn truth(description: &str) -> Value {
+    json!({ "description": description, "type": "boolean", "default": false })
+}
+
+/// A number, or a formula of one, with the bounds of `range`, such as `exclusiveMinimum`.
+pub(super) fn ranged(range: Value, description: &str) -> Value {
+    let number = with(range, "type", "number".into());
+    json!({ "description": description, "anyOf": [number, reference("formula")] })
+}
+
+/// A number above 0, or a formula of one.
+pub(super) fn positive(description: &str) -> Value {
+    ranged(json!({ "exclusiveMinimum": 0, "maximum": 1e30 }), description)
+}
+
+/// A whole number from `least` to `most`, or a formula of one.
+pub(super) fn whole(least: usize, most: usize, description: &str) -> Value {
+    let number = json!({ "type": "integer", "minimum": least, "maximum": most });
+    json!({ "description": description, "anyOf": [number, reference("formula")] })
+}
+
+/// One number for all bands, or a list with one per band.
+pub(super) fn per_band(range: Value, description: &str) -> Value {
+    let number = ranged(range, "The number of a band");
+    let list = json!({ "type": "array", "items": number, "minItems": 1 });
+    json!({ "description": description, "anyOf": [number["anyOf"][0], number["anyOf"][1], list] })
+}
+
+/// A value with what it is if it is not given.
+pub(super) fn or(default: Value, value: Value) -> Value {
+    with(value, "default", default)
+}
+
+/// An object with one more entry.
+pub(super) fn with(mut object: Value, key: &str, value: Value) -> Value {
+    object[key] = value;
+    object
+}
