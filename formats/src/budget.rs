@@ -1,0 +1,37 @@
+//! The budget of a reader: how much text it follows before it gives up.
+
+use crate::fault::Fault;
+
+/// Most characters and items that are followed, repetitions by arrays and includes counted. Chosen; not tuned: a
+/// scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in seconds.
+const MOST: u64 = 1_000_000_000;
+
+/// What every item costs beside its characters. Chosen; not tuned.
+const ITEM: u64 = 32;
+
+/// What a reader may still follow.
+#[derive(Clone, Copy, Debug)]
+pub struct Budget(u64);
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget(MOST)
+    }
+}
+
+impl Budget {
+    /// Takes the price of an item of so many characters.
+    ///
+    /// # Errors
+    /// A budget that is spent.
+    pub fn spend(&mut self, characters: usize) -> Result<(), Fault> {
+        let price = characters as u64 + ITEM;
+        self.0 = self.0.checked_sub(price).ok_or_else(|| {
+            Fault::new(
+                format!("more than {MOST} characters are followed, arrays and includes counted"),
+                "make arrays smaller or split the scene",
+            )
+        })?;
+        Ok(())
+    }
+}

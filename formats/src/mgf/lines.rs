@@ -1,0 +1,84 @@
+//! The lines of an MGF text: a backslash at the end of a line joins it with the next, of a comment too.
+
+use std::borrow::Cow;
+
+/// A line with those that it is continued by.
+#[derive(Debug, PartialEq, Eq)]
+pub(super) struct Line<'a> {
+    /// Number of its first line, from 1.
+    pub(super) number: usize,
+    /// Its text; blanks stand for the ends of lines.
+    pub(super) text: Cow<'a, str>,
+}
+
+/// A reading of lines, which can go back to a place where it was.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Lines<'a> {
+    text: &'a str,
+    at: usize,
+    number: usize,
+}
+
+impl<'a> Lines<'a> {
+    /// From the first line on.
+    pub(super) fn new(text: &'a str) -> Self {
+        Self { text, at: 0, number: 1 }
+    }
+
+    /// Number of the line that comes next.
+    pub(super) fn number(&self) -> usize {
+        self.number
+    }
+
+    /// One line as it stands, without its end.
+    fn physical(&mut self) -> Option<&'a str> {
+        let rest = self.text.get(self.at..).filter(|rest| !rest.is_empty())?;
+        let (line, used) = match rest.find('\n') {
+            Some(end) => (&rest[..end], end + 1),
+            None => (rest, rest.len()),
+        };
+        self.at += used;
+        self.number += 1;
+        Some(line.strip_suffix('\r').unwrap_or(line))
+    }
+}
+
+impl<'a> Iterator for Lines<'a> {
+    type Item = Line<'a>;
+
+    fn next(&mut self) -> Option<Line<'a>> {
+        let number = self.number;
+        let first = self.physical()?;
+        let Some(start) = first.strip_suffix('\\') else {
+            return Some(Line { number, text: first.into() });
+        };
+        let mut text = format!("{start} ");
+        while let Some(more) = self.physical() {
+            match more.strip_suffix('\\') {
+                Some(more) => {
+                    text.push_str(more);
+                    text.push(' ');
+                }
+                None => {
+                    text.push_str(more);
+                    break;
+                }
+            }
+        }
+        Some(Line { number, text: text.into() })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn continued_lines_are_one_and_numbers_go_on() {
+        let told: Vec<(usize, String)> = Lines::new("a\\\r\nb \\\nc\n\n# d\\\ne\nf\\")
+            .map(|line| (line.number, line.text.into()))
+            .collect();
+        let expected = [(1, "a b  c"), (4, ""), (5, "# d e"), (7, "f ")];
+        assert_eq!(told, expected.map(|(number, text)| (number, text.to_owned())));
+    }
+}
