@@ -1,5 +1,7 @@
 //! Colours as bands: linear red, green and blue with the primaries and the white of ITU-R BT.709, or one grey band.
 
+use glam::{DMat3, DVec3};
+
 use crate::model::Model;
 
 /// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
@@ -20,14 +22,28 @@ pub fn of_chromaticity(x: f64, y: f64) -> [f64; 3] {
     raised.map(|value| value / sum)
 }
 
-/// XYZ with Y = 1 → linear red, green and blue. Source of the matrix: primaries and white of ITU-R BT.709-6, item 1.
+/// Chromaticity of linear red, green and blue, not all 0: the inverse of [`of_chromaticity`].
+pub fn chromaticity([r, g, b]: [f64; 3]) -> [f64; 2] {
+    if r == g && g == b {
+        return [1.0 / 3.0; 2];
+    }
+    let white = DVec3::from_array(linear(1.0 / 3.0, 1.0 / 3.0));
+    let tristimulus = matrix().inverse() * (DVec3::new(r, g, b) * white);
+    [tristimulus.x / tristimulus.element_sum(), tristimulus.y / tristimulus.element_sum()]
+}
+
+/// XYZ with Y = 1 → linear red, green and blue.
 fn linear(x: f64, y: f64) -> [f64; 3] {
-    let [big_x, big_z] = [x / y, (1.0 - x - y) / y];
-    [
-        3.240_969_941_904_521_4 * big_x - 1.537_383_177_570_093_5 - 0.498_610_760_293_003_3 * big_z,
-        -0.969_243_636_280_879_8 * big_x + 1.875_967_501_507_720_7 + 0.041_555_057_407_175_61 * big_z,
-        0.055_630_079_696_993_61 * big_x - 0.203_976_958_888_976_57 + 1.056_971_514_242_878_6 * big_z,
-    ]
+    (matrix() * DVec3::new(x / y, 1.0, (1.0 - x - y) / y)).to_array()
+}
+
+/// XYZ → linear red, green and blue. Source: primaries and white of ITU-R BT.709-6, item 1.
+fn matrix() -> DMat3 {
+    DMat3::from_cols_array_2d(&[
+        [3.240_969_941_904_521_4, -0.969_243_636_280_879_8, 0.055_630_079_696_993_61],
+        [-1.537_383_177_570_093_5, 1.875_967_501_507_720_7, -0.203_976_958_888_976_57],
+        [-0.498_610_760_293_003_3, 0.041_555_057_407_175_61, 1.056_971_514_242_878_6],
+    ])
 }
 
 /// Luminance of linear red, green and blue.
@@ -54,7 +70,8 @@ pub fn to_grey(model: &mut Model) {
     model.bands = vec!["grey".to_owned()];
     for material in &mut model.materials {
         for values in [&mut material.reflectance, &mut material.emission] {
-            *values = vec![luminance([values[0], values[1], values[2]])];
+            let [r, g, b] = [values[0], values[1], values[2]];
+            *values = vec![if r == g && g == b { r } else { luminance([r, g, b]) }];
         }
     }
 }
@@ -70,6 +87,18 @@ mod tests {
         for [x, y] in [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06], [0.7, 0.29], [1.0 / 3.0, 1.0 / 3.0]] {
             let rgb = of_chromaticity(x, y);
             assert!((luminance(rgb) - 1.0).abs() < 1e-12 && rgb.iter().all(|value| *value >= 0.0));
+        }
+    }
+
+    #[test]
+    fn chromaticities_are_found_again() {
+        for rgb in [[0.2, 0.7, 0.1], [0.9, 0.01, 0.3], [1.0, 0.0, 0.0], [0.0, 0.0, 0.4], [0.5, 0.5, 0.5]] {
+            let [x, y] = chromaticity(rgb);
+            let again = of_chromaticity(x, y).map(|value| value * luminance(rgb));
+            assert!(
+                rgb.iter().zip(again).all(|(own, again)| (own - again).abs() < 1e-12),
+                "{rgb:?}: {again:?}"
+            );
         }
     }
 }

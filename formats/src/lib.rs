@@ -17,3 +17,4 @@ pub mod includes;
 pub mod xform;
 pub mod builder;
 pub mod mgf;
+pub mod rad;

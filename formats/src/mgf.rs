@@ -8,6 +8,7 @@ mod contexts;
 mod lines;
 mod shapes;
 mod reader;
+pub mod write;
 
 use crate::error::Refusal;
 use crate::files::Files;
