@@ -6,8 +6,9 @@ use crate::fault::Fault;
 /// scene of 10⁷ lines is within, and a few lines that repeat one another without end are given up in seconds.
 const MOST: u64 = 1_000_000_000;
 
-/// What every item costs beside its characters. Chosen; not tuned.
+/// What every item costs beside its characters, and what every opening of an included file. Chosen; not tuned.
 const ITEM: u64 = 32;
+const INCLUDE: u64 = 2000;
 
 /// What a reader may still follow.
 #[derive(Clone, Copy, Debug)]
@@ -25,7 +26,18 @@ impl Budget {
     /// # Errors
     /// A budget that is spent.
     pub fn spend(&mut self, characters: usize) -> Result<(), Fault> {
-        let price = characters as u64 + ITEM;
+        self.take(characters as u64 + ITEM)
+    }
+
+    /// Takes the price of opening an included file, or of an instance of an array.
+    ///
+    /// # Errors
+    /// A budget that is spent.
+    pub fn spend_on_include(&mut self) -> Result<(), Fault> {
+        self.take(INCLUDE)
+    }
+
+    fn take(&mut self, price: u64) -> Result<(), Fault> {
         self.0 = self.0.checked_sub(price).ok_or_else(|| {
             Fault::new(
                 format!("more than {MOST} characters are followed, arrays and includes counted"),

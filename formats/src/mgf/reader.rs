@@ -166,7 +166,7 @@ impl<'a> Reader<'a> {
             self.placed = transforms.instance(instance).then(&outside);
             self.read(&text)?;
             self.includes.leave();
-            self.budget.spend(0).map_err(|fault| located(self, fault))?;
+            self.budget.spend_on_include().map_err(|fault| located(self, fault))?;
         }
         self.placed = outside;
         Ok(())

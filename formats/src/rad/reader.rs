@@ -33,7 +33,9 @@ impl<'a> Reader<'a> {
     }
 
     /// The model that was read.
-    pub(super) fn finish(self) -> Model {
+    pub(super) fn finish(mut self) -> Model {
+        // Radiance reference manual, "Materials": radiance in W/(m² sr).
+        self.model.unit("W/m²");
         self.model.finish()
     }
 
@@ -124,7 +126,7 @@ impl<'a> Reader<'a> {
             };
         };
         for instance in 0..last.count() {
-            let inner = self.budget.spend(0).and_then(|()| last.frame(instance, frame));
+            let inner = self.budget.spend_on_include().and_then(|()| last.frame(instance, frame));
             let inner = inner.map_err(|fault| self.refusal(fault, line))?;
             self.pass(source, before, &inner, line)?;
         }
