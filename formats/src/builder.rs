@@ -9,10 +9,14 @@ use crate::fault::Fault;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::place::Place;
+use crate::text::short;
 
 /// Most surfaces of a model, and most vertices. Chosen: a model of so many surfaces holds half a gigabyte.
 const MOST_SURFACES: usize = 1_000_000;
 const MOST_VERTICES: usize = 10_000_000;
+
+/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number. Chosen.
+const GREATEST: f64 = 1e50;
 
 /// A material before it has its index.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,7 +55,7 @@ impl ModelBuilder {
     /// Adds a surface of a line. Without a name it is called by its kind and number.
     ///
     /// # Errors
-    /// Too many surfaces, and shapes that a transform made infinite or took to nothing.
+    /// Too many surfaces, and shapes that are too large or that have no extent.
     pub fn surface(
         &mut self,
         name: Option<&str>,
@@ -67,10 +71,21 @@ impl ModelBuilder {
                 "split the scene",
             ));
         }
-        if !points.iter().all(|point| point.is_finite()) || !numbers.iter().all(|number| number.is_finite()) {
-            return Err(Fault::new("a number is too large after transforms", "scale the scene down"));
+        let mut numbers = points.iter().flat_map(|point| point.to_array()).chain(numbers);
+        // Not a number is not within either.
+        if !numbers.all(|number| number.abs() <= GREATEST) {
+            return Err(Fault::new(
+                format!("a coordinate or a radius is beyond {GREATEST:e} after transforms"),
+                "scale the scene down",
+            ));
         }
         check_size(&shape)?;
+        if !coat.reflectance.iter().chain(&coat.emission).all(|value| *value <= GREATEST) {
+            return Err(Fault::new(
+                format!("the material '{}' has a value beyond {GREATEST:e}", short(&coat.name)),
+                "correct its reflectance or its emission",
+            ));
+        }
         let wanted = match name {
             Some(name) => name.to_owned(),
             None => format!("{}-{}", kind(&shape), self.model.surfaces.len() + 1),

@@ -309,7 +309,8 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("xf -q 1", "'-q' is no part of a transform", "-rx"),
         ("xf -a 2 -t 1 0 0", "an array is not ended", "xf alone"),
         ("i", "an include names no file", "behind i"),
-        ("xf -s 1e200 -s 1e200\nsph b 1\nxf", "too large after transforms", "scale the scene"),
+        ("rd 1e99\nf a b c", "the material 'unnamed' has a value beyond", "correct its"),
+        ("xf -s 1e200 -s 1e200\nsph b 1\nxf", "is beyond 1e50 after transforms", "scale the scene"),
     ];
     for (line, cause, cure) in told {
         let extra = usize::from(line.contains('\n'));

@@ -21,7 +21,7 @@ fn near(a: f64, b: f64) -> bool {
 }
 
 /// All numbers of a shape, and what else tells it from others.
-fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>, Vec<usize>) {
+pub(crate) fn parts(shape: &Shape) -> (Vec<DVec3>, Vec<f64>, Vec<usize>) {
     match shape {
         Shape::Polygon { outline, holes } => (
             outline.iter().chain(holes.iter().flatten()).copied().collect(),
