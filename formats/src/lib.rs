@@ -18,3 +18,4 @@ pub mod merge;
 pub mod mesh;
 pub mod stl;
 pub mod ply;
+pub mod obj;

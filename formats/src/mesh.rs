@@ -76,13 +76,7 @@ impl Mesh {
         };
         let Coat { object, material, sides } = coat;
         self.objects.push(object);
-        self.model.surfaces.push(Surface {
-            name: String::new(),
-            material,
-            shape,
-            sides,
-            place: Some(place),
-        });
+        self.model.surfaces.push(Surface { name: String::new(), material, shape, sides, place: Some(place) });
         Ok(())
     }
 

@@ -41,8 +41,7 @@ pub(super) fn groups(faces: &[Face], corners: &Corners) -> Vec<Vec<u32>> {
             next += 1;
             for other in neighbours.of(face) {
                 let joined = &faces[*other as usize];
-                let is_near =
-                    |x: &u32| (corners.point(*x) - origin).dot(first.normal).abs() <= distance;
+                let is_near = |x: &u32| (corners.point(*x) - origin).dot(first.normal).abs() <= distance;
                 if !is_taken[*other as usize]
                     && joined.is_level_with(first)
                     && joined.ring.iter().all(is_near)

@@ -42,7 +42,11 @@ impl Elements {
             if element.count > most.min(MOST) {
                 return Err(Located::new(
                     Place::Line(element.line),
-                    format!("{} elements are announced, {} at the most are there", element.count, most.min(MOST)),
+                    format!(
+                        "{} elements are announced, {} at the most are there",
+                        element.count,
+                        most.min(MOST)
+                    ),
                     "export the file again, or correct the count",
                 ));
             }
@@ -94,7 +98,8 @@ impl Elements {
     }
 
     fn read_faces(&mut self, element: &Element, numbers: &mut dyn Numbers) -> Result<(), Located> {
-        let is_list = |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
+        let is_list =
+            |property: &Property| property.count.is_some() && LISTS.contains(&property.name.as_str());
         let Some(list) = element.properties.iter().position(is_list) else {
             return Err(Located::new(
                 Place::Line(element.line),

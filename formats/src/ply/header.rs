@@ -175,8 +175,7 @@ fn statement(
             Ok(())
         }
         ["property", "list", count, item, name] => {
-            let property =
-                (Some(Scalar::named(count)?), Scalar::named(item)?);
+            let property = (Some(Scalar::named(count)?), Scalar::named(item)?);
             add(elements, name, property)
         }
         ["property", item, name] => add(elements, name, (None, Scalar::named(item)?)),

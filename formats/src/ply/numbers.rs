@@ -69,11 +69,7 @@ impl Numbers for Words<'_> {
     fn number(&mut self, _scalar: Scalar) -> Result<f64, Located> {
         let word = self.word()?;
         word.parse().map_err(|_| {
-            Located::new(
-                Place::Line(self.line),
-                format!("'{}' is no number", short(word)),
-                "write a number",
-            )
+            Located::new(Place::Line(self.line), format!("'{}' is no number", short(word)), "write a number")
         })
     }
 

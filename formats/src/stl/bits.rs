@@ -45,10 +45,7 @@ pub(super) fn read(bytes: &[u8], mesh: &mut Mesh) -> Result<(), Located> {
     if length(count).is_none_or(|length| length > bytes.len()) {
         return Err(Located::new(
             Place::Byte(HEADER - 4),
-            format!(
-                "{count} triangles are announced, {} are there",
-                (bytes.len() - HEADER) / TRIANGLE
-            ),
+            format!("{count} triangles are announced, {} are there", (bytes.len() - HEADER) / TRIANGLE),
             "export it again; a text STL begins with 'solid'",
         ));
     }
