@@ -19,3 +19,4 @@ pub mod mesh;
 pub mod stl;
 pub mod ply;
 pub mod obj;
+pub mod gltf;

@@ -31,7 +31,7 @@ impl Merged {
         let vector: DVec3 = faces.iter().map(|face| face.area * face.normal).sum();
         let sheet = Sheet::of(vector, corners)?;
         let sides = boundary(&faces)?;
-        if !is_flat(&sides, &sheet) {
+        if !is_flat(&sides, &sheet) || !alternate(&sides, &sheet) {
             return None;
         }
         let mut loops = Vec::new();
@@ -50,7 +50,7 @@ impl Merged {
         let parts: f64 = faces.iter().map(|face| face.area * face.normal.dot(sheet.normal)).sum();
         let loops: Vec<Vec<u32>> = loops.into_iter().map(|(_, ring)| ring).collect();
         let is_sound = outlines == 1 && (area - parts).abs() <= AREA * parts;
-        if !is_sound || cross(&sheet.flat(&loops), corners.near) {
+        if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS * corners.rounding) {
             return None;
         }
         let mut surfaces: Vec<usize> = faces.iter().map(|face| face.surface).collect();
@@ -80,6 +80,27 @@ fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     let size = offsets().map(DVec3::length).fold(0.0, f64::max);
     let height = offsets().map(|x| x.dot(sheet.normal).abs()).fold(0.0, f64::max);
     height <= (FLAT * size).max(ROUNDINGS * sheet.corners.rounding)
+}
+
+/// Whether around each corner sides that leave it and sides that reach it alternate: no faces overlap there.
+fn alternate(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
+    // Angle and whether it leaves, for each side at corners with several.
+    let mut stars: HashMap<u32, Vec<(f64, bool)>> = HashMap::new();
+    for pair in sides.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
+        stars.insert(pair[0][0], Vec::new());
+    }
+    for [from, to] in sides {
+        for (corner, end, leaves) in [(from, to, true), (to, from, false)] {
+            if let Some(star) = stars.get_mut(corner) {
+                let way = sheet.point(*end) - sheet.point(*corner);
+                star.push((f64::atan2(way.y, way.x), leaves));
+            }
+        }
+    }
+    stars.into_values().all(|mut star| {
+        star.sort_by(|a, b| a.0.total_cmp(&b.0));
+        star.iter().zip(star.iter().cycle().skip(1)).all(|(a, b)| a.1 != b.1)
+    })
 }
 
 /// The plane of a group, with flat coordinates.
