@@ -14,8 +14,8 @@ use crate::place::Place;
 const MOST_FACES: usize = 10_000_000;
 const MOST_CORNERS: usize = 4 * MOST_FACES;
 
-/// Greatest coordinate, of any unit: its sixth power is still a number. Chosen; not tuned.
-const GREATEST: f64 = 1e50;
+/// Greatest coordinate, reflectance or exitance, of any unit: its sixth power is still a number. Chosen; not tuned.
+pub const GREATEST: f64 = 1e50;
 
 /// What the faces that follow share.
 #[derive(Clone, Copy, Debug)]

@@ -7,6 +7,7 @@ use serde_json::value::RawValue;
 use super::json::Json;
 use super::scheme;
 use crate::located::Located;
+use crate::mesh::GREATEST;
 use crate::model::{Material, Model, Sides};
 use crate::names::UniqueNames;
 use crate::place::Place;
@@ -52,10 +53,12 @@ fn read<'a>(
     let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
     let emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
     let [r, g, b, _] = base;
-    if [r, g, b].iter().chain(&emission).any(|value| !value.is_finite() || *value < 0.0) {
+    if ![r, g, b].iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
         return Err(Located::new(
             place,
-            format!("the material {index} has a factor below 0, or a metallic factor above 1"),
+            format!(
+                "the material {index} has a factor below 0 or beyond measure, or a metallic factor above 1"
+            ),
             "correct its colours; factors are from 0 to 1",
         ));
     }

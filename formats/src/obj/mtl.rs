@@ -5,6 +5,7 @@ use std::collections::HashMap;
 use super::statements::statements;
 use crate::fault::Fault;
 use crate::located::Located;
+use crate::mesh::GREATEST;
 use crate::place::Place;
 use crate::text::{number, short};
 
@@ -104,8 +105,9 @@ fn colour(rest: &str, what: &str) -> Result<[f64; 3], Fault> {
             ));
         }
     };
-    match values.iter().find(|value| **value < 0.0) {
-        Some(value) => Err(Fault::new(format!("{what} is {value}, below 0"), "correct it")),
+    match values.iter().find(|value| !(0.0..=GREATEST).contains(*value)) {
+        Some(value) if *value < 0.0 => Err(Fault::new(format!("{what} is {value}, below 0"), "correct it")),
+        Some(_) => Err(Fault::new(format!("{what} is beyond {GREATEST:e}"), "correct it")),
         None => Ok(values),
     }
 }
