@@ -3,21 +3,21 @@
 //! Faces are merged that belong to one object, have one material and the same sides, meet along whole sides, and lie
 //! in a plane:
 //!
-//! 1. corners within the rounding of single precision are one ([`corners`]);
+//! 1. corners within the rounding of single precision are one (`corners`);
 //! 2. faces grow together over common sides, the largest first, as long as they lie in the first one's plane
-//!    ([`growth`]), so that curvature does not creep in;
-//! 3. sides that only one face of a group has are its boundary, traced into simple loops ([`boundary`]);
-//! 4. a group stays as it was if its loops cross or touch but at corners ([`crossings`]), if not exactly one of them is
+//!    (`growth`), so that curvature does not creep in;
+//! 3. sides that only one face of a group has are its boundary, traced into simple loops (`boundary`);
+//! 4. a group stays as it was if its loops cross or touch but at corners (`crossings`), if not exactly one of them is
 //!    an outline, or if the area changes: so every point is covered once;
-//! 5. corners in the middle of a straight side are dropped where no other surface has a corner ([`straight`]).
+//! 5. corners in the middle of a straight side are dropped where no other surface has a corner (`straight`).
 //!
 //! The time is that of sorting.
 
 mod corners;
 mod face;
 mod growth;
-mod boundary;
 mod crossings;
+mod boundary;
 mod straight;
 
 use std::collections::HashMap;

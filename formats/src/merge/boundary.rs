@@ -1,7 +1,6 @@
 //! The boundary of a group of faces: simple loops, the outline first.
 
 use std::collections::HashMap;
-use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
@@ -31,24 +30,24 @@ impl Merged {
         let vector: DVec3 = faces.iter().map(|face| face.area * face.normal).sum();
         let sheet = Sheet::of(vector, corners)?;
         let sides = boundary(&faces)?;
-        if !is_flat(&sides, &sheet) || !alternate(&sides, &sheet) {
+        if !is_flat(&sides, &sheet) {
             return None;
         }
-        let mut loops = Vec::new();
+        let mut rings = Vec::new();
         let mut area = 0.0;
-        for ring in Walk::of(&sides, &sheet).loops() {
+        for ring in loops(&sides, &successors(&sides, &sheet)?) {
             let (own, length) = sheet.area_and_length(&ring);
             // Both banks of a slit: faces meet there along parts of a side.
             if own.abs() <= 0.5 * corners.near * length {
                 continue;
             }
             area += own;
-            loops.push((own, ring));
+            rings.push((own, ring));
         }
-        loops.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let outlines = loops.iter().filter(|ring| ring.0 > 0.0).count();
+        rings.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let outlines = rings.iter().filter(|ring| ring.0 > 0.0).count();
         let parts: f64 = faces.iter().map(|face| face.area * face.normal.dot(sheet.normal)).sum();
-        let loops: Vec<Vec<u32>> = loops.into_iter().map(|(_, ring)| ring).collect();
+        let loops: Vec<Vec<u32>> = rings.into_iter().map(|(_, ring)| ring).collect();
         let is_sound = outlines == 1 && (area - parts).abs() <= AREA * parts;
         if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS * corners.rounding) {
             return None;
@@ -82,25 +81,31 @@ fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     height <= (FLAT * size).max(ROUNDINGS * sheet.corners.rounding)
 }
 
-/// Whether around each corner sides that leave it and sides that reach it alternate: no faces overlap there.
-fn alternate(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
-    // Angle and whether it leaves, for each side at corners with several.
-    let mut stars: HashMap<u32, Vec<(f64, bool)>> = HashMap::new();
-    for pair in sides.windows(2).filter(|pair| pair[0][0] == pair[1][0]) {
-        stars.insert(pair[0][0], Vec::new());
-    }
-    for [from, to] in sides {
+/// For each side the next one that bounds the same faces: around the corner where it ends, the first one clockwise from
+/// the way back. None if faces overlap at a corner: sides that leave it and sides that reach it do not alternate there.
+fn successors(sides: &[[u32; 2]], sheet: &Sheet) -> Option<Vec<usize>> {
+    // Sides at each corner: the angle, whether it leaves, its index.
+    let mut stars: HashMap<u32, Vec<(f64, bool, usize)>> = HashMap::new();
+    for (index, [from, to]) in sides.iter().enumerate() {
         for (corner, end, leaves) in [(from, to, true), (to, from, false)] {
-            if let Some(star) = stars.get_mut(corner) {
-                let way = sheet.point(*end) - sheet.point(*corner);
-                star.push((f64::atan2(way.y, way.x), leaves));
+            let way = sheet.point(*end) - sheet.point(*corner);
+            stars.entry(*corner).or_default().push((f64::atan2(way.y, way.x), leaves, index));
+        }
+    }
+    let mut successors = vec![0; sides.len()];
+    for mut star in stars.into_values() {
+        // The banks of a slit have one angle: the side that reaches the corner first, counter-clockwise.
+        star.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let before = star.iter().cycle().skip(star.len() - 1);
+        for ((_, leaves, index), (_, other_leaves, other)) in star.iter().zip(before) {
+            match (leaves, other_leaves) {
+                (false, true) => successors[*index] = *other,
+                (true, false) => {}
+                _ => return None,
             }
         }
     }
-    stars.into_values().all(|mut star| {
-        star.sort_by(|a, b| a.0.total_cmp(&b.0));
-        star.iter().zip(star.iter().cycle().skip(1)).all(|(a, b)| a.1 != b.1)
-    })
+    Some(successors)
 }
 
 /// The plane of a group, with flat coordinates.
@@ -140,73 +145,30 @@ impl<'a> Sheet<'a> {
     }
 }
 
-/// A walk along the boundary.
-struct Walk<'a> {
-    sides: &'a [[u32; 2]],
-    sheet: &'a Sheet<'a>,
-    is_used: Vec<bool>,
-}
-
-impl<'a> Walk<'a> {
-    fn of(sides: &'a [[u32; 2]], sheet: &'a Sheet<'a>) -> Self {
-        Walk { sides, sheet, is_used: vec![false; sides.len()] }
-    }
-
-    /// All loops; none visits a corner twice.
-    fn loops(mut self) -> Vec<Vec<u32>> {
-        let mut loops = Vec::new();
-        for start in 0..self.sides.len() {
-            if !self.is_used[start] {
-                self.walk(start, &mut loops);
-            }
-        }
-        loops.retain(|ring| ring.len() > 2);
-        loops
-    }
-
-    /// Walks from a side until it comes back to it. Where a corner is met again, the loop between is taken out.
-    fn walk(&mut self, start: usize, loops: &mut Vec<Vec<u32>>) {
+/// The loops that sides and their successors form; none visits a corner twice.
+fn loops(sides: &[[u32; 2]], successors: &[usize]) -> Vec<Vec<u32>> {
+    let mut is_used = vec![false; sides.len()];
+    let mut loops = Vec::new();
+    for start in 0..sides.len() {
         let mut path: Vec<u32> = Vec::new();
-        // Where on the path corners stand that can be met again: those with several sides.
+        // Where on the path corners stand. Where one is met again, the loop between is taken out.
         let mut met: HashMap<u32, usize> = HashMap::new();
         let mut side = start;
-        loop {
-            self.is_used[side] = true;
-            let [from, to] = self.sides[side];
-            if self.from(from).len() > 1 {
-                if let Some(place) = met.get(&from).copied() {
-                    let ring = path.split_off(place);
-                    for corner in ring.iter().skip(1) {
-                        met.remove(corner);
-                    }
-                    loops.push(ring);
+        while !std::mem::replace(&mut is_used[side], true) {
+            let corner = sides[side][0];
+            if let Some(place) = met.get(&corner).copied() {
+                let ring = path.split_off(place);
+                for corner in &ring {
+                    met.remove(corner);
                 }
-                met.insert(from, path.len());
+                loops.push(ring);
             }
-            path.push(from);
-            match self.next(from, to, start) {
-                Some(next) if next != start => side = next,
-                _ => break,
-            }
+            met.insert(corner, path.len());
+            path.push(corner);
+            side = successors[side];
         }
         loops.push(path);
     }
-
-    /// Indices of the sides that start at a corner.
-    fn from(&self, corner: u32) -> std::ops::Range<usize> {
-        let start = self.sides.partition_point(|side| side[0] < corner);
-        start..start + self.sides[start..].partition_point(|side| side[0] == corner)
-    }
-
-    /// The side that bounds the same faces at `to`: the first one clockwise from the way back.
-    fn next(&self, from: u32, to: u32, start: usize) -> Option<usize> {
-        let open = self.from(to).filter(|side| *side == start || !self.is_used[*side]);
-        let back = self.sheet.point(from) - self.sheet.point(to);
-        let turn = |side: usize| {
-            let onward = self.sheet.point(self.sides[side][1]) - self.sheet.point(to);
-            let angle = f64::atan2(onward.perp_dot(back), onward.dot(back));
-            if angle > 0.0 { angle } else { angle + TAU }
-        };
-        open.min_by(|a, b| turn(*a).total_cmp(&turn(*b)))
-    }
+    loops.retain(|ring| ring.len() > 2);
+    loops
 }

@@ -5,7 +5,7 @@ use glam::DVec2;
 /// Pairs of sides that are compared: at least, and for each side, before loops count as crossing. Chosen; not tuned:
 /// boundaries of real meshes take a few for each side.
 const LEAST: usize = 1_000_000;
-const FOR_EACH: usize = 1000;
+const FOR_EACH: usize = 100;
 
 /// A side, and the part of it within a strip.
 #[derive(Clone, Copy)]

@@ -152,7 +152,7 @@ fn mutated_files_are_read_or_refused() {
 }
 
 #[test]
-#[ignore = "a longer hunt: about a minute without optimisation"]
+#[ignore = "a longer hunt: seconds, even without optimisation"]
 fn many_mutated_files_are_read_or_refused() {
     hunt(40_000);
 }
