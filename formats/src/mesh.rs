@@ -83,7 +83,7 @@ impl Mesh {
     /// The model: coplanar faces of an object merged, surfaces named by their objects, colours settled.
     ///
     /// # Errors
-    /// No faces; `found` tells what there may be instead: "faces (f)".
+    /// No faces; `what` names what the file lacks: "faces (f)".
     pub fn finish(mut self, what: &str) -> Result<Model, Fault> {
         if self.model.surfaces.is_empty() {
             return Err(Fault::new(
