@@ -1,0 +1,53 @@
+//! Triangles of primitives (section 3.7.2.1): of lists, strips and fans.
+
+/// How corners form triangles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Mode {
+    List,
+    Strip,
+    Fan,
+}
+
+impl Mode {
+    /// The mode of a number; none for points and lines, and for numbers that stand for nothing.
+    pub(super) fn of(number: u32) -> Option<Mode> {
+        match number {
+            4 => Some(Mode::List),
+            5 => Some(Mode::Strip),
+            6 => Some(Mode::Fan),
+            _ => None,
+        }
+    }
+
+    /// How many triangles so many corners form.
+    pub(super) fn count(self, corners: usize) -> usize {
+        match self {
+            Mode::List => corners / 3,
+            Mode::Strip | Mode::Fan => corners.saturating_sub(2),
+        }
+    }
+
+    /// Which corners the triangle of a number has, counter-clockwise.
+    pub(super) fn corners(self, triangle: usize) -> [usize; 3] {
+        let k = triangle;
+        match self {
+            Mode::List => [3 * k, 3 * k + 1, 3 * k + 2],
+            // Every other triangle of a strip runs the other way.
+            Mode::Strip => [k, k + 1 + k % 2, k + 2 - k % 2],
+            Mode::Fan => [k + 1, k + 2, 0],
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn strips_and_fans_keep_their_fronts() {
+        let all = |mode: Mode| (0..mode.count(5)).map(|k| mode.corners(k)).collect::<Vec<_>>();
+        assert_eq!(all(Mode::Strip), [[0, 1, 2], [1, 3, 2], [2, 3, 4]]);
+        assert_eq!(all(Mode::Fan), [[1, 2, 0], [2, 3, 0], [3, 4, 0]]);
+        assert_eq!(all(Mode::List), [[0, 1, 2]]);
+    }
+}

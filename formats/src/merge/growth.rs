@@ -1,0 +1,110 @@
+//! Groups of faces in one plane that hang together by their sides.
+
+use super::corners::Corners;
+use super::face::Face;
+
+/// Distance of corners from a group's plane over the extent of all surfaces. Chosen; not tuned.
+const FLAT: f64 = 1e-5;
+
+/// Roundings within which corners lie in a plane through others. Chosen; not tuned.
+const ROUNDINGS: f64 = 8.0;
+
+/// Faces at a side beyond which it joins nothing. Chosen; not tuned: walls and partitions that meet are fewer.
+const MOST_AT_SIDE: usize = 16;
+
+/// A side of a face.
+struct Side {
+    /// What faces have in common if it joins them: their key, and the ends, the lower number first.
+    joint: (usize, u32, u32),
+    face: u32,
+    is_forward: bool,
+}
+
+/// Groups of two or more faces, each a list of faces.
+pub(super) fn groups(faces: &[Face], corners: &Corners) -> Vec<Vec<u32>> {
+    let neighbours = neighbours(faces);
+    let distance = (FLAT * corners.extent).max(ROUNDINGS * corners.rounding);
+    let mut seeds: Vec<u32> = (0..faces.len() as u32).collect();
+    seeds.sort_by(|a, b| faces[*b as usize].area.total_cmp(&faces[*a as usize].area));
+    let mut is_taken = vec![false; faces.len()];
+    let mut groups = Vec::new();
+    for seed in seeds {
+        if is_taken[seed as usize] {
+            continue;
+        }
+        is_taken[seed as usize] = true;
+        let first = &faces[seed as usize];
+        let origin = corners.point(first.ring[0]);
+        let mut group = vec![seed];
+        let mut next = 0;
+        while let Some(face) = group.get(next).copied() {
+            next += 1;
+            for other in neighbours.of(face) {
+                let joined = &faces[*other as usize];
+                let is_near = |x: &u32| (corners.point(*x) - origin).dot(first.normal).abs() <= distance;
+                if !is_taken[*other as usize]
+                    && joined.is_level_with(first)
+                    && joined.ring.iter().all(is_near)
+                {
+                    is_taken[*other as usize] = true;
+                    group.push(*other);
+                }
+            }
+        }
+        if group.len() > 1 {
+            groups.push(group);
+        }
+    }
+    groups
+}
+
+/// The neighbours of each face.
+struct Neighbours {
+    pairs: Vec<(u32, u32)>,
+    starts: Vec<usize>,
+}
+
+impl Neighbours {
+    fn of(&self, face: u32) -> impl Iterator<Item = &u32> {
+        let range = self.starts[face as usize]..self.starts[face as usize + 1];
+        self.pairs[range].iter().map(|(_, other)| other)
+    }
+}
+
+/// Faces that meet over a whole side, level, and no third one level with them there.
+fn neighbours(faces: &[Face]) -> Neighbours {
+    let mut pairs = Vec::new();
+    for joint in sides(faces).chunk_by(|a, b| a.joint == b.joint) {
+        if joint.len() > MOST_AT_SIDE {
+            continue;
+        }
+        for side in joint {
+            let own = &faces[side.face as usize];
+            let level = || joint.iter().filter(|x| faces[x.face as usize].is_level_with(own));
+            let mut opposite = level().filter(|x| x.is_forward != side.is_forward);
+            let is_single = level().filter(|x| x.is_forward == side.is_forward).count() == 1;
+            if let (Some(other), None, true) = (opposite.next(), opposite.next(), is_single) {
+                pairs.push((side.face, other.face));
+            }
+        }
+    }
+    pairs.sort_unstable();
+    let starts = (0..=faces.len() as u32).map(|face| pairs.partition_point(|pair| pair.0 < face)).collect();
+    Neighbours { pairs, starts }
+}
+
+/// All sides of all faces, those at one joint one after another.
+fn sides(faces: &[Face]) -> Vec<Side> {
+    let mut sides = Vec::new();
+    for (index, face) in faces.iter().enumerate() {
+        for (a, b) in face.ring.iter().zip(face.ring.iter().cycle().skip(1)) {
+            sides.push(Side {
+                joint: (face.key, *a.min(b), *a.max(b)),
+                face: index as u32,
+                is_forward: a < b,
+            });
+        }
+    }
+    sides.sort_unstable_by_key(|side| (side.joint, side.face, side.is_forward));
+    sides
+}

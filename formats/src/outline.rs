@@ -1,0 +1,65 @@
+//! Outlines in space: their area and whether they lie in a plane.
+
+use glam::DVec3;
+use radiosity_geom::{coordinate_rounding, sides};
+
+/// How far a corner may lie off the plane of an outline, in multiples of the outline's extent: that of flat regions in
+/// `radiosity-geom`.
+const PLANARITY: f64 = 2e-5;
+
+/// Roundings by which a corner may miss the plane of others: that of flat regions in `radiosity-geom`.
+const ROUNDINGS: f64 = 8.0;
+
+/// ½ Σ xᵢ × xᵢ₊₁ (Newell): along the front's normal, as long as the area.
+pub fn area_vector(outline: &[DVec3]) -> DVec3 {
+    let Some(first) = outline.first() else { return DVec3::ZERO };
+    0.5 * sides(outline).map(|[x, y]| (x - *first).cross(y - *first)).sum::<DVec3>()
+}
+
+/// Largest distance of a corner from the first.
+pub fn extent(outline: &[DVec3]) -> f64 {
+    let Some(first) = outline.first() else { return 0.0 };
+    outline.iter().map(|x| x.distance(*first)).fold(0.0, f64::max)
+}
+
+/// Largest distance of a corner from the plane through the first, whose normal is that of the area. 0 without area.
+pub fn unevenness(outline: &[DVec3]) -> f64 {
+    let Some(first) = outline.first() else { return 0.0 };
+    let normal = area_vector(outline).normalize_or_zero();
+    outline.iter().map(|x| (*x - *first).dot(normal).abs()).fold(0.0, f64::max)
+}
+
+/// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and than their
+/// rounding, and convex seen from the front.
+pub fn is_warped(corners: &[DVec3; 4]) -> bool {
+    let tolerance = (PLANARITY * extent(corners)).max(ROUNDINGS * coordinate_rounding(corners, None));
+    let normal = area_vector(corners);
+    let turn = |k: usize| {
+        let [a, b, c] = [0, 1, 2].map(|step| corners[(k + step) % 4]);
+        (b - a).cross(c - b).dot(normal)
+    };
+    unevenness(corners) > tolerance && (0..4).all(|k| turn(k) > 0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square(lift: f64) -> [DVec3; 4] {
+        [DVec3::ZERO, DVec3::X, DVec3::new(1.0, 1.0, lift), DVec3::Y]
+    }
+
+    #[test]
+    fn the_area_of_a_square_points_to_its_front() {
+        assert_eq!(area_vector(&square(0.0)), DVec3::Z);
+        assert_eq!(extent(&square(0.0)), 2f64.sqrt());
+    }
+
+    #[test]
+    fn only_lifted_convex_squares_are_warped() {
+        assert!(is_warped(&square(0.1)));
+        assert!(!is_warped(&square(1e-5)));
+        let dart = [DVec3::ZERO, DVec3::X, DVec3::new(0.2, 0.2, 0.1), DVec3::Y];
+        assert!(!is_warped(&dart));
+    }
+}
