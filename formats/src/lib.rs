@@ -10,3 +10,5 @@ pub mod model;
 pub mod names;
 pub mod colour;
 pub mod format;
+pub mod fronts;
+pub mod repair;

@@ -1,0 +1,178 @@
+//! Disks and rings in the plane of other flat faces.
+//!
+//! `radiosity` sets apart polygons by itself, but not disks. A disk that shows its front to a larger face, such as the
+//! foot of a glass on a shelf, gets no light and is removed; any other is raised off the larger face, before its own
+//! front, by a gap that lets no light through. A polygon on a larger disk fares alike.
+
+use std::cmp::Ordering;
+use std::collections::{BTreeMap, BTreeSet};
+
+use glam::DVec3;
+
+use crate::model::{Model, Shape, Sides};
+use crate::repair::copies::emits;
+use crate::repair::edit::Edit;
+use crate::repair::record::{Kind, Repairs};
+use crate::repair::sheets::{Sheet, Sheets};
+
+/// Gap below a face over its extent: a hundred times what is no length. Chosen; not tuned.
+const GAP: f64 = 1e-7;
+
+/// Part of the area that polygons inscribed in circles may miss. Chosen; not tuned.
+const MISSED: f64 = 1e-2;
+
+/// Removes or raises disks that lie on other faces, and polygons that lie on disks.
+pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
+    let sheets = Sheets::of(model);
+    let mut lying: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    let mut hidden: BTreeMap<usize, usize> = BTreeMap::new();
+    for index in 0..sheets.list().len() {
+        for other in sheets.later(index) {
+            let [first, second] = [index, other].map(|index| &sheets.list()[index]);
+            if !(first.is_round || second.is_round) {
+                continue;
+            }
+            let common = first.common_area(second);
+            if common <= 0.0 {
+                continue;
+            }
+            let [sheet, on] = if order(second, first).is_lt() { [other, index] } else { [index, other] };
+            let [small, large] = [sheet, on].map(|index| &sheets.list()[index]);
+            let is_within = common > (1.0 - MISSED) * small.area();
+            let is_shown = !small.is_alike(large)
+                && model.surfaces[small.surface].sides != Sides::Both
+                && model.surfaces[large.surface].sides != Sides::Both;
+            if is_shown && is_within && !emits(model, small.surface) {
+                hidden.insert(sheet, on);
+            } else {
+                lying.entry(sheet).or_default().push(on);
+            }
+        }
+    }
+    let mut edit = Edit::default();
+    for (sheet, on) in &hidden {
+        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[*index].surface]);
+        edit.replace(sheets.list()[*sheet].surface, Vec::new());
+        let text = format!("{:?} lies on {:?} face down; it was removed", surface.name, other.name);
+        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+    }
+    lying.retain(|sheet, _| !hidden.contains_key(sheet));
+    let gone: BTreeSet<usize> = hidden.into_keys().collect();
+    for (sheet, on) in &mut lying {
+        on.retain(|other| !gone.contains(other));
+        let Some(on) = on.first() else { continue };
+        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[*index].surface]);
+        let text = format!("{:?} lies on {:?}; it was raised slightly", surface.name, other.name);
+        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+    }
+    lying.retain(|_, on| !on.is_empty());
+    let by = moves(&sheets, &lying, |surface| model.surfaces[surface].sides == Sides::Both);
+    for (index, by) in by {
+        if let Some(shape) = moved(&model.surfaces[index].shape, by) {
+            model.surfaces[index].shape = shape;
+        }
+    }
+    edit.apply(model);
+}
+
+/// How faces that lie on others move, by surface: what lies on a face that moves moves along.
+fn moves(
+    sheets: &Sheets,
+    lying: &BTreeMap<usize, Vec<usize>>,
+    is_two_sided: impl Fn(usize) -> bool,
+) -> Vec<(usize, DVec3)> {
+    let mut indices: Vec<usize> = lying.keys().copied().collect();
+    indices.sort_by(|a, b| order(&sheets.list()[*b], &sheets.list()[*a]));
+    let mut by: BTreeMap<usize, DVec3> = BTreeMap::new();
+    for index in indices {
+        let sheet = &sheets.list()[index];
+        let mut largest = DVec3::ZERO;
+        for on in &lying[&index] {
+            let other = &sheets.list()[*on];
+            // What has two fronts lies before the front of the larger face.
+            let up = if is_two_sided(sheet.surface) { other.normal() } else { sheet.normal() };
+            let step = GAP * sheet.extent() * up + by.get(on).copied().unwrap_or(DVec3::ZERO);
+            largest = if step.length() > largest.length() { step } else { largest };
+        }
+        by.insert(index, largest);
+    }
+    by.into_iter().map(|(index, by)| (sheets.list()[index].surface, by)).collect()
+}
+
+/// Smaller faces first; of equal ones the later.
+fn order(a: &Sheet, b: &Sheet) -> Ordering {
+    a.area().total_cmp(&b.area()).then(b.surface.cmp(&a.surface))
+}
+
+fn moved(shape: &Shape, by: DVec3) -> Option<Shape> {
+    match shape {
+        Shape::Polygon { outline, holes } => {
+            let ring = |ring: &Vec<DVec3>| ring.iter().map(|x| *x + by).collect();
+            Some(Shape::Polygon { outline: ring(outline), holes: holes.iter().map(ring).collect() })
+        }
+        Shape::Disk { center, normal, radius, inner } => {
+            Some(Shape::Disk { center: *center + by, normal: *normal, radius: *radius, inner: *inner })
+        }
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Surface;
+
+    fn disk(name: &str, radius: f64, up: f64) -> Surface {
+        let shape = Shape::Disk { center: DVec3::ZERO, normal: up * DVec3::Z, radius, inner: 0.0 };
+        Surface { name: name.into(), material: None, shape, sides: Sides::Front, place: None }
+    }
+
+    fn floor() -> Surface {
+        let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+        let outline = vec![corner(-2.0, -2.0), corner(2.0, -2.0), corner(2.0, 2.0), corner(-2.0, 2.0)];
+        let shape = Shape::Polygon { outline, holes: Vec::new() };
+        Surface { name: "floor".into(), material: None, shape, sides: Sides::Front, place: None }
+    }
+
+    fn mended(surfaces: Vec<Surface>) -> (Vec<Surface>, Vec<String>) {
+        let mut model = Model { surfaces, ..Model::default() };
+        let mut repairs = Repairs::default();
+        mend(&mut model, &mut repairs);
+        (model.surfaces, repairs.list.into_iter().map(|repair| repair.text).collect())
+    }
+
+    fn height(surface: &Surface) -> f64 {
+        match surface.shape {
+            Shape::Disk { center, .. } => center.z,
+            _ => 0.0,
+        }
+    }
+
+    #[test]
+    fn a_foot_goes_and_a_plate_is_raised() {
+        let (left, told) = mended(vec![floor(), disk("foot", 0.5, -1.0)]);
+        assert_eq!(
+            (left, told),
+            (vec![floor()], vec![r#""foot" lies on "floor" face down; it was removed"#.into()])
+        );
+        let (left, told) = mended(vec![disk("plate", 0.5, 1.0), floor()]);
+        assert!(height(&left[0]) > 0.0 && height(&left[0]) < 1e-6);
+        assert_eq!(told, [r#""plate" lies on "floor"; it was raised slightly"#]);
+    }
+
+    #[test]
+    fn plates_are_stacked_and_what_is_apart_stays() {
+        let (left, _) = mended(vec![disk("plate", 0.5, 1.0), floor(), disk("cup", 0.1, 1.0)]);
+        assert!(height(&left[2]) > height(&left[0]));
+        let Surface { shape: Shape::Disk { normal, radius, inner, .. }, .. } = disk("", 0.5, 1.0) else {
+            panic!()
+        };
+        let shape = Shape::Disk { center: DVec3::new(9.0, 0.0, 0.0), normal, radius, inner };
+        let beside = vec![floor(), Surface { shape, ..disk("plate", 0.5, 1.0) }];
+        assert_eq!(mended(beside.clone()), (beside, Vec::new()));
+        // A disk that touches the border from outside.
+        let shape = Shape::Disk { center: DVec3::new(2.5, 0.0, 0.0), normal, radius, inner };
+        let beside = vec![floor(), Surface { shape, ..disk("plate", 0.5, 1.0) }];
+        assert_eq!(mended(beside.clone()), (beside, Vec::new()));
+    }
+}
