@@ -46,6 +46,7 @@ pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     let asked = options.tolerance.filter(|length| length.is_finite());
     settle_sides(model, options.sides);
     reflectances::mend(model, &mut repairs);
+    slivers::remove(model, &mut repairs);
     vertices::mend(model, asked, &mut repairs);
     slivers::remove(model, &mut repairs);
     outlines::mend(model, asked, &mut repairs);

@@ -44,8 +44,12 @@ impl<'a> Copies<'a> {
         self.model.surfaces[surface].sides != Sides::Both && !self.both[surface]
     }
 
-    /// Settles two surfaces in the same place, the first by index first, with the same front or opposite ones.
+    /// Settles two surfaces in the same place, the first by index first, with the same front or opposite ones. Front and
+    /// back of one sheet stay.
     pub(super) fn settle(&mut self, first: usize, second: usize, is_alike: bool) {
+        if !is_alike && are_sides_of_one(self.model, [first, second]) {
+            return;
+        }
         let [one, other] = [first, second].map(|index| &self.model.surfaces[index]);
         let names = vec![one.name.clone(), other.name.clone()];
         let pair = spelt(&names);
@@ -92,6 +96,12 @@ impl Changes {
         gone.for_each(|(index, _)| edit.replace(index, Vec::new()));
         edit.apply(model);
     }
+}
+
+/// Whether one surface is named the back of the other: both are sides of one sheet.
+pub(super) fn are_sides_of_one(model: &Model, pair: [usize; 2]) -> bool {
+    let [one, other] = pair.map(|index| model.surfaces[index].name.as_str());
+    one.strip_suffix(":back") == Some(other) || other.strip_suffix(":back") == Some(one)
 }
 
 /// Whether a surface emits.

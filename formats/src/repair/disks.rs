@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use glam::DVec3;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::emits;
+use crate::repair::copies::{are_sides_of_one, emits};
 use crate::repair::edit::Edit;
 use crate::repair::record::{Kind, Repairs};
 use crate::repair::sheets::{Sheet, Sheets};
@@ -29,7 +29,8 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     for index in 0..sheets.list().len() {
         for other in sheets.later(index) {
             let [first, second] = [index, other].map(|index| &sheets.list()[index]);
-            if !(first.is_round || second.is_round) {
+            let is_sheet = are_sides_of_one(model, [first.surface, second.surface]);
+            if is_sheet || !(first.is_round || second.is_round) {
                 continue;
             }
             let common = first.common_area(second);

@@ -8,7 +8,7 @@
 use std::collections::BTreeMap;
 
 use crate::model::{Model, Shape, Sides};
-use crate::repair::copies::emits;
+use crate::repair::copies::{are_sides_of_one, emits};
 use crate::repair::edit::Edit;
 use crate::repair::overlay::{Part, enclosed, without};
 use crate::repair::record::{Kind, Repairs, spelt};
@@ -45,11 +45,9 @@ fn round(
     let mut cuts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let is_new = |index: usize| changed.is_none_or(|marks| marks[sheets.list()[index].surface]);
     for index in 0..sheets.list().len() {
-        for other in sheets.later(index) {
-            if is_new(index) || is_new(other) {
-                if let Some([cut, by]) = (Pair { model, sheets: &sheets, pair: [index, other] }).cut() {
-                    cuts.entry(cut).or_default().push(by);
-                }
+        for other in sheets.later(index).filter(|other| is_new(index) || is_new(*other)) {
+            if let Some([cut, by]) = (Pair { model, sheets: &sheets, pair: [index, other] }).cut() {
+                cuts.entry(cut).or_default().push(by);
             }
         }
     }
@@ -106,8 +104,12 @@ impl Pair<'_> {
     /// The face that has to be cut, and the one that cuts it; None if nothing has to be.
     fn cut(&self) -> Option<[usize; 2]> {
         let [first, second] = self.pair.map(|index| &self.sheets.list()[index]);
+        let is_sheet = are_sides_of_one(self.model, [first.surface, second.surface]);
+        if first.is_round || second.is_round || is_sheet {
+            return None;
+        }
         let common = first.common_area(second);
-        if first.is_round || second.is_round || common <= 0.0 {
+        if common <= 0.0 {
             return None;
         }
         // Of equal ones the later lies on the earlier.

@@ -43,12 +43,3 @@ pub(super) fn length_and_width(ring: &[DVec3]) -> [f64; 2] {
     let width = ring.iter().map(|x| (*x - one).cross(along).length()).fold(0.0, f64::max);
     [one.distance(other), width]
 }
-
-/// The ring run through in the other direction, the first point staying first.
-pub(super) fn reversed(ring: &[DVec3]) -> Vec<DVec3> {
-    let mut ring: Vec<DVec3> = ring.iter().rev().copied().collect();
-    if !ring.is_empty() {
-        ring.rotate_right(1);
-    }
-    ring
-}
