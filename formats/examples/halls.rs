@@ -17,7 +17,7 @@ const ALONG: usize = 128;
 const RARE: usize = 100;
 
 /// Faults that are made in turn.
-const FAULTS: usize = 8;
+const FAULTS: usize = 9;
 
 fn main() -> io::Result<()> {
     let mut model = halls();
@@ -93,6 +93,7 @@ fn spoil(faces: &mut Vec<Vec<DVec3>>, fault: usize) {
         4 => faces[1] = vec![a, c, b, d],
         5 => faces[1][2] += 0.01 * DVec3::Z,
         6 => faces.push(vec![c, d, a, b]),
+        7 => faces.iter_mut().for_each(|face| face.reverse()),
         _ => faces.push([inner(0.5, 0.2), inner(1.5, 0.2), inner(1.5, 0.7), inner(0.5, 0.7)].to_vec()),
     }
 }

@@ -6,7 +6,7 @@
 use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
-use radiosity_geom::{Aabb, sides};
+use radiosity_geom::{Aabb, Bvh, sides};
 
 use crate::model::{Model, Shape, Sides};
 
@@ -41,9 +41,7 @@ pub enum Why {
 /// The faces whose fronts point the wrong way, body by body. Only flat and bilinear one-sided surfaces are looked at.
 pub fn turned(model: &Model) -> Vec<Turned> {
     let faces = Faces::of(model);
-    let middles: Vec<(usize, DVec3)> =
-        model.surfaces.iter().enumerate().map(|(index, surface)| (index, middle(&surface.shape))).collect();
-    let order = sorted(&middles);
+    let middles = Middles::of(model);
     let mut found = Vec::new();
     for body in faces.bodies() {
         let minority = body.minority();
@@ -61,7 +59,7 @@ pub fn turned(model: &Model) -> Vec<Turned> {
             continue;
         }
         let skin = faces.skin(&body);
-        if let Some(why) = skin.fault(model, &middles, &order) {
+        if let Some(why) = skin.fault(model, &middles) {
             let surfaces = body.members.iter().map(|(face, _)| faces.list[*face].surface).collect();
             found.push(Turned { why, surfaces, beside: faces.list[beside].surface });
         }
@@ -93,11 +91,27 @@ fn middle(shape: &Shape) -> DVec3 {
     }
 }
 
-/// Surfaces in the order of their middles along x.
-fn sorted(middles: &[(usize, DVec3)]) -> Vec<(f64, usize)> {
-    let mut order: Vec<(f64, usize)> = middles.iter().map(|(index, x)| (x.x, *index)).collect();
-    order.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    order
+/// Points in the middle of all surfaces.
+struct Middles {
+    points: Vec<DVec3>,
+    tree: Bvh,
+}
+
+impl Middles {
+    fn of(model: &Model) -> Self {
+        let points: Vec<DVec3> = model.surfaces.iter().map(|surface| middle(&surface.shape)).collect();
+        let boxes: Vec<Aabb> = points.iter().map(|x| Aabb { min: *x, max: *x }).collect();
+        Middles { points, tree: Bvh::build(&boxes) }
+    }
+
+    /// The middles in a box of other surfaces than `own`, in order.
+    fn within(&self, bounds: &Aabb, own: &BTreeSet<usize>) -> Vec<DVec3> {
+        let mut near = Vec::new();
+        self.tree.overlapping(bounds, |surface| near.push(surface));
+        near.sort_unstable();
+        let others = near.into_iter().filter(|surface| !own.contains(surface));
+        others.map(|surface| self.points[surface]).filter(|x| bounds.contains(*x)).collect()
+    }
 }
 
 /// A face as rings of common corners, the outline first; holes run against it.
@@ -245,10 +259,10 @@ struct Skin {
 
 impl Skin {
     /// What is wrong with the way in which its fronts point.
-    fn fault(&self, model: &Model, middles: &[(usize, DVec3)], order: &[(f64, usize)]) -> Option<Why> {
+    fn fault(&self, model: &Model, middles: &Middles) -> Option<Why> {
         let is_outward = self.volume() > 0.0;
         let others = model.surfaces.len() - self.surfaces.len();
-        let near = self.near(middles, order);
+        let near = middles.within(&self.bounds, &self.surfaces);
         let is_inside = |x: DVec3| self.winding(x).abs() > 0.5;
         let has_eye = || model.camera.is_some_and(|camera| is_inside(camera.eye));
         let is_occupied = || has_eye() || near.iter().take(ASKED).any(|x| is_inside(*x));
@@ -264,15 +278,6 @@ impl Skin {
         };
         let is_empty = near.len() < others && !self.surfaces.iter().any(emits) && !is_occupied();
         is_empty.then_some(Why::Inwards)
-    }
-
-    /// Middles of other surfaces in the box around it.
-    fn near(&self, middles: &[(usize, DVec3)], order: &[(f64, usize)]) -> Vec<DVec3> {
-        let start = order.partition_point(|(x, _)| *x < self.bounds.min.x);
-        let end = order.partition_point(|(x, _)| *x <= self.bounds.max.x);
-        let surfaces = order[start..end].iter().map(|(_, surface)| *surface);
-        let others = surfaces.filter(|surface| !self.surfaces.contains(surface));
-        others.map(|surface| middles[surface].1).filter(|x| self.bounds.contains(*x)).collect()
     }
 
     /// Six times the volume, positive if the fronts point outwards.

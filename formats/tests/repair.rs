@@ -133,6 +133,15 @@ fn placed(surfaces: Vec<Surface>, turn: DQuat, by: DVec3, scale: f64) -> Vec<Sur
     surfaces.into_iter().map(|surface| Surface { shape: shape(surface.shape), ..surface }).collect()
 }
 
+/// A whole number, one that misses it by rounding, or any other.
+fn coordinate() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        4 => (0..5u8).prop_map(f64::from),
+        1 => (0..5u8, -3e-10..3e-10f64).prop_map(|(whole, rounding)| f64::from(whole) + rounding),
+        1 => 0.0..5.0f64,
+    ]
+}
+
 proptest! {
     #![proptest_config(config(128))]
 
@@ -161,17 +170,17 @@ proptest! {
         prop_assert_eq!(before, after);
     }
 
-    /// Any ring of few points, on a grid so that all kinds of contacts occur, becomes sound polygons, and repairing them
-    /// again changes nothing.
+    /// Any ring of few points, most of them on a grid or beside it by rounding so that all kinds of contacts occur, becomes
+    /// sound polygons, and repairing them again changes nothing.
     #[test]
     fn any_ring_becomes_sound(
-        points in prop::collection::vec((0..5u8, 0..5u8), 3..12),
-        hole in prop::collection::vec((0..5u8, 0..5u8), 0..6),
+        points in prop::collection::vec([coordinate(), coordinate()], 3..12),
+        hole in prop::collection::vec([coordinate(), coordinate()], 0..6),
         axis in prop::array::uniform3(-2.0..2.0f64),
         is_turned in prop::bool::ANY,
     ) {
         let turn = if is_turned { DQuat::from_scaled_axis(DVec3::from_array(axis)) } else { DQuat::IDENTITY };
-        let at = |(x, y): &(u8, u8)| turn * DVec3::new(f64::from(*x), f64::from(*y), 0.7);
+        let at = |[x, y]: &[f64; 2]| turn * DVec3::new(*x, *y, 0.7);
         let outline: Vec<DVec3> = points.iter().map(at).collect();
         let holes: Vec<Vec<DVec3>> = (hole.len() > 2).then(|| hole.iter().map(at).collect()).into_iter().collect();
         let before = model(vec![surface("face", Shape::Polygon { outline, holes })]);
@@ -199,7 +208,6 @@ proptest! {
     ) {
         let turn = if is_turned { DQuat::from_scaled_axis(DVec3::from_array(axis)) } else { DQuat::IDENTITY };
         let squares = places.iter().enumerate().map(|(k, (x, y, size))| {
-            // No square lies wholly in another, which would be a picture on a wall.
             let (x, y, size) = (f64::from(*x) + 0.01 * k as f64, f64::from(*y) + 0.01 * k as f64, f64::from(*size));
             square(&format!("square-{k}"), [x, y, 0.3], size, true)
         });
@@ -227,9 +235,8 @@ proptest! {
         let pictures: f64 = covered - union;
         // What lies wholly on another one is set apart by the scene and stays; it alone is counted twice.
         let nested: f64 = after.surfaces.iter().enumerate().map(|(k, own)| {
-            let others = after.surfaces.iter().enumerate().filter(|(l, _)| *l != k);
-            let wholes = others.filter(|(_, other)| lies_in(own, other)).count();
-            area(&own.shape) * wholes as f64
+            let mut others = after.surfaces.iter().enumerate().filter(|(l, _)| *l != k);
+            if others.any(|(_, other)| lies_in(own, other)) { area(&own.shape) } else { 0.0 }
         }).sum();
         prop_assert!((pictures - nested).abs() < 1e-6, "{covered} {union} {nested}");
     }

@@ -14,9 +14,10 @@ pub(super) struct Copies<'a> {
     model: &'a Model,
     gone: Vec<bool>,
     both: Vec<bool>,
-    /// Surfaces by index that become the backs of others.
+    /// Surfaces that become the backs of others, and their new names.
+    is_back: Vec<bool>,
     backs: Vec<(usize, String)>,
-    names: HashSet<&'a str>,
+    names: HashSet<String>,
     repairs: Repairs,
 }
 
@@ -29,14 +30,15 @@ pub(super) struct Changes {
 
 impl<'a> Copies<'a> {
     pub(super) fn of(model: &'a Model) -> Self {
-        let names = model.surfaces.iter().map(|surface| surface.name.as_str()).collect();
-        let none = vec![false; model.surfaces.len()];
-        Copies { model, gone: none.clone(), both: none, backs: vec![], names, repairs: Repairs::default() }
+        let names = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
+        let none = || vec![false; model.surfaces.len()];
+        let repairs = Repairs::default();
+        Copies { model, gone: none(), both: none(), is_back: none(), backs: vec![], names, repairs }
     }
 
     /// Whether a surface still is one by itself.
     pub(super) fn is_there(&self, surface: usize) -> bool {
-        !self.gone[surface] && self.backs.iter().all(|(back, _)| *back != surface)
+        !self.gone[surface] && !self.is_back[surface]
     }
 
     /// Whether one side only of a surface reflects and emits.
@@ -60,8 +62,9 @@ impl<'a> Copies<'a> {
             self.gone[second] = true;
             let [kept, gone] = [&names[0], &names[1]];
             format!("{pair} are the sides of one sheet; {kept:?} was made two-sided, and {gone:?} removed")
-        } else if is_sheet && !self.names.contains(back.as_str()) && self.has_no_back(&back) {
+        } else if is_sheet && self.names.insert(back.clone()) {
             let text = format!("{pair} are the sides of one sheet; {:?} is now {back:?}", names[1]);
+            self.is_back[second] = true;
             self.backs.push((second, back));
             text
         } else {
@@ -71,10 +74,6 @@ impl<'a> Copies<'a> {
             format!("{pair} coincide; {:?} was removed", self.model.surfaces[gone].name)
         };
         self.repairs.say(Kind::Coincident, names, one.place, text);
-    }
-
-    fn has_no_back(&self, back: &str) -> bool {
-        self.backs.iter().all(|(_, name)| name != back)
     }
 
     pub(super) fn changes(self, repairs: &mut Repairs) -> Changes {

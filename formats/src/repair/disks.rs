@@ -23,6 +23,9 @@ const MISSED: f64 = 1e-2;
 
 /// Removes or raises disks that lie on other faces, and polygons that lie on disks.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
+    if !model.surfaces.iter().any(|surface| matches!(surface.shape, Shape::Disk { .. })) {
+        return;
+    }
     let sheets = Sheets::of(model);
     let mut lying: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let mut hidden: BTreeMap<usize, usize> = BTreeMap::new();

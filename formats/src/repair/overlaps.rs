@@ -44,9 +44,11 @@ fn round(
     let sheets = Sheets::of(model);
     let mut cuts: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
     let is_new = |index: usize| changed.is_none_or(|marks| marks[sheets.list()[index].surface]);
-    for index in 0..sheets.list().len() {
-        for other in sheets.later(index).filter(|other| is_new(index) || is_new(*other)) {
-            if let Some([cut, by]) = (Pair { model, sheets: &sheets, pair: [index, other] }).cut() {
+    for index in (0..sheets.list().len()).filter(|index| is_new(*index)) {
+        // Of two new ones the earlier finds the later.
+        for other in sheets.beside(index).filter(|other| *other > index || !is_new(*other)) {
+            let pair = [index.min(other), index.max(other)];
+            if let Some([cut, by]) = (Pair { model, sheets: &sheets, pair }).cut() {
                 cuts.entry(cut).or_default().push(by);
             }
         }

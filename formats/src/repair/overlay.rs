@@ -40,13 +40,29 @@ impl Part {
 /// What the rings enclose by the even–odd rule: what a line from there to far away leaves through an odd number of
 /// sides.
 pub(super) fn enclosed(plane: &Plane, rings: &[&[DVec3]], asked: Option<f64>) -> Vec<Part> {
-    Drawing::new(plane, rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd)
+    let given: Vec<DVec3> = rings.iter().flat_map(|ring| ring.iter().copied()).collect();
+    let parts = Drawing::new(plane, &given, rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd);
+    settled(plane, &given, parts, asked)
 }
 
 /// What `parts` have outside `others`; outlines of both run counter-clockwise, holes clockwise.
 pub(super) fn without(plane: &Plane, parts: &[Part], others: &[Part], asked: Option<f64>) -> Vec<Part> {
     let [own, cut] = [parts, others].map(|parts| parts.iter().flat_map(Part::rings).collect::<Vec<_>>());
-    Drawing::new(plane, &own, &cut, asked).parts(OverlayRule::Difference, FillRule::NonZero)
+    let given: Vec<DVec3> = own.iter().flat_map(|ring| ring.iter().copied()).collect();
+    let parts =
+        Drawing::new(plane, &given, &own, &cut, asked).parts(OverlayRule::Difference, FillRule::NonZero);
+    settled(plane, &given, parts, asked)
+}
+
+/// The parts with new points made one with each other, and sides led through them: where three sides cross in one point,
+/// rounding leaves three.
+fn settled(plane: &Plane, given: &[DVec3], parts: Vec<Part>, asked: Option<f64>) -> Vec<Part> {
+    let known: HashSet<[u64; 3]> = given.iter().map(|x| bits(*x)).collect();
+    let rings: Vec<&[DVec3]> = parts.iter().flat_map(Part::rings).collect();
+    if rings.iter().copied().flatten().all(|x| known.contains(&bits(*x))) {
+        return parts;
+    }
+    Drawing::new(plane, given, &rings, &[], asked).parts(OverlayRule::Subject, FillRule::EvenOdd)
 }
 
 /// Rings with common nodes.
@@ -62,18 +78,22 @@ struct Drawing<'a> {
 }
 
 impl<'a> Drawing<'a> {
-    fn new(plane: &'a Plane, subjects: &[&[DVec3]], clips: &[&[DVec3]], asked: Option<f64>) -> Self {
-        let all = || subjects.iter().chain(clips);
-        let points: Vec<DVec3> = subjects.iter().flat_map(|ring| ring.iter().copied()).collect();
-        let tolerance = SPARE * tolerance(&points, asked);
+    /// The rings that are cut and those that cut them; points that were given are kept rather than others.
+    fn new(
+        plane: &'a Plane,
+        given: &[DVec3],
+        subjects: &[&[DVec3]],
+        clips: &[&[DVec3]],
+        asked: Option<f64>,
+    ) -> Self {
+        let tolerance = SPARE * tolerance(given, asked);
         let mut nodes = Nodes::new(tolerance);
-        let mut rings = Vec::new();
-        let mut own = 0;
-        for (k, ring) in all().enumerate() {
-            rings.push(ring.iter().map(|x| nodes.take(*x, plane.flat(*x))).collect::<Vec<_>>());
-            own = if k < subjects.len() { nodes.flat.len() } else { own };
+        for x in given {
+            nodes.take(*x, plane.flat(*x));
         }
-        nodes.own = own;
+        nodes.given = nodes.points.len();
+        let ring = |ring: &&[DVec3]| ring.iter().map(|x| nodes.take(*x, plane.flat(*x))).collect::<Vec<_>>();
+        let rings = subjects.iter().chain(clips).map(ring).collect();
         let rings = through_nodes(rings, &nodes, tolerance);
         let (low, high) = nodes
             .flat
@@ -124,7 +144,7 @@ impl<'a> Drawing<'a> {
         let mut points: Vec<(DVec3, bool)> = ring
             .into_iter()
             .map(|at| match known.get(&place(at)) {
-                Some(node) => (self.nodes.points[*node], *node < self.nodes.own),
+                Some(node) => (self.nodes.points[*node], *node < self.nodes.given),
                 None => (self.crossing(at), false),
             })
             .collect();
@@ -138,14 +158,14 @@ impl<'a> Drawing<'a> {
         Some(points)
     }
 
-    /// Takes out points that the rings that are cut do not have, where they have no effect.
+    /// Takes out points that were not given, where they have no effect.
     fn straighten(&self, points: &mut Vec<(DVec3, bool)>) {
         let mut at = 0;
         while at < points.len() && points.len() > 3 {
             let count = points.len();
-            let [before, (here, is_own), after] =
+            let [before, (here, is_given), after] =
                 [points[(at + count - 1) % count], points[at], points[(at + 1) % count]];
-            match !is_own && distance_to_segment(here, [before.0, after.0]) <= self.tolerance {
+            match !is_given && distance_to_segment(here, [before.0, after.0]) <= self.tolerance {
                 true => drop(points.remove(at)),
                 false => at += 1,
             }
@@ -199,14 +219,14 @@ struct Nodes {
     index: HashMap<[u64; 3], usize>,
     cells: HashMap<[i64; 2], Vec<usize>>,
     cell: f64,
-    /// How many belong to the rings that are cut.
-    own: usize,
+    /// How many were given.
+    given: usize,
 }
 
 impl Nodes {
     fn new(tolerance: f64) -> Self {
         let cell = tolerance.max(f64::MIN_POSITIVE);
-        Nodes { points: vec![], flat: vec![], index: HashMap::new(), cells: HashMap::new(), cell, own: 0 }
+        Nodes { points: vec![], flat: vec![], index: HashMap::new(), cells: HashMap::new(), cell, given: 0 }
     }
 
     /// The node at a point: the first that was near.
@@ -270,7 +290,7 @@ fn through_nodes(rings: Vec<Vec<usize>>, nodes: &Nodes, tolerance: f64) -> Vec<V
 
 /// Whether a ring runs somewhere and back along the same way, as the seam does that leads an outline to a hole.
 pub(super) fn has_seam(plane: &Plane, ring: &[DVec3], asked: Option<f64>) -> bool {
-    let drawing = Drawing::new(plane, &[ring], &[], asked);
+    let drawing = Drawing::new(plane, ring, &[ring], &[], asked);
     let sides: HashSet<[usize; 2]> = drawing.rings.iter().flat_map(|ring| cyclic(ring)).collect();
     sides.iter().any(|[from, to]| sides.contains(&[*to, *from]))
 }

@@ -177,12 +177,16 @@ impl Sheets {
 
     /// Faces after this one that share its plane and whose boxes overlap its own, in order.
     pub(super) fn later(&self, own: usize) -> impl Iterator<Item = usize> {
+        self.beside(own).filter(move |other| *other > own)
+    }
+
+    /// All faces that share a face's plane and whose boxes overlap its own, in order.
+    pub(super) fn beside(&self, own: usize) -> impl Iterator<Item = usize> {
         let sheet = &self.list[own];
         let mut near = Vec::new();
         self.tree.overlapping(&sheet.bounds, |other| near.push(other));
-        near.retain(|other| *other > own);
         near.sort_unstable();
-        near.into_iter().filter(move |other| sheet.shares_plane(&self.list[*other]))
+        near.into_iter().filter(move |other| *other != own && sheet.shares_plane(&self.list[*other]))
     }
 
     /// Mean height over a face's front of the body that it belongs to: of faces in other planes with a side along one of
