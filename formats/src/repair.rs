@@ -25,8 +25,13 @@ mod reflectances;
 
 pub use record::{Kind, Repair, Repairs};
 
+use glam::DVec3;
+
 use crate::error::Refusal;
-use crate::model::{Model, Sides};
+use crate::model::{Model, Shape, Sides};
+
+/// The largest coordinate that is reckoned with: its fourth power is a number. `radiosity` refuses larger ones.
+const FARTHEST: f64 = 1e60;
 
 /// What the user asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -40,12 +45,16 @@ pub struct Options {
     pub fix_fronts: bool,
 }
 
-/// Repairs a model and says what was wrong with it. No surface has [`Sides::Open`] afterwards.
+/// Repairs a model and says what was wrong with it. No surface has [`Sides::Open`] afterwards. Shapes are left as they are
+/// where a length is above 1e60.
 pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     let mut repairs = Repairs::default();
     let asked = options.tolerance.filter(|length| length.is_finite());
     settle_sides(model, options.sides);
     reflectances::mend(model, &mut repairs);
+    if !model.surfaces.iter().all(|surface| is_within_reach(&surface.shape)) {
+        return repairs;
+    }
     slivers::remove(model, &mut repairs);
     vertices::mend(model, asked, &mut repairs);
     slivers::remove(model, &mut repairs);
@@ -69,6 +78,25 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
     };
     let cure = "mend the file, or let repairs be made by leaving out --strict".to_owned();
     Some(Refusal { file: file.to_owned(), place: first.place, cause, cure })
+}
+
+fn is_within_reach(shape: &Shape) -> bool {
+    let is_near = |points: &[DVec3]| points.iter().all(|x| x.abs().max_element() <= FARTHEST);
+    match shape {
+        Shape::Polygon { outline, holes } => is_near(outline) && holes.iter().all(|hole| is_near(hole)),
+        Shape::Quad(corners) => is_near(corners),
+        Shape::Disk { center, normal, radius, inner } => {
+            is_near(&[*center, *normal]) && radius.max(*inner) <= FARTHEST
+        }
+        Shape::Cylinder { base, axis, radius, .. } => is_near(&[*base, *axis]) && *radius <= FARTHEST,
+        Shape::Cone { base, axis, radii, .. } => {
+            is_near(&[*base, *axis]) && radii[0].max(radii[1]) <= FARTHEST
+        }
+        Shape::Sphere { center, radius, .. } => is_near(&[*center]) && *radius <= FARTHEST,
+        Shape::Torus { center, axis, major, minor, .. } => {
+            is_near(&[*center, *axis]) && major.max(*minor) <= FARTHEST
+        }
+    }
 }
 
 fn settle_sides(model: &mut Model, asked: Option<Sides>) {

@@ -242,6 +242,60 @@ proptest! {
     }
 }
 
+/// A length that readers let pass, sensible or not.
+fn any_length() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        6 => (-2..3i8).prop_map(f64::from),
+        1 => prop::sample::select(vec![1e-300, 5e-324, 1e-9, 1e9, 1e59, -1e59, 1e200, -1e300, f64::MAX]),
+        1 => -2.0..2.0f64,
+    ]
+}
+
+fn any_point() -> impl Strategy<Value = DVec3> {
+    [any_length(), any_length(), any_length()].prop_map(DVec3::from_array)
+}
+
+fn any_shape() -> impl Strategy<Value = Shape> {
+    let size = || any_length().prop_map(f64::abs);
+    let ring = |least: usize| prop::collection::vec(any_point(), least..7);
+    let cone = (any_point(), any_point(), [size(), size()], prop::bool::ANY)
+        .prop_map(|(base, axis, radii, inward)| Shape::Cone { base, axis, radii, inward });
+    prop_oneof![
+        6 => (ring(3), prop::collection::vec(ring(0), 0..2))
+            .prop_map(|(outline, holes)| Shape::Polygon { outline, holes }),
+        1 => [any_point(), any_point(), any_point(), any_point()].prop_map(Shape::Quad),
+        2 => (any_point(), any_point(), size(), size())
+            .prop_map(|(center, normal, radius, inner)| Shape::Disk { center, normal, radius, inner }),
+        1 => (any_point(), any_point(), size(), prop::bool::ANY)
+            .prop_map(|(base, axis, radius, inward)| Shape::Cylinder { base, axis, radius, inward }),
+        1 => cone,
+        1 => (any_point(), size(), prop::bool::ANY)
+            .prop_map(|(center, radius, inward)| Shape::Sphere { center, radius, inward }),
+    ]
+}
+
+proptest! {
+    #![proptest_config(config(256))]
+
+    /// Whatever numbers a file has, repair ends, and names stay unique.
+    #[test]
+    fn no_shape_is_too_odd(
+        shapes in prop::collection::vec((any_shape(), 0..3usize), 1..9),
+        fix_fronts in prop::bool::ANY,
+    ) {
+        let sides = [Sides::Front, Sides::Both, Sides::Open];
+        let named = |(k, (shape, side)): (usize, (Shape, usize))| {
+            Surface { sides: sides[side], ..surface(&format!("odd-{k}"), shape) }
+        };
+        let mut odd = model(shapes.into_iter().enumerate().map(named).collect());
+        repair(&mut odd, &Options { fix_fronts, ..Options::default() });
+        let mut unique = names(&odd);
+        unique.sort_unstable();
+        unique.dedup();
+        prop_assert_eq!(unique.len(), odd.surfaces.len());
+    }
+}
+
 /// Whether a face lies wholly in another one.
 fn lies_in(own: &Surface, other: &Surface) -> bool {
     let region = |surface: &Surface| match &surface.shape {
