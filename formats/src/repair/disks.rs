@@ -5,7 +5,7 @@
 //! front, by a gap that lets no light through. A polygon on a larger disk fares alike.
 
 use std::cmp::Ordering;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use glam::DVec3;
 
@@ -27,56 +27,72 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         return;
     }
     let sheets = Sheets::of(model);
-    let mut lying: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
-    let mut hidden: BTreeMap<usize, usize> = BTreeMap::new();
-    for index in 0..sheets.list().len() {
-        for other in sheets.later(index) {
-            let [first, second] = [index, other].map(|index| &sheets.list()[index]);
-            let is_sheet = are_sides_of_one(model, [first.surface, second.surface]);
-            if is_sheet || !(first.is_round || second.is_round) {
-                continue;
-            }
-            let common = first.common_area(second);
-            if common <= 0.0 {
-                continue;
-            }
-            let [sheet, on] = if order(second, first).is_lt() { [other, index] } else { [index, other] };
-            let [small, large] = [sheet, on].map(|index| &sheets.list()[index]);
-            let is_within = common > (1.0 - MISSED) * small.area();
-            let is_shown = !small.is_alike(large)
-                && model.surfaces[small.surface].sides != Sides::Both
-                && model.surfaces[large.surface].sides != Sides::Both;
-            if is_shown && is_within && !emits(model, small.surface) {
-                hidden.insert(sheet, on);
-            } else {
-                lying.entry(sheet).or_default().push(on);
-            }
-        }
-    }
+    let Lying { hidden, raised } = Lying::of(model, &sheets);
     let mut edit = Edit::default();
+    let mut say = |[sheet, on]: [usize; 2], what: &str| {
+        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[index].surface]);
+        let text = format!("{:?} lies on {:?}{what}", surface.name, other.name);
+        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+    };
     for (sheet, on) in &hidden {
-        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[*index].surface]);
+        say([*sheet, *on], " face down; it was removed");
         edit.replace(sheets.list()[*sheet].surface, Vec::new());
-        let text = format!("{:?} lies on {:?} face down; it was removed", surface.name, other.name);
-        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
     }
-    lying.retain(|sheet, _| !hidden.contains_key(sheet));
-    let gone: BTreeSet<usize> = hidden.into_keys().collect();
-    for (sheet, on) in &mut lying {
-        on.retain(|other| !gone.contains(other));
-        let Some(on) = on.first() else { continue };
-        let [surface, other] = [sheet, on].map(|index| &model.surfaces[sheets.list()[*index].surface]);
-        let text = format!("{:?} lies on {:?}; it was raised slightly", surface.name, other.name);
-        repairs.say(Kind::Overlap, vec![surface.name.clone(), other.name.clone()], surface.place, text);
+    for (sheet, on) in &raised {
+        say([*sheet, on[0]], "; it was raised slightly");
     }
-    lying.retain(|_, on| !on.is_empty());
-    let by = moves(&sheets, &lying, |surface| model.surfaces[surface].sides == Sides::Both);
-    for (index, by) in by {
+    for (index, by) in moves(&sheets, &raised, |surface| model.surfaces[surface].sides == Sides::Both) {
         if let Some(shape) = moved(&model.surfaces[index].shape, by) {
             model.surfaces[index].shape = shape;
         }
     }
     edit.apply(model);
+}
+
+/// Faces that lie on larger ones.
+struct Lying {
+    /// Those that no light reaches, each with one that it lies on.
+    hidden: BTreeMap<usize, usize>,
+    /// All others, each with all that it lies on.
+    raised: BTreeMap<usize, Vec<usize>>,
+}
+
+impl Lying {
+    fn of(model: &Model, sheets: &Sheets) -> Self {
+        let (mut hidden, mut raised) = (BTreeMap::new(), BTreeMap::<usize, Vec<usize>>::new());
+        for index in 0..sheets.list().len() {
+            for other in sheets.later(index) {
+                let [first, second] = [index, other].map(|index| &sheets.list()[index]);
+                let is_sheet = are_sides_of_one(model, [first.surface, second.surface]);
+                if is_sheet || !(first.is_round || second.is_round) {
+                    continue;
+                }
+                let common = first.common_area(second);
+                if common <= 0.0 {
+                    continue;
+                }
+                let [sheet, on] = if order(second, first).is_lt() { [other, index] } else { [index, other] };
+                let [small, large] = [sheet, on].map(|index| &sheets.list()[index]);
+                let is_within = common > (1.0 - MISSED) * small.area();
+                match is_within && is_shown(model, small, large) {
+                    true => drop(hidden.insert(sheet, on)),
+                    false => raised.entry(sheet).or_default().push(on),
+                }
+            }
+        }
+        raised.retain(|sheet, on| {
+            on.retain(|other| !hidden.contains_key(other));
+            !on.is_empty() && !hidden.contains_key(sheet)
+        });
+        Lying { hidden, raised }
+    }
+}
+
+/// Whether the only front of a face, which emits nothing, is towards the front of a larger one.
+fn is_shown(model: &Model, small: &Sheet, large: &Sheet) -> bool {
+    let is_one_sided = |sheet: &Sheet| model.surfaces[sheet.surface].sides != Sides::Both;
+    let is_dark = !emits(model, small.surface);
+    is_dark && !small.is_alike(large) && is_one_sided(small) && is_one_sided(large)
 }
 
 /// How faces that lie on others move, by surface: what lies on a face that moves moves along.

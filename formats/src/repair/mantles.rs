@@ -20,36 +20,37 @@ const SHARED: f64 = 1e-3;
 
 /// Raises cylinders and cones that lie partly in others.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
-    let mut lines: HashMap<[i64; 8], Vec<(usize, Mantle)>> = HashMap::new();
-    let size = reach(model);
-    for (index, surface) in model.surfaces.iter().enumerate() {
-        if let Some(mantle) = Mantle::of(&surface.shape) {
-            lines.entry(mantle.key(size)).or_default().push((index, mantle));
-        }
-    }
-    let mut lines: Vec<Vec<(usize, Mantle)>> = lines.into_values().filter(|line| line.len() > 1).collect();
-    lines.sort_by_key(|line| line[0].0);
-    for line in lines {
+    for mut line in lines(model) {
         // Longer ones first.
-        let mut line = line;
         line.sort_by(|a, b| b.1.length().total_cmp(&a.1.length()).then(a.0.cmp(&b.0)));
-        let mut steps: Vec<f64> = Vec::new();
+        let mut steps: Vec<f64> = Vec::with_capacity(line.len());
         for (own, (index, mantle)) in line.iter().enumerate() {
-            let under = (0..own)
-                .filter(|k| mantle.overlaps(&line[*k].1))
-                .max_by(|a, b| steps[*a].total_cmp(&steps[*b]));
-            let Some(under) = under else {
+            let under = (0..own).filter(|other| mantle.overlaps(&line[*other].1));
+            let Some(under) = under.max_by(|a, b| steps[*a].total_cmp(&steps[*b])) else {
                 steps.push(0.0);
                 continue;
             };
-            let step = steps[under] + GAP;
-            steps.push(step);
+            steps.push(steps[under] + GAP);
             let names = [*index, line[under].0].map(|surface| model.surfaces[surface].name.clone());
             let text = format!("{:?} lies partly in {:?}; it was raised slightly", names[0], names[1]);
             repairs.say(Kind::Overlap, names.to_vec(), model.surfaces[*index].place, text);
-            raise(&mut model.surfaces[*index].shape, step);
+            raise(&mut model.surfaces[*index].shape, steps[own]);
         }
     }
+}
+
+/// Groups of mantles that are parts of one, each with the index of its surface.
+fn lines(model: &Model) -> Vec<Vec<(usize, Mantle)>> {
+    let reach = reach(model);
+    let mut lines: HashMap<[i64; 8], Vec<(usize, Mantle)>> = HashMap::new();
+    for (index, surface) in model.surfaces.iter().enumerate() {
+        if let Some(mantle) = Mantle::of(&surface.shape) {
+            lines.entry(mantle.key(reach)).or_default().push((index, mantle));
+        }
+    }
+    let mut lines: Vec<_> = lines.into_values().filter(|line| line.len() > 1).collect();
+    lines.sort_by_key(|line| line[0].0);
+    lines
 }
 
 /// The largest coordinate.
