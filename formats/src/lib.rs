@@ -26,3 +26,5 @@ pub mod stl;
 pub mod ply;
 pub mod obj;
 pub mod gltf;
+pub mod fronts;
+pub mod repair;

@@ -414,6 +414,24 @@ mod tests {
         assert!(PlanarRegion::new(outer(), vec![outer()]).is_err());
     }
 
+    #[test]
+    fn edges_on_one_line_do_not_cross_however_the_outline_begins() {
+        let comb = [
+            (1.0, 0.0),
+            (1.930_166_430_024_638_4, 2.790_499_290_348_640_3),
+            (1.0, 4.0),
+            (1.0, 3.0),
+            (1.0, 1.704_612_591_356_569_3),
+            (1.302_027_981_270_701_9, 2.000_000_000_281_280_8),
+            (1.0, 1.0),
+        ];
+        for start in 0..comb.len() {
+            let mut comb = comb;
+            comb.rotate_left(start);
+            PlanarRegion::new(flat(&comb), Vec::new()).unwrap();
+        }
+    }
+
     proptest! {
         /// Square and diamond holes in the cells of a grid, which touch along edges and in points.
         #[test]

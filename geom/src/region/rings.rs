@@ -96,7 +96,8 @@ fn self_contact(ring: &[DVec2], tolerance: f64) -> Option<(usize, usize)> {
             } else if first == 0 && second == n - 1 {
                 folds_back(f, e, tolerance)
             } else {
-                properly_cross(e, f, 0.0) || segments_apart(e, f) <= tolerance
+                // Edges on one line, however far from each other, cross by rounding.
+                properly_cross(e, f, tolerance) || segments_apart(e, f) <= tolerance
             };
             if meet {
                 return Some((first, second));

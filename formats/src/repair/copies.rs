@@ -1,0 +1,110 @@
+//! Which of two surfaces in the same place is kept.
+//!
+//! The emitter, or else the first. Two one-sided faces back to back are the two sides of one sheet: of one material they
+//! become one two-sided surface, of two materials the one is named the back of the other, which `radiosity` lets be.
+
+use std::collections::HashSet;
+
+use crate::model::{Model, Sides};
+use crate::repair::edit::Edit;
+use crate::repair::record::{Kind, Repairs, spelt};
+
+/// Surfaces of which some go or change because of copies.
+pub(super) struct Copies<'a> {
+    model: &'a Model,
+    gone: Vec<bool>,
+    both: Vec<bool>,
+    /// Surfaces that become the backs of others, and their new names.
+    is_back: Vec<bool>,
+    backs: Vec<(usize, String)>,
+    names: HashSet<String>,
+    repairs: Repairs,
+}
+
+/// What changes of a model.
+pub(super) struct Changes {
+    gone: Vec<bool>,
+    both: Vec<bool>,
+    backs: Vec<(usize, String)>,
+}
+
+impl<'a> Copies<'a> {
+    pub(super) fn of(model: &'a Model) -> Self {
+        let names = model.surfaces.iter().map(|surface| surface.name.clone()).collect();
+        let none = || vec![false; model.surfaces.len()];
+        let repairs = Repairs::default();
+        Copies { model, gone: none(), both: none(), is_back: none(), backs: vec![], names, repairs }
+    }
+
+    /// Whether a surface still is one by itself.
+    pub(super) fn is_there(&self, surface: usize) -> bool {
+        !self.gone[surface] && !self.is_back[surface]
+    }
+
+    /// Whether one side only of a surface reflects and emits.
+    pub(super) fn is_one_sided(&self, surface: usize) -> bool {
+        self.model.surfaces[surface].sides != Sides::Both && !self.both[surface]
+    }
+
+    /// Settles two surfaces in the same place, the first by index first, with the same front or opposite ones. Front and
+    /// back of one sheet stay.
+    pub(super) fn settle(&mut self, first: usize, second: usize, is_alike: bool) {
+        if !is_alike && are_sides_of_one(self.model, [first, second]) {
+            return;
+        }
+        let [one, other] = [first, second].map(|index| &self.model.surfaces[index]);
+        let names = vec![one.name.clone(), other.name.clone()];
+        let pair = spelt(&names);
+        let is_sheet = !is_alike && self.is_one_sided(first) && self.is_one_sided(second);
+        let back = format!("{}:back", one.name);
+        let text = if is_sheet && one.material == other.material {
+            self.both[first] = true;
+            self.gone[second] = true;
+            let [kept, gone] = [&names[0], &names[1]];
+            format!("{pair} are the sides of one sheet; {kept:?} was made two-sided, and {gone:?} removed")
+        } else if is_sheet && self.names.insert(back.clone()) {
+            let text = format!("{pair} are the sides of one sheet; {:?} is now {back:?}", names[1]);
+            self.is_back[second] = true;
+            self.backs.push((second, back));
+            text
+        } else {
+            let is_second = emits(self.model, second) && !emits(self.model, first);
+            let gone = if is_second { first } else { second };
+            self.gone[gone] = true;
+            format!("{pair} coincide; {:?} was removed", self.model.surfaces[gone].name)
+        };
+        self.repairs.say(Kind::Coincident, names, one.place, text);
+    }
+
+    pub(super) fn changes(self, repairs: &mut Repairs) -> Changes {
+        repairs.list.extend(self.repairs.list);
+        Changes { gone: self.gone, both: self.both, backs: self.backs }
+    }
+}
+
+impl Changes {
+    pub(super) fn make(self, model: &mut Model) {
+        for (surface, both) in model.surfaces.iter_mut().zip(&self.both) {
+            surface.sides = if *both { Sides::Both } else { surface.sides };
+        }
+        for (back, name) in self.backs {
+            model.surfaces[back].name = name;
+        }
+        let mut edit = Edit::default();
+        let gone = self.gone.iter().enumerate().filter(|(_, gone)| **gone);
+        gone.for_each(|(index, _)| edit.replace(index, Vec::new()));
+        edit.apply(model);
+    }
+}
+
+/// Whether one surface is named the back of the other: both are sides of one sheet.
+pub(super) fn are_sides_of_one(model: &Model, pair: [usize; 2]) -> bool {
+    let [one, other] = pair.map(|index| model.surfaces[index].name.as_str());
+    one.strip_suffix(":back") == Some(other) || other.strip_suffix(":back") == Some(one)
+}
+
+/// Whether a surface emits.
+pub(super) fn emits(model: &Model, surface: usize) -> bool {
+    let material = model.surfaces[surface].material.and_then(|material| model.materials.get(material));
+    material.is_some_and(|material| material.emission.iter().any(|value| *value > 0.0))
+}

@@ -1,0 +1,34 @@
+//! Reflectances that no material has.
+
+use crate::model::Model;
+use crate::repair::record::{Kind, Repairs};
+
+/// The largest reflectance: what reflects all light never comes to rest, and no paint does. Chosen; not tuned.
+const MOST: f64 = 0.999;
+
+/// Brings reflectances into 0 ≤ ρ < 1.
+pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
+    let bands = &model.bands;
+    for (index, material) in model.materials.iter_mut().enumerate() {
+        let mut parts = Vec::new();
+        for (band, value) in material.reflectance.iter_mut().enumerate() {
+            let allowed = if *value >= 1.0 { MOST } else { value.max(0.0) };
+            if *value < 0.0 || *value >= 1.0 {
+                let of_band = match bands.get(band) {
+                    Some(name) if bands.len() > 1 => format!(" in band {name:?}"),
+                    _ => String::new(),
+                };
+                parts.push(format!("{value}{of_band} became {allowed}"));
+                *value = allowed;
+            }
+        }
+        if !parts.is_empty() {
+            let mut users =
+                model.surfaces.iter().filter(|surface| surface.material == Some(index)).peekable();
+            let place = users.peek().and_then(|surface| surface.place);
+            let names = users.map(|surface| surface.name.clone()).collect();
+            let text = format!("reflectance of material {:?}: {}", material.name, parts.join(", "));
+            repairs.say(Kind::Reflectance, names, place, text);
+        }
+    }
+}

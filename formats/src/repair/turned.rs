@@ -1,0 +1,31 @@
+//! Fronts that point the wrong way.
+
+use crate::fronts::{Why, turn_over, turned};
+use crate::model::Model;
+use crate::repair::record::{Kind, Repairs, spelt};
+
+/// Turns over what shows its front the wrong way, if `fixes`; else only says so.
+pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
+    for found in turned(model) {
+        let names: Vec<String> =
+            found.surfaces.iter().map(|surface| model.surfaces[*surface].name.clone()).collect();
+        let place = found.surfaces.first().and_then(|surface| model.surfaces[*surface].place);
+        let count = names.len();
+        let [show, were] =
+            if count == 1 { ["shows its front", "it was"] } else { ["show their fronts", "they were"] };
+        let what = match found.why {
+            Why::Neighbours => {
+                let beside = &model.surfaces[found.beside].name;
+                format!("{} {show} where {beside:?} beside has its back", spelt(&names))
+            }
+            Why::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
+            Why::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
+        };
+        if fixes {
+            found.surfaces.iter().for_each(|surface| turn_over(&mut model.surfaces[*surface].shape));
+            repairs.say(Kind::Fronts, names, place, format!("{what}; {were} turned over"));
+        } else {
+            repairs.say(Kind::DoubtfulFronts, names, place, format!("{what}; {were} left so"));
+        }
+    }
+}
