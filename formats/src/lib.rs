@@ -10,3 +10,6 @@ pub mod model;
 pub mod names;
 pub mod colour;
 pub mod format;
+pub mod fault;
+pub mod text;
+pub mod vs3;

@@ -1,0 +1,65 @@
+//! Texts: bytes that must be characters, words that must be numbers.
+
+use crate::fault::Fault;
+
+/// The characters of a text file. A byte order mark is dropped, lines that end with a carriage return alone end with a
+/// line feed, bytes that are not UTF-8 become `�`.
+///
+/// # Errors
+/// Bytes that are no text: a zero byte among them.
+pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
+    if bytes.contains(&0) {
+        return Err(Fault::new(
+            "this is not a text: it holds a zero byte",
+            "name its format, or save it as UTF-8",
+        ));
+    }
+    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)).into_owned();
+    match text.contains('\r') && !text.contains('\n') {
+        true => Ok(text.replace('\r', "\n")),
+        false => Ok(text),
+    }
+}
+
+/// The number that `word` is.
+///
+/// # Errors
+/// A word that is no number, or no finite one; `what` names it: "the radius".
+pub fn number(word: &str, what: &str) -> Result<f64, Fault> {
+    match word.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(value),
+        Ok(_) => Err(Fault::new(format!("{what} is {word}"), "write a finite number")),
+        Err(_) => {
+            Err(Fault::new(format!("{what} is '{}', which is no number", short(word)), "write a number"))
+        }
+    }
+}
+
+/// `word` as messages quote it: at most forty characters.
+pub fn short(word: &str) -> String {
+    const LONGEST: usize = 40;
+    match word.char_indices().nth(LONGEST) {
+        Some((end, _)) => format!("{}…", &word[..end]),
+        None => word.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn marks_and_line_ends_of_other_systems_are_read() {
+        assert_eq!(decode(b"\xef\xbb\xbfv a\rp 1").as_deref(), Ok("v a\np 1"));
+        assert_eq!(decode(b"a\r\nb").as_deref(), Ok("a\r\nb"));
+        assert!(decode(b"glTF\x02\0\0\0").is_err());
+    }
+
+    #[test]
+    fn only_finite_numbers_are_numbers() {
+        assert_eq!(number("+1.5e2", "it"), Ok(150.0));
+        for word in ["1e999", "nan", "inf", "", "one", "0x10"] {
+            assert!(number(word, "it").is_err(), "{word}");
+        }
+    }
+}
