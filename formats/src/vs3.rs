@@ -112,9 +112,10 @@ fn holes<'a>(input: &'a Input, outlines: &[Vec<DVec3>]) -> Result<Vec<Vec<Vec<DV
 fn base(surfaces: &[Statement], index: usize, surface: &Statement) -> Result<Option<usize>, Fault> {
     let Some(base) = surface.base.checked_sub(1) else {
         return match surface.kind {
-            Kind::Masking | Kind::Null => {
-                Err(Fault::new("a masking or null surface has no base", "write the number of the surface it lies on"))
-            }
+            Kind::Masking | Kind::Null => Err(Fault::new(
+                "a masking or null surface has no base",
+                "write the number of the surface it lies on",
+            )),
             _ => Ok(None),
         };
     };
@@ -138,8 +139,7 @@ fn lies_on(outline: &[DVec3], base: &[DVec3]) -> bool {
 }
 
 fn model(input: &Input, outlines: Vec<Vec<DVec3>>, holes: Vec<Vec<Vec<DVec3>>>) -> Model {
-    let mut model =
-        Model { title: input.title.clone(), bands: vec!["grey".to_owned()], ..Model::default() };
+    let mut model = Model { title: input.title.clone(), bands: vec!["grey".to_owned()], ..Model::default() };
     let (mut names, mut materials) = (UniqueNames::default(), HashMap::new());
     for (index, (surface, (outline, holes))) in
         input.surfaces.iter().zip(outlines.into_iter().zip(holes)).enumerate()
@@ -182,10 +182,9 @@ fn word(kind: Kind) -> &'static str {
 /// A material by its emittance; all that does not radiate is one black material.
 fn material(surface: &Statement) -> Material {
     let (name, reflectance) = match surface.kind {
-        Kind::Radiating => (
-            format!("emit-{}", surface.emittance),
-            ((1.0 - surface.emittance) * DIGITS).round() / DIGITS,
-        ),
+        Kind::Radiating => {
+            (format!("emit-{}", surface.emittance), ((1.0 - surface.emittance) * DIGITS).round() / DIGITS)
+        }
         _ => (OBSTRUCTION.to_owned(), 0.0),
     };
     Material { name, reflectance: vec![reflectance], emission: vec![0.0] }

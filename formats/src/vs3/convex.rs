@@ -26,7 +26,8 @@ pub(super) fn pieces(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Option<Vec<Vec<
     }
     let mut corners: Vec<usize> = Vec::new();
     Earcut::new().earcut(flat.iter().map(|p| p.to_array()), &starts, &mut corners);
-    let triangles: Vec<[usize; 3]> = corners.chunks_exact(3).map(|t| turned([t[0], t[1], t[2]], &flat)).collect();
+    let triangles: Vec<[usize; 3]> =
+        corners.chunks_exact(3).map(|t| turned([t[0], t[1], t[2]], &flat)).collect();
     let areas: Vec<f64> = triangles.iter().map(|t| turn(&flat, *t)).collect();
     let is_whole = (areas.iter().sum::<f64>() / 2.0 - wanted).abs() <= ROUNDING * wanted;
     let sound: Vec<[usize; 3]> = triangles
@@ -56,7 +57,8 @@ fn flat(points: &[DVec3], outline: &[DVec3]) -> Option<Vec<DVec2>> {
         (_, false) => (2, normal.z > 0.0),
     };
     let [a, b] = if is_up { [(drop + 1) % 3, (drop + 2) % 3] } else { [(drop + 2) % 3, (drop + 1) % 3] };
-    let is_sound = size.is_finite() && normal.is_finite() && normal.max_element().max(-normal.min_element()) > 0.0;
+    let is_sound =
+        size.is_finite() && normal.is_finite() && normal.max_element().max(-normal.min_element()) > 0.0;
     is_sound.then(|| near.iter().map(|p| DVec2::new(p[a], p[b])).collect())
 }
 

@@ -209,8 +209,7 @@ fn surface(
         Some(_) => (Corners::Points(Vec::new()), &rest[1..]),
         None => numbers(rest, kind).map_err(refuse)?,
     };
-    let mut statement =
-        Statement { line, kind, corners, base: 0, combined: 0, emittance: 1.0, name: None };
+    let mut statement = Statement { line, kind, corners, base: 0, combined: 0, emittance: 1.0, name: None };
     match kind {
         Kind::Obstruction => statement.name = obstruction_name(rest),
         _ => data(&mut statement, rest).map_err(refuse)?,

@@ -70,7 +70,11 @@ impl Sheet {
     fn add(&mut self, surface: &Surface, letter: char, emittance: &str) -> Result<(), Refusal> {
         let Shape::Polygon { outline, holes } = &surface.shape else {
             return Err(refusal(
-                format!("surface \"{}\" is {}, View3D has flat surfaces only", surface.name, kind(&surface.shape)),
+                format!(
+                    "surface \"{}\" is {}, View3D has flat surfaces only",
+                    surface.name,
+                    kind(&surface.shape)
+                ),
                 "write it in another format, or put polygons in its place",
             ));
         };
@@ -100,7 +104,11 @@ impl Sheet {
             let part = if pieces.len() > 1 { format!("#{}", index + 1) } else { String::new() };
             line(
                 &mut self.surfaces,
-                format_args!("{letter} {} {} 0 {combined} {emittance} {name}{part}", self.count, numbers.join(" ")),
+                format_args!(
+                    "{letter} {} {} 0 {combined} {emittance} {name}{part}",
+                    self.count,
+                    numbers.join(" ")
+                ),
             );
         }
     }
