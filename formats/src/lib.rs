@@ -26,5 +26,6 @@ pub mod stl;
 pub mod ply;
 pub mod obj;
 pub mod gltf;
+pub mod vs3;
 pub mod fronts;
 pub mod repair;

@@ -1,0 +1,5 @@
+//! View3D inputs, Mitsuba scenes and side files of materials: right, odd and broken ones.
+
+mod measures;
+mod mutations;
+mod vs3;
