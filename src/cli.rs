@@ -15,6 +15,7 @@ mod sensors;
 mod completions;
 mod format;
 mod output_file;
+mod import;
 mod options;
 mod forecast;
 mod destination;
@@ -35,6 +36,7 @@ mod convergence;
 mod check;
 mod scenes;
 mod schema;
+mod convert;
 mod view_factors;
 
 use aim::joined;
@@ -53,9 +55,11 @@ Examples:
   radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
+  radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
   radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 
-SCENE is a path (.toml or .json), the name of a built-in scene, or - for standard input.";
+SCENE is a path (.toml, .json, or a scene of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml of Mitsuba, .rad of
+Radiance, .vs3 of View3D), the name of a built-in scene, or - for standard input.";
 
 /// Diffuse light and radiant heat between curved surfaces, by high-order Galerkin radiosity.
 #[derive(Debug, Parser)]
@@ -79,6 +83,7 @@ enum Verb {
     Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Check(check::CheckArgs),
+    Convert(convert::ConvertArgs),
     Scenes(scenes::ScenesArgs),
     Schema(schema::SchemaArgs),
     Completions(completions::CompletionsArgs),
@@ -110,7 +115,8 @@ impl Cli {
             Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
-            Verb::Check(args) => check::run(args, &args.scene.load()?),
+            Verb::Check(args) => check::run(args, &args.scene.load_repaired()?),
+            Verb::Convert(args) => convert::run(args),
             Verb::Scenes(args) => scenes::run(args),
             Verb::Schema(args) => schema::run(args),
             Verb::Completions(args) => completions::run(args, Self::command()),

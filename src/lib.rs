@@ -68,6 +68,7 @@ pub mod solved;
 pub mod view_factors;
 pub mod output;
 
+pub use radiosity_formats as formats;
 pub use radiosity_geom as geom;
 pub use radiosity_solvers as solvers;
 

@@ -9,6 +9,7 @@ mod coincident;
 pub(crate) mod gap;
 mod middle;
 mod nearest;
+mod imported;
 mod source;
 pub mod input;
 mod error;
@@ -33,10 +34,14 @@ mod polygon_list;
 mod language;
 mod toml_text;
 mod include;
+mod print;
+mod model_tree;
+mod import;
 mod shape;
 mod file;
 mod merging;
 mod instances;
+mod export;
 mod weld;
 mod fitted;
 mod surfaces;
@@ -48,6 +53,7 @@ mod schema;
 
 use std::{collections::BTreeSet, io, path::Path};
 
+use radiosity_formats::model::Model;
 use radiosity_geom::DVec3;
 
 pub use builder::{NamedMaterial, SceneBuilder};
@@ -56,8 +62,11 @@ pub use camera::Camera;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use fitted::{Fitted, Lying};
+pub use import::Import;
+pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use material::Material;
+pub use print::Notation;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use schema::schema;
 pub use sensor_plane::SensorPlane;
@@ -66,13 +75,14 @@ pub use surface::SceneSurface;
 pub use weld::Welded;
 
 use error::{Located, surface_title};
-use file::{SceneFile, VARIABLES};
+use export::Export;
+use file::SceneFile;
 use include::FileTree;
 use language::Language;
 use merging::merged;
 use surfaces::Surfaces;
 use tree::{Node, Value, entry};
-use variables::Variables;
+use variables::{VARIABLES, Variables};
 
 /// A valid scene.
 #[derive(Clone, Debug)]
@@ -108,7 +118,8 @@ pub struct Scene {
 impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
-    /// A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of polygons. Text
+    /// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is read in
+    /// that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of polygons. Text
     /// of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else is
     /// TOML.
     ///
@@ -131,9 +142,20 @@ impl Scene {
     /// # Errors
     /// A file that cannot be read, an unknown name of a scene or a parameter.
     pub fn text_of(source: &str, settings: &[(&str, f64)]) -> Result<Source, SceneError> {
+        Scene::text_by(source, settings, &Import::default())
+    }
+
+    /// The same; `import` says how a file of another program is read.
+    ///
+    /// # Errors
+    /// As [`Scene::text_of`], and what [`Import::model`] refuses.
+    pub fn text_by(source: &str, settings: &[(&str, f64)], import: &Import) -> Result<Source, SceneError> {
         if let Some(scene) = builtin::named(source) {
             let text = scene.text(settings).map_err(|fault| whole_file(source, fault))?;
             return Ok(Source::new(source, &text));
+        }
+        if let Some(format) = import.format_of(source) {
+            return Ok(import.source(source, format)?.set(settings.iter().copied()));
         }
         let (origin, text) = match source {
             "-" => ("<stdin>", input::text(source)),
@@ -206,6 +228,66 @@ impl Scene {
         read(&Source::new(origin, text), Language::Csv)
     }
 
+    /// What was done to the file of another program that it was read from.
+    pub fn imported(&self) -> Option<&Imported> {
+        self.source.as_ref()?.imported.as_deref()
+    }
+
+    /// The scene in this language, with variables, parts, instances and formulas as they are, and without comments. Its
+    /// text in the language of a scene of another program is that of [`Scene::load`].
+    ///
+    /// # Errors
+    /// [`Fault::Foreign`] for a scene that was made in code.
+    pub fn text(&self, notation: Notation) -> Result<String, SceneError> {
+        let source = self.written()?;
+        let tree = include::parsed(&source.text, Language::of(source));
+        let mut tree = tree.map_err(|located| located.in_source(source))?;
+        match variables::set(&mut tree, &source.settings).first() {
+            None => Ok(notation.text(&tree)),
+            Some(name) => {
+                let cause = format!("the variable {name:?} stands in an included file");
+                let cure = "change it there".to_owned();
+                Err(whole_file(&self.origin, Fault::Foreign { cause, cure }))
+            }
+        }
+    }
+
+    /// The text it was read from.
+    fn written(&self) -> Result<&Source, SceneError> {
+        self.source.as_ref().ok_or_else(|| {
+            let cause = "a scene made in code has no text".to_owned();
+            whole_file(&self.origin, Fault::Foreign { cause, cure: String::new() })
+        })
+    }
+
+    /// The scene as another program would hold it, shapes as they were typed.
+    ///
+    /// # Errors
+    /// [`Fault::Foreign`] for shapes that other programs do not have, and for a scene that was made in code.
+    pub fn model(&self) -> Result<Model, SceneError> {
+        let mut source = self.written()?.clone();
+        let language = Language::of(&source);
+        let model = include::trees(&mut source, language).and_then(|files| self.exported(files, &source));
+        model.map_err(|located| located.in_source(&source))
+    }
+
+    /// The model of the scene that was built of these trees.
+    fn exported(&self, files: Vec<FileTree>, source: &Source) -> Result<Model, Located> {
+        let (file, _) = as_typed(files, source)?;
+        let mut export = Export::new(&self.surfaces, &self.bands, &self.unit);
+        if let Some(camera) = &self.camera {
+            export.camera(camera, self.middle);
+        }
+        let placed = instances::placed(&file.content, &file.parts, source)?;
+        placed.iter().try_for_each(|placed| export.add(placed))?;
+        let mut model = export.finish()?;
+        model.title = self.title.clone();
+        if !self.planes.is_empty() {
+            model.note("planes of sensors are left out", None);
+        }
+        Ok(model)
+    }
+
     /// The index of the surface of that name.
     ///
     /// # Errors
@@ -268,6 +350,9 @@ impl Scene {
         if self.source.as_ref().is_some_and(Language::is_polygon_list) {
             return Err(whole_file(&self.origin, Fault::NoMaterials));
         }
+        if self.imported().is_some() && self.surfaces.iter().all(|surface| surface.material_name.is_none()) {
+            return Err(whole_file(&self.origin, Fault::Bare));
+        }
         if let Some(bare) = self.surfaces.iter().find(|surface| surface.material_name.is_none()) {
             return Err(SceneError {
                 origin: self.origin.clone(),
@@ -308,12 +393,18 @@ fn variable_names(files: &[FileTree]) -> impl Iterator<Item = &str> {
 }
 
 /// Trees → trees with formulas evaluated → as typed → valid.
-fn built(mut files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
+fn built(files: Vec<FileTree>, source: &Source) -> Result<Scene, Located> {
+    let (file, variables) = as_typed(files, source)?;
+    assemble(file, variables, source)
+}
+
+/// Trees → trees with formulas evaluated → as typed, with the values of the variables.
+fn as_typed(mut files: Vec<FileTree>, source: &Source) -> Result<(SceneFile, Vec<(String, f64)>), Located> {
     let variables = Variables::read(variable_tables(&files), source)?;
     files.iter_mut().for_each(|file| variables.fill(&mut file.tree));
     let files = files.iter().map(|file| SceneFile::read(&file.tree, &file.prefix));
     let file = merged(files.collect::<Result<_, _>>()?, source)?;
-    assemble(file, variables.list(), source)
+    Ok((file, variables.list()))
 }
 
 /// As typed → valid.

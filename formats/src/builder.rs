@@ -8,6 +8,7 @@ use crate::colour::settle;
 use crate::fault::Fault;
 use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
+use crate::outline::WARPED;
 use crate::place::Place;
 use crate::text::short;
 
@@ -63,6 +64,9 @@ impl ModelBuilder {
         coat: &Coat,
         line: usize,
     ) -> Result<(), Fault> {
+        if matches!(shape, Shape::Quad(_)) {
+            self.note(WARPED, line);
+        }
         let (points, numbers) = parts(&shape);
         self.vertices += points.len();
         if self.model.surfaces.len() >= MOST_SURFACES || self.vertices > MOST_VERTICES {

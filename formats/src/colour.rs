@@ -51,15 +51,30 @@ pub fn luminance(rgb: [f64; 3]) -> f64 {
     rgb.iter().zip(LUMINANCE).map(|(value, weight)| value * weight).sum()
 }
 
-/// One band `grey` instead of red, green and blue where no material has a colour; where some have, as it is.
+/// Values that are grey become their luminance in each band; where all materials are grey, one band `grey` takes the place
+/// of red, green and blue.
 pub fn settle(model: &mut Model) {
-    let is_grey = |values: &Vec<f64>| {
-        let most = values.iter().copied().fold(0.0, f64::max);
-        values.iter().all(|value| most - value <= GREY * most)
-    };
-    if model.materials.iter().all(|material| is_grey(&material.reflectance) && is_grey(&material.emission)) {
+    if model.bands.len() != 3 {
+        return;
+    }
+    let mut are_grey = true;
+    for material in &mut model.materials {
+        for values in [&mut material.reflectance, &mut material.emission] {
+            match is_grey(values) {
+                true if values.iter().all(|value| *value == values[0]) => {}
+                true => *values = vec![luminance([values[0], values[1], values[2]]); 3],
+                false => are_grey = false,
+            }
+        }
+    }
+    if are_grey {
         to_grey(model);
     }
+}
+
+fn is_grey(values: &[f64]) -> bool {
+    let most = values.iter().copied().fold(0.0, f64::max);
+    values.iter().all(|value| most - value <= GREY * most)
 }
 
 /// One band `grey` of the luminances; as it is if the bands are not three.

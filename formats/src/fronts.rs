@@ -67,19 +67,6 @@ pub fn turned(model: &Model) -> Vec<Turned> {
     found
 }
 
-/// Turns a flat or bilinear surface over; others stay.
-pub fn turn_over(shape: &mut Shape) {
-    match shape {
-        Shape::Polygon { outline, .. } => {
-            outline.reverse();
-            // The first vertex stays first.
-            outline.rotate_right(1);
-        }
-        Shape::Quad(corners) => corners.swap(1, 3),
-        _ => {}
-    }
-}
-
 /// A point of a surface, or in the middle of it.
 fn middle(shape: &Shape) -> DVec3 {
     let mean = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len().max(1) as f64;
@@ -373,7 +360,7 @@ mod tests {
     }
 
     fn over(mut shapes: Vec<Shape>) -> Vec<Shape> {
-        shapes.iter_mut().for_each(turn_over);
+        shapes.iter_mut().for_each(Shape::turn_over);
         shapes
     }
 
@@ -426,7 +413,7 @@ mod tests {
     #[test]
     fn one_face_against_its_neighbours_is_found_also_where_the_body_is_open() {
         let mut shapes = [room(), cube(DVec3::splat(2.0), 1.0)].concat();
-        turn_over(&mut shapes[7]);
+        shapes[7].turn_over();
         let found = turned(&model(shapes.clone()));
         assert_eq!(found.len(), 1);
         assert_eq!((found[0].why, found[0].surfaces.as_slice()), (Why::Neighbours, &[7][..]));

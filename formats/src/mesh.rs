@@ -7,7 +7,7 @@ use crate::fault::Fault;
 use crate::merge;
 use crate::model::{Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
-use crate::outline::is_warped;
+use crate::outline::{WARPED, is_warped};
 use crate::place::Place;
 
 /// Most faces of a mesh, and most corners of all faces together. Chosen; not tuned.
@@ -74,6 +74,9 @@ impl Mesh {
             Ok(four) if is_warped(&four) => Shape::Quad(four),
             _ => Shape::Polygon { outline: corners, holes: Vec::new() },
         };
+        if matches!(shape, Shape::Quad(_)) {
+            self.model.note(WARPED, Some(place));
+        }
         let Coat { object, material, sides } = coat;
         self.objects.push(object);
         self.model.surfaces.push(Surface { name: String::new(), material, shape, sides, place: Some(place) });

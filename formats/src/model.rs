@@ -158,6 +158,24 @@ pub struct Note {
     pub count: usize,
 }
 
+impl Shape {
+    /// Turns it over: its front becomes its back. The first corner stays the first.
+    pub fn turn_over(&mut self) {
+        match self {
+            Shape::Polygon { outline, .. } => {
+                outline.reverse();
+                outline.rotate_right(1);
+            }
+            Shape::Quad(corners) => corners.swap(1, 3),
+            Shape::Disk { normal, .. } => *normal = -*normal,
+            Shape::Cylinder { inward, .. }
+            | Shape::Cone { inward, .. }
+            | Shape::Sphere { inward, .. }
+            | Shape::Torus { inward, .. } => *inward = !*inward,
+        }
+    }
+}
+
 impl Model {
     /// Notes something at `place`; what was noted before is only counted.
     pub fn note(&mut self, text: impl Into<String>, place: Option<Place>) {

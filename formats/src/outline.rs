@@ -29,6 +29,9 @@ pub fn unevenness(outline: &[DVec3]) -> f64 {
     outline.iter().map(|x| (*x - *first).dot(normal).abs()).fold(0.0, f64::max)
 }
 
+/// What is told of a face of four corners off its plane.
+pub const WARPED: &str = "a face of four corners is off its plane: it is a bilinear patch";
+
 /// Whether four corners make a patch that is curved: off their plane by more than 2e-5 of their extent and than their
 /// rounding, and convex seen from the front.
 pub fn is_warped(corners: &[DVec3; 4]) -> bool {

@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
 use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Warning};
-use radiosity::scene::{Camera, Lying, Scene, SceneSurface, SensorPlane};
+use radiosity::scene::{Camera, Imported, Lying, Scene, SceneSurface, SensorPlane};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
@@ -22,10 +22,6 @@ use crate::cli::{error::CliError, options::SceneArg, table::Table};
 pub(crate) struct CheckArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
-
-    /// Fails (exit code 1) where anything looks wrong, missing light, materials and camera apart
-    #[arg(long)]
-    pub(crate) strict: bool,
 
     /// Text for people, or JSON with the same content
     #[arg(long, value_name = "FORMAT", default_value = "text")]
@@ -54,8 +50,9 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
     };
     stdout().write_all(text.as_bytes())?;
     let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();
-    match inspection.warnings.iter().filter(is_wrong).count() {
-        count if args.strict && count > 0 => Err(CliError::LooksWrong { count }),
+    let repairs = scene.imported().map_or(0, |imported| imported.repairs.len());
+    match inspection.warnings.iter().filter(is_wrong).count() + repairs {
+        count if args.scene.strict && count > 0 => Err(CliError::LooksWrong { count }),
         _ => Ok(()),
     }
 }
@@ -66,6 +63,9 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     let area: f64 = inspection.areas.iter().sum();
     let emitters = scene.surfaces.iter().filter(|surface| surface.material.emits()).count();
     writeln!(text, "surfaces: {}, of which {emitters} emit; total area {area:.6}\n", scene.surfaces.len())?;
+    for line in scene.imported().into_iter().flat_map(Imported::lines) {
+        writeln!(text, "{line}")?;
+    }
     let groups: Vec<&str> = scene.light_groups().iter().map(|group| group.name.as_str()).collect();
     if !scene.variables.is_empty() {
         let variables: Vec<String> =
@@ -214,7 +214,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
-        "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
     })
 }

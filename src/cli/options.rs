@@ -10,7 +10,7 @@ use clap::{
 };
 use radiosity::output::quality::Quality;
 use radiosity::output::solution_file::is_solution;
-use radiosity::scene::{Scene, SceneError, Source};
+use radiosity::scene::{Scene, Source};
 use radiosity::solve::{Algorithm, Direct, MOST_RAYS, Transport};
 use radiosity::studies::adaptation::Goal;
 use radiosity_solvers::method::Method;
@@ -18,6 +18,7 @@ use radiosity_solvers::method::Method;
 use crate::cli::{
     aim::Wanted,
     error::CliError,
+    import::ImportArgs,
     masks::MaskArgs,
     memory,
     modes::{Kernel, Order, Shadows, Subdivide, subdivide},
@@ -26,8 +27,7 @@ use crate::cli::{
 };
 
 /// Help on the scene of verbs that read solutions as well.
-pub(crate) const SCENE_OR_SOLUTION: &str =
-    "Path of a scene (.toml, .json) or of a solution, name of a built-in scene, or - for standard input";
+pub(crate) const SCENE_OR_SOLUTION: &str = "Path of a scene (.toml, .json, or of another program, such as .mgf, .obj) or of a solution, name of a built-in scene, or - for standard input";
 
 /// Help on `--set` of verbs that compute or read light.
 pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scene (`radiosity scenes` lists them) or a variable of a scene file, or multiplies the \
@@ -36,7 +36,8 @@ pub(crate) const PARAMETER_OR_GROUP: &str = "Sets a parameter of a built-in scen
 /// The scene a verb works on.
 #[derive(Debug, Args)]
 pub(crate) struct SceneArg {
-    /// Path of a scene (.toml, .json), name of a built-in scene, or - for standard input
+    /// Path of a scene (.toml, .json, or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml, .rad, .vs3), name of a
+    /// built-in scene, or - for standard input
     #[arg(value_name = "SCENE", default_value = "cornell-box")]
     pub(crate) scene: String,
 
@@ -48,12 +49,25 @@ pub(crate) struct SceneArg {
     /// coordinates]
     #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
     pub(crate) tolerance_length: Option<f64>,
+
+    /// Refuses a scene of another program that needs repairs; check fails (exit code 1) where anything looks wrong,
+    /// missing light, materials and camera apart
+    #[arg(long)]
+    pub(crate) strict: bool,
+
+    #[command(flatten)]
+    pub(crate) import: ImportArgs,
 }
 
 impl SceneArg {
     /// Loads the scene; refuses a solution.
     pub(crate) fn load(&self) -> Result<Scene, CliError> {
-        Ok(Scene::parse(&unsolved(self.text_with(&self.settings)?)?)?)
+        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
+    }
+
+    /// Loads the scene as [`SceneArg::load`] does, even if it needs repairs.
+    pub(crate) fn load_repaired(&self) -> Result<Scene, CliError> {
+        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
     }
 
     /// The scene of a text that [`SceneArg::text`] gave, with its variables and light groups as they were set.
@@ -87,12 +101,14 @@ impl SceneArg {
     }
 
     /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
-    pub(crate) fn text(&self) -> Result<Source, SceneError> {
-        self.text_with(if self.is_builtin() { &self.settings } else { &[] })
+    pub(crate) fn text(&self) -> Result<Source, CliError> {
+        self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict)
     }
 
-    fn text_with(&self, settings: &[(String, f64)]) -> Result<Source, SceneError> {
-        Ok(Scene::text_of(&self.scene, &borrowed(settings))?.within(self.tolerance_length))
+    fn text_with(&self, settings: &[(String, f64)], strict: bool) -> Result<Source, CliError> {
+        let import = self.import.import(&self.scene, strict, self.tolerance_length)?;
+        let text = Scene::text_by(&self.scene, &borrowed(settings), &import)?;
+        Ok(text.within(self.tolerance_length))
     }
 
     /// The settings of variables and light groups, which a scene has that is not built in.

@@ -136,6 +136,20 @@ fn relit(solved: Solved, factors: &[(&str, f64)]) -> Result<Solved, CliError> {
     if factors.is_empty() { Ok(solved) } else { Ok(solved.relight(factors)?) }
 }
 
+/// Most remarks on a scene of another program that a summary spells out. Chosen.
+const SPELT: usize = 12;
+
+/// What was done to a scene of another program when it was read.
+pub(crate) fn remarks(scene: &Scene) -> Vec<String> {
+    let all: Vec<String> = scene.imported().map(|imported| imported.lines().collect()).unwrap_or_default();
+    let count = all.len();
+    if count <= SPELT {
+        return all;
+    }
+    let rest = format!("{} more remarks: `radiosity check` and --report say them all", count - SPELT + 1);
+    all.into_iter().take(SPELT - 1).chain([rest]).collect()
+}
+
 /// A solved scene with its report in progress.
 ///
 /// A verb reads [`Run::solved`], within [`Run::in_threads`] where that is long, and ends with [`Run::finish`].
@@ -392,6 +406,7 @@ impl Run {
             ),
         ];
         lines.extend(groups(&self.report.light_groups));
+        lines.extend(remarks(&self.solved.scene));
         lines.extend(self.solved.scene.fitted.line());
         // The error that rays leave in the radiosity of elements is told with the blocks.
         let is_told = self.report.transport.kind != "exact" && self.aim() == Some(Aim::Solution);

@@ -23,6 +23,7 @@ use crate::cli::{
     options::SceneArg,
     output_file::OutputFile,
     progress::Progress,
+    run::remarks,
 };
 
 const NOTES: &str = "\
@@ -189,6 +190,7 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
+        lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         if self.pairs.is_empty() {
             lines.extend(self.sums(factors));

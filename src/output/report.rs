@@ -9,7 +9,7 @@ use crate::inspection::Inspection;
 use crate::output::missed::missed;
 use crate::output::plane_figures::PlaneFigures;
 use crate::output::read_error::ReadError;
-use crate::scene::{Fitted, LightGroup, Scene};
+use crate::scene::{Fitted, Imported, LightGroup, Scene};
 use crate::solve::{Options, Outcome};
 use crate::solved::Solved;
 use crate::studies::adaptation::{Achieved, End};
@@ -26,6 +26,9 @@ pub struct Report {
     pub unit: String,
     /// Number of surfaces.
     pub surfaces: usize,
+    /// What was done to the file of another program that it was read from; none for other scenes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub imported: Option<Imported>,
     /// How their shapes were changed to fit together when the scene was read.
     pub fitted: Fitted,
     /// Its light groups with their factors.
@@ -162,6 +165,7 @@ impl Report {
             bands: scene.bands.clone(),
             unit: scene.unit.clone(),
             surfaces: scene.surfaces.len(),
+            imported: scene.imported().cloned(),
             fitted: scene.fitted.clone(),
             light_groups: scene.light_groups().into_iter().cloned().collect(),
             elements: elements.list().len(),

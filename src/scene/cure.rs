@@ -7,6 +7,8 @@ impl Fault {
     pub fn cure(&self) -> Option<String> {
         Some(match self {
             Fault::Shape(_) => return None,
+            Fault::Foreign { cure, .. } if cure.is_empty() => return None,
+            Fault::Foreign { cure, .. } => cure.clone(),
             Fault::UnknownScene { name } => {
                 choose(name, builtin::ALL.iter().map(|scene| scene.name), "built-in scenes")
                     + "; a scene file is given by its path, ending in .toml or .json"
@@ -121,6 +123,10 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "`radiosity view-factors` and `radiosity check` need none; for light write a TOML scene, where each surface \
              has a shape and a material"
         }
+        Fault::Bare => {
+            "`radiosity view-factors` and `radiosity check` need none; for light give them in a file, --materials \
+             materials.toml, such as [materials.\"*\"] with reflectance = 0.5"
+        }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
         Fault::Exclusive { .. } => "leave one of them out",
         Fault::FluxAndEmission { .. } => {
@@ -144,7 +150,8 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
-            "give a material an emission above 0, e.g. emission = 10, and use it on a surface"
+            "give a material an emission above 0, e.g. emission = 10, and use it on a surface; for a file of another \
+             program, in a file for --materials"
         }
         _ => "",
     }

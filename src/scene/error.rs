@@ -32,6 +32,17 @@ pub enum Fault {
         /// What the system said.
         reason: String,
     },
+    /// A file of another program that cannot be read or written.
+    #[error("{cause}")]
+    Foreign {
+        /// What is wrong.
+        cause: String,
+        /// How to mend it.
+        cure: String,
+    },
+    /// A scene of another program without materials, where light is asked for.
+    #[error("the file gives its surfaces no materials")]
+    Bare,
     /// Neither a built-in scene nor a path.
     #[error("unknown scene {name:?}")]
     UnknownScene {

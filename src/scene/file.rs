@@ -14,6 +14,7 @@ use crate::scene::{
     ranges::{check_fov, check_pixels},
     source::{At, Span},
     tree::{Node, Value},
+    variables::VARIABLES,
 };
 use part::{read_content, read_parts};
 use per_band::per_band;
@@ -64,9 +65,6 @@ pub(super) struct MaterialFile {
     pub emission: Option<PerBand>,
     pub group: Option<At<String>>,
 }
-
-/// The key of the table of variables, which are evaluated before the rest is read.
-pub(super) const VARIABLES: &str = "variables";
 
 const SCENE_KEYS: [&str; 11] = [
     INCLUDE,

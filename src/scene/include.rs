@@ -43,7 +43,7 @@ pub(super) fn trees(source: &mut Source, language: Language) -> Result<Vec<FileT
 }
 
 /// Text → tree.
-fn parsed(text: &str, language: Language) -> Result<Node, Located> {
+pub(super) fn parsed(text: &str, language: Language) -> Result<Node, Located> {
     match language {
         Language::Toml => toml_text::parse(text),
         Language::Json => json_text::parse(text).map(|tree| match &tree.value {

@@ -14,7 +14,7 @@ use crate::scene::{
     source::Span,
     tree::{Node, Value},
 };
-use form::{Built, Form};
+use form::{Built, Form, Modelled};
 
 /// A shape key and what reads its value.
 type Entry = (&'static str, Reader<Box<dyn Form>>);
@@ -72,6 +72,11 @@ impl ShapeFile {
     /// The surfaces, put where `motion` says; one, but for `box` and `patches`.
     pub(super) fn surfaces(&self, motion: &Motion) -> Built {
         self.form.surfaces(motion)
+    }
+
+    /// The same surfaces in a model of another program; None if that has no such shape.
+    pub(super) fn models(&self, motion: &Motion) -> Modelled {
+        self.form.models(motion)
     }
 
     /// The name of the surface at `index` of these, where the shape is called `base`.

@@ -2,6 +2,8 @@
 
 use std::{collections::BTreeMap, fmt, ops::Range, sync::Arc};
 
+use crate::scene::imported::Imported;
+
 /// Longest line that is kept for messages, bytes. Chosen; not tuned.
 const LONGEST_LINE: usize = 4096;
 
@@ -41,6 +43,8 @@ pub struct Source {
     pub tolerance: Option<f64>,
     /// Values of its variables, by name, instead of those that the text gives them.
     pub settings: Arc<BTreeMap<String, f64>>,
+    /// What was done to the file of another program that it was made from.
+    pub imported: Option<Arc<Imported>>,
     /// The texts that it includes, or may include.
     included: Arc<Vec<Included>>,
     /// Whether files that it includes may be read.
@@ -100,6 +104,7 @@ impl Source {
             text: text.into(),
             tolerance: None,
             settings: Arc::default(),
+            imported: None,
             included: Arc::default(),
             reads_files: false,
             index: LineIndex::of(text),
@@ -118,6 +123,11 @@ impl Source {
         let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), value));
         Arc::make_mut(&mut self.settings).extend(settings);
         self
+    }
+
+    /// The same text, made from a file of another program.
+    pub(super) fn made_from(self, imported: Imported) -> Self {
+        Self { imported: Some(Arc::new(imported)), ..self }
     }
 
     /// The same text with another, called `origin`, that it may include: by the path `origin` itself, or one that leads

@@ -16,6 +16,9 @@ use crate::scene::{
     tree::{Formula, Node, Value},
 };
 
+/// The key of the table of variables, which are evaluated before the rest is read.
+pub(super) const VARIABLES: &str = "variables";
+
 /// The mark that a formula begins with.
 const MARK: char = '=';
 
@@ -187,4 +190,21 @@ fn place(node: &Span, text: &str, piece: &Span) -> Span {
         true => start + piece.start..start + piece.end,
         false => node.clone(),
     }
+}
+
+/// Writes these values in place of those that the tree of a file gives its variables. Returns those that it does not have.
+pub(super) fn set(tree: &mut Node, settings: &BTreeMap<String, f64>) -> Vec<String> {
+    let mut left: BTreeMap<&str, f64> =
+        settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+    let Value::Table(entries) = &mut tree.value else { return Vec::new() };
+    let tables = entries.iter_mut().filter(|(key, _)| key.value == VARIABLES);
+    for (_, table) in tables {
+        let Value::Table(variables) = &mut table.value else { continue };
+        for (name, node) in variables {
+            if let Some(value) = left.remove(name.value.as_str()) {
+                node.value = Value::Number(value);
+            }
+        }
+    }
+    left.into_keys().map(str::to_owned).collect()
 }

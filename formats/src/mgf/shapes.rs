@@ -6,10 +6,7 @@ use glam::DVec3;
 
 use crate::fault::Fault;
 use crate::model::Shape;
-
-/// A face of four corners is curved if they lie off their plane by more than this part of its size: less is what
-/// decimals of coordinates leave. Chosen; not tuned.
-const FLAT: f64 = 2e-5;
+use crate::outline::is_warped;
 
 /// A vertex: a point, and a direction where one is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,7 +23,7 @@ pub(super) struct Vertex {
 /// Fewer than three points.
 pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Fault> {
     if let [a, b, c, d] = outline[..]
-        && is_curved([a, b, c, d])
+        && is_warped(&[a, b, c, d])
     {
         return Ok(Shape::Quad([a, b, c, d]));
     }
@@ -37,13 +34,6 @@ pub(super) fn face(outline: Vec<DVec3>) -> Result<Shape, Fault> {
         )),
         _ => Ok(Shape::Polygon { outline, holes: Vec::new() }),
     }
-}
-
-/// Whether four corners lie off their plane.
-fn is_curved([a, b, c, d]: [DVec3; 4]) -> bool {
-    let normal = (c - a).cross(d - b).normalize_or_zero();
-    let size = (c - a).length().max((d - b).length());
-    0.5 * (b - a).dot(normal).abs() > FLAT * size
 }
 
 /// Entity `fh`: the outline, then the holes.

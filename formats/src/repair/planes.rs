@@ -1,4 +1,4 @@
-//! Polygons whose vertices lie in no common plane: four become a bilinear patch, more become triangles.
+//! Polygons whose vertices lie in no common plane: four that turn one way become a bilinear patch, others triangles.
 
 use std::collections::HashMap;
 
@@ -6,6 +6,7 @@ use glam::DVec3;
 use radiosity_geom::{PlanarRegion, ShapeError};
 
 use crate::model::{Model, Shape};
+use crate::outline::is_warped;
 use crate::repair::edit::Edit;
 use crate::repair::plane::Plane;
 use crate::repair::record::{Kind, Repairs, counted, spelt};
@@ -19,7 +20,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
         let judged = PlanarRegion::new(outline.clone(), holes.clone());
         let Err(ShapeError::NotPlanar { deviation, .. }) = judged else { continue };
         let shapes = match <[DVec3; 4]>::try_from(outline.as_slice()) {
-            Ok(corners) if holes.is_empty() => vec![Shape::Quad(corners)],
+            Ok(corners) if holes.is_empty() && is_warped(&corners) => vec![Shape::Quad(corners)],
             _ => triangles(outline, holes),
         };
         if !shapes.is_empty() {

@@ -1,6 +1,6 @@
 //! Fronts that point the wrong way.
 
-use crate::fronts::{Why, turn_over, turned};
+use crate::fronts::{Why, turned};
 use crate::model::Model;
 use crate::repair::record::{Kind, Repairs, spelt};
 
@@ -22,7 +22,7 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
             Why::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
         };
         if fixes {
-            found.surfaces.iter().for_each(|surface| turn_over(&mut model.surfaces[*surface].shape));
+            found.surfaces.iter().for_each(|surface| model.surfaces[*surface].shape.turn_over());
             repairs.say(Kind::Fronts, names, place, format!("{what}; {were} turned over"));
         } else {
             repairs.say(Kind::DoubtfulFronts, names, place, format!("{what}; {were} left so"));

@@ -141,6 +141,7 @@ fn all_entities_are_read() {
             "diffuse transmission is left out",
             "indices of refraction are left out",
             "normals of vertices are left out: faces are flat",
+            "a face of four corners is off its plane: it is a bilinear patch",
             "luminaires with measured light (ies) are left out",
         ]
     );

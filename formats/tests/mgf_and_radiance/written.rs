@@ -127,7 +127,13 @@ fn shape() -> impl Strategy<Value = Shape> {
         match kind {
             0 => Shape::Polygon { outline: p[..3].to_vec(), holes: vec![] },
             1 => Shape::Polygon { outline: p[..5].to_vec(), holes: vec![p[5..8].to_vec()] },
-            2 => Shape::Quad([p[0], p[1], p[2], p[0] + 20.0 * DVec3::ONE + p[3]]),
+            // A square with one corner lifted, somewhere.
+            2 => Shape::Quad([
+                p[0],
+                p[0] + 3.0 * DVec3::X,
+                p[0] + DVec3::new(3.0, 3.0, small),
+                p[0] + 3.0 * DVec3::Y,
+            ]),
             3 => Shape::Disk {
                 center: p[0],
                 normal: p[1],

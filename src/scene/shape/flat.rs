@@ -2,6 +2,7 @@
 //!
 //! A motion is applied to the corners, so that planar shapes stay as exact as they are typed.
 
+use radiosity_formats::model::Shape;
 use radiosity_geom::{
     DVec3, Motion, Surface,
     shapes::{Bilinear, Parallelogram, Polygon, Triangle, Trimmed},
@@ -10,7 +11,7 @@ use radiosity_geom::{
 use crate::scene::{
     error::Located,
     fields::{Fields, exactly, list, point, points},
-    shape::form::{Built, Form, one},
+    shape::form::{Built, Form, Modelled, one},
     tree::Node,
 };
 
@@ -79,11 +80,25 @@ impl Form for ParallelogramFile {
         let (edge1, edge2) = (motion.vector(self.edge1), motion.vector(self.edge2));
         cut(Parallelogram::new(motion.point(self.origin), edge1, edge2)?, &self.holes, motion)
     }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let (origin, edge1, edge2) = (self.origin, self.edge1, self.edge2);
+        let corners = [origin, origin + edge1, origin + edge1 + edge2, origin + edge2];
+        Ok(Some(vec![polygon_model(&corners, &self.holes, motion)]))
+    }
 }
 
 impl Form for QuadFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         cut(Bilinear::new(self.vertices.map(|vertex| motion.point(vertex)))?, &self.holes, motion)
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let corners = self.vertices.map(|vertex| motion.point(vertex));
+        Ok(Some(vec![match Bilinear::new(corners)?.region() {
+            Some(_) => polygon_model(&self.vertices, &self.holes, motion),
+            None => Shape::Quad(corners),
+        }]))
     }
 }
 
@@ -91,11 +106,19 @@ impl Form for TriangleFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         one(Triangle::new(self.vertices.map(|vertex| motion.point(vertex)))?)
     }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        Ok(Some(vec![polygon_model(&self.vertices, &[], motion)]))
+    }
 }
 
 impl Form for PolygonFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         one(Polygon::new(ring(&self.vertices, motion), rings(&self.holes, motion))?)
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        Ok(Some(vec![polygon_model(&self.vertices, &self.holes, motion)]))
     }
 }
 
@@ -107,10 +130,14 @@ fn cut(outer: impl Surface + 'static, holes: &Holes, motion: &Motion) -> Built {
     }
 }
 
+fn polygon_model(outline: &[DVec3], holes: &[Vec<DVec3>], motion: &Motion) -> Shape {
+    Shape::Polygon { outline: ring(outline, motion), holes: rings(holes, motion) }
+}
+
 fn ring(points: &[DVec3], motion: &Motion) -> Vec<DVec3> {
     points.iter().map(|point| motion.point(*point)).collect()
 }
 
-fn rings(holes: &Holes, motion: &Motion) -> Holes {
+fn rings(holes: &[Vec<DVec3>], motion: &Motion) -> Holes {
     holes.iter().map(|hole| ring(hole, motion)).collect()
 }

@@ -2,12 +2,18 @@
 
 use std::fmt::Debug;
 
+use radiosity_formats::model::Shape;
 use radiosity_geom::{Motion, Placed, ShapeError, Surface};
 
 /// A shape as typed, before its numbers are known to make a surface.
 pub(super) trait Form: Debug {
     /// The surfaces it makes, one but for `box` and `patches`, put where `motion` says.
     fn surfaces(&self, motion: &Motion) -> Built;
+
+    /// The same surfaces in a model of another program; None if that has no such shape.
+    fn models(&self, _motion: &Motion) -> Modelled {
+        Ok(None)
+    }
 
     /// The name of the surface at `index` of these, where the shape is called `base`.
     fn name(&self, base: &str, _index: usize) -> String {
@@ -17,6 +23,9 @@ pub(super) trait Form: Debug {
 
 /// The surfaces of one shape, or what keeps it from being built.
 pub(super) type Built = Result<Vec<Box<dyn Surface>>, ShapeError>;
+
+/// The shapes of a model, none where it has no such shape, or what keeps them from being built.
+pub(super) type Modelled = Result<Option<Vec<Shape>>, ShapeError>;
 
 /// A single surface.
 pub(super) fn one(surface: impl Surface + 'static) -> Built {

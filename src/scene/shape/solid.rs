@@ -1,11 +1,12 @@
 //! Shapes of several faces: `box`.
 
+use radiosity_formats::model::Shape;
 use radiosity_geom::{DVec3, Motion, ShapeError, Surface, shapes::Parallelogram};
 
 use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, exactly, list, point, text, truth},
-    shape::form::{Built, Form},
+    shape::form::{Built, Form, Modelled},
     source::At,
     tree::Node,
 };
@@ -127,6 +128,11 @@ impl Form for BoxFile {
             Err(_) => Err(ShapeError::NoArea { field: self.extent.field().into() }),
         };
         self.faces.iter().map(surface).collect()
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let outline = |face: Box<dyn Surface>| Shape::Polygon { outline: face.corners(), holes: Vec::new() };
+        Ok(Some(self.surfaces(motion)?.into_iter().map(outline).collect()))
     }
 
     fn name(&self, base: &str, index: usize) -> String {

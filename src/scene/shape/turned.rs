@@ -2,6 +2,9 @@
 //!
 //! Angles are in degrees here and in radians in the geometry.
 
+use std::f64::consts::TAU;
+
+use radiosity_formats::model::Shape;
 use radiosity_geom::{
     DVec3, Motion,
     shapes::{Cone, Cylinder, Disk, FULL_TURN, Revolution, Sphere, Torus},
@@ -10,7 +13,7 @@ use radiosity_geom::{
 use crate::scene::{
     error::Located,
     fields::{Fields, angles, exactly, point, real},
-    shape::form::{Built, Form, moved},
+    shape::form::{Built, Form, Modelled, moved},
     tree::Node,
 };
 
@@ -137,9 +140,28 @@ fn turn(fields: &Fields<'_>, key: &'static str) -> Result<[f64; 2], Located> {
     fields.get(key).map_or(Ok(FULL_TURN), |node| angles(node, key))
 }
 
+/// Angles nearer to a full turn than this are one, radians: what degrees leave. Chosen; not tuned.
+const WHOLE: f64 = 1e-12;
+
+/// Whether all these ranges are full turns.
+fn are_whole(angles: &[[f64; 2]]) -> bool {
+    angles.iter().all(|[from, to]| ((to - from).abs() - TAU).abs() < WHOLE)
+}
+
+/// The shape of a model, unless angles cut it, of which a model has no notion.
+fn whole(angles: &[[f64; 2]], shape: Shape) -> Modelled {
+    Ok(are_whole(angles).then(|| vec![shape]))
+}
+
 impl Form for DiskFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         moved(Disk::new(self.center, self.normal, self.radius, self.inner_radius, self.angle)?, motion)
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let center = motion.point(self.center);
+        let [radius, inner] = [self.radius, self.inner_radius].map(|radius| motion.scale() * radius);
+        whole(&[self.angle], Shape::Disk { center, normal: motion.direction(self.normal), radius, inner })
     }
 }
 
@@ -147,11 +169,23 @@ impl Form for CylinderFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         moved(Cylinder::new(self.base, self.axis, self.radius, self.angle)?, motion)
     }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let (base, axis) = (motion.point(self.base), motion.vector(self.axis));
+        let radius = motion.scale() * self.radius;
+        whole(&[self.angle], Shape::Cylinder { base, axis, radius, inward: false })
+    }
 }
 
 impl Form for ConeFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         moved(Cone::new(self.base, self.axis, self.radius1, self.radius2, self.angle)?, motion)
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let (base, axis) = (motion.point(self.base), motion.vector(self.axis));
+        let radii = [self.radius1, self.radius2].map(|radius| motion.scale() * radius);
+        whole(&[self.angle], Shape::Cone { base, axis, radii, inward: false })
     }
 }
 
@@ -160,12 +194,27 @@ impl Form for SphereFile {
         let z = self.z.unwrap_or([-self.radius, self.radius]);
         moved(Sphere::new(self.center, self.radius, self.axis, z, self.angle)?, motion)
     }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let [low, high] = self.z.unwrap_or([-self.radius, self.radius]);
+        if low > -self.radius || high < self.radius {
+            return Ok(None);
+        }
+        let (center, radius) = (motion.point(self.center), motion.scale() * self.radius);
+        whole(&[self.angle], Shape::Sphere { center, radius, inward: false })
+    }
 }
 
 impl Form for TorusFile {
     fn surfaces(&self, motion: &Motion) -> Built {
         let TorusFile { center, axis, major, minor, angle, tube_angle } = *self;
         moved(Torus::new(center, axis, major, minor, angle, tube_angle)?, motion)
+    }
+
+    fn models(&self, motion: &Motion) -> Modelled {
+        let (center, axis) = (motion.point(self.center), motion.direction(self.axis));
+        let [major, minor] = [self.major, self.minor].map(|radius| motion.scale() * radius);
+        whole(&[self.angle, self.tube_angle], Shape::Torus { center, axis, major, minor, inward: false })
     }
 }
 
