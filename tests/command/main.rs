@@ -6,6 +6,7 @@ mod behaviour;
 mod builtin;
 mod exact_factors;
 mod fitted;
+mod formats;
 mod inspection;
 mod language;
 mod pictures;

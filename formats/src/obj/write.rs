@@ -8,7 +8,7 @@ use glam::DVec3;
 
 use super::bridge::bridged;
 use crate::error::Refusal;
-use crate::model::{Material, Model, Shape, Surface};
+use crate::model::{Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 
 /// A model as text.
@@ -21,7 +21,7 @@ pub struct Written {
 }
 
 /// Writes a model of polygons and bilinear patches; `mtl_name` is the name that the file of materials will have. Each
-/// surface is an object. Holes are joined to their outlines by bridges, which keeps the area. `Ke` is the exitance over
+/// surface is an object; one of two sides is two, the second `name:back`, since OBJ leaves sides open. Holes are joined to their outlines by bridges, which keeps the area. `Ke` is the exitance over
 /// π.
 ///
 /// # Errors
@@ -56,6 +56,10 @@ pub fn write(model: &Model, mtl_name: &str) -> Result<Written, Refusal> {
             }
         }
         text.line(&format!("f {}", numbers.join(" ")));
+        if surface.sides == Sides::Both {
+            text.line(&format!("o {}:back", line(&surface.name)));
+            text.line(&format!("f {}", numbers.into_iter().rev().collect::<Vec<_>>().join(" ")));
+        }
     }
     Ok(Written { obj: text.text, mtl })
 }

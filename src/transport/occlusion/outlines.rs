@@ -18,6 +18,7 @@
 //! two levels agree.
 
 mod edges;
+mod kinks;
 mod sides;
 
 use core::f64::consts::FRAC_1_PI;
@@ -105,7 +106,8 @@ impl Occlusion {
         limit: Limit,
     ) -> Self {
         let blockers = visibility.by_place(blockers);
-        let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility);
+        let accuracy = limit.error / limit.entry;
+        let Sides { side, outer, inner } = Sides::of(pair, &blockers, visibility, accuracy);
         let bodies = visibility.one_of_each_body(&blockers);
         let task = Task::new(pair, side, &inner, &bodies, visibility, limit);
         let area = |patch: &Patch| patch.node(0.5, 0.5).area;
@@ -312,12 +314,17 @@ impl<'a> Work<'a> {
         let may_miss = is_told && !is_last && self.may_miss(cell, &blockers);
         let entries = self.task.outer.basis.len() * self.task.inner.basis.len();
         let share = limit / (parts.len() as f64).sqrt();
-        for (part, sum) in parts.iter().zip(sums) {
+        for (index, (part, sum)) in parts.iter().zip(sums).enumerate() {
             let is_done = is_last || is_told && !(may_miss && self.may_miss(part, &blockers));
             if is_done {
                 self.moments.add_raw(&sum.values[..entries], 0);
             } else {
+                // No part takes the cells that later ones may need.
+                let pool = self.left;
+                self.left = pool.div_ceil((parts.len() - index) as u64);
+                let own = self.left;
                 self.visit(part, &blockers, Some(sum), share, depth - 1);
+                self.left += pool - own;
             }
         }
     }

@@ -11,11 +11,16 @@ use crate::transport::contact::clip::Facet;
 use crate::transport::contact::flat::{polygon_distance, segment_distance};
 use crate::transport::contact::sectors::sectors;
 use crate::transport::moments::Side;
+use crate::transport::occlusion::outlines::kinks::{Line, kinks};
 use crate::visibility::Visibility;
 
 /// Height of a blocker's side over the plane of the outer element, relative to the side's length, up to which it counts
 /// as standing there: its shadow almost jumps. Chosen; not tuned.
 const STANDING: f64 = 1e-2;
+
+/// Relative accuracy below which the outer element is cut along kinks: above, halving cells takes fewer points
+/// (`docs/measured.md`).
+const SHARP: f64 = 1e-4;
 
 /// The two sides of a pair of which at least one is flat.
 pub(super) struct Sides {
@@ -28,15 +33,21 @@ pub(super) struct Sides {
 }
 
 impl Sides {
-    pub(super) fn of(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility) -> Self {
+    /// The sides of a pair; a flat outer element is cut along kinks where high relative `accuracy` is asked.
+    pub(super) fn of(
+        pair: [&Element; 2],
+        blockers: &[usize],
+        visibility: &Visibility,
+        accuracy: f64,
+    ) -> Self {
         match pair.map(|element| element.plane.is_none()) {
             [true, _] => Self { side: Side::Receiver, outer: sectors(pair[0]), inner: facets(pair[1]) },
             [_, true] => Self { side: Side::Emitter, outer: sectors(pair[1]), inner: facets(pair[0]) },
-            _ => Self::of_flat(pair, blockers, visibility),
+            _ => Self::of_flat(pair, blockers, visibility, accuracy),
         }
     }
 
-    fn of_flat(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility) -> Self {
+    fn of_flat(pair: [&Element; 2], blockers: &[usize], visibility: &Visibility, accuracy: f64) -> Self {
         let [receivers, emitters] = facing(pair);
         let polygons =
             [&receivers, &emitters].map(|side| side.iter().map(|f| &f.corners[..]).collect::<Vec<_>>());
@@ -45,8 +56,16 @@ impl Sides {
             Side::Receiver => (receivers, emitters),
             Side::Emitter => (emitters, receivers),
         };
-        let parts = outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility));
-        let outer = parts.flat_map(|part| Patch::of_polygon(&part.corners, part.normal)).collect();
+        let mut parts: Vec<Facet> =
+            outer.iter().flat_map(|facet| cut_along(facet, blockers, visibility)).collect();
+        if accuracy < SHARP {
+            let bodies = visibility.one_of_each_body(blockers);
+            for Line { point, across } in kinks(&outer, &inner, &bodies, visibility) {
+                parts = parts.iter().flat_map(|part| halves(part, point, across)).collect();
+            }
+        }
+        let outer =
+            parts.into_iter().flat_map(|part| Patch::of_polygon(&part.corners, part.normal)).collect();
         Self { side, outer, inner }
     }
 }
