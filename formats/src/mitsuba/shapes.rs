@@ -156,37 +156,39 @@ impl<'a, 'b> Shapes<'a, 'b> {
         }
     }
 
-    /// What a shape is made of; none if light goes through it.
+    /// What a shape is made of; none if light goes through it. Lamps are told by their own names, so that what they are
+    /// painted with keeps its name.
     fn coat(&mut self, shape: &'a Element, remarks: &mut Remarks) -> Result<Option<Coat>, Refusal> {
-        let bsdf = self.only(shape, "bsdf")?;
-        let finish = bsdf.map(|bsdf| self.bsdfs.finish(bsdf, self.ids, remarks)).transpose()?;
         let emitter = self.only(shape, "emitter")?;
-        let mut colours = Colours { ids: self.ids, remarks };
+        let finish = self.finish_of(shape, emitter.is_some(), remarks)?;
         let exitance = match emitter {
-            Some(emitter) => emitters::exitance(emitter, &mut colours)?,
+            Some(emitter) => emitters::exitance(emitter, &mut Colours { ids: self.ids, remarks })?,
             None => None,
         };
-        let reflectance = if emitter.is_some() { 0.0 } else { USUAL };
-        let finish = finish.unwrap_or_else(|| Finish {
-            name: "default".to_owned(),
-            reflectance: [reflectance; 3],
-            sides: Sides::Front,
-            is_void: false,
-        });
-        if finish.is_void && exitance.is_none() {
-            return Ok(None);
-        }
-        let mut sides = finish.sides;
-        if exitance.is_some() && sides == Sides::Both {
-            sides = Sides::Front;
+        let Some(emission) = exitance else {
+            let Finish { name, reflectance, sides, is_void } = finish;
+            return Ok((!is_void).then_some(Coat { name, reflectance, emission: [0.0; 3], sides }));
+        };
+        if finish.sides == Sides::Both {
             remarks.add("backs of surfaces that shine are black: Mitsuba's shine on the front only", shape);
         }
-        Ok(Some(Coat {
-            name: finish.name,
-            reflectance: finish.reflectance,
-            emission: exitance.unwrap_or_default(),
-            sides,
-        }))
+        let lamp = emitter.and_then(|emitter| emitter.attribute("id")).or(shape.attribute("id"));
+        let name = lamp.unwrap_or("lamp").to_owned();
+        Ok(Some(Coat { name, reflectance: finish.reflectance, emission, sides: Sides::Front }))
+    }
+
+    /// The finish of a shape, or Mitsuba's own.
+    fn finish_of(
+        &mut self,
+        shape: &'a Element,
+        is_lamp: bool,
+        remarks: &mut Remarks,
+    ) -> Result<Finish, Refusal> {
+        if let Some(bsdf) = self.only(shape, "bsdf")? {
+            return self.bsdfs.finish(bsdf, self.ids, remarks);
+        }
+        let reflectance = if is_lamp { [0.0; 3] } else { [USUAL; 3] };
+        Ok(Finish { name: "default".to_owned(), reflectance, sides: Sides::Front, is_void: false })
     }
 
     /// The only thing of a kind in a shape.

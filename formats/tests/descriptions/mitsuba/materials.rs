@@ -154,6 +154,18 @@ fn area_emitters_have_exitance() {
 }
 
 #[test]
+fn lamps_are_named_by_themselves() {
+    let white = "<bsdf type=\"diffuse\" id=\"white\"/>";
+    let lamp = "<ref id=\"white\"/><emitter type=\"area\"/></shape>";
+    let text = format!(
+        "{white}<shape type=\"disk\" id=\"light\">{lamp}<shape type=\"disk\">{lamp}<shape type=\"disk\"><ref id=\"white\"/></shape>"
+    );
+    let model = right(&text);
+    let names: Vec<&str> = model.materials.iter().map(|material| material.name.as_str()).collect();
+    assert_eq!(names, ["light", "lamp", "white"]);
+}
+
+#[test]
 fn what_shines_on_both_sides_shines_on_its_front() {
     let model =
         right(&disk("<bsdf type=\"twosided\"><bsdf type=\"diffuse\"/></bsdf><emitter type=\"area\"/>"));
