@@ -5,20 +5,11 @@ use super::remarks::Remarks;
 use crate::text::short;
 
 /// Elements that need no word: what ids are given to and nothing names, and how Mitsuba makes its picture.
-const SILENT: [&str; 12] = [
-    "bsdf",
-    "texture",
-    "spectrum",
-    "medium",
-    "volume",
-    "phase",
-    "film",
-    "sampler",
-    "rfilter",
-    "integrator",
-    "alias",
-    "ref",
-];
+const SILENT: [&str; 9] =
+    ["bsdf", "texture", "spectrum", "medium", "volume", "phase", "film", "alias", "ref"];
+
+/// Elements that need no word even where a name is given to them.
+const PICTURE: [&str; 3] = ["integrator", "sampler", "rfilter"];
 
 /// Names of properties that need no word, for they change neither shapes nor their diffuse reflection.
 const HARMLESS: [&str; 19] = [
@@ -82,6 +73,7 @@ fn told(child: &Element, parent: &Element) -> Option<String> {
         kind => format!("<{} type=\"{}\">", short(&parent.tag), short(kind)),
     };
     match child.attribute("name") {
+        _ if PICTURE.contains(&child.tag.as_str()) => None,
         Some(name) if HARMLESS.contains(&name) => None,
         Some(name) => Some(format!("'{}' of {within} is left out", short(name))),
         None if SILENT.contains(&child.tag.as_str()) => None,

@@ -93,7 +93,7 @@ fn what_is_not_known_is_noted_once() {
     let model = right(
         "<shape type=\"disk\" colour=\"red\"><float name=\"mass\" value=\"1\"/><boolean name=\"face_normals\" value=\"true\"/></shape>\
          <shape type=\"disk\"><float name=\"mass\" value=\"1\"/><thing/></shape><thing><float name=\"a\" value=\"1\"/></thing>\
-         <integrator type=\"path\"/><bsdf type=\"diffuse\" id=\"unused\"/>",
+         <integrator name=\"how\" type=\"path\"/><bsdf type=\"diffuse\" id=\"unused\"/>",
     );
     let told = [
         ("the attribute 'colour' of <shape> is left out", 1),
