@@ -28,5 +28,6 @@ pub mod obj;
 pub mod gltf;
 pub mod mitsuba;
 pub mod vs3;
+pub mod materials;
 pub mod fronts;
 pub mod repair;

@@ -4,3 +4,4 @@ mod measures;
 mod mutations;
 mod vs3;
 mod mitsuba;
+mod materials;
