@@ -26,6 +26,7 @@ pub mod stl;
 pub mod ply;
 pub mod obj;
 pub mod gltf;
+pub mod mitsuba;
 pub mod vs3;
 pub mod read;
 pub mod write;

@@ -4,7 +4,7 @@ use crate::error::Refusal;
 use crate::files::Files;
 use crate::format::Format;
 use crate::model::Model;
-use crate::{gltf, mgf, obj, ply, rad, stl, vs3};
+use crate::{gltf, mgf, mitsuba, obj, ply, rad, stl, vs3};
 
 /// Reads `bytes`, the contents of `file`, in a format; `files` finds the files that it names.
 ///
@@ -17,14 +17,7 @@ pub fn read(format: Format, file: &str, bytes: &[u8], files: &dyn Files) -> Resu
         Format::Gltf => gltf::read,
         Format::Stl => stl::read,
         Format::Ply => ply::read,
-        Format::Mitsuba => {
-            return Err(Refusal {
-                file: file.to_owned(),
-                place: None,
-                cause: "scenes of Mitsuba are not read yet".to_owned(),
-                cure: "export it as OBJ".to_owned(),
-            });
-        }
+        Format::Mitsuba => mitsuba::read,
         Format::Rad => rad::read,
         Format::Vs3 => vs3::read,
     };

@@ -13,6 +13,18 @@ use crate::text::{number, short};
 /// Most instances that one transform makes. Chosen.
 const MOST_INSTANCES: usize = 100_000;
 
+/// Sine and cosine of an angle in degrees. Those of quarter turns are exact.
+pub fn sin_cos(degrees: f64) -> (f64, f64) {
+    let turned = degrees.rem_euclid(360.0);
+    match turned {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        _ => turned.to_radians().sin_cos(),
+    }
+}
+
 /// A rotation, a uniform scale, perhaps a mirror, then a translation.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Similarity {
@@ -52,14 +64,7 @@ impl Similarity {
 
     /// A rotation about an axis, 0 to 2, counter-clockwise seen from its tip. Quarter turns are exact.
     fn rotation(axis: usize, degrees: f64) -> Self {
-        let turned = degrees.rem_euclid(360.0);
-        let (sin, cos) = match turned {
-            0.0 => (0.0, 1.0),
-            90.0 => (1.0, 0.0),
-            180.0 => (0.0, -1.0),
-            270.0 => (-1.0, 0.0),
-            _ => turned.to_radians().sin_cos(),
-        };
+        let (sin, cos) = sin_cos(degrees);
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut linear = DMat3::IDENTITY;
         linear.col_mut(next)[next] = cos;

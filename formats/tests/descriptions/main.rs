@@ -3,3 +3,4 @@
 mod measures;
 mod mutations;
 mod vs3;
+mod mitsuba;
