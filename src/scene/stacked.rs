@@ -130,6 +130,8 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
     let boxes: Vec<Aabb> = occupied.iter().map(|occupied| *occupied.bounds()).collect();
     let tree = Bvh::build(&boxes);
     let mut lower: HashMap<usize, Vec<(usize, DVec3)>> = HashMap::new();
+    // A floor with many bodies on it is asked for once with each of them.
+    let mut bodies: HashMap<usize, f64> = HashMap::new();
     for own in 0..sheets.len() {
         let mut near = Vec::new();
         tree.overlapping(&boxes[own], |other| near.push(other));
@@ -144,11 +146,11 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
                 Ordering::Equal => continue,
             };
             let up = sheets[on].normal();
-            let height = |index: usize| {
+            let mut height = |index: usize| {
                 let way = sheets[index].region().map_or(0.0, |region| region.normal().dot(up).signum());
-                way * body(index, sheets, &tree, &boxes[index])
+                way * *bodies.entry(index).or_insert_with(|| body(index, sheets, &tree, &boxes[index]))
             };
-            let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], bodies: [sheet, on].map(height) };
+            let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], bodies: [sheet, on].map(&mut height) };
             if let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) {
                 lower.entry(sheet).or_default().push((on, direction));
             }
