@@ -131,7 +131,8 @@ impl SideFile {
 /// Refuses numbers that are no reflectance or exitance, and lists of other lengths than 1, 3 and that of the bands.
 fn check(values: &Values, model: &Model) -> Result<(), Fault> {
     let (count, bands) = (values.0.len(), model.bands.len());
-    if ![1, bands].contains(&count) && !(bands == 1 && count == 3) {
+    let fits = [1, bands].contains(&count) || bands == 1 && count == 3;
+    if !fits {
         let bands = model.bands.join(", ");
         return Err(Fault::new(
             format!("there are {count} numbers, the bands are {bands}"),

@@ -1,6 +1,6 @@
 //! `--from`, `--one-sided` and the other options on how files of other programs are read.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{
     Args,
@@ -78,7 +78,7 @@ impl ImportArgs {
         let import = Import {
             format: self.from,
             sides,
-            materials: self.materials.as_ref().map(side_file).transpose()?,
+            materials: self.materials.as_deref().map(side_file).transpose()?,
             unit: self.unit,
             tolerance,
             strict,
@@ -103,7 +103,7 @@ fn format() -> impl TypedValueParser<Value = Format> {
     PossibleValuesParser::new(Format::ALL.map(Format::name)).try_map(named)
 }
 
-fn side_file(path: &PathBuf) -> Result<SideFile, CliError> {
+fn side_file(path: &Path) -> Result<SideFile, CliError> {
     let name = path.display().to_string();
     // A file called `-` is one, too: standard input is for the scene.
     let source = if name == "-" { "./-" } else { &name };
