@@ -14,6 +14,8 @@ pub use contact::Contact;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 
+use std::collections::HashSet;
+
 use crate::footings::{Footing, footings};
 use crate::scene::{Scene, SceneSurface};
 use rayon::prelude::*;
@@ -41,17 +43,18 @@ impl Inspection {
     /// Inspects `scene`.
     pub fn of(scene: &Scene) -> Self {
         let sheets = Sheets::of(scene);
+        let lying: HashSet<&str> = scene.fitted.lying.iter().map(|own| own.surface.as_str()).collect();
         let contacts = contact::contacts(&sheets);
         let rims = rim::rims(&sheets);
         let groups = shell::groups(&sheets, &rims);
         let shells: Vec<Shell> = groups.iter().filter_map(|group| shell::shell(&sheets, group)).collect();
         let mut warnings = light(scene);
         warnings.extend(scene.surfaces.iter().filter_map(material));
-        warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, found)));
+        warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, &lying, found)));
         warnings.extend(gap::gaps(scene, &sheets, &rims, &contacts));
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
-        warnings.extend(front::blind(&sheets));
+        warnings.extend(front::blind(&sheets, &lying));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
         Inspection { areas, contacts, footings: footings(scene), shells, warnings }
     }

@@ -1,6 +1,8 @@
 //! Materials by name, from a file beside the scene: what formats without materials lack, and what others state wrongly.
 //!
 //! ```toml
+//! unit = "lx"              # of exitance and irradiance, where the format states none
+//!
 //! [materials.white]        # a material of the scene, or one that is used below
 //! reflectance = 0.8        # one number, or one for each of red, green and blue; kept as it is where it is left out
 //! emission = [10, 9, 7]    # exitance
@@ -44,6 +46,7 @@ pub struct SideFile {
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Sheet {
+    unit: Option<String>,
     #[serde(default)]
     materials: BTreeMap<Spanned<String>, Entry>,
     #[serde(default)]
@@ -97,6 +100,9 @@ pub fn apply(side: &SideFile, model: &mut Model) -> Result<Vec<String>, Refusal>
         ));
     }
     fill(model);
+    if let Some(unit) = sheet.unit {
+        model.unit = Some(unit);
+    }
     Ok(lines)
 }
 
@@ -304,6 +310,12 @@ mod tests {
     fn what_is_left_out_stays() {
         let white = &applied("[materials.white]\nemission = 3").unwrap().materials[0];
         assert_eq!((&white.reflectance, &white.emission), (&vec![0.5], &vec![3.0]));
+    }
+
+    #[test]
+    fn the_unit_of_the_file_is_that_of_the_scene() {
+        assert_eq!(applied("unit = \"lx\"").unwrap().unit.as_deref(), Some("lx"));
+        assert_eq!(applied("").unwrap().unit, None);
     }
 
     #[test]

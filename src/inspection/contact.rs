@@ -1,5 +1,7 @@
 //! Which surfaces touch, and how.
 
+use std::collections::HashSet;
+
 use radiosity_geom::Adjacency;
 use rayon::prelude::*;
 
@@ -34,8 +36,8 @@ fn contact(sheets: &Sheets, pair: [usize; 2]) -> Option<Contact> {
     Some(Contact { surfaces: [a.surface, b.surface], touch })
 }
 
-/// Surfaces that pass through each other or share area.
-pub(super) fn intrusion(scene: &Scene, contact: &Contact) -> Option<Warning> {
+/// Surfaces that pass through each other, or share area; not those that were set apart, `lying` on others.
+pub(super) fn intrusion(scene: &Scene, lying: &HashSet<&str>, contact: &Contact) -> Option<Warning> {
     let [own, other] = contact.surfaces.map(|index| &scene.surfaces[index].name);
     match contact.touch {
         Adjacency::Crossing { at } => {
@@ -43,6 +45,7 @@ pub(super) fn intrusion(scene: &Scene, contact: &Contact) -> Option<Warning> {
             let message = format!("passes through {other:?} near {place}: end one where it meets the other");
             Some(Warning::about("crossing", own, message))
         }
+        Adjacency::Overlap if [own, other].into_iter().any(|name| lying.contains(name.as_str())) => None,
         Adjacency::Overlap => {
             let message = format!("lies partly in {other:?}: move them apart, or remove one");
             Some(Warning::about("overlap", own, message))

@@ -1,5 +1,7 @@
 //! Fronts that face the wrong way.
 
+use std::collections::HashSet;
+
 use radiosity_geom::{Aabb, DVec3};
 use rayon::prelude::*;
 
@@ -62,8 +64,9 @@ fn part_of(shell: &Shell) -> String {
     }
 }
 
-/// Fronts that face no other front, according to sampled points; blockers are not considered.
-pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
+/// Fronts that face no other front, according to sampled points; blockers are not considered, and what is
+/// `lying` on another surface faces that one.
+pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
     // If the other lies wholly behind this plane, no pair of points has to be tested.
     let reaches = |own: usize, other: usize| {
@@ -83,9 +86,10 @@ pub(super) fn blind(sheets: &Sheets) -> Vec<Warning> {
     }
     let blind: Vec<usize> = (0..sheets.list.len()).into_par_iter().filter(|own| is_blind(*own)).collect();
     let message = "faces no other front, it neither lights nor is lit: flip = true turns it over";
-    blind
-        .into_iter()
-        .map(|own| Warning::about("front-blind", &sheets.list[own].name, message.to_owned()))
+    let names = blind.into_iter().map(|own| &sheets.list[own].name);
+    names
+        .filter(|name| !lying.contains(name.as_str()))
+        .map(|name| Warning::about("front-blind", name, message.to_owned()))
         .collect()
 }
 

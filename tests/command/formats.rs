@@ -453,3 +453,40 @@ fn real_rooms_agree_with_path_traced_points() {
         assert!(error < most, "{room}: {error}");
     }
 }
+
+/// A lamp in the plane of a ceiling cuts its hole itself: the light is that of a ceiling with a hole.
+#[test]
+fn a_lamp_in_the_plane_of_a_ceiling_shines_as_in_a_hole() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let office = fs::read_to_string(examples.join("office.toml")).expect("the office is there");
+    let (before, rest) = office.split_once("holes = [").expect("the ceiling has holes");
+    let (_, after) = rest.split_once("\n]\n").expect("their list ends");
+    let flush = format!("{before}{after}");
+    let folder = folder(&[("office.toml", office.as_bytes()), ("flush.toml", flush.as_bytes())]);
+    let sensors = examples.join("sensors.csv");
+    let probe = |scene: &str| {
+        let points = sensors.to_str().expect("a path of letters");
+        let [table, _] = done(folder.path(), &["probe", scene, "--points", points, "-q"]);
+        let column = |line: &str| line.split(',').nth(6).and_then(|field| field.parse::<f64>().ok());
+        table.lines().skip(1).map(|line| column(line).expect("an irradiance")).collect::<Vec<_>>()
+    };
+    let (cut, flush) = (probe("office.toml"), probe("flush.toml"));
+    assert!(cut.len() == 4 && cut.iter().all(|x| *x > 10.0), "{cut:?}");
+    cut.iter().zip(&flush).for_each(|(x, y)| assert!((x / y - 1.0).abs() < 3e-4, "{x} {y}"));
+    let [findings, _] = done(folder.path(), &["check", "flush.toml"]);
+    assert!(findings.contains("set apart: panel-left lies on ceiling"), "{findings}");
+    assert!(findings.contains("nothing looks wrong"), "{findings}");
+}
+
+/// The room of the README: what was typed as triangles, whole boxes and flush lamps needs no word but its unit and its light.
+#[test]
+fn a_room_from_a_drawing_program_is_read_and_lit() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples");
+    let [findings, _] = done(
+        &examples,
+        &["check", "meeting-room.obj", "--unit", "mm", "--materials", "meeting-room-materials.toml"],
+    );
+    assert!(findings.contains("88 coplanar triangles were merged to 44 polygons"), "{findings}");
+    let warnings: Vec<&str> = findings.lines().filter(|line| line.starts_with("warning")).collect();
+    assert!(warnings.iter().all(|line| line.contains("no camera")), "{warnings:?}");
+}
