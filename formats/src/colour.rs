@@ -51,6 +51,12 @@ pub fn luminance(rgb: [f64; 3]) -> f64 {
     rgb.iter().zip(LUMINANCE).map(|(value, weight)| value * weight).sum()
 }
 
+/// Luminance to 12 digits: a colour that was made with luminance 0.28 has 0.28 again, not 0.279999999999999.
+fn grey(rgb: [f64; 3]) -> f64 {
+    let luminance = luminance(rgb);
+    format!("{luminance:.11e}").parse().unwrap_or(luminance)
+}
+
 /// Values that are grey become their luminance in each band; where all materials are grey, one band `grey` takes the place
 /// of red, green and blue.
 pub fn settle(model: &mut Model) {
@@ -62,7 +68,7 @@ pub fn settle(model: &mut Model) {
         for values in [&mut material.reflectance, &mut material.emission] {
             match is_grey(values) {
                 true if values.iter().all(|value| *value == values[0]) => {}
-                true => *values = vec![luminance([values[0], values[1], values[2]]); 3],
+                true => *values = vec![grey([values[0], values[1], values[2]]); 3],
                 false => are_grey = false,
             }
         }
@@ -86,7 +92,7 @@ pub fn to_grey(model: &mut Model) {
     for material in &mut model.materials {
         for values in [&mut material.reflectance, &mut material.emission] {
             let [r, g, b] = [values[0], values[1], values[2]];
-            *values = vec![if r == g && g == b { r } else { luminance([r, g, b]) }];
+            *values = vec![if r == g && g == b { r } else { grey([r, g, b]) }];
         }
     }
 }
@@ -94,6 +100,15 @@ pub fn to_grey(model: &mut Model) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_grey_of_a_colour_is_the_luminance_that_it_was_made_with() {
+        for k in 1..100 {
+            let stated = f64::from(k) / 100.0;
+            let rgb = of_chromaticity(0.4, 0.35 + 1e-3 * f64::from(k)).map(|value| stated * value);
+            assert_eq!(grey(rgb), stated);
+        }
+    }
 
     #[test]
     fn equal_energy_is_grey_and_all_have_luminance_one() {
