@@ -6,19 +6,21 @@
 //! It is cut out of the surface as receiver and sender; as a blocker the surface stays whole.
 
 mod footing;
+mod segments;
 mod faces;
 mod lines;
 mod seal;
 
 use std::sync::Arc;
 
-use radiosity_geom::{PlanarRegion, Surface, shapes::Trimmed, touching};
+use radiosity_geom::{DVec3, PlanarRegion, Surface, shapes::Trimmed, touching};
 use rayon::prelude::*;
 
 use crate::scene::Scene;
 use crate::visibility::{Shadows, Visibility};
 pub use footing::Footing;
 use seal::Suspect;
+use segments::Segments;
 
 /// Least part of a surface's area that has to be left beside footings. Chosen; not tuned.
 const LEAST: f64 = 1e-6;
@@ -56,12 +58,14 @@ fn suspects(scene: &Scene, obstacles: &Visibility, surface: usize) -> Vec<Suspec
         return Vec::new();
     }
     let tolerance = touching(region.extent(), 0.0);
-    let ends = lines::outline(region).into_iter().chain(lines.iter().map(|line| line.ends));
-    let loops = faces::faces(&ends.collect::<Vec<_>>(), &|x| region.to_plane(x), tolerance);
+    let ends: Vec<[DVec3; 2]> = lines.iter().map(|line| line.ends).collect();
+    let drawn = Segments::new([lines::outline(region), ends.clone()].concat());
+    let loops = faces::faces(&drawn, &|x| region.to_plane(x), tolerance);
+    let contacts = Segments::new(ends);
     let regions = loops.into_iter().filter_map(|ring| PlanarRegion::new(ring, Vec::new()).ok());
     let proper = regions.filter(|face| face.area() < (1.0 - 1e-6) * region.area());
     let suspect = |face: PlanarRegion| {
-        let standing = lines::around(&lines, &face);
+        let standing = lines::around(&lines, &contacts, &face);
         Suspect::new(Footing { surface, region: face, standing }, region)
     };
     let mut found: Vec<Suspect> = proper.map(suspect).collect();

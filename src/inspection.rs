@@ -5,6 +5,7 @@
 mod sheet;
 mod rim;
 pub mod shell;
+mod enclosure;
 pub mod warning;
 pub mod contact;
 mod front;

@@ -8,6 +8,7 @@
 pub(crate) mod blocker_edges;
 pub(crate) mod bounding_ball;
 pub(crate) mod shadow_volume;
+mod cloud;
 mod convex_bodies;
 pub(crate) mod silhouette_mesh;
 mod mode;
@@ -21,6 +22,7 @@ use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, Jet, Ray, RayTree, Rect, separ
 
 use crate::scene::Scene;
 use bounding_ball::Ball;
+use cloud::Cloud;
 use convex_bodies::{Bodies, Face};
 pub use mode::{Hiding, Shadows};
 use obstacle::{Bend, Obstacle};
@@ -56,12 +58,13 @@ impl Visibility {
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
         let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| Obstacle::new(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
-        let standing = standing(&obstacles, &boxes, shadows);
+        let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
+        let standing = standing(&obstacles, &cloud, &boxes, shadows);
         let standing_boxes: Vec<Aabb> = standing.iter().map(|index| boxes[*index]).collect();
         let standing_tree = Bvh::build(&standing_boxes);
         let tree = Bvh::build(&boxes);
         let rays = RayTree::new(scene.surfaces.iter().map(|s| Arc::clone(&s.shape)).collect());
-        let bodies = bodies(&obstacles);
+        let bodies = bodies(&obstacles, &cloud);
         let places = places(&obstacles);
         Self { obstacles, boxes, tree, rays, standing, standing_tree, bodies, places, shadows }
     }
@@ -302,7 +305,7 @@ impl Visibility {
 ///
 /// A planar surface with the whole scene on one side of its plane, such as a wall of a convex room, cannot. Nor can a
 /// slightly bent wall whose depth over its diagonal is below the accuracy of the shadows.
-fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
+fn standing(obstacles: &[Obstacle], cloud: &Cloud, boxes: &[Aabb], shadows: Shadows) -> Vec<usize> {
     let tolerance = match shadows {
         Shadows::Off => 0.0,
         Shadows::Rays(eps) | Shadows::Outlines(eps) => eps,
@@ -314,23 +317,21 @@ fn standing(obstacles: &[Obstacle], boxes: &[Aabb], shadows: Shadows) -> Vec<usi
         let height = |x: &DVec3| (x - position).dot(normal);
         let range = |(low, high): (f64, f64), h: f64| (low.min(h), high.max(h));
         let (low, high) = hull.iter().map(height).fold((f64::MAX, f64::MIN), range);
-        let others = || obstacles.iter().flat_map(|other| &other.hull);
-        let room = |x: &DVec3| touching(size, x.distance(position));
         high - low <= touching(size, 0.0).max(tolerance * size)
-            && (others().all(|x| height(x) >= low - room(x)) || others().all(|x| height(x) <= high + room(x)))
+            && (cloud.lies_below(-low, [position, -normal], size)
+                || cloud.lies_below(high, [position, normal], size))
     };
     (0..obstacles.len()).filter(|index| !walls_in(index)).collect()
 }
 
 /// The convex bodies that surfaces close.
-fn bodies(obstacles: &[Obstacle]) -> Bodies {
+fn bodies(obstacles: &[Obstacle], cloud: &Cloud) -> Bodies {
     let faces = obstacles.iter().enumerate().filter_map(|(surface, Obstacle { shape, hull, .. })| {
         let region = shape.region().filter(|region| region.holes().is_empty())?;
         Some(Face { surface, outline: &hull[..], normal: region.normal() })
     });
     let faces: Vec<Face> = faces.collect();
-    let points: Vec<DVec3> = obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect();
-    Bodies::new(&faces, obstacles.len(), &points)
+    Bodies::new(&faces, obstacles.len(), cloud)
 }
 
 /// Largest distance of the points from the line through the first point and the one farthest from it.

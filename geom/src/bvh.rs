@@ -46,22 +46,22 @@ impl Bvh {
     /// Whether `test` returns true for any box the ray may meet, in no particular order; stops at the first.
     pub fn any(&self, ray: &Ray, mut test: impl FnMut(usize) -> bool) -> bool {
         let slabs = Slabs::new(ray);
-        let is_met = |node: &Node| slabs.entry(&node.bounds, ray.range[0], ray.range[1]).is_some();
-        self.below(is_met).any(&mut test)
+        self.search(|bounds| slabs.entry(bounds, ray.range[0], ray.range[1]).is_some()).any(&mut test)
     }
 
     /// Calls `visit` with the index of every box that overlaps `query`.
     pub fn overlapping(&self, query: &Aabb, mut visit: impl FnMut(usize)) {
-        self.below(|node| node.bounds.overlaps(query)).for_each(&mut visit);
+        self.search(|bounds| bounds.overlaps(query)).for_each(&mut visit);
     }
 
-    /// The content of the leaves below nodes of which `is_met` holds.
-    fn below(&self, is_met: impl Fn(&Node) -> bool) -> impl Iterator<Item = usize> {
+    /// The indices of all boxes that pass `may_hold`, and of some others, in no particular order. What a box fails has to
+    /// be failed by every box inside it.
+    pub fn search(&self, may_hold: impl Fn(&Aabb) -> bool) -> impl Iterator<Item = usize> {
         let mut stack: Vec<usize> = if self.nodes.is_empty() { vec![] } else { vec![0] };
         let leaves = std::iter::from_fn(move || {
             while let Some(index) = stack.pop() {
                 let node = &self.nodes[index];
-                if !is_met(node) {
+                if !may_hold(&node.bounds) {
                     continue;
                 }
                 if node.count > 0 {

@@ -28,6 +28,9 @@ pub(crate) struct CheckArgs {
     pub(crate) format: Format,
 }
 
+/// So many names, or warnings of a kind, are written as text; JSON names all. Chosen; not tuned.
+const LISTED: usize = 20;
+
 /// How the findings are written.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 pub(crate) enum Format {
@@ -98,10 +101,25 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     for plane in &scene.planes {
         writeln!(text, "plane: {}", plane_line(plane))?;
     }
-    for warning in &inspection.warnings {
-        writeln!(text, "warning: {}", warning.message)?;
-    }
+    describe_warnings(&inspection.warnings, text)?;
     if inspection.warnings.is_empty() { writeln!(text, "nothing looks wrong") } else { Ok(()) }
+}
+
+/// One line for each warning, of each kind the first `LISTED`.
+fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
+    let mut counts = BTreeMap::new();
+    for warning in warnings {
+        let count = counts.entry(warning.code).or_insert(0);
+        *count += 1;
+        if *count <= LISTED {
+            writeln!(text, "warning: {}", warning.message)?;
+        }
+    }
+    for (code, count) in counts.into_iter().filter(|(_, count)| *count > LISTED) {
+        let rest = count - LISTED;
+        writeln!(text, "warning: {rest} more of the kind {code:?}: --format json names them all")?;
+    }
+    Ok(())
 }
 
 fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<6> {
@@ -127,15 +145,24 @@ fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table<3> {
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for Contact { surfaces: [own, other], touch } in contacts {
         let (way, name) = (way(*touch), scene.surfaces[*other].name.as_str());
-        match rows.iter_mut().rev().find(|row| (row.0, row.1) == (*own, way)) {
+        // All contacts of a surface with later ones stand together.
+        match rows.iter_mut().rev().take_while(|row| row.0 == *own).find(|row| row.1 == way) {
             Some(row) => row.2.push(name),
             None => rows.push((*own, way, vec![name])),
         }
     }
     for (own, way, others) in rows {
-        table.row([scene.surfaces[own].name.clone(), way.to_owned(), others.join(", ")]);
+        table.row([scene.surfaces[own].name.clone(), way.to_owned(), listed(&others)]);
     }
     table
+}
+
+/// Names, the first `LISTED` of them where there are many.
+fn listed(names: &[&str]) -> String {
+    match names.split_at_checked(LISTED) {
+        Some((first, rest)) if !rest.is_empty() => format!("{} and {} others", first.join(", "), rest.len()),
+        _ => names.join(", "),
+    }
 }
 
 fn way(touch: Adjacency) -> &'static str {
@@ -151,14 +178,14 @@ fn way(touch: Adjacency) -> &'static str {
 fn shell_line(scene: &Scene, shell: &Shell) -> String {
     let names: Vec<&str> = shell.surfaces.iter().map(|k| scene.surfaces[*k].name.as_str()).collect();
     let Shell { volume, fronts, .. } = shell;
-    format!("{}; volume {volume:.6}, fronts {}", names.join(", "), side(*fronts))
+    format!("{}; volume {volume:.6}, fronts {}", listed(&names), side(*fronts))
 }
 
 fn footing_line(scene: &Scene, footing: &Footing) -> String {
     let name = |index: &usize| scene.surfaces[*index].name.as_str();
     let standing: Vec<&str> = footing.standing.iter().map(name).collect();
     let area = footing.region.area();
-    format!("{:.6} of {}, where {} stand", area, name(&footing.surface), standing.join(", "))
+    format!("{:.6} of {}, where {} stand", area, name(&footing.surface), listed(&standing))
 }
 
 fn side(fronts: Fronts) -> &'static str {

@@ -27,9 +27,28 @@ impl<const N: usize> fmt::Display for Table<N> {
         let widths: [usize; N] = std::array::from_fn(width);
         for row in &self.rows {
             let padded: Vec<String> =
-                row.iter().zip(widths).map(|(cell, width)| format!("{cell:width$}")).collect();
+                row.iter().zip(widths).map(|(cell, width)| padded(cell, width)).collect();
             writeln!(f, "{}", padded.join("  ").trim_end())?;
         }
         Ok(())
+    }
+}
+
+/// A cell followed by spaces; the widths of `format!` end at 65 535.
+fn padded(cell: &str, width: usize) -> String {
+    cell.to_owned() + &" ".repeat(width.saturating_sub(cell.chars().count()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_line_up_beside_cells_of_any_length() {
+        let mut table = Table::new(["a", "b"]);
+        table.row(["é".repeat(70_000), "c".to_owned()]);
+        let lines: Vec<String> = table.to_string().lines().map(str::to_owned).collect();
+        assert_eq!(lines[0], format!("a{}b", " ".repeat(70_001)));
+        assert!(lines[1].ends_with("é  c"));
     }
 }

@@ -4,9 +4,11 @@
 //! direction, turning clockwise into the next piece at each end: that goes once around each face, with the face on the
 //! left. A face is bounded if its ring encloses a positive area.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use radiosity_geom::{DVec2, DVec3};
+
+use super::segments::Segments;
 
 /// A point where segments end or meet.
 #[derive(Clone, Copy, Debug)]
@@ -19,13 +21,24 @@ struct Node {
 struct Nodes {
     list: Vec<Node>,
     tolerance: f64,
+    /// The nodes in each square cell; the side of a cell is the tolerance.
+    cells: HashMap<[i64; 2], Vec<usize>>,
 }
 
 impl Nodes {
+    fn new(tolerance: f64) -> Self {
+        Nodes { list: Vec::new(), tolerance, cells: HashMap::new() }
+    }
+
+    /// The first node within the tolerance of `node`, which is added if there is none.
     fn index(&mut self, node: Node) -> usize {
-        let known = self.list.iter().position(|other| other.place.distance(node.place) <= self.tolerance);
+        let [column, row] = (node.place / self.tolerance).to_array().map(|x| x.floor() as i64);
+        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [column + i, row + j]));
+        let near = around.filter_map(|cell| self.cells.get(&cell)).flatten().copied();
+        let known = near.filter(|k| self.list[*k].place.distance(node.place) <= self.tolerance).min();
         known.unwrap_or_else(|| {
             self.list.push(node);
+            self.cells.entry([column, row]).or_default().push(self.list.len() - 1);
             self.list.len() - 1
         })
     }
@@ -34,23 +47,25 @@ impl Nodes {
 /// The bounded faces, counter-clockwise, of the map that `segments` draw in a plane with the coordinates `to_plane`.
 /// Points closer than `tolerance` are one.
 pub(super) fn faces(
-    segments: &[[DVec3; 2]],
+    segments: &Segments,
     to_plane: &dyn Fn(DVec3) -> DVec2,
     tolerance: f64,
 ) -> Vec<Vec<DVec3>> {
     let ends: Vec<[Node; 2]> =
-        segments.iter().map(|ends| ends.map(|point| Node { point, place: to_plane(point) })).collect();
-    let mut nodes = Nodes { list: Vec::new(), tolerance };
+        segments.list.iter().map(|ends| ends.map(|point| Node { point, place: to_plane(point) })).collect();
+    let mut nodes = Nodes::new(tolerance);
     let mut edges = BTreeSet::new();
     for (index, own) in ends.iter().enumerate() {
-        let others = ends.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, ends)| ends);
+        // Across and along each may differ by the tolerance.
+        let near = segments.near(segments.list[index], 2.0 * tolerance).into_iter();
+        let others = near.filter(|other| *other != index).map(|other| &ends[other]);
         let places = places_on(own, others, tolerance);
         let indices: Vec<usize> = places.into_iter().map(|node| nodes.index(node)).collect();
         for pair in indices.windows(2).filter(|pair| pair[0] != pair[1]) {
             edges.insert([pair[0].min(pair[1]), pair[0].max(pair[1])]);
         }
     }
-    drop_blind(&mut edges);
+    drop_blind(nodes.list.len(), &mut edges);
     let rings = ways(&nodes.list, &edges);
     let points = |ring: Vec<usize>| ring.into_iter().map(|node| nodes.list[node].point).collect();
     rings.into_iter().filter(|ring| enclosed(&nodes.list, ring) > tolerance.powi(2)).map(points).collect()
@@ -90,16 +105,22 @@ fn crossing(own: &[Node; 2], other: &[Node; 2], direction: DVec2, tolerance: f64
     (tolerance < along && along < length - tolerance).then_some((along, node))
 }
 
-/// Drops edges with a free end, repeatedly.
-fn drop_blind(edges: &mut BTreeSet<[usize; 2]>) {
-    loop {
-        let degree = |node: usize| edges.iter().filter(|edge| edge.contains(&node)).count();
-        let blind: Vec<[usize; 2]> =
-            edges.iter().filter(|edge| edge.iter().any(|node| degree(*node) < 2)).copied().collect();
-        if blind.is_empty() {
-            return;
+/// Drops edges with a free end, repeatedly, from a map of so many nodes.
+fn drop_blind(nodes: usize, edges: &mut BTreeSet<[usize; 2]>) {
+    let mut neighbours: Vec<Vec<usize>> = vec![Vec::new(); nodes];
+    for [a, b] in edges.iter() {
+        neighbours[*a].push(*b);
+        neighbours[*b].push(*a);
+    }
+    let mut free: Vec<usize> = (0..nodes).filter(|node| neighbours[*node].len() == 1).collect();
+    while let Some(node) = free.pop() {
+        // The other end may have been the free one.
+        let Some(other) = neighbours[node].pop() else { continue };
+        edges.remove(&[node.min(other), node.max(other)]);
+        neighbours[other].retain(|end| *end != node);
+        if neighbours[other].len() == 1 {
+            free.push(other);
         }
-        edges.retain(|edge| !blind.contains(edge));
     }
 }
 
@@ -148,6 +169,7 @@ mod tests {
         let segments: Vec<[DVec3; 2]> =
             segments.iter().map(|[a, b, c, d]| [DVec3::new(*a, *b, 0.0), DVec3::new(*c, *d, 0.0)]).collect();
         let area = |ring: &Vec<DVec3>| radiosity_geom::polygon_area(ring);
+        let segments = Segments::new(segments);
         let mut areas: Vec<f64> = faces(&segments, &|x| x.truncate(), 1e-9).iter().map(area).collect();
         areas.sort_by(f64::total_cmp);
         areas
@@ -171,6 +193,19 @@ mod tests {
         let walls = [[1., 1., 3., 1.], [2., 0., 2., 3.], [3., 3., 3.5, 3.5]];
         assert_eq!(areas(&[&SQUARE[..], &walls].concat()), [16.0]);
         assert_eq!(areas(&walls), [0.0; 0]);
+    }
+
+    #[test]
+    fn a_board_of_lines_has_the_faces_between_them() {
+        // 13 lines each way, beyond the border by 1/2: 12 × 12 cells of area 1.
+        let line = |k: i32| {
+            let k = f64::from(k);
+            [[k, -0.5, k, 12.5], [-0.5, k, 12.5, k]]
+        };
+        let lines: Vec<[f64; 4]> = (0..=12).flat_map(line).collect();
+        let areas = areas(&lines);
+        assert_eq!(areas.len(), 144);
+        assert!(areas.iter().all(|area| (area - 1.0).abs() < 1e-12));
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use radiosity_geom::{Aabb, DVec3, PlanarRegion, distance_to_segment, sides, touching};
 
+use super::segments::Segments;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
@@ -20,7 +21,7 @@ pub(super) struct Line {
 /// The sides of other surfaces that lie on the face of `surface`; those along its own outline are left out.
 pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: &PlanarRegion) -> Vec<Line> {
     let bounds = Aabb::around(region.outer().iter().copied()).inflate(touching(region.extent(), 0.0));
-    let own = outline(region);
+    let own = Segments::new(outline(region));
     let mut found = Vec::new();
     for other in obstacles.near(&bounds).into_iter().filter(|other| *other != surface) {
         let Some(standing) = scene.surfaces[other].shape.region() else { continue };
@@ -33,7 +34,9 @@ pub(super) fn on(scene: &Scene, obstacles: &Visibility, surface: usize, region: 
         // Exactly in the plane: a part that is cut out along the lines must not rise above it.
         let onto_plane = |x: DVec3| x - region.height(x) * region.normal();
         let is_own = |line: &[DVec3; 2]| {
-            own.iter().any(|side| line.iter().all(|x| distance_to_segment(*x, *side) <= tolerance))
+            let runs_along =
+                |side: &usize| line.iter().all(|x| distance_to_segment(*x, own.list[*side]) <= tolerance);
+            own.near(*line, tolerance).iter().any(runs_along)
         };
         let lines = outline(standing).into_iter().filter(|line| line.iter().all(in_plane) && !is_own(line));
         found.extend(lines.map(|ends| Line { ends: ends.map(onto_plane), owner: other }));
@@ -47,12 +50,15 @@ pub(super) fn outline(region: &PlanarRegion) -> Vec<[DVec3; 2]> {
     rings.flat_map(sides).collect()
 }
 
-/// The owners of the `lines` that run along the sides of `face`, ascending.
-pub(super) fn around(lines: &[Line], face: &PlanarRegion) -> Vec<usize> {
+/// The owners of the `lines`, whose ends are `ends`, that run along the sides of `face`, ascending.
+pub(super) fn around(lines: &[Line], ends: &Segments, face: &PlanarRegion) -> Vec<usize> {
     let tolerance = 2.0 * touching(face.extent(), 0.0);
-    let middles: Vec<DVec3> = outline(face).iter().map(|[a, b]| a.midpoint(*b)).collect();
-    let bounds = |line: &&Line| middles.iter().any(|x| distance_to_segment(*x, line.ends) <= tolerance);
-    let mut owners: Vec<usize> = lines.iter().filter(bounds).map(|line| line.owner).collect();
+    let at = |x: DVec3| {
+        let is_near = move |line: &usize| distance_to_segment(x, ends.list[*line]) <= tolerance;
+        ends.near([x], tolerance).into_iter().filter(is_near)
+    };
+    let found = outline(face).into_iter().flat_map(|[a, b]| at(a.midpoint(b)));
+    let mut owners: Vec<usize> = found.map(|line| lines[line].owner).collect();
     owners.sort_unstable();
     owners.dedup();
     owners

@@ -5,7 +5,7 @@
 //! also end on the front of a part that is itself sealed off. Parts that depend on each other in this way have to be
 //! the smaller parts of their surfaces; otherwise a whole room would count as a footing.
 
-use radiosity_geom::{DVec3, Encounter, PlanarRegion, Ray, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
 use super::footing::Footing;
@@ -16,6 +16,7 @@ use crate::visibility::Visibility;
 const RAYS: usize = 64;
 /// Position of places between the middle of a piece and its corners, 0 to 1. Chosen; not tuned.
 const OUTWARD: f64 = 0.95;
+
 /// A part of a surface that may be sealed off.
 pub(super) struct Suspect {
     pub(super) footing: Footing,
@@ -39,19 +40,49 @@ impl Suspect {
     }
 }
 
+/// Suspects that are found by place.
+struct Parts<'a> {
+    list: &'a [Suspect],
+    tree: Bvh,
+}
+
+impl Parts<'_> {
+    /// The first of the minor parts of a surface that contain a point.
+    fn minor_at(&self, surface: usize, point: DVec3) -> Option<usize> {
+        let holds = |index: &usize| {
+            let Suspect { footing, is_minor, .. } = &self.list[*index];
+            *is_minor && footing.surface == surface && footing.region.contains(point)
+        };
+        self.tree.search(|bounds| bounds.contains(point)).filter(holds).min()
+    }
+}
+
 /// Drops the places of each part that lie in a smaller part.
 pub(super) fn keep_apart(suspects: &mut [Suspect]) {
     let regions: Vec<PlanarRegion> = suspects.iter().map(|suspect| suspect.footing.region.clone()).collect();
+    let tree = tree(suspects.iter());
     for (own, suspect) in suspects.iter_mut().enumerate() {
-        let smaller = |other: &&PlanarRegion| other.area() < regions[own].area();
-        suspect.places.retain(|x| !regions.iter().filter(smaller).any(|region| region.contains(*x)));
+        let covers = |other: usize, x: DVec3| {
+            regions[other].area() < regions[own].area() && regions[other].contains(x)
+        };
+        suspect.places.retain(|x| !tree.search(|bounds| bounds.contains(*x)).any(|other| covers(other, *x)));
     }
+}
+
+/// The boxes of the parts, inflated by more than the 1e-6 of the extent at which a point off the plane still counts.
+fn tree<'a>(suspects: impl Iterator<Item = &'a Suspect>) -> Bvh {
+    let around = |suspect: &Suspect| {
+        let region = &suspect.footing.region;
+        Aabb::around(region.outer().iter().copied()).inflate(2e-6 * region.extent())
+    };
+    Bvh::build(&suspects.map(around).collect::<Vec<_>>())
 }
 
 /// Which of the suspects are sealed off.
 pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]) -> Vec<bool> {
+    let parts = Parts { list: suspects, tree: tree(suspects.iter()) };
     let seen: Vec<Option<Vec<usize>>> =
-        suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, suspects, suspect)).collect();
+        suspects.par_iter().map(|suspect| fronts_seen(scene, obstacles, &parts, suspect)).collect();
     let mut sealed: Vec<bool> = seen.iter().map(Option::is_some).collect();
     loop {
         let holds = |own: usize| {
@@ -71,7 +102,7 @@ pub(super) fn sealed(scene: &Scene, obstacles: &Visibility, suspects: &[Suspect]
 fn fronts_seen(
     scene: &Scene,
     obstacles: &Visibility,
-    suspects: &[Suspect],
+    parts: &Parts<'_>,
     own: &Suspect,
 ) -> Option<Vec<usize>> {
     if own.places.is_empty() {
@@ -90,13 +121,7 @@ fn fronts_seen(
                 continue;
             }
             let there = scene.surfaces[surface].shape.jet(hit.u, hit.v);
-            let holds = |other: &Suspect| {
-                other.is_minor
-                    && other.footing.surface == surface
-                    && other.footing.region.contains(there.position)
-            };
-            let met = suspects.iter().position(holds).filter(|_| own.is_minor)?;
-            seen.push(met);
+            seen.push(parts.minor_at(surface, there.position).filter(|_| own.is_minor)?);
         }
     }
     seen.sort_unstable();

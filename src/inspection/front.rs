@@ -2,15 +2,19 @@
 
 use std::collections::HashSet;
 
-use radiosity_geom::{Aabb, DVec3};
+use radiosity_geom::{Aabb, Bvh, DVec3};
 use rayon::prelude::*;
 
 use crate::inspection::{
+    enclosure::Enclosure,
     sheet::{Sheet, Sheets},
     shell::{Fronts, Group, Shell},
     warning::Warning,
 };
 use crate::scene::Camera;
+
+/// Least sine of the angles at which one front sees another. Chosen; not tuned.
+const GRAZING: f64 = 1e-6;
 
 /// Fronts that disagree with their neighbours'.
 pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
@@ -27,15 +31,11 @@ pub(super) fn turned(sheets: &Sheets, groups: &[Group]) -> Vec<Warning> {
 /// Solids whose fronts face in, and rooms whose fronts face out.
 pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Camera>) -> Vec<Warning> {
     let warning = |shell: &Shell| {
-        let is_inside = |point: DVec3| shell.encloses(sheets, point);
-        let mut others = (0..sheets.list.len()).filter(|k| shell.sheets.binary_search(k).is_err()).peekable();
-        let stands_alone = others.peek().is_none();
-        let holds_something = camera.is_some_and(|camera| is_inside(camera.eye))
-            || others.any(|k| is_inside(sheets.list[k].samples()[0].0));
-        let emits = shell.sheets.iter().any(|k| sheets.list[*k].emits);
         let first = &sheets.list[shell.sheets[0]].name;
+        let stands_alone = shell.sheets.len() == sheets.list.len();
+        let emits = || shell.sheets.iter().any(|k| sheets.list[*k].emits);
         match shell.fronts {
-            Fronts::Outside if holds_something => Some(Warning::about(
+            Fronts::Outside if holds_something(sheets, shell, camera) => Some(Warning::about(
                 "front-outside",
                 first,
                 format!(
@@ -43,18 +43,30 @@ pub(super) fn inside_out(sheets: &Sheets, shells: &[Shell], camera: Option<&Came
                     part_of(shell)
                 ),
             )),
-            Fronts::Inside if !holds_something && !stands_alone && !emits => Some(Warning::about(
-                "front-inside",
-                first,
-                format!(
-                    "{}, faces into a closed space with no light in it: flip = true turns a surface over",
-                    part_of(shell)
-                ),
-            )),
+            Fronts::Inside if !stands_alone && !emits() && !holds_something(sheets, shell, camera) => {
+                Some(Warning::about(
+                    "front-inside",
+                    first,
+                    format!(
+                        "{}, faces into a closed space with no light in it: flip = true turns a surface over",
+                        part_of(shell)
+                    ),
+                ))
+            }
             _ => None,
         }
     };
-    shells.iter().filter_map(warning).collect()
+    shells.par_iter().filter_map(warning).collect()
+}
+
+/// Whether the camera or another sheet is inside a shell.
+fn holds_something(sheets: &Sheets, shell: &Shell, camera: Option<&Camera>) -> bool {
+    let enclosure = Enclosure::new(sheets, shell);
+    let is_inside = |k: usize| {
+        shell.sheets.binary_search(&k).is_err() && enclosure.contains(sheets.list[k].samples()[0].0)
+    };
+    camera.is_some_and(|camera| enclosure.contains(camera.eye))
+        || sheets.around(&enclosure.bounds).any(is_inside)
 }
 
 fn part_of(shell: &Shell) -> String {
@@ -68,19 +80,22 @@ fn part_of(shell: &Shell) -> String {
 /// `lying` on another surface faces that one.
 pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
     let samples: Vec<_> = sheets.list.iter().map(Sheet::samples).collect();
+    let is_flat: Vec<bool> = sheets.list.iter().map(|sheet| sheet.shape.region().is_some()).collect();
     // If the other lies wholly behind this plane, no pair of points has to be tested.
-    let reaches = |own: usize, other: usize| {
-        let is_flat = sheets.list[own].shape.region().is_some();
-        !is_flat || lies_before(&samples[own][0], &sheets.list[other].bounds)
+    let reaches = |own: usize, bounds: &Aabb| {
+        !is_flat[own] || lies_before(&samples[own][0], sheets.list[own].extent, bounds)
     };
     let sees = |own: usize, other: usize| {
         let behind = sheets.list[other].two_sided;
-        reaches(own, other)
-            && (behind || reaches(other, own))
+        reaches(own, &sheets.list[other].bounds)
+            && (behind || reaches(other, &sheets.list[own].bounds))
             && samples[own].iter().any(|x| samples[other].iter().any(|y| faces(x, y, behind)))
     };
-    let is_blind =
-        |own: usize| !sheets.list[own].two_sided && !(0..sheets.list.len()).any(|other| sees(own, other));
+    let tree = Bvh::build(&sheets.list.iter().map(|sheet| sheet.bounds).collect::<Vec<_>>());
+    let is_blind = |own: usize| {
+        !sheets.list[own].two_sided
+            && !tree.search(|bounds| reaches(own, bounds)).any(|other| sees(own, other))
+    };
     if sheets.list.len() < 2 {
         return Vec::new();
     }
@@ -93,16 +108,17 @@ pub(super) fn blind(sheets: &Sheets, lying: &HashSet<&str>) -> Vec<Warning> {
         .collect()
 }
 
-/// Whether a part of a box lies in front of the plane through the point x with the normal n.
-fn lies_before((x, n): &(DVec3, DVec3), bounds: &Aabb) -> bool {
+/// Whether a point of a box may be seen, at a sine of at least `GRAZING`, from a planar sheet of this `extent` that
+/// passes through the point x with the normal n.
+fn lies_before((x, n): &(DVec3, DVec3), extent: f64, bounds: &Aabb) -> bool {
     let half = 0.5 * (bounds.max - bounds.min);
-    (bounds.center() - *x).dot(*n) + half.dot(n.abs()) > 0.0
+    let height = (bounds.center() - *x).dot(*n) + half.dot(n.abs());
+    height > GRAZING * (bounds.distance_squared(*x).sqrt() - extent).max(0.0)
 }
 
-/// Whether the fronts at two points face each other, with a sine of at least 1e-6 (chosen, not tuned); the second's
-/// back counts too if it is `two_sided`.
+/// Whether the fronts at two points face each other, with a sine of at least `GRAZING`; the second's back counts too
+/// if it is `two_sided`.
 fn faces((x, n): &(DVec3, DVec3), (y, m): &(DVec3, DVec3), two_sided: bool) -> bool {
-    const GRAZING: f64 = 1e-6;
     let d = *y - *x;
     let (out, into) = (d.dot(*n), -d.dot(*m));
     let least = GRAZING * d.length();

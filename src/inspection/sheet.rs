@@ -43,11 +43,15 @@ impl Sheets {
 
     /// The other sheets that may touch sheet `index` or leave a gap to it, ascending.
     pub(super) fn near(&self, index: usize) -> Vec<usize> {
-        let mut near = Vec::new();
-        self.tree.overlapping(&self.list[index].bounds, |other| near.push(other));
+        let mut near: Vec<usize> = self.around(&self.list[index].bounds).collect();
         near.retain(|other| *other != index);
         near.sort_unstable();
         near
+    }
+
+    /// The sheets that may reach into `bounds`, in no particular order.
+    pub(super) fn around(&self, bounds: &Aabb) -> impl Iterator<Item = usize> {
+        self.tree.search(|other| other.overlaps(bounds))
     }
 }
 

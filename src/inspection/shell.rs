@@ -4,8 +4,10 @@
 //! theorem, V = ⅓ ∮ (x − c) · n dA for any c, positive where the fronts are outside. Two fronts agree along a common
 //! border if they run along it in opposite directions.
 
+use std::collections::HashSet;
+
 use radiosity_core::gauss::{Legendre, Rule};
-use radiosity_geom::{Aabb, DVec3, Ray, Rect};
+use radiosity_geom::{Aabb, DVec3, Rect};
 
 use crate::inspection::{
     rim::{Meeting, Rim},
@@ -68,6 +70,7 @@ pub(super) fn groups(sheets: &Sheets, rims: &[Rim]) -> Vec<Group> {
 /// For each sheet its neighbours across a border: 1 if the fronts agree, −1 if they disagree, 0 if neither is defined.
 fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
     let mut joints = vec![Vec::new(); sheets.list.len()];
+    let mut known = HashSet::new();
     for rim in rims {
         for (_, meeting) in &rim.places {
             let Meeting::Rims(others) = meeting else { continue };
@@ -75,7 +78,7 @@ fn joints(sheets: &Sheets, rims: &[Rim]) -> Vec<Vec<(usize, f64)>> {
                 let is_clear =
                     others.len() == 1 && !sheets.list[rim.sheet].two_sided && !sheets.list[*other].two_sided;
                 let agree = if is_clear { -cosine.signum() } else { 0.0 };
-                if !joints[rim.sheet].contains(&(*other, agree)) {
+                if known.insert((rim.sheet, *other, agree.to_bits())) {
                     joints[rim.sheet].push((*other, agree));
                 }
             }
@@ -160,28 +163,4 @@ fn flux_over(sheet: &Sheet, rect: &Rect, center: DVec3) -> f64 {
     let row = |s: f64| nodes.iter().zip(weights).map(|(t, w)| w * at(s, *t)).sum::<f64>();
     let [du, dv] = rect.half_extent();
     du * dv * nodes.iter().zip(weights).map(|(s, w)| w * row(*s)).sum::<f64>()
-}
-
-impl Shell {
-    /// Whether `point` lies inside: most of three rays from it cross the shell an odd number of times.
-    pub(super) fn encloses(&self, sheets: &Sheets, point: DVec3) -> bool {
-        let directions =
-            [DVec3::new(0.31, 0.57, 0.76), DVec3::new(-0.69, 0.41, -0.6), DVec3::new(0.17, -0.83, 0.53)];
-        let odd = directions.iter().filter(|direction| {
-            let ray = Ray::new(point, **direction);
-            self.sheets.iter().map(|k| crossings(&sheets.list[*k], ray)).sum::<usize>() % 2 == 1
-        });
-        odd.count() > 1
-    }
-}
-
-/// How often a ray crosses a sheet; hits nearer than 1e-9 of its extent are one (chosen, not tuned).
-fn crossings(sheet: &Sheet, mut ray: Ray) -> usize {
-    let hair = 1e-9 * sheet.extent / ray.direction.length();
-    let mut count = 0;
-    while let Some(hit) = sheet.shape.intersect(&ray) {
-        count += 1;
-        ray.range[0] = hit.t + hair.max(1e-12 * hit.t.abs());
-    }
-    count
 }

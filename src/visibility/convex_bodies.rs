@@ -20,6 +20,7 @@ use smallvec::SmallVec;
 
 use crate::visibility::blocker_edges::Rim;
 use crate::visibility::bounding_ball::Ball;
+use crate::visibility::cloud::Cloud;
 use crate::visibility::shadow_volume::Pyramid;
 
 /// Fewest faces of a body, without the missing one: a tetrahedron has four.
@@ -86,14 +87,14 @@ struct Edge {
 }
 
 impl Bodies {
-    /// The bodies that `faces` close in a scene of `surfaces` surfaces inside the hull of `points`.
-    pub(super) fn new(faces: &[Face], surfaces: usize, points: &[DVec3]) -> Self {
+    /// The bodies that `faces` close in a scene of `surfaces` surfaces inside the hull of `cloud`.
+    pub(super) fn new(faces: &[Face], surfaces: usize, cloud: &Cloud) -> Self {
         let mut bodies = Self { list: Vec::new(), of_surface: vec![None; surfaces] };
         let twins = twins(faces);
         let mut seen = vec![false; faces.len()];
         for first in 0..faces.len() {
             let group = group(first, &twins, &mut seen);
-            if let Some(body) = Body::of(&group, faces, &twins, points) {
+            if let Some(body) = Body::of(&group, faces, &twins, cloud) {
                 group
                     .iter()
                     .for_each(|face| bodies.of_surface[faces[*face].surface] = Some(bodies.list.len()));
@@ -146,7 +147,7 @@ fn group(first: usize, twins: &[Vec<Option<usize>>], seen: &mut [bool]) -> Vec<u
 
 impl Body {
     /// The body that a group of faces closes, if any.
-    fn of(group: &[usize], faces: &[Face], twins: &[Vec<Option<usize>>], points: &[DVec3]) -> Option<Self> {
+    fn of(group: &[usize], faces: &[Face], twins: &[Vec<Option<usize>>], cloud: &Cloud) -> Option<Self> {
         if group.len() < FEWEST {
             return None;
         }
@@ -175,7 +176,7 @@ impl Body {
             }
         }
         if !rim.is_empty() {
-            planes.push(missing_face(&rim, points, size)?);
+            planes.push(missing_face(&rim, cloud, size)?);
         }
         let lies_behind = |plane: &Plane| hull.iter().all(|x| plane.height(*x) <= touching(size, 0.0));
         let is_thick = |plane: &Plane| hull.iter().any(|x| plane.height(*x) < -THINNEST * size);
@@ -208,13 +209,12 @@ impl Body {
 }
 
 /// The plane of the face that would close a body along `rim`, if it is flat and the whole scene lies behind it.
-fn missing_face(rim: &[[DVec3; 2]], points: &[DVec3], size: f64) -> Option<Plane> {
+fn missing_face(rim: &[[DVec3; 2]], cloud: &Cloud, size: f64) -> Option<Plane> {
     let point = rim[0][0];
     let area: DVec3 = rim.iter().map(|[a, b]| (b - point).cross(a - point)).sum();
     let plane = Plane { point, outward: area.try_normalize()? };
     let is_flat = rim.iter().all(|[a, _]| plane.height(*a).abs() <= touching(size, 0.0));
-    let is_behind = |x: &DVec3| plane.height(*x) <= touching(size, x.distance(point));
-    (is_flat && points.iter().all(is_behind)).then_some(plane)
+    (is_flat && cloud.lies_below(0.0, [point, plane.outward], size)).then_some(plane)
 }
 
 #[cfg(test)]
@@ -243,7 +243,7 @@ mod tests {
             .map(|((surface, normal), outline)| Face { surface: *surface, outline, normal: *normal })
             .collect();
         let points: Vec<DVec3> = outlines.iter().flatten().chain(others).copied().collect();
-        Bodies::new(&faces, outlines.len(), &points)
+        Bodies::new(&faces, outlines.len(), &Cloud::new(points))
     }
 
     fn is_met(outline: &[DVec3], x: DVec3, y: DVec3) -> bool {

@@ -260,6 +260,33 @@ fn the_binary_prints_the_findings_as_text_and_as_json() {
 }
 
 #[test]
+fn long_lists_are_shortened_as_text_and_whole_as_json() {
+    let folder = tempfile::tempdir().unwrap();
+    // A fan of 30 squares that share their first edge.
+    let square = |k: u32| {
+        let (y, z) = f64::from(12 * k).to_radians().sin_cos();
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, y, z], [0.0, y, z]];
+        format!("[[surfaces]]\nname = \"leaf-{k}\"\nquad = {{ vertices = {corners:?} }}\n")
+    };
+    std::fs::write(folder.path().join("fan.toml"), (0..30).map(square).collect::<String>()).unwrap();
+    let run = |args: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_radiosity")).current_dir(&folder).args(args).output();
+        String::from_utf8(output.unwrap().stdout).unwrap()
+    };
+    let text = run(&["check", "fan.toml"]);
+    assert!(text.contains("leaf-19, leaf-20 and 9 others\n"), "{text}");
+    assert!(
+        text.contains("warning: 10 more of the kind \"no-material\": --format json names them all"),
+        "{text}"
+    );
+    let json: serde_json::Value =
+        serde_json::from_str(&run(&["check", "fan.toml", "--format", "json"])).unwrap();
+    assert_eq!(json["contacts"].as_array().unwrap().len(), 30 * 29 / 2);
+    let bare = json["warnings"].as_array().unwrap().iter().filter(|warning| warning["code"] == "no-material");
+    assert_eq!(bare.count(), 30);
+}
+
+#[test]
 fn a_strict_check_fails_where_anything_looks_wrong() {
     let folder = tempfile::tempdir().unwrap();
     let check = |name: &str, surfaces: &[&str], strict: bool| {
