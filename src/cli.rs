@@ -38,6 +38,7 @@ mod scenes;
 mod schema;
 mod convert;
 mod view_factors;
+mod heat;
 
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -55,6 +56,7 @@ Examples:
   radiosity probe room.toml --plane desk      irradiance on a plane of sensors, with mean, least and uniformity U0
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
+  radiosity heat oven                         temperatures and flows of radiant heat
   radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
   radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 
@@ -82,6 +84,7 @@ enum Verb {
     Grid(grid::GridArgs),
     Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
+    Heat(heat::HeatArgs),
     Check(check::CheckArgs),
     Convert(convert::ConvertArgs),
     Scenes(scenes::ScenesArgs),
@@ -115,6 +118,7 @@ impl Cli {
             Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
+            Verb::Heat(args) => heat::run(args),
             Verb::Check(args) => check::run(args, &args.scene.load_repaired()?),
             Verb::Convert(args) => convert::run(args),
             Verb::Scenes(args) => scenes::run(args),

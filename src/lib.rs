@@ -66,6 +66,7 @@ pub mod solve;
 pub mod studies;
 pub mod solved;
 pub mod view_factors;
+pub mod heat;
 pub mod output;
 
 pub use radiosity_formats as formats;

@@ -41,5 +41,7 @@ pub mod legend;
 pub mod plan;
 pub mod plan_page;
 pub mod solution_file;
+pub mod npy;
 pub mod view_factors;
+pub mod heat;
 pub mod wireframe;

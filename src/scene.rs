@@ -23,6 +23,7 @@ mod sensor_plane;
 mod camera;
 mod stacked;
 mod light_group;
+mod thermal;
 mod surface;
 mod draft;
 mod tree;
@@ -72,6 +73,7 @@ pub use schema::schema;
 pub use sensor_plane::SensorPlane;
 pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;
+pub use thermal::{Condition, Thermal};
 pub use weld::Welded;
 
 use error::{Located, surface_title};

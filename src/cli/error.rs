@@ -3,6 +3,7 @@
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
 use radiosity::elements::ElementError;
+use radiosity::heat::HeatError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::scene::{Place, SceneError};
@@ -67,6 +68,9 @@ pub(crate) enum CliError {
     /// The scene could not be solved.
     #[error(transparent)]
     Solve(#[from] Failure),
+    /// The heat of the scene has no balance.
+    #[error(transparent)]
+    Heat(HeatError),
     /// A solution that was written all the same.
     #[error("{}: the solver did not converge, the relative residual is {residual:.2e}; what is written is marked so", path.display())]
     Partial {
@@ -138,6 +142,15 @@ pub(crate) enum CliError {
     Stdout(#[from] io::Error),
 }
 
+impl From<HeatError> for CliError {
+    fn from(error: HeatError) -> Self {
+        match error {
+            HeatError::Solve(failure) => Self::Solve(failure),
+            other => Self::Heat(other),
+        }
+    }
+}
+
 impl CliError {
     /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard output is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
@@ -154,6 +167,7 @@ impl CliError {
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
             | CliError::PairsAsArray
+            | CliError::Heat(_)
             | CliError::Refused { .. } => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
                 ExitCode::from(2)
@@ -215,6 +229,7 @@ impl CliError {
             CliError::UnknownFormat { known, .. } => {
                 Some(format!("end the name in .{}, or add --format {known}", known.replace("or ", "or .")))
             }
+            CliError::Heat(error) => error.cure().map(str::to_owned),
             CliError::PairsAsArray => Some("choose --format csv or json".into()),
             CliError::Solve(Failure::Memory { fits, .. }) => Some(match fits.is_empty() {
                 true => "allow more with --memory, or leave it out".into(),

@@ -1,14 +1,13 @@
 //! View factors as CSV, JSON or NPY.
 //!
-//! The matrix is written row by row, N × N, F_ij in row i and column j. NPY is the format of NumPy, version 1.0: a
-//! magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the
-//! numbers as little-endian f64 in C order.
+//! The matrix is written row by row, N × N, F_ij in row i and column j.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 use serde::ser::{SerializeSeq, Serializer};
 
+use crate::output::npy;
 use crate::view_factors::ViewFactors;
 
 /// CSV with the names as header and as first column.
@@ -26,24 +25,13 @@ pub fn csv(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// NPY, an array of shape (N, N); the magic text, version and length take 10 bytes.
+/// NPY, an array of shape (N, N).
 ///
 /// # Errors
 /// What `out` reports.
-pub fn npy(factors: &ViewFactors, mut out: impl Write) -> io::Result<()> {
-    const PREFIX: usize = 10;
-    let n = factors.names.len();
-    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({n}, {n}), }}");
-    let length = (PREFIX + header.len() + 1).next_multiple_of(64) - PREFIX;
-    out.write_all(b"\x93NUMPY\x01\x00")?;
-    out.write_all(&(length as u16).to_le_bytes())?;
-    writeln!(out, "{header:<width$}", width = length - 1)?;
-    for i in 0..n {
-        for factor in factors.row(i) {
-            out.write_all(&factor.to_le_bytes())?;
-        }
-    }
-    Ok(())
+pub fn npy(factors: &ViewFactors, out: impl Write) -> io::Result<()> {
+    let count = factors.names.len();
+    npy::square(count, (0..count).map(|i| factors.row(i)), out)
 }
 
 /// JSON with names, areas, the matrix, its row sums and how good it is.

@@ -13,6 +13,7 @@ use crate::scene::{
     names::UniqueNames,
     sensor_plane::SensorPlane,
     surfaces::{Surfaces, fitted_surfaces},
+    thermal::Thermal,
     unit::{self, check_unit},
     validation::check_bands,
 };
@@ -90,6 +91,7 @@ impl SceneBuilder {
             material_name: Some(material_name),
             group: None,
             flux: None,
+            thermal: Thermal::default(),
             order: None,
             subdivide: None,
             two_sided: false,

@@ -52,7 +52,7 @@ const REFLECTANCE: Parameter = Parameter {
 };
 
 /// Every built-in scene, the simplest of each kind first.
-pub(super) static ALL: [Builtin; 10] = [
+pub(super) static ALL: [Builtin; 11] = [
     Builtin {
         name: "cornell-box",
         parameters: &[],
@@ -172,6 +172,26 @@ pub(super) static ALL: [Builtin; 10] = [
             REFLECTANCE,
         ],
         text: Text::File(include_str!("../../scenes/hinge-squares.toml")),
+    },
+    Builtin {
+        name: "oven",
+        parameters: &[
+            Parameter {
+                name: "heater",
+                default: 1400.0,
+                range: [300.0, 3000.0],
+                whole: false,
+                meaning: "temperature of the heating panels, kelvin",
+            },
+            Parameter {
+                name: "slab",
+                default: 900.0,
+                range: [0.0, 3000.0],
+                whole: false,
+                meaning: "temperature of the slab, kelvin",
+            },
+        ],
+        text: Text::File(include_str!("../../scenes/oven.toml")),
     },
 ];
 

@@ -151,7 +151,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
             "give a material an emission above 0, e.g. emission = 10, and use it on a surface; for a file of another \
-             program, in a file for --materials"
+             program, in a file for --materials; `radiosity heat` takes temperatures instead"
         }
         _ => "",
     }
@@ -171,7 +171,9 @@ fn choose<'a>(name: &str, known: impl IntoIterator<Item = &'a str>, what: &str) 
 fn example(key: &str) -> &'static str {
     match key {
         "material" => ", the name of one of [materials.…]",
-        "reflectance" => ", a number or one per band, 0 ≤ ρ < 1; 0 is black",
+        "reflectance" => {
+            ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
+        }
         "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
         | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
@@ -195,6 +197,13 @@ fn out_of_range(what: &str, range: &str) -> String {
             "choose a value in that range; a surface that loses nothing (ρ = 1) has no balance in a \
                               closed room, 0.999 comes close"
                 .to_owned()
+        }
+        "the emissivity" => {
+            "choose a value in that range; a surface that neither absorbs nor emits has adiabatic = true"
+                .to_owned()
+        }
+        "the temperature" => {
+            "write it in kelvin, which are degrees Celsius + 273.15: 20 °C is temperature = 293.15".to_owned()
         }
         _ => format!("choose a value with {range}"),
     }

@@ -15,6 +15,7 @@ use crate::scene::{
     ranges::{check_number, check_order, check_parts},
     source::{Line, Place, Span},
     surface::SceneSurface,
+    thermal::{Condition, Thermal},
 };
 
 /// A surface on its way into a scene; see [`SceneBuilder::surface`](crate::scene::SceneBuilder::surface).
@@ -27,6 +28,7 @@ pub struct SurfaceDraft {
     pub(super) material_name: Option<String>,
     pub(super) group: Option<String>,
     pub(super) flux: Option<Vec<f64>>,
+    pub(super) thermal: Thermal,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
     pub(super) two_sided: bool,
@@ -74,6 +76,18 @@ impl SurfaceDraft {
         self
     }
 
+    /// Its emissivity, 0 < ε ≤ 1, for [`heat`](crate::heat).
+    pub fn emissivity(&mut self, emissivity: f64) -> &mut Self {
+        self.thermal.emissivity = Some(emissivity);
+        self
+    }
+
+    /// What is known of its heat: its temperature, or the flux that it sends out, for [`heat`](crate::heat).
+    pub fn condition(&mut self, condition: Condition) -> &mut Self {
+        self.thermal.condition = Some(condition);
+        self
+    }
+
     /// The order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
     pub fn order(&mut self, order: usize) -> &mut Self {
         self.order = Some(order);
@@ -91,7 +105,8 @@ impl SurfaceDraft {
         let order = self.order.map_or(Ok(()), check_order);
         let parts = || self.subdivide.into_iter().flatten().try_for_each(check_parts);
         let group = || self.group.as_deref().map_or(Ok(()), check_text);
-        match order.and_then(|()| parts()).and_then(|()| group()) {
+        let thermal = || self.thermal.check();
+        match order.and_then(|()| parts()).and_then(|()| group()).and_then(|()| thermal()) {
             Ok(()) => Ok(self),
             Err(fault) => Err(self.located(None, fault)),
         }
@@ -154,6 +169,7 @@ impl SurfaceDraft {
                 .flux
                 .as_ref()
                 .map(|_| self.material.emission.iter().map(|own| own * shape.area()).collect()),
+            thermal: self.thermal,
             order: self.order,
             subdivide: self.subdivide,
             place: self.typed.as_ref().map(|typed| typed.place.clone()),

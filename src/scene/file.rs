@@ -1,6 +1,7 @@
 //! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is checked.
 
 mod per_band;
+mod thermal;
 mod surface;
 mod part;
 
@@ -13,11 +14,13 @@ use crate::scene::{
     names::check_text,
     ranges::{check_fov, check_pixels},
     source::{At, Span},
+    thermal::Thermal,
     tree::{Node, Value},
     variables::VARIABLES,
 };
 use part::{read_content, read_parts};
 use per_band::per_band;
+use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
@@ -61,10 +64,14 @@ pub(super) struct PlaneFile {
 #[derive(Debug)]
 pub(super) struct MaterialFile {
     pub name: At<String>,
-    pub reflectance: PerBand,
+    /// None where an emissivity is given instead.
+    pub reflectance: Option<PerBand>,
     pub emission: Option<PerBand>,
+    pub thermal: Thermal,
     pub group: Option<At<String>>,
 }
+
+const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
 
 const SCENE_KEYS: [&str; 11] = [
     INCLUDE,
@@ -84,7 +91,7 @@ impl SceneFile {
     /// Whether every reflectance, emission and flux is a single number.
     pub(super) fn is_grey(&self) -> bool {
         let materials = self.materials.iter();
-        let per_band = materials.flat_map(|own| [Some(&own.reflectance), own.emission.as_ref()]);
+        let per_band = materials.flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
         let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
         let fluxes = contents.flat_map(|content| &content.surfaces).map(|surface| surface.flux.as_ref());
         per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
@@ -168,10 +175,19 @@ fn read_materials(node: &Node) -> Result<Vec<MaterialFile>, Located> {
 }
 
 fn read_material(name: &At<String>, node: &Node) -> Result<MaterialFile, Located> {
-    let fields = Fields::new(node, &["reflectance", "emission", "group"])?;
+    let known: Vec<&'static str> = MATERIAL_KEYS.into_iter().chain(CONDITION_KEYS).collect();
+    let fields = Fields::new(node, &known)?;
+    let thermal = Thermal {
+        emissivity: fields.optional("emissivity", emissivity)?,
+        condition: read_condition(&fields)?,
+    };
     Ok(MaterialFile {
         name: name.clone(),
-        reflectance: fields.require("reflectance", per_band)?,
+        reflectance: match thermal.emissivity {
+            Some(_) => fields.optional("reflectance", per_band)?,
+            None => Some(fields.require("reflectance", per_band)?),
+        },
+        thermal,
         emission: fields.optional("emission", per_band)?,
         group: fields.optional("group", text)?,
     })

@@ -41,7 +41,7 @@ impl Material {
 
     /// Whether it emits in any band.
     pub fn emits(&self) -> bool {
-        self.emission.iter().any(|&exitance| exitance > 0.0)
+        self.emission.iter().any(|&exitance| exitance != 0.0)
     }
 
     /// Whether any light can leave it: it emits or reflects in some band.

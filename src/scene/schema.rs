@@ -117,9 +117,27 @@ fn material() -> Value {
     let keys = vec![
         ("reflectance", per_band(reflectance, "Reflectance ρ, for all bands or of each")),
         ("emission", or(json!(0), emission)),
+        ("emissivity", emissivity()),
         ("group", text("Light group of its surfaces that name none")),
     ];
-    table("A diffuse material", &["reflectance"], keys)
+    let one = json!([{ "required": ["reflectance"] }, { "required": ["emissivity"] }]);
+    with(table("A diffuse material", &[], [keys, condition()].concat()), "anyOf", one)
+}
+
+fn emissivity() -> Value {
+    let range = json!({ "exclusiveMinimum": 0, "maximum": 1 });
+    ranged(range, "Emissivity, of all wavelengths together")
+}
+
+/// The temperature or the flux of heat, of which one is given at most.
+fn condition() -> Vec<(&'static str, Value)> {
+    let kelvin = json!({ "minimum": 0, "maximum": 1e6 });
+    let flux = json!({ "minimum": -1e30, "maximum": 1e30 });
+    vec![
+        ("temperature", ranged(kelvin, "Temperature, K")),
+        ("heat_flux", ranged(flux, "Heat that it is given and sends out as radiation, W/m²")),
+        ("adiabatic", truth("It sends out as much as it receives")),
+    ]
 }
 
 fn at_least_zero() -> Value {
@@ -152,6 +170,7 @@ fn surface() -> Value {
         ("flip", truth("Turns the front over")),
         ("transform", reference("transform")),
     ];
+    keys.extend(condition());
     let shapes: Vec<&str> = shapes::all().into_iter().map(|(key, _)| key).collect();
     keys.extend(shapes.iter().map(|key| (*key, reference(key))));
     let one: Vec<Value> = shapes.iter().map(|key| json!({ "required": [key] })).collect();

@@ -15,6 +15,7 @@ use crate::scene::{
     sensor_plane::SensorPlane,
     source::{At, Line, Source},
     surfaces::{Surfaces, fitted_surfaces},
+    thermal::Thermal,
     unit::{self, check_unit},
 };
 
@@ -25,6 +26,7 @@ pub(super) type Materials = BTreeMap<String, GroupedMaterial>;
 #[derive(Clone, Debug)]
 pub(super) struct GroupedMaterial {
     material: Material,
+    thermal: Thermal,
     group: Option<String>,
 }
 
@@ -97,12 +99,16 @@ pub(super) fn materials(files: Vec<MaterialFile>, bands: usize) -> Result<Materi
 }
 
 fn material(file: MaterialFile, bands: usize) -> Result<GroupedMaterial, Located> {
-    let reflectance = spread(&file.reflectance, bands, "the reflectance", check_reflectance)?;
+    let given = file.reflectance.as_ref();
+    let given = given.map(|given| spread(given, bands, "the reflectance", check_reflectance)).transpose()?;
+    // A material of an emissivity alone is grey at all wavelengths.
+    let grey = || vec![1.0 - file.thermal.emissivity.unwrap_or(1.0); bands];
+    let reflectance = given.unwrap_or_else(grey);
     let emission = file.emission.map(|emission| spread(&emission, bands, "the emission", check_emission));
     let emission = emission.transpose()?.unwrap_or_else(|| vec![0.0; bands]);
     let material = Material::new(reflectance, emission);
     let material = material.map_err(|fault| Located::at(&file.name.span, fault))?;
-    Ok(GroupedMaterial { material, group: file.group.map(|group| group.value) })
+    Ok(GroupedMaterial { material, thermal: file.thermal, group: file.group.map(|group| group.value) })
 }
 
 /// One number for each band.
@@ -162,10 +168,12 @@ fn draft(
 ) -> Result<SurfaceDraft, Located> {
     let PlacedSurface { file, name, .. } = placed;
     let name_span = &file.name.span;
-    let GroupedMaterial { material, group } = surface_material(file.material.as_ref(), materials, bands)?;
+    let GroupedMaterial { material, thermal, group } =
+        surface_material(file.material.as_ref(), materials, bands)?;
     Ok(SurfaceDraft {
         kind: file.shape.kind,
         flux: flux(file.flux.as_ref(), bands)?,
+        thermal: Thermal { condition: file.condition.or(thermal.condition), ..thermal },
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
         group: file.group.as_ref().map(|own| own.value.clone()).or(group),
@@ -204,7 +212,8 @@ fn surface_material(
     materials: &Materials,
     bands: usize,
 ) -> Result<GroupedMaterial, Located> {
-    let black = || GroupedMaterial { material: Material::black(bands), group: None };
+    let black =
+        || GroupedMaterial { material: Material::black(bands), thermal: Thermal::default(), group: None };
     let Some(name) = name else { return Ok(black()) };
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();

@@ -150,6 +150,16 @@ impl Model {
         in_threads(self.options.threads, || self.solved(scene, progress))?
     }
 
+    /// The elements.
+    pub(crate) fn elements(&self) -> &Elements {
+        &self.elements
+    }
+
+    /// The blocks between them.
+    pub(crate) fn blocks(&self) -> &Blocks {
+        &self.blocks
+    }
+
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
     fn check(&self, scene: &Scene) -> Result<(), Failure> {
         let (own, given) = (&self.scene.surfaces, &scene.surfaces);

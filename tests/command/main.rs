@@ -7,6 +7,7 @@ mod builtin;
 mod exact_factors;
 mod fitted;
 mod formats;
+mod heat;
 mod inspection;
 mod language;
 mod pictures;

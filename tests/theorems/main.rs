@@ -6,6 +6,7 @@ mod convergence;
 mod documents;
 mod flux;
 mod fuzz;
+mod heat;
 mod hierarchy;
 mod includes;
 mod instances;

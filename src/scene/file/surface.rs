@@ -6,9 +6,11 @@ use crate::scene::{
     error::{Fault, Located, surface_title},
     fields::{Fields, counted, exactly, list, point, real, table, text, truth},
     file::per_band::{PerBand, per_band},
+    file::thermal::{CONDITION_KEYS, read_condition},
     ranges::{check_order, check_parts},
     shape::{ShapeFile, keys},
     source::{At, Span},
+    thermal::Condition,
     tree::{Node, entry},
 };
 
@@ -20,6 +22,7 @@ pub(in crate::scene) struct SurfaceFile {
     pub material: Option<At<String>>,
     pub group: Option<At<String>>,
     pub flux: Option<PerBand>,
+    pub condition: Option<Condition>,
     pub shape: ShapeFile,
     pub motion: Motion,
     pub order: Option<usize>,
@@ -49,7 +52,7 @@ const SURFACE_KEYS: [&str; 9] =
 
 /// A surface, called `unnamed` if it is given no name.
 fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
-    let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(keys()).collect();
+    let known: Vec<&'static str> = SURFACE_KEYS.into_iter().chain(CONDITION_KEYS).chain(keys()).collect();
     let fields = Fields::new(node, &known)?;
     Ok(SurfaceFile {
         name: fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span())),
@@ -57,6 +60,7 @@ fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
         material: fields.optional("material", text)?,
         group: fields.optional("group", text)?,
         flux: fields.optional("flux", per_band)?,
+        condition: read_condition(&fields)?,
         shape: ShapeFile::read(&fields)?,
         motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),
         order: fields.optional("order", order)?,

@@ -1,0 +1,251 @@
+//! `radiosity heat`: temperatures and net flows of radiant heat.
+
+use std::io::{self, Write, stderr};
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity::heat::{Heat, HeatOptions, SurfaceHeat};
+use radiosity::output::heat as output;
+use radiosity::output::missed::missed;
+use radiosity::scene::{MAX_ORDER, Scene};
+use radiosity::solve::{Options, Progress as Stage, Transport};
+use radiosity::transport::Miss;
+
+use crate::cli::{
+    destination::Destination,
+    error::CliError,
+    format, memory,
+    modes::{Shadows, Subdivide, subdivide},
+    numbers::{accuracy, threads},
+    options::SceneArg,
+    output_file::OutputFile,
+    progress::Progress,
+    run::remarks,
+    table::Table,
+};
+
+const NOTES: &str = "\
+Examples:
+  radiosity heat                              the built-in oven
+  radiosity heat oven --set heater=1500       its panels at 1500 K
+  radiosity heat satellite.toml -o nodes.csv --conductances C.csv
+
+Every surface, or its material, has one of temperature = … (K), heat_flux = … (W/m²) and adiabatic = true, and an
+emissivity. Lengths are metres. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat
+are left out; where they are known, they are a heat_flux.";
+
+/// Temperatures, net fluxes and flows of radiant heat between grey surfaces
+#[derive(Debug, Args)]
+#[command(mut_arg("scene", |scene| scene.default_value("oven")), after_help = NOTES)]
+pub(crate) struct HeatArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// File of the figures, in the format of its ending: .csv or .json [default: a table on standard output]
+    #[arg(short, long, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Format of the figures
+    #[arg(long, value_name = "FORMAT")]
+    pub(crate) format: Option<Format>,
+
+    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json or .npy: from i to j flows
+    /// C_ij σ (T_i⁴ − T_j⁴)
+    #[arg(long, value_name = "FILE")]
+    pub(crate) conductances: Option<PathBuf>,
+
+    /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
+    #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
+    pub(crate) order: u64,
+
+    /// Cuts each surface into K × K elements; auto looks at what the scene needs
+    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
+    pub(crate) subdivide: Subdivide,
+
+    /// Accuracy of the transfers between elements, between 0 and 1
+    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = accuracy)]
+    pub(crate) eps: f64,
+
+    /// Accuracy of shadows [default: as --eps]
+    #[arg(long, value_name = "E", value_parser = accuracy)]
+    pub(crate) shadow_eps: Option<f64>,
+
+    /// How it is found out what surfaces hide from each other
+    #[arg(long, value_name = "MODE", default_value = "auto")]
+    pub(crate) shadows: Shadows,
+
+    /// What carries the pairs of elements
+    #[arg(long, value_name = "MODE", default_value = "exact")]
+    pub(crate) transport: Transport,
+
+    /// Threads to use, all by default; results do not depend on it
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub(crate) threads: Option<usize>,
+
+    /// Prints no progress and no summary
+    #[arg(long, short)]
+    pub(crate) quiet: bool,
+}
+
+fn order() -> clap::builder::RangedU64ValueParser<u64> {
+    clap::builder::RangedU64ValueParser::new().range(0..=MAX_ORDER as u64)
+}
+
+/// `--format` of the figures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Format {
+    /// For people
+    Text,
+    /// A row for each surface, numbers in full
+    Csv,
+    /// The same with the balance
+    Json,
+}
+
+/// Format of the conductances, by the ending of their file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum MatrixFormat {
+    Csv,
+    Json,
+    Npy,
+}
+
+/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
+const CLOSED: f64 = 1e-3;
+
+/// Computes the balance of heat and writes it.
+pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
+    let start = Instant::now();
+    if args.shadows == Shadows::Mask {
+        return Err(CliError::Refused {
+            message: "--shadows mask: masks are for light of lamps".to_owned(),
+            cure: "choose auto, exact, rays or off".to_owned(),
+        });
+    }
+    let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
+    let matrix_format =
+        args.conductances.as_deref().map(|path| format::chosen(None, Some(path), MatrixFormat::Csv));
+    let matrix_format = matrix_format.transpose()?;
+    let scene = args.scene.load_lit()?;
+    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
+    let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
+    let matrix = args.conductances.as_deref().map(reserve).transpose()?;
+    let matrix = match (&args.output, matrix) {
+        (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
+        (_, matrix) => matrix,
+    };
+    let progress = Progress::new(args.quiet);
+    let show = |stage| match stage {
+        Stage::Blocks(done, total) => progress.show("blocks", done, total),
+        Stage::Rays { done, total, error } => progress.show_rays(done, total, error),
+        _ => {}
+    };
+    let wanted = HeatOptions { options: args.options(), conductances: matrix.is_some() };
+    let heat = Heat::of(&scene, &wanted, &show)?;
+    destination.write(|writer| write(&heat, format, writer))?;
+    if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
+        let names: Vec<&str> = heat.surfaces.iter().map(|surface| surface.name.as_str()).collect();
+        file.write(|writer| match format {
+            MatrixFormat::Csv => output::conductances_csv(&names, conductances, writer),
+            MatrixFormat::Json => output::conductances_json(&names, conductances, writer),
+            MatrixFormat::Npy => output::conductances_npy(conductances, writer),
+        })?;
+    }
+    drop(progress);
+    if !args.quiet {
+        args.tell(&scene, &heat, start);
+    }
+    Ok(())
+}
+
+fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
+    match format {
+        Format::Text => write!(writer, "{}", table(&heat.surfaces)),
+        Format::Csv => output::csv(&heat.surfaces, writer),
+        Format::Json => output::json(heat, writer),
+    }
+}
+
+/// The figures for people: given ones as they are, others with their errors.
+fn table(surfaces: &[SurfaceHeat]) -> Table<8> {
+    let mut table = Table::new(["surface", "area m²", "ε", "T K", "± K", "q W/m²", "Q W", "± W"]);
+    for own in surfaces {
+        let error =
+            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { rounded(error, 2) };
+        table.row([
+            own.name.clone(),
+            rounded(own.area, 6),
+            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| emissivity.to_string()),
+            rounded(own.temperature, 6),
+            error(own.is_temperature_known, own.temperature_error),
+            rounded(own.flux, 6),
+            rounded(own.flow, 6),
+            error(own.is_flow_known, own.flow_error),
+        ]);
+    }
+    table
+}
+
+/// `number` to so many digits.
+fn rounded(number: f64, digits: usize) -> String {
+    let text = format!("{number:.*e}", digits - 1);
+    let value: f64 = text.parse().expect("a number was written");
+    // Without the −0 of rounding.
+    let value = value + 0.0;
+    let is_handy = value == 0.0 || (1e-3..1e7).contains(&value.abs());
+    if is_handy { value.to_string() } else { format!("{value:e}") }
+}
+
+impl HeatArgs {
+    fn options(&self) -> Options {
+        let usual = Options::default();
+        Options {
+            order: self.order as usize,
+            subdivide: self.subdivide.0,
+            eps: self.eps,
+            shadow_eps: self.shadow_eps.unwrap_or(self.eps),
+            shadows: self.shadows.hiding(),
+            transport: self.transport,
+            tolerance: 1e-12,
+            memory: memory::usable(),
+            threads: self.threads.unwrap_or(usual.threads),
+            ..usual
+        }
+    }
+
+    /// The summary on stderr.
+    fn tell(&self, scene: &Scene, heat: &Heat, start: Instant) {
+        let elapsed = start.elapsed().as_secs_f64();
+        let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
+        let (given, taken) = (sum(1.0), sum(-1.0));
+        let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
+        lines.extend(remarks(scene));
+        lines.extend(scene.fitted.line());
+        let whole = if heat.lost.abs() > CLOSED * given.max(taken) {
+            format!("{} W leave the scene, to surroundings at 0 K", rounded(heat.lost, 6))
+        } else {
+            format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
+        };
+        lines.push(format!(
+            "surfaces send out {} W and take up {} W; {whole}",
+            rounded(given, 6),
+            rounded(taken, 6)
+        ));
+        if let Some(conductances) = &heat.conductances {
+            lines.push(format!(
+                "conductances: C_ij and C_ji differ by {:.1e} of ε A at the most; their means are written",
+                conductances.asymmetry
+            ));
+        }
+        if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
+            let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
+            let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
+            lines.push(format!("warning: {}", missed(&miss, names)));
+        }
+        let files = self.output.iter().chain(&self.conductances);
+        lines.extend(files.map(|path| format!("wrote {}", path.display())));
+        // A closed stderr is no error: nobody would see a message.
+        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+    }
+}

@@ -1,0 +1,67 @@
+//! Why the heat of a scene has no balance.
+
+use crate::solve::Failure;
+
+/// Most names that a message spells out. Chosen.
+const SPELT: usize = 5;
+
+/// Why the heat of a scene has no balance.
+#[derive(Debug, thiserror::Error)]
+pub enum HeatError {
+    /// Surfaces of which neither temperature nor flux is known.
+    #[error("neither a temperature nor a flux of heat is given for {}", listed(surfaces))]
+    NoCondition {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces that need an emissivity.
+    #[error("no emissivity is given for {}", listed(surfaces))]
+    NoEmissivity {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces that exchange heat with one another alone, all of known flux.
+    #[error(
+        "no temperature sets the level of {}: nothing but fluxes of heat is given, and none can leave",
+        listed(surfaces)
+    )]
+    NoLevel {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// Surfaces from which more heat is drawn than arrives.
+    #[error("more heat is drawn than arrives: no temperature is low enough for {}", listed(surfaces))]
+    TooCold {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
+    /// The radiosity could not be computed.
+    #[error(transparent)]
+    Solve(#[from] Failure),
+}
+
+impl HeatError {
+    /// How to mend it; none where the message already says so.
+    pub fn cure(&self) -> Option<&'static str> {
+        match self {
+            Self::NoCondition { .. } => Some(
+                "give the surface or its material temperature = …, in kelvin, heat_flux = …, in W/m², or adiabatic = true",
+            ),
+            Self::NoEmissivity { .. } => Some("give the material emissivity = …, 0 < ε ≤ 1"),
+            Self::NoLevel { .. } => Some("give one of them a temperature"),
+            Self::TooCold { .. } => {
+                Some("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
+            }
+            Self::Solve(_) => None,
+        }
+    }
+}
+
+/// Names in quotes, the first ones of many.
+fn listed(names: &[String]) -> String {
+    let spelt: Vec<String> = names.iter().take(SPELT).map(|name| format!("{name:?}")).collect();
+    let more = names.len().saturating_sub(SPELT);
+    let of = if names.len() == 1 { "surface" } else { "surfaces" };
+    let rest = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{of} {}{rest}", spelt.join(", "))
+}

@@ -1,0 +1,98 @@
+//! The balance of heat as CSV or JSON, and its conductances as CSV, JSON or NPY.
+
+use std::io::{self, Write};
+
+use serde::Serialize;
+
+use crate::heat::{Conductances, Heat, SurfaceHeat};
+use crate::output::npy;
+
+/// CSV with a row for each surface; an emissivity that is not known is left empty.
+///
+/// # Errors
+/// What `out` reports.
+pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["surface", "area", "emissivity", "T", "T_error", "q", "Q", "Q_error", "J", "H"])?;
+    for own in surfaces {
+        let numbers = [
+            own.temperature,
+            own.temperature_error,
+            own.flux,
+            own.flow,
+            own.flow_error,
+            own.radiosity,
+            own.irradiance,
+        ];
+        let emissivity = own.emissivity.map(|emissivity| emissivity.to_string()).unwrap_or_default();
+        let head = [own.name.clone(), own.area.to_string(), emissivity];
+        writer.write_record(head.into_iter().chain(numbers.map(|number| number.to_string())))?;
+    }
+    writer.flush()
+}
+
+/// JSON with the figures of each surface, the balance and how good it is.
+///
+/// # Errors
+/// What `out` reports.
+pub fn json(heat: &Heat, mut out: impl Write) -> io::Result<()> {
+    let document = Document {
+        surfaces: &heat.surfaces,
+        lost: heat.lost,
+        residual: heat.outcome.residual,
+        solver: heat.outcome.solver,
+        iterations: heat.outcome.iterations,
+        closure_max: heat.outcome.checks.closure_max,
+        reciprocity_max: heat.outcome.checks.reciprocity_max,
+        accuracy_reached: heat.outcome.accuracy_reached,
+    };
+    serde_json::to_writer_pretty(&mut out, &document)?;
+    writeln!(out)
+}
+
+#[derive(Serialize)]
+struct Document<'a> {
+    surfaces: &'a [SurfaceHeat],
+    lost: f64,
+    residual: f64,
+    solver: &'a str,
+    iterations: usize,
+    closure_max: f64,
+    reciprocity_max: f64,
+    accuracy_reached: f64,
+}
+
+/// CSV with the names as header and as first column; the last column is what goes to the surroundings.
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_csv(names: &[&str], conductances: &Conductances, out: impl Write) -> io::Result<()> {
+    let mut writer = csv::Writer::from_writer(out);
+    writer.write_record(["surface"].iter().chain(names).chain(&["(surroundings)"]))?;
+    for ((name, row), lost) in names.iter().zip(&conductances.rows).zip(&conductances.lost) {
+        let numbers = row.iter().chain([lost]).map(f64::to_string);
+        writer.write_record([(*name).to_owned()].into_iter().chain(numbers))?;
+    }
+    writer.flush()
+}
+
+/// JSON with the names, the matrix, what goes to the surroundings and the largest asymmetry.
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: impl Write) -> io::Result<()> {
+    let Conductances { rows, lost, asymmetry } = conductances;
+    let document = serde_json::json!({
+        "surfaces": names, "conductances": rows, "surroundings": lost, "asymmetry_max": asymmetry,
+    });
+    serde_json::to_writer(&mut out, &document)?;
+    writeln!(out)
+}
+
+/// NPY, an array of shape (N, N).
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_npy(conductances: &Conductances, out: impl Write) -> io::Result<()> {
+    npy::square(conductances.rows.len(), conductances.rows.iter(), out)
+}
