@@ -1,4 +1,5 @@
 //! Elements as trees of cells.
 
+mod border;
 pub(crate) mod cell;
 pub(crate) mod tree;

@@ -5,6 +5,7 @@ mod penumbrae;
 mod pictures;
 mod closure;
 mod cornell;
+mod edges;
 mod curved_shadows;
 mod footings;
 mod gather;

@@ -2,8 +2,10 @@
 //!
 //! The field has one or more channels (a band each, or the constant 1). Brightness, variation and detail of a cell
 //! decide about its division; each is the largest over the channels, in multiples of the channel's scale. Quarters
-//! without a field of their own take the bilinear interpolant of the four points. They are made when first needed, and
-//! kept near the root, where many points need them.
+//! without a field of their own take the bilinear function through the four points, which is continued to the border of
+//! the cell: receivers at an edge that two surfaces share see nothing but that border. Only where the field is known to
+//! jump, continued values keep within the range of the four. Quarters are made when first needed, and kept near the root,
+//! where many points need them.
 
 use std::ops::Deref;
 use std::sync::OnceLock;
@@ -56,6 +58,8 @@ pub struct Cell {
     pub spread: f64,
     /// Largest difference between the cell's mean and that of its quarters, over the channel's scale.
     pub detail: f64,
+    /// Whether the bilinear function of the four values may be continued beyond their range.
+    is_smooth: bool,
     /// Smallest cosine between two normals.
     pub bend: f64,
     /// Whether its border is the polygon of its hull, which Lambert's formula follows.
@@ -108,6 +112,7 @@ impl Cell {
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,
+            is_smooth: true,
             bend,
             is_straight,
             warp,
@@ -170,6 +175,26 @@ impl Cell {
         self.patch.is_parallelogram()
     }
 
+    /// Largest difference of the values of `quarters` from the bilinear function of this cell, over the channel's scale.
+    pub fn misfit(&self, quarters: &[Cell; 4], scale: &[f64]) -> f64 {
+        let continued = self.continued(scale.len());
+        let differences = quarters.iter().zip(&continued).flat_map(|(quarter, continued)| {
+            let channels = scale.iter().cycle();
+            quarter
+                .values
+                .iter()
+                .zip(continued)
+                .zip(channels)
+                .map(|((own, other), scale)| (own - other).abs() / scale)
+        });
+        differences.fold(0.0, f64::max)
+    }
+
+    /// Marks the field as one that may jump.
+    pub fn mark_rough(&mut self) {
+        self.is_smooth = false;
+    }
+
     /// Stores its quarters, which carry the same field, and updates spread and detail from them.
     pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
@@ -196,7 +221,7 @@ impl Cell {
     }
 
     /// The directions of the two halvings. A long curved cell, as at a pole, is halved twice along its length.
-    fn directions(&self) -> [Direction; 2] {
+    pub(super) fn directions(&self) -> [Direction; 2] {
         let apart = |i: usize, j: usize| self.nodes[i].position.distance(self.nodes[j].position);
         let (along, across) = (apart(0, 2).max(apart(1, 3)), apart(0, 1).max(apart(2, 3)));
         match self.is_flat() {
@@ -214,10 +239,29 @@ impl Cell {
         [a, b, c, d].map(|patch| Self::at_level(patch, self.level + 1))
     }
 
-    /// The four quarters with the bilinear interpolant of the field, cut off at the range of the four values.
+    /// The four quarters with the bilinear function of the field. Nothing shines less than 0; what may jump keeps within the
+    /// range of the four values.
     fn interpolated(&self, scale: &[f64]) -> [Cell; 4] {
-        let places = &UnitRule::of(2).nodes;
         let channels = scale.len();
+        let range = |channel: usize| {
+            let known = || (0..POINTS).map(|k| self.value(k, channel));
+            let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));
+            if self.is_smooth { (low.min(0.0), f64::INFINITY) } else { (low, high) }
+        };
+        let ranges: SmallVec<[(f64, f64); 3]> = (0..channels).map(range).collect();
+        let mut continued = self.continued(channels).into_iter();
+        self.bare_quarters().map(|quarter| {
+            let mut values = continued.next().expect("there are four");
+            for (value, (low, high)) in values.iter_mut().zip(ranges.iter().cycle()) {
+                *value = value.clamp(*low, *high);
+            }
+            Self { is_smooth: self.is_smooth, ..quarter.with_values(values, scale) }
+        })
+    }
+
+    /// The bilinear function through the four points at the points of the four quarters.
+    fn continued(&self, channels: usize) -> [SmallVec<[f64; 12]>; 4] {
+        let places = &UnitRule::of(2).nodes;
         let directions = self.directions();
         // Weight of the far side in a direction, at the c-th point of a quarter.
         let share = |direction: Direction, [a, b]: [usize; 2], c: usize| {
@@ -229,21 +273,16 @@ impl Cell {
             };
             (place - places[0]) / (places[1] - places[0])
         };
-        let mut index = 0;
-        self.bare_quarters().map(|quarter| {
+        std::array::from_fn(|index| {
             let part = [index / 2, index % 2];
-            index += 1;
             let value = |place: usize| {
                 let (point, channel) = (place / channels, place % channels);
                 let (s, t) =
                     (share(Direction::Along, part, point / 2), share(Direction::Across, part, point % 2));
                 let side = |k: usize| (1.0 - t) * self.value(k, channel) + t * self.value(k + 1, channel);
-                let known = || (0..POINTS).map(|k| self.value(k, channel));
-                let (low, high) = (known().fold(f64::MAX, f64::min), known().fold(f64::MIN, f64::max));
-                ((1.0 - s) * side(0) + s * side(2)).max(low).min(high)
+                (1.0 - s) * side(0) + s * side(2)
             };
-            let values = (0..POINTS * channels).map(value).collect();
-            quarter.with_values(values, scale)
+            (0..POINTS * channels).map(value).collect()
         })
     }
 }

@@ -1,16 +1,40 @@
 //! The tree of cells of an element, with its radiosity.
 //!
-//! A tree is as fine as the radiosity varies, and at least so fine that its points see every polynomial.
+//! A tree is at least so fine that its points see every polynomial. Where the radiosity varies, it has all cells of
+//! [`EVEN`] levels; below them cells are divided while the bilinear function of a cell misses its quarters by δ (in
+//! multiples of the scale) and
+//!
+//! ```text
+//! δ > BENT ε         for a cell in a corner of the patch ;
+//! δ w > BENT ε       for one at its border, of the width w = 2^−level ;
+//! δ w² > BENT ε      for the others :
+//! ```
+//!
+//! a cell fills much of the view of a receiver on another surface that lies beside it in a corner, or along an edge,
+//! however small it is; the share of such receivers is about w along an edge. Other cells fill about w² of any view. So shadow
+//! edges end at the width that the accuracy asks for; corners of three surfaces, in which light depends on the direction to
+//! the corner alone, have cells down to [`DEEPEST`], few of them.
 
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::smallvec;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
+use crate::light::hierarchy::border::Border;
 use crate::light::hierarchy::cell::{Cell, POINTS};
 
-/// Most levels of quarters below the patches of an element. Chosen; not tuned.
-const DEEPEST: usize = 4;
+/// Levels of quarters below the patches of an element that are all made where the field varies, so that no small shadow is
+/// overlooked. Chosen; not tuned.
+const EVEN: usize = 4;
+
+/// Most levels. Chosen; not tuned.
+const DEEPEST: usize = 12;
+
+/// See the head of this file. Chosen; not tuned.
+const BENT: f64 = 10.0;
+
+/// A field jumps in a cell where its bilinear function misses the quarters by more than this part of its variation. Chosen; not tuned.
+const JUMP: f64 = 0.5;
 
 /// A cell whose field varies by less than this multiple of the accuracy is not divided. Chosen; not tuned.
 const FINE: f64 = 30.0;
@@ -46,8 +70,8 @@ impl Tree {
         // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
         let least = element.basis.total_degree().div_ceil(4);
         Self::grown(element, scale, |bare, scale| {
-            let growth = Growth { field, scale, least, rough: FINE * eps };
-            growth.of(bare, 0)
+            let growth = Growth { field, scale, least, rough: FINE * eps, bent: BENT * eps };
+            growth.of(bare)
         })
     }
 
@@ -80,15 +104,42 @@ struct Growth<'a> {
     least: usize,
     /// Variation over the scale above which a cell is divided.
     rough: f64,
+    /// BENT ε.
+    bent: f64,
 }
 
 impl Growth<'_> {
-    fn of(&self, bare: Cell, level: usize) -> Cell {
-        let mut cell = with_field(bare, self.scale, self.field);
-        if level < DEEPEST && (level < self.least || cell.spread > self.rough) {
-            let quarters = cell.bare_quarters().map(|quarter| self.of(quarter, level + 1));
-            cell.divide(quarters, self.scale);
+    fn of(&self, bare: Cell) -> Cell {
+        let cell = with_field(bare, self.scale, self.field);
+        self.divided(cell, Border::WHOLE, 0, false)
+    }
+
+    /// The cell with the quarters that it needs; `bends` says whether the bilinear function of the cell above misses it.
+    fn divided(&self, mut cell: Cell, border: Border, level: usize, bends: bool) -> Cell {
+        let varies = level < EVEN && cell.spread > self.rough;
+        if level == DEEPEST || !(level < self.least || varies || bends) {
+            return cell;
         }
+        let quarters = cell.bare_quarters().map(|quarter| with_field(quarter, self.scale, self.field));
+        let misfit = cell.misfit(&quarters, self.scale);
+        let jumps = misfit > JUMP * cell.spread;
+        let borders = border.of_quarters(cell.directions());
+        let width = 0.5f64.powi(level as i32 + 1);
+        let mut index = 0;
+        let quarters = quarters.map(|mut quarter| {
+            let border = borders[index];
+            index += 1;
+            if jumps {
+                quarter.mark_rough();
+            }
+            let seen = match border.touched() {
+                0 => width * width,
+                1 => width,
+                _ => 1.0,
+            };
+            self.divided(quarter, border, level + 1, misfit * seen > self.bent)
+        });
+        cell.divide(quarters, self.scale);
         cell
     }
 }
