@@ -3,7 +3,7 @@
 //! `cargo run --release --example estimates [-- SCENE...]`
 //!
 //! SCENE is a name of the list (`scenes.rs`) or a file. Each scene is solved to several accuracies, within twenty seconds. Its light and that of a
-//! fine run are then gathered at 256 points, spread over the surfaces by area, and the error is ‖ρ(E − E′)‖ / ‖ρ E′‖, E′
+//! fine run are then gathered at 2048 points, spread over the surfaces by area, and the error is ‖ρ(E − E′)‖ / ‖ρ E′‖, E′
 //! of the fine run. By cells both are gathered to 1e-4; by rays with the same rays, to 5e-4, so that their noise is mostly the
 //! same. The last column is the estimate over the error.
 //!
@@ -22,7 +22,7 @@ use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solve::{Options, Transport, solve};
-use radiosity::studies::adaptation::{Adapted, Aim, Goal, adapt};
+use radiosity::studies::adaptation::{Adapted, adapt};
 use radiosity::visibility::Visibility;
 use rayon::prelude::*;
 
@@ -71,7 +71,7 @@ fn unknowns(asked: &[String]) {
         }
         for wanted in [3e-2, 1e-2, 5e-3, 3e-3, 2e-3, 1.5e-3, 1e-3] {
             let begun = Instant::now();
-            let adapted = adapt(&case.scene, &options(), &Goal::new(wanted, Aim::Gathered), &|_| {});
+            let adapted = adapt(&case.scene, &options(), &case.goal(wanted), &|_| {});
             let solution = adapted.expect("the scene can be solved").outcome.solution;
             row(name, &format!("refined to {wanted:.1e}"), begun, &solution, &truth);
         }
@@ -88,7 +88,7 @@ fn rows(case: &Case) {
     let truth = Truth::of(case);
     for wanted in WANTED {
         let begun = Instant::now();
-        let adapted = adapt(&case.scene, &options(), &Goal::new(wanted, Aim::Gathered), &|_| {});
+        let adapted = adapt(&case.scene, &options(), &case.goal(wanted), &|_| {});
         let Adapted { outcome, achieved, .. } = match adapted {
             Ok(adapted) => adapted,
             Err(failure) => {

@@ -1,6 +1,8 @@
 //! Scenes, and runs of them that are much finer.
 
+use radiosity::gather::choice::By;
 use radiosity::scene::Scene;
+use radiosity::studies::adaptation::{Aim, Goal};
 
 #[path = "../../tests/stress/walls.rs"]
 mod walls;
@@ -48,6 +50,11 @@ impl Case {
             let scene = Scene::load(name).expect("a scene of the list, or a file");
             Self { name: name.to_owned(), scene, fine: Fine::Rays { rays: RAYS, cuts: None }, by_rays: true }
         })
+    }
+
+    /// This accuracy of light, read as the truth is.
+    pub(crate) fn goal(&self, accuracy: f64) -> Goal {
+        Goal::new(accuracy, Aim::Gathered).read_by(if self.by_rays { By::Rays } else { By::Cells })
     }
 
     fn flat(name: &str, scene: Scene, [order, cuts]: [usize; 2]) -> Self {

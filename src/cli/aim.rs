@@ -62,7 +62,13 @@ impl Wanted {
                 Ok(at_probes(accuracy, &sensors, scene))
             }
             Self::Picture => match &scene.camera {
-                Some(camera) => Ok(Goal::at(accuracy, seen(scene, camera))),
+                Some(camera) => match seen(scene, camera) {
+                    points if points.is_empty() => Err(CliError::Refused {
+                        message: format!("{}: the camera sees no front of any surface", scene.origin),
+                        cure: "turn the camera, or take --for gathered".to_owned(),
+                    }),
+                    points => Ok(Goal::seen(accuracy, points)),
+                },
                 None => Err(CliError::Refused {
                     message: format!(
                         "{}: there is no camera, so nothing says what the picture shows",

@@ -75,7 +75,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     }
     let data = args.data.reserve(&loaded, &args.report, Ok)?;
     let progress = Progress::new(args.report.quiet);
-    let mut run = Run::solve(loaded, &args.method, &args.report, &progress)?;
+    let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &progress)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let sides = args.cells.0.map(|count| count as usize);

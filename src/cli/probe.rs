@@ -120,7 +120,8 @@ pub(crate) fn run(args: &ProbeArgs, points: Option<Points>, loaded: Loaded) -> R
     let data = args.data.reserve(&loaded, &args.report, |output| args.apart(output))?;
     let picture = args.picture.reserve(&loaded, &args.report, &sensors)?;
     let progress = Progress::new(args.report.quiet);
-    let mut run = Run::for_sensors(loaded, &sensors.probes(), &args.method, &args.report, &progress)?;
+    let mut run =
+        Run::for_sensors(loaded, &sensors.probes(), &args.method, args.read.by(), &args.report, &progress)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
     let observe = |done, total| progress.show("points", done, total);

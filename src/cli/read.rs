@@ -8,6 +8,7 @@ use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
 use radiosity::solve::Options;
+use radiosity::studies::adaptation::Goal;
 use radiosity::visibility::Hiding;
 
 use crate::cli::aim::Wanted;
@@ -31,7 +32,7 @@ pub(crate) struct ReadArgs {
     pub(crate) read_by: Option<By>,
 
     /// Accuracy of recomputed light, relative, between 0 and 1 [default: 1.25e-3, as --quality says; 1e-2 of a solution by
-    /// rays; that of the solution where it is smaller]
+    /// rays; less for a wanted accuracy below 4e-3: 0.3 of that]
     #[arg(long, value_name = "E", value_parser = accuracy)]
     pub(crate) read_eps: Option<f64>,
 }
@@ -64,16 +65,23 @@ impl ReadArgs {
         }
     }
 
+    /// By what light is gathered.
+    pub(crate) fn by(&self) -> By {
+        self.read_by.unwrap_or_default()
+    }
+
     /// As typed, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
     /// asked for.
     pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
         let usual = method.quality.reading();
         let is_sampled = run.solved.outcome.sampling.is_some();
         let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
-        let asked = [method.eps, method.wanted_accuracy(), run.saved_accuracy()].into_iter().flatten();
+        let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), run.saved_accuracy()]
+            .into_iter()
+            .flatten();
         Reading {
             read: self.read.unwrap_or(usual.read),
-            by: self.read_by.unwrap_or_default(),
+            by: self.by(),
             eps: self.read_eps.unwrap_or(asked.fold(of_solution, f64::min)),
             rates: usual.rates,
         }

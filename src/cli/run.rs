@@ -7,6 +7,7 @@ use std::time::Instant;
 use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
+use radiosity::gather::choice::By;
 use radiosity::hierarchy::Counts;
 use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::Probe;
@@ -200,11 +201,24 @@ impl Run {
         Self::with_options(loaded, method, options(method), report, progress)
     }
 
+    /// The same for light that is gathered by cells or rays.
+    pub(crate) fn to_gather(
+        loaded: Loaded,
+        method: &MethodArgs,
+        by: By,
+        report: &ReportArgs,
+        progress: &Progress,
+    ) -> Result<Self, CliError> {
+        let goal = method.goal(&loaded.scene)?.map(|goal| goal.read_by(by));
+        Self::to(goal, loaded, method, options(method), report, progress)
+    }
+
     /// The same; where an accuracy is wanted and nothing says of what, it is that of these sensors.
     pub(crate) fn for_sensors(
         loaded: Loaded,
         sensors: &[Probe],
         method: &MethodArgs,
+        by: By,
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
@@ -212,7 +226,7 @@ impl Run {
             (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, &loaded.scene)),
             _ => method.goal(&loaded.scene)?,
         };
-        Self::to(goal, loaded, method, options(method), report, progress)
+        Self::to(goal.map(|goal| goal.read_by(by)), loaded, method, options(method), report, progress)
     }
 
     /// As [`Run::solve`], with options that no longer follow from the command line alone.
@@ -281,12 +295,12 @@ impl Run {
         }
     }
 
-    /// Relative accuracy that a solution read from a file was computed to, where that is finer than usual.
+    /// Relative accuracy that a solution read from a file is worth being read to, where that is finer than usual.
     pub(crate) fn saved_accuracy(&self) -> Option<f64> {
         let Solved { options, achieved, .. } = &self.solved;
         match achieved {
             _ if !self.saved => None,
-            Some(achieved) => achieved.estimate,
+            Some(achieved) => achieved.wanted.or(achieved.estimate).map(Goal::reading),
             None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
         }
     }
@@ -344,6 +358,7 @@ impl Run {
         match self.aim() {
             Some(Aim::Gathered) => "gathered light",
             Some(Aim::Points) => "light at the points",
+            Some(Aim::Seen) => "light in the picture",
             Some(Aim::Solution) | None => "the radiosity",
         }
     }

@@ -18,6 +18,10 @@ const FLAT: f64 = 1.5e-6;
 const BEHIND_FLAT: f64 = 0.02e-6;
 const CURVED: f64 = 100e-6;
 
+/// Accuracy that light is gathered to where nothing else is asked for. Chosen: that of the polynomials that it is gathered
+/// from in rooms, about.
+pub const USUAL_EPS: f64 = 1.25e-3;
+
 /// By what light is gathered.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]

@@ -49,10 +49,7 @@ pub fn solve_hierarchically(
     let mut light = work.emitted(&tree);
     let mut solved = None;
     for number in 1..=options.rounds {
-        let made = work.refine(&mut tree, &mut light, number == 1);
-        if made == 0 && number > 1 {
-            break;
-        }
+        let Some(made) = work.refine(&mut tree, &mut light, number == 1) else { break };
         progress(Round { number, links: work.links.len(), made });
         let hierarchy = Hierarchy::new(tree, &work.links, work.dropped, number);
         let bands = work.solve(&hierarchy)?;
@@ -99,8 +96,8 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// Refines the pair of the root with itself at first, then the links that became too bright, and links what is
-    /// found. Returns the number of new links.
-    fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> usize {
+    /// found. Returns the number of new links; None where no pair was open, so that nothing changed.
+    fn refine(&mut self, tree: &mut Tree, light: &mut [Vec<f64>], is_first: bool) -> Option<usize> {
         let least_area = self.options.least_area * tree.nodes().first().map_or(0.0, |root| root.area);
         let oracle = Oracle { eps: self.options.eps, separation: self.options.separation };
         let mut refinement = Refinement { tree, oracle, least_area, light, dropped: 0 };
@@ -110,13 +107,17 @@ impl Work<'_> {
         if is_first && !refinement.tree.nodes().is_empty() {
             open.push([0, 0]);
         }
+        if open.is_empty() && !is_first {
+            self.links = kept;
+            return None;
+        }
         let found = refinement.refine(open);
         self.dropped += refinement.dropped;
         let (tree, rays) = (&*tree, self.options.rays_per_link);
         let made = found.par_iter().map(|pair| Link::new(tree, &self.obstacles, *pair, rays));
         self.links = kept;
         self.links.par_extend(made);
-        found.len()
+        Some(found.len())
     }
 
     fn solve(&self, hierarchy: &Hierarchy) -> Result<Vec<Light>, HierarchyError> {

@@ -11,7 +11,7 @@
 //! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
 //! read from polynomials the error of the basis dominates.
 
-use crate::gather::choice::By;
+use crate::gather::choice::{By, USUAL_EPS};
 use crate::output::grid::Rates;
 use crate::output::reader::Read;
 use crate::solve::Options;
@@ -60,7 +60,7 @@ impl Quality {
     pub fn reading(self) -> Reading {
         let (read, eps, direct, indirect) = match self {
             Self::Quick => (Read::Gather, 2e-3, 3, 1),
-            Self::Default => (Read::Gather, 1.25e-3, 4, 2),
+            Self::Default => (Read::Gather, USUAL_EPS, 4, 2),
             Self::Fine => (Read::Gather, 7e-4, 4, 2),
             Self::Finest => (Read::GatherTwice, 4e-4, 4, 3),
         };

@@ -68,7 +68,7 @@ pub fn adapt(
     let why = if choice.sampled { NO_ERROR_OF_ELEMENTS } else { &choice.why };
     match goal.of {
         Aim::Solution => by_rungs(scene, options, goal, why, progress),
-        Aim::Gathered | Aim::Points => locally(scene, options, goal, why, progress),
+        Aim::Gathered | Aim::Points | Aim::Seen => locally(scene, options, goal, why, progress),
     }
 }
 

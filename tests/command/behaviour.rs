@@ -282,7 +282,8 @@ fn an_accuracy_may_be_that_of_points_a_plane_or_the_picture() {
     for aim in aims {
         let output = radiosity(here, &[&["solve", "--accuracy", "1e-2", "-o", "s.json"], aim].concat());
         let text = String::from_utf8_lossy(&output.stderr).into_owned();
-        assert!(output.status.success() && text.contains("error of light at the points"), "{aim:?}: {text}");
+        let of = if aim.contains(&"picture") { "light in the picture" } else { "light at the points" };
+        assert!(output.status.success() && text.contains(&format!("error of {of}")), "{aim:?}: {text}");
     }
     let probed = radiosity(here, &["probe", "empty-box", "--points", "points.csv", "--accuracy", "1e-2"]);
     assert!(String::from_utf8_lossy(&probed.stderr).contains("error of light at the points"));
@@ -295,6 +296,9 @@ fn an_accuracy_may_be_that_of_points_a_plane_or_the_picture() {
     fs::write(here.join("dark.toml"), scene).unwrap();
     let args = ["solve", "dark.toml", "--accuracy", "1e-2", "--for", "picture"];
     refused(here, &args, &["there is no camera", "help: add [camera]"]);
+    let away = format!("camera = {{ eye = [0, 0, 1], target = [0, 0, 2], up = [0, 1, 0] }}\n{scene}");
+    fs::write(here.join("dark.toml"), away).unwrap();
+    refused(here, &args, &["the camera sees no front", "help: turn the camera"]);
     let output = radiosity(here, &["solve", "empty-box", "--accuracy", "1e-2", "--for", "all"]);
     assert_eq!(output.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&output.stderr).contains("points FILE or plane NAME"));

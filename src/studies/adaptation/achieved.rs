@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::solve::{Options, Outcome};
 
-use super::goal::Aim;
+use super::goal::{Aim, Goal};
 
 /// The finest run and its accuracy.
 #[derive(Debug)]
@@ -22,6 +22,9 @@ pub struct Adapted {
 pub struct Achieved {
     /// Estimated relative error of the finest run; None where its solver did not converge.
     pub estimate: Option<f64>,
+    /// What was wanted; None in files of older versions.
+    #[serde(default)]
+    pub wanted: Option<f64>,
     /// Of what.
     #[serde(default)]
     pub of: Aim,
@@ -30,6 +33,11 @@ pub struct Achieved {
 }
 
 impl Achieved {
+    /// What a sequence for `goal` ended with.
+    pub(super) fn new(goal: &Goal, estimate: Option<f64>, end: End) -> Self {
+        Self { estimate, wanted: Some(goal.accuracy), of: goal.of, end }
+    }
+
     /// Whether the estimate is as small as wanted.
     pub fn reached(&self) -> bool {
         self.end == End::Reached

@@ -59,21 +59,21 @@ pub(super) fn estimate(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Estimate, Failure> {
     let visibility = Visibility::new(scene, options.into());
-    let wanted = goal.accuracy;
     let solution = &outcome.solution;
     let goes_on = |done, all| {
         progress(Progress::Estimate(done, all));
         !options.is_late()
     };
-    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (wanted, expected), &goes_on);
+    let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), &goes_on);
     match goal.of {
         Aim::Gathered => return in_threads(options.threads, || at(&Sensor::of_surfaces(solution))),
-        Aim::Points => {
-            let sensors = Sensor::at(&goal.points, solution, &visibility);
+        Aim::Points | Aim::Seen => {
+            let sensors = Sensor::at(goal, solution, &visibility);
             return in_threads(options.threads, || at(&sensors));
         }
         Aim::Solution => {}
     }
+    let wanted = goal.accuracy;
     let error = in_threads(options.threads, || {
         let (mut eps, mut error) = (LOOSEST, unresolved(&outcome.solution, &visibility, LOOSEST, progress));
         while error > 0.0 && eps > OF_FOUND * error && eps > OF_WANTED * wanted {

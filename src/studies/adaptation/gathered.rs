@@ -15,7 +15,7 @@
 //!
 //! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end, with the
 //! probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far over these probabilities.
-//! r is gathered by cells, or where rays are the cheaper reader ([`By`]) by one further ray ([`RayGather::missed`]). Two halves
+//! r is gathered by cells, or where rays are what light is read by ([`Goal::by`]) by one further ray ([`RayGather::missed`]). Two halves
 //! of the walks give e′ and e″, independent of each other: the mean of their product is e², that of a square would have the
 //! noise of the walks as well. With weights w_k of the sensors,
 //!
@@ -35,7 +35,7 @@ use rayon::prelude::*;
 
 use crate::gather::Gather;
 use crate::gather::by_rays::{RayGather, Receiver};
-use crate::gather::choice::By;
+use crate::gather::choice::USUAL_EPS;
 use crate::gather::walks::{End, Walks};
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
@@ -43,6 +43,7 @@ use crate::solution::Solution;
 use crate::solve::Outcome;
 use crate::visibility::Visibility;
 
+use super::goal::Goal;
 use super::sensor::Sensor;
 
 /// Numbers of walks, and the fewest per half and sensor. Chosen: with four times the first number of rays whose ends gather by
@@ -96,7 +97,7 @@ impl Numbers {
 /// An estimated error of gathered light.
 #[derive(Debug)]
 pub(super) struct Estimate {
-    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled.
+    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; infinite without sensors, and where light is missed in the dark.
     pub error: f64,
     /// Part of the square of `error` that each element is responsible for; noise makes some negative.
     pub shares: Vec<f64>,
@@ -133,12 +134,12 @@ pub(super) fn missed(
     outcome: &Outcome,
     visibility: &Visibility,
     sensors: &[Sensor],
-    (wanted, expected): (f64, f64),
+    (goal, expected): (&Goal, f64),
     goes_on: &(dyn Fn(usize, usize) -> bool + Sync),
 ) -> Estimate {
     let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
-    let missing = Missing::of(outcome, visibility, (OF_EXPECTED * expected).min(LOOSEST));
+    let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
     let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
     let mut found: Vec<Found> = sensors.par_iter().enumerate().map(begin).collect();
     let numbers = missing.numbers();
@@ -153,7 +154,7 @@ pub(super) fn missed(
         let finishes = found.par_iter_mut().map(walk).reduce(|| true, |a, b| a && b);
         made += now;
         let sums = Sums::of(&found, made, solution);
-        if !finishes || 2 * made > per_half(numbers.allowed(&sums, wanted)) {
+        if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
             return Estimate { error: sums.error(), shares: sums.shares(&found, made) };
         }
         now = made;
@@ -161,13 +162,14 @@ pub(super) fn missed(
 }
 
 impl<'a> Missing<'a> {
-    fn of(outcome: &'a Outcome, visibility: &'a Visibility, eps: f64) -> Self {
+    fn of(outcome: &'a Outcome, visibility: &'a Visibility, goal: &Goal, eps: f64) -> Self {
         let solution = &outcome.solution;
         let rays = outcome.sampling.map_or(0, |sampling| sampling.rays);
-        let ends = match By::Auto.rays(solution, visibility, eps, false) {
-            true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
-            false => Ends::Cells(Gather::new(solution, visibility, eps)),
-        };
+        let ends =
+            match goal.by.rays(solution, visibility, Goal::reading(goal.accuracy).min(USUAL_EPS), false) {
+                true => Ends::Rays(RayGather::new(solution, visibility, OF_SIZE, false)),
+                false => Ends::Cells(Gather::new(solution, visibility, eps)),
+            };
         Self { solution, walks: Walks::new(solution, visibility), ends, rays }
     }
 
@@ -289,7 +291,11 @@ impl Sums {
     }
 
     fn error(&self) -> f64 {
-        if self.size > 0.0 { (self.missed() / self.size).sqrt() } else { 0.0 }
+        match self.size {
+            size if size > 0.0 => (self.missed() / size).sqrt(),
+            _ if self.missed() > 0.0 => f64::INFINITY,
+            _ => 0.0,
+        }
     }
 
     fn is_noisy(&self) -> bool {

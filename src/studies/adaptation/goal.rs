@@ -3,6 +3,11 @@
 use radiosity_geom::DVec3;
 use serde::{Deserialize, Serialize};
 
+use crate::gather::choice::By;
+
+/// Part of the wanted accuracy that light is read to. With .9 the error of reading was as large as that of what was read. Chosen.
+const OF_ACCURACY: f64 = 0.3;
+
 /// What is wanted.
 #[derive(Clone, Debug)]
 pub struct Goal {
@@ -10,9 +15,11 @@ pub struct Goal {
     pub accuracy: f64,
     /// Of what.
     pub of: Aim,
-    /// Where light is read, if that is [`Aim::Points`]: positions, from the scene's middle as its surfaces, and unit normals.
+    /// Where light is read, if that is [`Aim::Points`] or [`Aim::Seen`]: positions, from the scene's middle as its surfaces, and unit normals.
     pub points: Vec<[DVec3; 2]>,
-    /// A run with more unknowns per band is not begun, except the first.
+    /// By what light is read.
+    pub by: By,
+    /// A run with more unknowns per band is not begun, except the first, and but for links, which need no matrix.
     pub most_unknowns: usize,
 }
 
@@ -28,17 +35,34 @@ pub enum Aim {
     Gathered,
     /// The light gathered at given points.
     Points,
+    /// The light that surfaces reflect of what is gathered at given points, as pictures show it.
+    Seen,
 }
 
 impl Goal {
     /// `accuracy` of the polynomials, or of light gathered on all surfaces, with at most 8000 unknowns per band, whose matrix
     /// has half a gigabyte (8000² · 8 bytes).
     pub fn new(accuracy: f64, of: Aim) -> Self {
-        Self { accuracy, of, points: Vec::new(), most_unknowns: 8000 }
+        Self { accuracy, of, points: Vec::new(), by: By::Auto, most_unknowns: 8000 }
     }
 
     /// The same of light gathered at these points.
     pub fn at(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
         Self { points, ..Self::new(accuracy, Aim::Points) }
+    }
+
+    /// The same of the light that a picture shows of surfaces at these points.
+    pub fn seen(accuracy: f64, points: Vec<[DVec3; 2]>) -> Self {
+        Self { points, ..Self::new(accuracy, Aim::Seen) }
+    }
+
+    /// The same where light is read by cells or rays.
+    pub fn read_by(self, by: By) -> Self {
+        Self { by, ..self }
+    }
+
+    /// Relative accuracy that light is read to, so that its error is hardly more than that of what it is read from.
+    pub fn reading(accuracy: f64) -> f64 {
+        OF_ACCURACY * accuracy
     }
 }

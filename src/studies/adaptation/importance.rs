@@ -46,7 +46,7 @@ pub fn importance(
 ) -> Result<Solution, Failure> {
     in_threads(threads, || {
         let sensors = match goal.of {
-            Aim::Points => Sensor::at(&goal.points, solution, visibility),
+            Aim::Points | Aim::Seen => Sensor::at(goal, solution, visibility),
             Aim::Gathered | Aim::Solution => Sensor::of_surfaces(solution),
         };
         of_sensors(solution, visibility, &sensors, WALKS)

@@ -29,12 +29,10 @@ pub(super) fn by_links(
     let mut outcome = solve(scene, &chosen, progress)?;
     loop {
         let error = estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), progress)?.error;
-        let unknowns = GROWTH * outcome.solution.elements().coefficients() as f64;
         let weaker = Options { eps: WEAKER * chosen.eps, ..chosen };
         let end = match () {
             () if error <= goal.accuracy => Some(End::Reached),
             () if weaker.eps < LEAST => Some(End::Finest),
-            () if unknowns > goal.most_unknowns as f64 => Some(End::Unknowns),
             () if !fits(options.deadline, begun.elapsed().mul_f64(GROWTH)) => Some(End::Time),
             () => None,
         };
@@ -51,7 +49,7 @@ pub(super) fn by_links(
                 }
             }
         };
-        let achieved = Achieved { estimate: Some(error), of: goal.of, end };
+        let achieved = Achieved::new(goal, Some(error), end);
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
 }

@@ -60,7 +60,7 @@ pub(super) fn locally(
     let mut begun = Instant::now();
     let mut outcome = solve_exactly(scene, &chosen, why, None, progress).map_err(advise)?;
     if !outcome.converged {
-        let achieved = Achieved { estimate: None, of: goal.of, end: End::NotConverged };
+        let achieved = Achieved::new(goal, None, End::NotConverged);
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
@@ -68,6 +68,11 @@ pub(super) fn locally(
     let end = loop {
         let estimate = estimated(scene, &mut outcome, &chosen, (goal, expected), progress)?;
         error = estimate.error;
+        if error <= goal.accuracy && expected > goal.accuracy {
+            // Light gathered for a larger error may hide as much as is wanted.
+            expected = goal.accuracy;
+            continue;
+        }
         if error <= goal.accuracy {
             break End::Reached;
         }
@@ -83,7 +88,15 @@ pub(super) fn locally(
         }
         let next = accurate(expected, sharper);
         let elements = outcome.solution.elements();
-        let unknowns = next.elements(scene, elements.discretization(), Some(&mesh))?.coefficients();
+        // Cuts may leave cells too thin for their order.
+        let Ok(unknowns) =
+            next.elements(scene, elements.discretization(), Some(&mesh)).map(|new| new.coefficients())
+        else {
+            break End::Finest;
+        };
+        if unknowns == elements.coefficients() && sharper == 1.0 {
+            break End::Finest;
+        }
         if unknowns > goal.most_unknowns {
             break End::Unknowns;
         }
@@ -97,7 +110,7 @@ pub(super) fn locally(
             Err(end) => break end,
         }
     };
-    Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), of: goal.of, end } })
+    Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, Some(error), end) })
 }
 
 /// The mesh with those elements refined that bear this part of what all bear; None where none of them may be. Surfaces that

@@ -33,10 +33,10 @@ pub(super) fn by_rays(
         };
         let error = match goal.of {
             Aim::Solution => of_rays,
-            Aim::Gathered | Aim::Points if outcome.converged => {
+            Aim::Gathered | Aim::Points | Aim::Seen if outcome.converged => {
                 Some(estimated(scene, &mut outcome, &chosen, (goal, goal.accuracy), progress)?.error)
             }
-            Aim::Gathered | Aim::Points => None,
+            Aim::Gathered | Aim::Points | Aim::Seen => None,
         };
         let end = match () {
             () if !outcome.converged => Some(End::NotConverged),
@@ -47,7 +47,7 @@ pub(super) fn by_rays(
             () => None,
         };
         let ended = |outcome, end| {
-            Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: error, of: goal.of, end } })
+            Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, error, end) })
         };
         if let Some(end) = end {
             return ended(outcome, end);

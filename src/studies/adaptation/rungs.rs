@@ -71,7 +71,7 @@ pub(super) fn by_rungs(
     let mut begun = Instant::now();
     let mut outcome = exactly(&chosen).map_err(advise)?;
     if !outcome.converged {
-        let achieved = Achieved { estimate: None, of: goal.of, end: End::NotConverged };
+        let achieved = Achieved::new(goal, None, End::NotConverged);
         return Ok(Adapted { outcome, options: chosen, achieved });
     }
     let mut error;
@@ -95,7 +95,7 @@ pub(super) fn by_rungs(
             Err(end) => break end,
         }
     };
-    Ok(Adapted { outcome, options: chosen, achieved: Achieved { estimate: Some(error), of: goal.of, end } })
+    Ok(Adapted { outcome, options: chosen, achieved: Achieved::new(goal, Some(error), end) })
 }
 
 impl Rung {

@@ -4,12 +4,14 @@ use radiosity_geom::DVec3;
 
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
-use crate::solution::Solution;
+use crate::sampling::kronecker;
+use crate::solution::{Band, Solution};
 use crate::visibility::Visibility;
 
+use super::goal::{Aim, Goal};
 use super::points::{Point, points};
 
-/// Most sensors of those asked for at which errors are estimated, evenly chosen. Chosen.
+/// Most sensors of those asked for at which errors are estimated, one of each of as many equal stretches of their list. Chosen.
 const MOST: usize = 512;
 
 /// A receiver, and how much its light counts.
@@ -36,15 +38,45 @@ impl Sensor {
         all.filter(|sensor| sensor.weights.iter().any(|weight| *weight > 0.0)).collect()
     }
 
-    /// Sensors at these positions with these normals, or at some of them; all count the same.
-    pub(super) fn at(points: &[[DVec3; 2]], solution: &Solution, visibility: &Visibility) -> Vec<Self> {
-        let step = points.len().div_ceil(MOST).max(1);
-        let sensor = |[position, normal]: &[DVec3; 2]| {
-            let spot = Spot::find(solution.elements(), visibility, *position, *normal);
-            let free = || ReceiverPoint::free(*position, *normal);
-            let point = spot.map_or_else(free, |spot| spot.vantage(*normal));
-            Self { point, weights: vec![1.0; solution.bands().len()] }
+    /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is seen by ρ².
+    pub(super) fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
+        let weight = |spot: Option<&Spot>, band: &Band| match (goal.of, spot) {
+            (Aim::Seen, Some(spot)) => band.coating.reflectance[spot.element].powi(2),
+            _ => 1.0,
         };
-        points.iter().step_by(step).map(sensor).collect()
+        let sensor = |[position, normal]: [DVec3; 2]| {
+            let spot = Spot::find(solution.elements(), visibility, position, normal);
+            let weights = solution.bands().iter().map(|band| weight(spot.as_ref(), band)).collect();
+            let free = || ReceiverPoint::free(position, normal);
+            Self { point: spot.map_or_else(free, |spot| spot.vantage(normal)), weights }
+        };
+        some(goal.points.len()).map(|index| sensor(goal.points[index])).collect()
+    }
+}
+
+/// Indices of [`MOST`] of so many points, one of each equal stretch, at places that do not keep step with the rows of a plane.
+fn some(count: usize) -> impl Iterator<Item = usize> {
+    let chosen = count.min(MOST);
+    (0..chosen).map(move |k| {
+        let [low, high] = [k, k + 1].map(|k| k * count / chosen);
+        let [share, _] = kronecker::point(k as u64);
+        low + ((high - low) as f64 * share) as usize
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn few_sensors_are_all_taken_and_many_from_every_column() {
+        assert!(some(300).eq(0..300));
+        assert_eq!(some(0).count(), 0);
+        // A plane of 512 × 64 sensors: their columns are indices modulo 64.
+        let taken: Vec<usize> = some(512 * 64).collect();
+        assert!(taken.len() == MOST && taken.is_sorted_by(|a, b| a < b));
+        assert_eq!(taken.iter().map(|index| index % 64).collect::<BTreeSet<_>>().len(), 64);
     }
 }
