@@ -20,22 +20,25 @@
 //! where they are known, they are a `heat_flux`.
 
 mod error;
+mod black_body;
 mod roles;
+mod coats;
 mod levels;
 mod figures;
+mod field;
 mod shields;
 mod conductances;
 
-use crate::scene::{LightGroup, Material, Scene};
+use crate::scene::Scene;
+use crate::solution::Solution;
 use crate::solve::{Direct, Model, Options, Outcome, Progress};
+pub use black_body::{STEFAN_BOLTZMANN, kelvin};
+use coats::{all_emit, at_levels, radiant};
 pub use conductances::Conductances;
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
 use figures::{add_errors_of_blocks, add_errors_of_order, figures};
-use roles::{Role, Roles};
-
-/// The Stefan–Boltzmann constant, W m⁻² K⁻⁴; exact by the definition of the SI units of 2019 (CODATA 2018).
-pub const STEFAN_BOLTZMANN: f64 = 5.670_374_419e-8;
+use roles::Roles;
 
 /// The balance of heat of a scene.
 #[derive(Debug)]
@@ -89,6 +92,12 @@ impl Heat {
             outcome,
         })
     }
+
+    /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black surface of the
+    /// temperature there would emit. It varies over surfaces of known flux.
+    pub fn levels(&self) -> Solution {
+        field::levels(&self.outcome.solution, &self.surfaces)
+    }
 }
 
 /// The orders whose solutions tell the error of the one at `order`: the two below, or the next above 0.
@@ -136,61 +145,4 @@ fn solved(
     let levels = shields::levels(roles, &outcome.solution);
     let radiant = at_levels(radiant, roles, &levels);
     Ok((model, outcome.relit(&radiant).expect("each shield is a group")))
-}
-
-/// The scene with coatings for heat in a single band: e = ε σ T⁴ and ρ = 1 − ε, or e = q and ρ = 1. Each shield is a
-/// light group of the level 1.
-fn radiant(scene: &Scene, roles: &Roles) -> Scene {
-    coated(scene, roles, |role| match *role {
-        Role::Temperature { emissivity, kelvin } => (1.0 - emissivity, emissivity * level(kelvin)),
-        Role::Flux { flux, .. } => (1.0, flux),
-        Role::Shield { emissivity, .. } => (1.0 - emissivity, emissivity),
-    })
-}
-
-/// The same where everything emits, so that no pair is left out.
-fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
-    let mut scene = radiant(scene, roles);
-    scene.surfaces.iter_mut().for_each(|surface| {
-        surface.material.emission = vec![1.0];
-        surface.group = None;
-    });
-    scene
-}
-
-/// The scene in the single band `heat` with this reflectance and emission for each role.
-fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
-    let mut scene = scene.clone();
-    scene.bands = vec!["heat".to_owned()];
-    "W/m²".clone_into(&mut scene.unit);
-    for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
-        let (reflectance, emission) = coat(role);
-        surface.material = Material { reflectance: vec![reflectance], emission: vec![emission] };
-        surface.flux = None;
-        surface.group = match role {
-            Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
-            _ => None,
-        };
-    }
-    scene
-}
-
-/// The scene with its shields at these levels σ T⁴.
-fn at_levels(mut scene: Scene, roles: &Roles, levels: &[f64]) -> Scene {
-    for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
-        if let (Role::Shield { shield, .. }, Some(group)) = (role, surface.group.as_mut()) {
-            group.factor = levels[*shield];
-        }
-    }
-    scene
-}
-
-/// σ T⁴ (W m⁻²), the exitance of a black surface.
-fn level(kelvin: f64) -> f64 {
-    STEFAN_BOLTZMANN * kelvin.powi(4)
-}
-
-/// The temperature (K) at which a black surface has this exitance.
-fn kelvin(level: f64) -> f64 {
-    (level / STEFAN_BOLTZMANN).sqrt().sqrt()
 }

@@ -5,7 +5,7 @@ use std::str::FromStr;
 use clap::Args;
 use radiosity::output::false_colour::FalseColours;
 use radiosity::output::mark::Mark;
-use radiosity::output::round::{round_above, round_below, short};
+use radiosity::output::round::{round_above, round_around, round_below, short};
 use radiosity::output::scale::{DEEPEST, Scale};
 use radiosity::scene::Scene;
 
@@ -117,7 +117,18 @@ impl ColourArgs {
 
     /// The colours of values that lie in the range `usual` for the most part.
     pub(crate) fn colours(&self, usual: [f64; 2]) -> FalseColours {
-        let colours = FalseColours { scale: self.scale(usual), isolines: Vec::new() };
+        self.lined(self.scale(usual), usual)
+    }
+
+    /// The same of values such as temperatures, of which 0 is no natural end: from the lowest to the highest.
+    pub(crate) fn colours_between(&self, usual: [f64; 2]) -> FalseColours {
+        let is_open = self.range.is_none() && !self.log;
+        let scale = if is_open { Scale::sequential(round_around(usual)) } else { self.scale(usual) };
+        self.lined(scale, usual)
+    }
+
+    fn lined(&self, scale: Scale, usual: [f64; 2]) -> FalseColours {
+        let colours = FalseColours { scale, isolines: Vec::new() };
         match &self.isolines {
             None => colours,
             Some(Isolines::Round) => colours.with_round_isolines(usual),

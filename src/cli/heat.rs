@@ -1,7 +1,9 @@
 //! `radiosity heat`: temperatures and net flows of radiant heat.
 
+mod picture;
+
 use std::io::{self, Write, stderr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
@@ -9,13 +11,16 @@ use radiosity::heat::{Heat, HeatOptions, SurfaceHeat};
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
 use radiosity::scene::{MAX_ORDER, Scene};
-use radiosity::solve::{Options, Progress as Stage, Transport};
+use radiosity::solve::{Options, Progress as Stage, Transport, in_threads};
 use radiosity::transport::Miss;
+use radiosity::visibility::Visibility;
 
 use crate::cli::{
     destination::Destination,
     error::CliError,
-    format, memory,
+    format,
+    heat::picture::PictureArgs,
+    memory,
     modes::{Shadows, Subdivide, subdivide},
     numbers::{accuracy, threads},
     options::SceneArg,
@@ -30,6 +35,7 @@ Examples:
   radiosity heat                              the built-in oven
   radiosity heat oven --set heater=1500       its panels at 1500 K
   radiosity heat satellite.toml -o nodes.csv --conductances C.csv
+  radiosity heat oven --picture oven.png --isolines
 
 Every surface, or its material, has one of temperature = … (K), heat_flux = … (W/m²) and adiabatic = true, and an
 emissivity. Lengths are metres. What leaves the scene goes to surroundings at 0 K. Conduction, convection and stored heat
@@ -54,6 +60,9 @@ pub(crate) struct HeatArgs {
     /// C_ij σ (T_i⁴ − T_j⁴)
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
+
+    #[command(flatten)]
+    picture: PictureArgs,
 
     /// Degree of the polynomials on each element; 0 takes all fluxes as even over it, as thermal networks do
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
@@ -128,9 +137,10 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         args.conductances.as_deref().map(|path| format::chosen(None, Some(path), MatrixFormat::Csv));
     let matrix_format = matrix_format.transpose()?;
     let scene = args.scene.load_lit()?;
-    let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
+    let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
+    let picture = args.picture.wanted(&scene, reserve)?;
     let matrix = match (&args.output, matrix) {
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
         (_, matrix) => matrix,
@@ -151,6 +161,11 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
             MatrixFormat::Json => output::conductances_json(&names, conductances, writer),
             MatrixFormat::Npy => output::conductances_npy(conductances, writer),
         })?;
+    }
+    if let Some(picture) = picture {
+        let visibility = Visibility::new(&scene, (&wanted.options).into());
+        let taken = in_threads(wanted.options.threads, || picture.take(&scene, &visibility, &heat))?;
+        picture.file.write(|writer| taken.write_png(writer))?;
     }
     drop(progress);
     if !args.quiet {
@@ -243,7 +258,7 @@ impl HeatArgs {
             let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
             lines.push(format!("warning: {}", missed(&miss, names)));
         }
-        let files = self.output.iter().chain(&self.conductances);
+        let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));
         // A closed stderr is no error: nobody would see a message.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());

@@ -79,7 +79,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     check_aim(args.read, &args.method)?;
     let kind = args.style.kind(&path)?;
     let output = loaded.reserve(&path, &args.report)?;
-    let camera = camera(args, &loaded.scene)?;
+    let camera = camera(args.size, &loaded.scene)?;
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
     forecast::require(needed, &args.method, ["the pixels", "--size"])?;
@@ -149,10 +149,11 @@ impl RenderArgs {
     }
 }
 
-fn camera(args: &RenderArgs, scene: &Scene) -> Result<Camera, CliError> {
+/// The scene's camera with so many pixels, or with its own.
+pub(crate) fn camera(size: Option<Counts>, scene: &Scene) -> Result<Camera, CliError> {
     let no_camera = || CliError::NoCamera { origin: scene.origin.clone(), proposal: proposal(scene) };
     let camera = scene.camera.clone().ok_or_else(no_camera)?;
-    Ok(match args.size {
+    Ok(match size {
         Some(Counts([width, height])) => Camera { width, height, ..camera },
         None => camera,
     })

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use radiosity::output::difference::Difference;
 use radiosity::output::exr_file::read_exr;
-use radiosity::output::false_colour::false_colour;
+use radiosity::output::false_colour::{FalseColours, false_colour};
 use radiosity::output::field::Field;
 use radiosity::output::image::Image;
 use radiosity::output::legend::Legend;
@@ -209,13 +209,7 @@ impl Style<'_> {
         // Where everything emits, emitters are what there is to see.
         let usual = field.without(sights.emitters()).usual_range().or(field.usual_range());
         let colours = self.args.colours.colours(usual.unwrap_or_default());
-        let mut picture = wired(false_colour(field, &colours.scale));
-        colours.draw_isolines(&mut picture, field, sights.parts());
-        let greatest = field.seen().fold(0.0, f64::max);
-        let beyond = greatest > colours.scale.range()[1];
-        let note = if beyond { vec![format!("max {}", three_digits(greatest))] } else { Vec::new() };
-        let marks = colours.isolines.iter().map(|mark| mark.value).collect();
-        Legend { scale: &colours.scale, title: self.title.clone(), note, marks }.beside(&picture)
+        with_legend(&colours, wired(false_colour(field, &colours.scale)), field, sights, self.title.clone())
     }
 
     fn difference(
@@ -245,6 +239,22 @@ impl Style<'_> {
         );
         Ok((picture, figures))
     }
+}
+
+/// A picture of `field` in false colours with its isolines, and the legend beside it.
+pub(crate) fn with_legend(
+    colours: &FalseColours,
+    mut picture: Picture,
+    field: &Field,
+    sights: &Sights,
+    title: Vec<String>,
+) -> Picture {
+    colours.draw_isolines(&mut picture, field, sights.parts());
+    let greatest = field.seen().fold(0.0, f64::max);
+    let beyond = greatest > colours.scale.range()[1];
+    let note = if beyond { vec![format!("max {}", three_digits(greatest))] } else { Vec::new() };
+    let marks = colours.isolines.iter().map(|mark| mark.value).collect();
+    Legend { scale: &colours.scale, title, note, marks }.beside(&picture)
 }
 
 /// Colour of the borders of elements. Chosen.

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use crate::scene::{LightGroup, Scene};
 use crate::solve::{Model, Progress};
 
-use super::coated;
+use super::coats::coated;
 use super::error::HeatError;
 use super::figures::{areas, received};
 use super::roles::{Role, Roles};

@@ -4,8 +4,8 @@ use crate::elements::Elements;
 use crate::scene::Scene;
 use crate::solve::Outcome;
 
+use super::black_body::{STEFAN_BOLTZMANN, kelvin};
 use super::error::HeatError;
-use super::kelvin;
 use super::roles::{Role, Roles};
 
 /// The heat of one surface. Fluxes and temperatures are means over it: T is that of the mean of σ T⁴.
@@ -131,7 +131,7 @@ fn add_error(own: &mut SurfaceHeat, irradiance: f64) {
     }
     if !own.is_temperature_known {
         // From σ T⁴: dT = dH / (4 σ T³).
-        let slope = 4.0 * super::STEFAN_BOLTZMANN * own.temperature.powi(3);
+        let slope = 4.0 * STEFAN_BOLTZMANN * own.temperature.powi(3);
         own.temperature_error += if slope > 0.0 { irradiance / slope } else { kelvin(irradiance) };
     }
 }

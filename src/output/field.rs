@@ -30,6 +30,12 @@ impl Field {
         self.values.iter().copied().zip(self.coverage.iter().copied())
     }
 
+    /// The same with `f` of each number.
+    #[must_use]
+    pub fn map(&self, f: impl Fn(f64) -> f64) -> Self {
+        Self { values: self.values.iter().map(|value| f(*value)).collect(), ..self.clone() }
+    }
+
     /// The numbers of pixels in which something is seen.
     pub fn seen(&self) -> impl Iterator<Item = f64> {
         self.pixels().filter(|(_, coverage)| *coverage > 0.0).map(|(value, _)| value)

@@ -23,6 +23,13 @@ pub fn round_below(size: f64) -> f64 {
     round.into_iter().rev().find(|x| *x <= size * (1.0 + 1e-12)).unwrap_or(size)
 }
 
+/// A range of round ends around one that ascends or is a single number: multiples of a power of ten that is at most half as wide.
+pub fn round_around([low, high]: [f64; 2]) -> [f64; 2] {
+    let step = if high > low { power_below(0.5 * (high - low)) } else { 1.0 };
+    let [first, last] = [(low / step + SLACK).floor(), (high / step - SLACK).ceil()];
+    [first * step, last.max(first + 1.0) * step]
+}
+
 /// Multiples of 1, 2 or 5 times a power of ten in a range that ascends, 3 to 9 of them, with the text of each.
 pub fn multiples([low, high]: [f64; 2]) -> Vec<Mark> {
     let step = [1.0, 2.0, 5.0, 10.0].map(|x| x * power_below((high - low) / 8.0));

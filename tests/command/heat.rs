@@ -73,6 +73,36 @@ fn conductances_of_a_surface_sum_to_what_it_emits() {
 }
 
 #[test]
+fn a_picture_shows_temperatures_with_a_legend() {
+    let folder = tempfile::tempdir().unwrap();
+    let args = ["oven", "--picture", "oven.png", "--size", "64x48", "--range", "800,1500", "-q"];
+    done(&heat(folder.path(), &args));
+    let decoder =
+        png::Decoder::new(std::io::BufReader::new(fs::File::open(folder.path().join("oven.png")).unwrap()));
+    let mut reader = decoder.read_info().unwrap();
+    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
+    let info = reader.next_frame(&mut bytes).unwrap();
+    assert!(info.width > 64 && info.height >= 48);
+    let pixel = |x: usize, y: usize| {
+        let start = y * info.line_size + 3 * x;
+        [bytes[start], bytes[start + 1], bytes[start + 2]]
+    };
+    // The panels at 1400 K stand above, the slab at 900 K below: each is even.
+    assert_eq!(pixel(10, 1), pixel(50, 3));
+    assert_eq!(pixel(30, 47), pixel(34, 40));
+    assert_ne!(pixel(10, 1), pixel(30, 47));
+    let level = heat(
+        folder.path(),
+        &["oven", "--picture", "level.png", "--show", "exitance", "--size", "64x48", "-q"],
+    );
+    done(&level);
+    assert_ne!(
+        fs::read(folder.path().join("level.png")).unwrap(),
+        fs::read(folder.path().join("oven.png")).unwrap()
+    );
+}
+
+#[test]
 fn wrong_use_is_refused_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
     let run = |args: &[&str]| heat(folder.path(), args);
@@ -83,5 +113,8 @@ fn wrong_use_is_refused_before_the_work() {
     refused(&run(&["oven", "--shadows", "mask"]), &["masks"]);
     refused(&run(&["oven", "--set", "heater=-5"]), &["heater"]);
     refused(&run(&["oven", "--order", "21"]), &["21"]);
+    refused(&run(&["oven", "--isolines"]), &["--isolines speaks of a picture", "--picture FILE.png"]);
+    refused(&run(&["oven", "--picture", "a.jpg"]), &["a.jpg", ".png"]);
+    refused(&run(&["oven", "--picture", "a.png", "--band", "grey"]), &["--band", "leave it out"]);
     assert!(fs::read_dir(folder.path()).unwrap().next().is_none());
 }

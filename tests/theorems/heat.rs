@@ -252,6 +252,41 @@ fn the_error_told_is_that_of_the_order() {
 }
 
 #[test]
+fn the_field_of_levels_has_the_means_of_the_surfaces() {
+    let heat = at_order(3, CUBE).unwrap();
+    let levels = heat.levels();
+    for (index, own) in heat.surfaces.iter().enumerate() {
+        let elements = levels.elements();
+        let area: f64 = elements.of_surface(index).map(|element| elements.list()[element].area).sum();
+        let sum: f64 = elements
+            .of_surface(index)
+            .map(|element| {
+                let start = elements.starts()[element];
+                let constant = &elements.list()[element].constant;
+                constant
+                    .iter()
+                    .zip(&levels.bands()[0].coefficients.radiosity[start..])
+                    .map(|(c, b)| c * b)
+                    .sum::<f64>()
+            })
+            .sum();
+        close(sum / area, level(own.temperature), 1e-12);
+    }
+    // A wall is warmer below, beside the hot floor.
+    let wall = heat.surfaces.iter().position(|own| own.name.starts_with("wall")).unwrap();
+    let element = levels.elements().of_surface(wall).start;
+    let patch = &levels.elements().list()[element].patches[0];
+    let heights = [patch.node(0.1, 0.1), patch.node(0.9, 0.9)].map(|node| (node.position.z, node));
+    let level_at = |node: &radiosity::elements::patch::Node| {
+        let place =
+            radiosity::solution::Place { surface: wall, parameters: [0.0; 2], position: node.position };
+        levels.radiosity(0, element, &place)
+    };
+    let [low, high] = if heights[0].0 < heights[1].0 { [0, 1] } else { [1, 0] };
+    assert!(level_at(&heights[low].1) > level_at(&heights[high].1));
+}
+
+#[test]
 fn an_isothermal_room_is_at_rest_at_any_order() {
     let text =
         CUBE.replace("temperature = 500", "temperature = 1000").replace("emissivity = 1", "emissivity = 0.4");

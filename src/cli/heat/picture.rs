@@ -1,0 +1,119 @@
+//! Pictures of temperatures.
+
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
+use radiosity::heat::{Heat, kelvin};
+use radiosity::output::false_colour::false_colour;
+use radiosity::output::picture::Picture;
+use radiosity::output::reader::Read;
+use radiosity::output::render::render;
+use radiosity::output::shown::Shown;
+use radiosity::output::sights::Sights;
+use radiosity::scene::{Camera, Scene};
+use radiosity::visibility::Visibility;
+
+use crate::cli::{
+    colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile, render::camera,
+    style::with_legend,
+};
+
+/// Camera rays along each side of a pixel. Chosen, as for pictures of light.
+const SAMPLES: u32 = 3;
+
+/// `--picture` and how it looks.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Picture")]
+pub(crate) struct PictureArgs {
+    /// Picture through the scene's camera in false colours, .png
+    #[arg(long, value_name = "FILE")]
+    pub(crate) picture: Option<PathBuf>,
+
+    /// The quantity that it shows
+    #[arg(long, value_name = "QUANTITY", default_value = "temperature", requires = "picture")]
+    show: Quantity,
+
+    /// Pixels across and down [default: as the scene's camera says]
+    #[arg(long, value_name = "WxH", requires = "picture")]
+    size: Option<Counts>,
+
+    #[command(flatten)]
+    colours: ColourArgs,
+}
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Quantity {
+    /// Temperature, K
+    Temperature,
+    /// σT⁴, what a black surface of that temperature emits, W/m²
+    Exitance,
+}
+
+/// The kind of file that a picture is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Kind {
+    Png,
+}
+
+/// A picture about to be taken.
+pub(crate) struct Wanted<'a> {
+    args: &'a PictureArgs,
+    camera: Camera,
+    pub(crate) file: OutputFile,
+}
+
+impl PictureArgs {
+    /// The picture, if one is wanted; `reserve` opens its file.
+    pub(crate) fn wanted(
+        &self,
+        scene: &Scene,
+        reserve: impl FnOnce(&std::path::Path) -> Result<OutputFile, CliError>,
+    ) -> Result<Option<Wanted<'_>>, CliError> {
+        let refuse = |message: &str, cure: &str| {
+            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
+        };
+        let typed = self.colours.typed();
+        let Some(path) = &self.picture else {
+            return match typed.first() {
+                Some(option) => refuse(
+                    &format!("{option} speaks of a picture"),
+                    "add --picture FILE.png, or leave it out",
+                ),
+                None => Ok(None),
+            };
+        };
+        if typed.contains(&"--band") {
+            return refuse("--band: heat is of all wavelengths together", "leave it out");
+        }
+        self.colours.check()?;
+        format::chosen(None, Some(path), Kind::Png)?;
+        let camera = camera(self.size, scene)?;
+        Ok(Some(Wanted { args: self, camera, file: reserve(path)? }))
+    }
+}
+
+impl Wanted<'_> {
+    /// The picture of this balance.
+    pub(crate) fn take(&self, scene: &Scene, visibility: &Visibility, heat: &Heat) -> Picture {
+        let PictureArgs { show, colours, .. } = self.args;
+        let levels = heat.levels();
+        let raster =
+            render(&levels, visibility, &self.camera, SAMPLES, Read::Basis, Shown::Radiosity, &|_| {});
+        let (field, title) = match show {
+            Quantity::Temperature => (raster.field(None).map(kelvin), ["temperature", "K"]),
+            Quantity::Exitance => (raster.field(None), ["σT⁴", "W/m²"]),
+        };
+        // No surface is left out of the range for its light.
+        let mut dark = scene.clone();
+        dark.surfaces.iter_mut().for_each(|surface| surface.material.emission.fill(0.0));
+        let sights = Sights::through(&self.camera, SAMPLES, &dark, visibility);
+        let usual = field.usual_range().unwrap_or_default();
+        let colours = match show {
+            Quantity::Temperature => colours.colours_between(usual),
+            Quantity::Exitance => colours.colours(usual),
+        };
+        let picture = false_colour(&field, &colours.scale);
+        with_legend(&colours, picture, &field, &sights, title.map(str::to_owned).to_vec())
+    }
+}
