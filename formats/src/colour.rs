@@ -7,6 +7,15 @@ use crate::model::Model;
 /// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
 pub const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
+/// Mean reflectance of textures, and reflectance of materials that nothing describes. Chosen; not tuned.
+pub const UNKNOWN: f64 = 0.5;
+
+/// What is told of textures of what reflects.
+pub const TEXTURED: &str = "textures are left out: their mean reflectance is taken for 0.5";
+
+/// What is told of textures of what shines.
+pub const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
+
 /// Values of red, green and blue that differ by less than this part of the largest are grey: less than what formats
 /// round colours by (three digits of a chromaticity). Chosen; not tuned.
 const GREY: f64 = 4e-3;
