@@ -84,8 +84,8 @@ fn replace(model: &mut Model, objects: &mut Vec<usize>, merged: &[Merged], corne
         let Some(first) = surfaces.next() else { continue };
         let given = corners.given(&group.surfaces);
         let points = |ring: &Vec<u32>| ring.iter().map(|corner| given[corner]).collect::<Vec<_>>();
-        let [outline, holes] = [&group.loops[..1], &group.loops[1..]]
-            .map(|rings| rings.iter().map(points).collect::<Vec<_>>());
+        let [outline, holes] =
+            [&group.loops[..1], &group.loops[1..]].map(|rings| rings.iter().map(points).collect::<Vec<_>>());
         model.surfaces[first].shape =
             Shape::Polygon { outline: outline.into_iter().next().unwrap_or_default(), holes };
         surfaces.for_each(|surface| is_kept[surface] = false);

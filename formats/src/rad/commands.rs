@@ -64,6 +64,9 @@ impl Default for Frame {
     }
 }
 
+/// Most stages of a command, each of which places those before it. Chosen.
+const MOST_STAGES: usize = 32;
+
 /// Most characters of a prefix. Chosen.
 const LONGEST_PREFIX: usize = 1000;
 
@@ -98,6 +101,12 @@ impl Pass {
 /// # Errors
 /// Any command but `xform` with files and `genbox` of sharp edges, through `xform` or not.
 pub(super) fn parse(command: &str) -> Result<Command, Fault> {
+    if command.matches('|').count() >= MOST_STAGES {
+        return Err(Fault::new(
+            format!("a command has more than {MOST_STAGES} stages"),
+            "join some of them: one xform takes several transforms",
+        ));
+    }
     let mut stages = command.split('|').map(words);
     let first = stages.next().unwrap_or_default();
     let first: Vec<&str> = first.iter().map(String::as_str).collect();

@@ -196,7 +196,8 @@ fn what_is_small_beside_a_large_ground_keeps_its_corners() {
     // A plate whose corner is cut off by 21 mm, and a sheet half a millimetre above it, once in decimals and once in
     // single precision, each with a ground of 20 km in the same object.
     let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
-    let plate = [p(0.1, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 0.985, 0.0), p(0.985, 1.0, 0.0), p(0.1, 1.0, 0.0)];
+    let plate =
+        [p(0.1, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 0.985, 0.0), p(0.985, 1.0, 0.0), p(0.1, 1.0, 0.0)];
     let above = plate.map(|x| x + 5e-4 * DVec3::Z);
     let ground = [p(-1e4, -1e4, -1.0), p(1e4, -1e4, -1.0), p(1e4, 1e4, -1.0), p(-1e4, 1e4, -1.0)];
     let single = |x: DVec3| DVec3::from_array(x.to_array().map(|c| f64::from(c as f32)));
