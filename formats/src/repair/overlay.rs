@@ -20,6 +20,9 @@ use crate::repair::ring::{TOUCH, area_vector, perimeter, tolerance};
 /// 2⁶². Chosen; not tuned.
 const STEPS: f64 = (1u64 << 42) as f64;
 
+/// Pieces of the extent that longer sides are searched in. Chosen; not tuned.
+const PIECES: f64 = 16.0;
+
 /// Points are made one within this multiple of what is refused as no length, so that none is refused after. Chosen; not
 /// tuned.
 const SPARE: f64 = 4.0;
@@ -72,6 +75,9 @@ struct Drawing<'a> {
     /// Rings of nodes, those before `subjects` being the rings that are cut.
     rings: Vec<Vec<usize>>,
     subjects: usize,
+    /// Sides of the rings that are cut, and what is near to them.
+    sides: Vec<[usize; 2]>,
+    near: Near,
     tolerance: f64,
     low: DVec2,
     step: f64,
@@ -95,12 +101,12 @@ impl<'a> Drawing<'a> {
         let ring = |ring: &&[DVec3]| ring.iter().map(|x| nodes.take(*x, plane.flat(*x))).collect::<Vec<_>>();
         let rings = subjects.iter().chain(clips).map(ring).collect();
         let rings = through_nodes(rings, &nodes, tolerance);
-        let (low, high) = nodes
-            .flat
-            .iter()
-            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
+        let [low, high] = nodes.bounds();
         let step = (high - low).max_element().max(f64::MIN_POSITIVE) / STEPS;
-        Drawing { plane, nodes, rings, subjects: subjects.len(), tolerance, low, step }
+        let subjects = subjects.len();
+        let sides: Vec<[usize; 2]> = rings[..subjects].iter().flat_map(|ring| cyclic(ring)).collect();
+        let near = nodes.near(&sides);
+        Drawing { plane, nodes, rings, subjects, sides, near, tolerance, low, step }
     }
 
     fn whole(&self, at: DVec2) -> IntPoint<i64> {
@@ -176,13 +182,17 @@ impl<'a> Drawing<'a> {
     /// kept.
     fn crossing(&self, at: IntPoint<i64>) -> DVec3 {
         let at = self.low + self.step * DVec2::new(at.x as f64, at.y as f64);
-        let sides = self.rings.iter().take(self.subjects).flat_map(|ring| cyclic(ring));
-        let flat = |node: usize| self.nodes.flat[node].extend(0.0);
-        let away = |[from, to]: &[usize; 2]| distance_to_segment(at.extend(0.0), [flat(*from), flat(*to)]);
-        let nearest = sides.min_by(|a, b| away(a).total_cmp(&away(b)));
-        let Some([from, to]) = nearest.filter(|side| away(side) <= self.tolerance) else {
+        let point = at.extend(0.0);
+        let mut found: Vec<(f64, usize)> = Vec::new();
+        self.near.at(point, |side| {
+            let ends = self.sides[side].map(|node| self.nodes.flat[node].extend(0.0));
+            found.push((distance_to_segment(point, ends), side));
+        });
+        let nearest = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let Some((_, side)) = nearest.filter(|(away, _)| *away <= self.tolerance) else {
             return self.plane.raised(at);
         };
+        let [from, to] = self.sides[side];
         let [p, q] = [self.nodes.flat[from], self.nodes.flat[to]];
         let along = ((at - p).dot(q - p) / (q - p).length_squared()).clamp(0.0, 1.0);
         let [x, y] = [self.nodes.points[from], self.nodes.points[to]];
@@ -229,6 +239,28 @@ impl Nodes {
         Nodes { points: vec![], flat: vec![], index: HashMap::new(), cells: HashMap::new(), cell, given: 0 }
     }
 
+    /// What is near to sides.
+    fn near(&self, sides: &[[usize; 2]]) -> Near {
+        let [low, high] = self.bounds();
+        let extent = low.distance(high).max(f64::MIN_POSITIVE);
+        let (mut boxes, mut of) = (Vec::with_capacity(sides.len()), Vec::with_capacity(sides.len()));
+        for (index, side) in sides.iter().enumerate() {
+            let ends = side.map(|node| self.flat[node].extend(0.0));
+            let pieces = (PIECES * ends[0].distance(ends[1]) / extent).ceil().max(1.0);
+            for k in 0..pieces as usize {
+                let part = [k, k + 1].map(|k| ends[0].lerp(ends[1], k as f64 / pieces));
+                boxes.push(Aabb::around(part).inflate(self.cell));
+                of.push(index);
+            }
+        }
+        Near { tree: Bvh::build(&boxes), sides: of }
+    }
+
+    fn bounds(&self) -> [DVec2; 2] {
+        let low = self.flat.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+        [low, self.flat.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max)]
+    }
+
     /// The node at a point: the first that was near.
     fn take(&mut self, x: DVec3, flat: DVec2) -> usize {
         let cell = (flat / self.cell).floor();
@@ -253,17 +285,30 @@ impl Nodes {
     }
 }
 
+/// Sides in pieces, each in a box that leaves out no point nearer to it than the tolerance: a point is in few of them also
+/// where long sides cross.
+struct Near {
+    tree: Bvh,
+    /// The side of each piece.
+    sides: Vec<usize>,
+}
+
+impl Near {
+    /// Visits the sides that may be near to a point, some of them twice.
+    fn at(&self, point: DVec3, mut visit: impl FnMut(usize)) {
+        self.tree.overlapping(&Aabb { min: point, max: point }, |piece| visit(self.sides[piece]));
+    }
+}
+
 /// The rings with each side led through the nodes that lie on it, without sides of no length.
 fn through_nodes(rings: Vec<Vec<usize>>, nodes: &Nodes, tolerance: f64) -> Vec<Vec<usize>> {
     let point = |node: usize| nodes.flat[node].extend(0.0);
     let sides: Vec<[usize; 2]> = rings.iter().flat_map(|ring| cyclic(ring)).collect();
-    let boxes: Vec<Aabb> =
-        sides.iter().map(|side| Aabb::around(side.map(point)).inflate(tolerance)).collect();
-    let tree = Bvh::build(&boxes);
+    let near = nodes.near(&sides);
     let mut on: Vec<Vec<usize>> = vec![Vec::new(); sides.len()];
     for node in 0..nodes.flat.len() {
         let at = point(node);
-        tree.overlapping(&Aabb { min: at, max: at }, |side| {
+        near.at(at, |side| {
             let [from, to] = sides[side];
             let is_near = || distance_to_segment(at, [point(from), point(to)]) <= tolerance;
             if node != from && node != to && from != to && is_near() {
