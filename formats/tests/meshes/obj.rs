@@ -146,6 +146,7 @@ fn textures_are_told_with_the_number_that_stands_for_them() {
     assert_eq!(material("map_Kd wood.png"), (vec![0.5], vec![0.0], vec![half.clone()]));
     assert_eq!(material("map_Kd wood.png\nKd 0.8 0.8 0.8"), (vec![0.4], vec![0.0], vec![half]));
     assert_eq!(material("bump b.png\nKd 0.8").0, [0.8]);
+    assert_eq!(material("Kd .800 .797 .799").0, [0.8, 0.797, 0.799], "a hue as it is written");
     let dark = vec!["textures of emission are left out: what they make shine is dark".to_owned()];
     for mtl in ["map_Ke tube.png", "Ke 5 5 5\nmap_Ke tube.png"] {
         assert_eq!(material(mtl), (vec![0.0], vec![0.0], dark.clone()), "{mtl}");
