@@ -3,6 +3,8 @@
 //! Faces that share a whole side belong together. Where the front of one turns into the back of its neighbour, the
 //! lesser area is turned. A closed body shows its fronts outwards, a room, which has everything else inside, inwards.
 
+mod corners;
+
 use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
@@ -10,9 +12,7 @@ use radiosity_geom::{Aabb, Bvh};
 
 use crate::model::{Model, Shape, Sides};
 use crate::outline::area_vector;
-
-/// Corners nearer than this part of the model's extent are one corner. Chosen; not tuned.
-const ONE_CORNER: f64 = 1e-7;
+use corners::Corners;
 
 /// Part by which areas that are equal may differ. Chosen: more than rounding.
 const SAME_AREA: f64 = 1e-9;
@@ -306,49 +306,6 @@ impl Skin {
                 if *is_turned { [a, c, b] } else { [a, b, c] }
             })
         })
-    }
-}
-
-/// Corners, of which those nearer than rounding are one.
-struct Corners {
-    cell: f64,
-    low: DVec3,
-    cells: HashMap<[i64; 3], Vec<usize>>,
-    points: Vec<DVec3>,
-}
-
-impl Corners {
-    fn new(model: &Model) -> Self {
-        let points = model.surfaces.iter().flat_map(|surface| match &surface.shape {
-            Shape::Polygon { outline, .. } => outline.as_slice(),
-            Shape::Quad(corners) => corners,
-            _ => &[],
-        });
-        let bounds = Aabb::around(points.copied());
-        let cell = (ONE_CORNER * bounds.diagonal()).max(f64::MIN_POSITIVE);
-        let low = if bounds.is_empty() { DVec3::ZERO } else { bounds.min };
-        Corners { cell, low, cells: HashMap::new(), points: Vec::new() }
-    }
-
-    fn take(&mut self, x: DVec3) -> usize {
-        let steps = (x - self.low) / self.cell;
-        let cell = steps.to_array().map(|step| step.floor() as i64);
-        // Of the cells beside it only those within reach.
-        let reach = |axis: usize| {
-            let part = steps[axis] - steps[axis].floor();
-            if part < 0.5 { [0, -1] } else { [0, 1] }
-        };
-        let [i, j, k] = [0, 1, 2].map(reach);
-        for [a, b, c] in i.iter().flat_map(|a| j.iter().flat_map(|b| k.map(|c| [*a, *b, c]))) {
-            let near = [cell[0].saturating_add(a), cell[1].saturating_add(b), cell[2].saturating_add(c)];
-            let mut known = self.cells.get(&near).into_iter().flatten();
-            if let Some(corner) = known.find(|corner| self.points[**corner].distance(x) <= 0.5 * self.cell) {
-                return *corner;
-            }
-        }
-        self.points.push(x);
-        self.cells.entry(cell).or_default().push(self.points.len() - 1);
-        self.points.len() - 1
     }
 }
 

@@ -366,6 +366,23 @@ fn curved_copies_are_found_however_they_are_given() {
 }
 
 #[test]
+fn mantles_that_agree_to_rounding_are_found_whatever_their_radius() {
+    let pipe = |name: &str, x: f64, z: f64, radius: f64| {
+        surface(name, Shape::Cylinder { base: DVec3::new(x, 0.0, z), axis: DVec3::Z, radius, inward: false })
+    };
+    for middle in [0.5, 0.500_000_005, 0.500_000_007_3] {
+        let pipes = vec![
+            pipe("wide", 0.0, 9.0, 1.0),
+            pipe("low", 0.0, 0.0, middle - 1e-12),
+            pipe("high", 0.0, 0.5, middle + 1e-12),
+            pipe("beside", 0.4, 0.5, middle),
+        ];
+        let (_, repairs) = repaired(model(pipes));
+        assert_eq!(texts(&repairs), [r#""high" lies partly in "low"; it was raised slightly"#], "{middle}");
+    }
+}
+
+#[test]
 fn a_rug_half_over_the_edge_is_cut_out_of_its_floor() {
     let floor = square("floor", [0.0; 3], 4.0, true);
     let rug = square("rug", [3.0, 1.0, 0.0], 2.0, true);

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::fault::Fault;
 use crate::model::Shape;
-use crate::rad::shapes::{genbox, turned};
+use crate::rad::shapes::genbox;
 use crate::text::{number, short};
 use crate::xform::{Similarity, Transforms};
 
@@ -211,7 +211,9 @@ fn boxed(arguments: &[&str]) -> Result<Source, Fault> {
     if corner.min_element() <= 0.0 {
         return Err(Fault::new("a box has no volume", "write three sizes above 0"));
     }
-    let shapes = genbox(corner);
-    let shapes = if options.is_empty() { shapes } else { shapes.into_iter().map(turned).collect() };
+    let mut shapes = genbox(corner);
+    if !options.is_empty() {
+        shapes.iter_mut().for_each(Shape::turn_over);
+    }
     Ok(Source::Shapes { modifier: modifier.to_owned(), name: name.to_owned(), shapes })
 }

@@ -109,26 +109,3 @@ pub(super) fn genbox(corner: DVec3) -> Vec<Shape> {
     ];
     corners.map(|corners| Shape::Polygon { outline: corners.to_vec(), holes: Vec::new() }).into()
 }
-
-/// The same shape with its front turned over.
-pub(super) fn turned(shape: Shape) -> Shape {
-    let reversed = |mut points: Vec<DVec3>| {
-        points.reverse();
-        points
-    };
-    match shape {
-        Shape::Polygon { outline, holes } => Shape::Polygon { outline: reversed(outline), holes },
-        Shape::Quad([a, b, c, d]) => Shape::Quad([a, d, c, b]),
-        Shape::Disk { center, normal, radius, inner } => {
-            Shape::Disk { center, normal: -normal, radius, inner }
-        }
-        Shape::Cylinder { base, axis, radius, inward } => {
-            Shape::Cylinder { base, axis, radius, inward: !inward }
-        }
-        Shape::Cone { base, axis, radii, inward } => Shape::Cone { base, axis, radii, inward: !inward },
-        Shape::Sphere { center, radius, inward } => Shape::Sphere { center, radius, inward: !inward },
-        Shape::Torus { center, axis, major, minor, inward } => {
-            Shape::Torus { center, axis, major, minor, inward: !inward }
-        }
-    }
-}
