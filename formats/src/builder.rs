@@ -6,18 +6,11 @@ use glam::DVec3;
 
 use crate::colour::settle;
 use crate::fault::Fault;
-use crate::model::{Material, Model, Shape, Sides, Surface};
+use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::outline::WARPED;
 use crate::place::Place;
 use crate::text::short;
-
-/// Most surfaces of a model, and most vertices. Chosen: a model of so many surfaces holds half a gigabyte.
-const MOST_SURFACES: usize = 1_000_000;
-const MOST_VERTICES: usize = 10_000_000;
-
-/// Greatest coordinate, radius, reflectance or exitance, of any unit: its sixth power is still a number. Chosen.
-const GREATEST: f64 = 1e50;
 
 /// A material before it has its index.
 #[derive(Clone, Debug, PartialEq)]

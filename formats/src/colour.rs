@@ -7,9 +7,18 @@ use crate::model::Model;
 /// Luminance of linear red, green and blue: Y = 0.2126 R + 0.7152 G + 0.0722 B (ITU-R BT.709-6, item 3.2).
 pub const LUMINANCE: [f64; 3] = [0.2126, 0.7152, 0.0722];
 
-/// Values of red, green and blue that differ by less than this part of the largest are grey: less than what formats
-/// round colours by (three digits of a chromaticity). Chosen; not tuned.
-const GREY: f64 = 4e-3;
+/// Mean reflectance of textures, and reflectance of materials that nothing describes. Chosen; not tuned.
+pub const UNKNOWN: f64 = 0.5;
+
+/// What is told of textures of what reflects.
+pub const TEXTURED: &str = "textures are left out: their mean reflectance is taken for 0.5";
+
+/// What is told of textures of what shines.
+pub const TEXTURED_EMISSION: &str = "textures of emission are left out: what they make shine is dark";
+
+/// Values of red, green and blue that differ by less than this part of the largest are grey: rounding leaves less. Chosen;
+/// not tuned.
+const GREY: f64 = 1e-12;
 
 /// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to the white of
 /// equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below 0, of colours outside
@@ -66,7 +75,7 @@ pub fn settle(model: &mut Model) {
     let mut are_grey = true;
     for material in &mut model.materials {
         for values in [&mut material.reflectance, &mut material.emission] {
-            match is_grey(values) {
+            match is_grey(values, GREY) {
                 true if values.iter().all(|value| *value == values[0]) => {}
                 true => *values = vec![grey([values[0], values[1], values[2]]); 3],
                 false => are_grey = false,
@@ -78,9 +87,10 @@ pub fn settle(model: &mut Model) {
     }
 }
 
-fn is_grey(values: &[f64]) -> bool {
+/// Whether values differ by no more than a part of the largest.
+pub fn is_grey(values: &[f64], part: f64) -> bool {
     let most = values.iter().copied().fold(0.0, f64::max);
-    values.iter().all(|value| most - value <= GREY * most)
+    values.iter().all(|value| most - value <= part * most)
 }
 
 /// One band `grey` of the luminances; as it is if the bands are not three.

@@ -14,6 +14,11 @@ pub trait Files {
     /// # Errors
     /// A file that is missing, cannot be read, or is too long.
     fn bytes(&self, name: &str) -> io::Result<Vec<u8>>;
+
+    /// Whether there is a file `name`.
+    fn has(&self, name: &str) -> bool {
+        self.bytes(name).is_ok()
+    }
 }
 
 /// Files in the folder of the scene and below or beside it.
@@ -25,27 +30,35 @@ impl Beside {
     pub fn scene(path: &Path) -> Self {
         Beside(path.parent().unwrap_or(Path::new("")).to_path_buf())
     }
+
+    fn path(&self, name: &str) -> io::Result<PathBuf> {
+        // Files made on Windows write backslashes.
+        let name = name.replace('\\', "/");
+        let path = Path::new(&name);
+        match path.components().any(|part| matches!(part, Component::RootDir | Component::Prefix(_))) {
+            true => {
+                let reason = "only paths relative to the scene are followed";
+                Err(io::Error::new(io::ErrorKind::InvalidInput, reason))
+            }
+            false => Ok(self.0.join(path)),
+        }
+    }
 }
 
 impl Files for Beside {
     fn bytes(&self, name: &str) -> io::Result<Vec<u8>> {
-        // Files made on Windows write backslashes.
-        let name = name.replace('\\', "/");
-        let path = Path::new(&name);
-        if path.components().any(|part| matches!(part, Component::RootDir | Component::Prefix(_))) {
-            return Err(io::Error::new(
-                io::ErrorKind::InvalidInput,
-                "only paths relative to the scene are followed",
-            ));
-        }
         let mut bytes = Vec::new();
-        File::open(self.0.join(path))?.take(MOST + 1).read_to_end(&mut bytes)?;
+        File::open(self.path(name)?)?.take(MOST + 1).read_to_end(&mut bytes)?;
         match bytes.len() as u64 > MOST {
             true => {
                 Err(io::Error::new(io::ErrorKind::FileTooLarge, format!("it is longer than {MOST} bytes")))
             }
             false => Ok(bytes),
         }
+    }
+
+    fn has(&self, name: &str) -> bool {
+        self.path(name).is_ok_and(|path| path.is_file())
     }
 }
 

@@ -1,17 +1,21 @@
 //! Which way the fronts of bodies point.
 //!
 //! Faces that share a whole side belong together. Where the front of one turns into the back of its neighbour, the
-//! fewer are turned. A closed body shows its fronts outwards, a room, which has everything else inside, inwards.
+//! lesser area is turned. A closed body shows its fronts outwards, a room, which has everything else inside, inwards.
+
+mod corners;
 
 use std::collections::{BTreeSet, HashMap};
 
 use glam::DVec3;
-use radiosity_geom::{Aabb, Bvh, sides};
+use radiosity_geom::{Aabb, Bvh};
 
 use crate::model::{Model, Shape, Sides};
+use crate::outline::area_vector;
+use corners::Corners;
 
-/// Corners nearer than this part of the model's extent are one corner. Chosen; not tuned.
-const ONE_CORNER: f64 = 1e-7;
+/// Part by which areas that are equal may differ. Chosen: more than rounding.
+const SAME_AREA: f64 = 1e-9;
 
 /// Most surfaces that are asked whether they lie in a body before it counts as empty. Chosen; not tuned.
 const ASKED: usize = 64;
@@ -30,8 +34,10 @@ pub struct Turned {
 /// Why fronts seem to point the wrong way.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Why {
-    /// Their neighbours, which are more, show their fronts on the other side.
+    /// Their neighbours, which have more area, show their fronts on the other side.
     Neighbours,
+    /// Their neighbours, which have as much area, show their fronts on the other side: either may be wrong.
+    Halves,
     /// A closed body with nothing in it shows its fronts inwards.
     Inwards,
     /// A room with everything else in it shows its fronts outwards.
@@ -44,21 +50,21 @@ pub fn turned(model: &Model) -> Vec<Turned> {
     let middles = Middles::of(model);
     let mut found = Vec::new();
     for body in faces.bodies() {
-        let minority = body.minority();
+        let (minority, why) = faces.minority(&body);
         let is_whole = body.is_closed && body.members.len() > 3;
         let beside = body.members[0].0;
         if !minority.is_empty() {
             let beside = body.members.iter().map(|(face, _)| *face).find(|face| !minority.contains(face));
             found.push(Turned {
-                why: Why::Neighbours,
+                why,
                 surfaces: minority.iter().map(|face| faces.list[*face].surface).collect(),
                 beside: faces.list[beside.unwrap_or(body.members[0].0)].surface,
             });
         }
-        if !is_whole {
+        if !is_whole || why == Why::Halves {
             continue;
         }
-        let skin = faces.skin(&body);
+        let skin = faces.skin(&body, &minority);
         if let Some(why) = skin.fault(model, &middles) {
             let surfaces = body.members.iter().map(|(face, _)| faces.list[*face].surface).collect();
             found.push(Turned { why, surfaces, beside: faces.list[beside].surface });
@@ -107,6 +113,13 @@ struct Face {
     rings: Vec<Vec<usize>>,
     /// Corners in space.
     points: Vec<Vec<DVec3>>,
+}
+
+impl Face {
+    /// Its area, holes taken off.
+    fn area(&self) -> f64 {
+        self.points.iter().map(|ring| area_vector(ring)).sum::<DVec3>().length()
+    }
 }
 
 struct Faces {
@@ -189,9 +202,27 @@ impl Faces {
         body
     }
 
+    /// Of the faces that are oriented in one way and in the other those of less area; of equal areas those against the
+    /// first face. None if there is no telling them apart.
+    fn minority(&self, body: &Body) -> (BTreeSet<usize>, Why) {
+        let [mut along, mut against] = [(BTreeSet::new(), 0.0), (BTreeSet::new(), 0.0)];
+        for (face, way) in &body.members {
+            let part = if *way { &mut along } else { &mut against };
+            part.0.insert(*face);
+            part.1 += self.list[*face].area();
+        }
+        if !body.is_orientable || along.0.is_empty() || against.0.is_empty() {
+            return (BTreeSet::new(), Why::Neighbours);
+        }
+        let is_tie = (along.1 - against.1).abs() <= SAME_AREA * (along.1 + against.1);
+        match along.1 < against.1 && !is_tie {
+            true => (along.0, Why::Neighbours),
+            false => (against.0, if is_tie { Why::Halves } else { Why::Neighbours }),
+        }
+    }
+
     /// A closed body's faces with the orientation of most of them.
-    fn skin(&self, body: &Body) -> Skin {
-        let minority = body.minority();
+    fn skin(&self, body: &Body, minority: &BTreeSet<usize>) -> Skin {
         let mut rings = Vec::new();
         for (face, _) in &body.members {
             let is_turned = minority.contains(face);
@@ -205,13 +236,9 @@ impl Faces {
 
 /// The rings of a polygon with holes, these running against the outline.
 fn against(outline: &[DVec3], holes: &[Vec<DVec3>]) -> Vec<Vec<DVec3>> {
-    let area = |ring: &[DVec3]| {
-        let origin = ring.first().copied().unwrap_or_default();
-        sides(ring).map(|[x, y]| (x - origin).cross(y - origin)).sum::<DVec3>()
-    };
-    let front = area(outline);
+    let front = area_vector(outline);
     let hole = |hole: &Vec<DVec3>| {
-        let is_along = area(hole).dot(front) > 0.0;
+        let is_along = area_vector(hole).dot(front) > 0.0;
         if is_along { hole.iter().rev().copied().collect() } else { hole.clone() }
     };
     std::iter::once(outline.to_vec()).chain(holes.iter().map(hole)).collect()
@@ -222,18 +249,6 @@ struct Body {
     members: Vec<(usize, bool)>,
     is_closed: bool,
     is_orientable: bool,
-}
-
-impl Body {
-    /// The fewer of those that are oriented differently; none if there is no telling them apart.
-    fn minority(&self) -> BTreeSet<usize> {
-        let forwards = self.members.iter().filter(|(_, way)| *way).count();
-        if !self.is_orientable {
-            return BTreeSet::new();
-        }
-        let fewer = 2 * forwards < self.members.len();
-        self.members.iter().filter(|(_, way)| *way == fewer).map(|(face, _)| *face).collect()
-    }
 }
 
 /// A closed surface.
@@ -291,49 +306,6 @@ impl Skin {
                 if *is_turned { [a, c, b] } else { [a, b, c] }
             })
         })
-    }
-}
-
-/// Corners, of which those nearer than rounding are one.
-struct Corners {
-    cell: f64,
-    low: DVec3,
-    cells: HashMap<[i64; 3], Vec<usize>>,
-    points: Vec<DVec3>,
-}
-
-impl Corners {
-    fn new(model: &Model) -> Self {
-        let points = model.surfaces.iter().flat_map(|surface| match &surface.shape {
-            Shape::Polygon { outline, .. } => outline.as_slice(),
-            Shape::Quad(corners) => corners,
-            _ => &[],
-        });
-        let bounds = Aabb::around(points.copied());
-        let cell = (ONE_CORNER * bounds.diagonal()).max(f64::MIN_POSITIVE);
-        let low = if bounds.is_empty() { DVec3::ZERO } else { bounds.min };
-        Corners { cell, low, cells: HashMap::new(), points: Vec::new() }
-    }
-
-    fn take(&mut self, x: DVec3) -> usize {
-        let steps = (x - self.low) / self.cell;
-        let cell = steps.to_array().map(|step| step.floor() as i64);
-        // Of the cells beside it only those within reach.
-        let reach = |axis: usize| {
-            let part = steps[axis] - steps[axis].floor();
-            if part < 0.5 { [0, -1] } else { [0, 1] }
-        };
-        let [i, j, k] = [0, 1, 2].map(reach);
-        for [a, b, c] in i.iter().flat_map(|a| j.iter().flat_map(|b| k.map(|c| [*a, *b, c]))) {
-            let near = [cell[0].saturating_add(a), cell[1].saturating_add(b), cell[2].saturating_add(c)];
-            let mut known = self.cells.get(&near).into_iter().flatten();
-            if let Some(corner) = known.find(|corner| self.points[**corner].distance(x) <= 0.5 * self.cell) {
-                return *corner;
-            }
-        }
-        self.points.push(x);
-        self.cells.entry(cell).or_default().push(self.points.len() - 1);
-        self.points.len() - 1
     }
 }
 

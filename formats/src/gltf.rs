@@ -5,8 +5,9 @@
 //! where a node mirrors its mesh (3.7.4). The first perspective camera is kept.
 //!
 //! Of a material (3.9) the base colour, less the metallic part, is the reflectance; π times the emissive factor, times
-//! its strength (`KHR_materials_emissive_strength`), is the exitance. Where a texture tells what is metallic, nothing is.
-//! What a radiosity scene does not have is left out and noted.
+//! its strength (`KHR_materials_emissive_strength`), is the exitance. Where a texture tells what is metallic, nothing is;
+//! the mean of one that colours what reflects is taken for one half, and what one of emission makes shine is dark. What a
+//! radiosity scene does not have is left out and noted.
 
 mod container;
 mod json;

@@ -39,7 +39,7 @@ impl<'a> Includes<'a> {
 
     /// Whether there is a file at `path` from the scene's folder.
     pub fn has(&self, path: &str) -> bool {
-        self.texts.contains_key(&normal(path)) || self.files.bytes(&normal(path)).is_ok()
+        self.texts.contains_key(&normal(path)) || self.files.has(&normal(path))
     }
 
     /// Opens the file at `path` from the scene's folder and returns its text.

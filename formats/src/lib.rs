@@ -32,5 +32,6 @@ pub mod read;
 pub mod write;
 pub mod materials;
 pub mod unit;
+pub mod up;
 pub mod fronts;
 pub mod repair;

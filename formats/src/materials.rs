@@ -25,8 +25,7 @@ use toml::Spanned;
 
 use crate::error::Refusal;
 use crate::fault::Fault;
-use crate::mesh::GREATEST;
-use crate::model::{Material, Model};
+use crate::model::{GREATEST, Material, Model};
 
 /// The name of the material of surfaces without one.
 const ANY: &str = "*";

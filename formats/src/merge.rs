@@ -3,7 +3,7 @@
 //! Faces are merged that belong to one object, have one material and the same sides, meet along whole sides, and lie
 //! in a plane:
 //!
-//! 1. corners within the rounding of single precision are one (`corners`);
+//! 1. corners that differ by the rounding of their coordinates are one (`corners`);
 //! 2. faces grow together over common sides, the largest first, as long as they lie in the first one's plane
 //!    (`growth`), so that curvature does not creep in;
 //! 3. sides that only one face of a group has are its boundary, traced into simple loops (`boundary`);
@@ -50,7 +50,7 @@ fn stem(name: &str) -> &str {
 /// Merges coplanar faces of each object; `objects` names the object of each surface and is kept in step. A merged
 /// surface has the name and the place of its first face.
 pub fn within(model: &mut Model, objects: &mut Vec<usize>) {
-    let corners = Corners::welded(&model.surfaces);
+    let corners = Corners::welded(&model.surfaces, objects);
     let faces = Face::all(&model.surfaces, objects, &corners);
     let groups = growth::groups(&faces, &corners);
     let mut merged: Vec<Merged> =
@@ -76,14 +76,16 @@ fn note(model: &mut Model, merged: &[Merged]) {
     model.note(format!("{parts} coplanar {what} were merged to {} {polygons}", merged.len()), None);
 }
 
-/// Puts the polygons in the places of their first faces and takes the other faces out.
+/// Puts the polygons in the places of their first faces and takes the other faces out. Corners stay as they were given.
 fn replace(model: &mut Model, objects: &mut Vec<usize>, merged: &[Merged], corners: &Corners) {
     let mut is_kept = vec![true; model.surfaces.len()];
     for group in merged {
         let mut surfaces = group.surfaces.iter().copied();
         let Some(first) = surfaces.next() else { continue };
-        let [outline, holes] = [&group.loops[..1], &group.loops[1..]]
-            .map(|rings| rings.iter().map(|ring| corners.points(ring)).collect::<Vec<_>>());
+        let given = corners.given(&group.surfaces);
+        let points = |ring: &Vec<u32>| ring.iter().map(|corner| given[corner]).collect::<Vec<_>>();
+        let [outline, holes] =
+            [&group.loops[..1], &group.loops[1..]].map(|rings| rings.iter().map(points).collect::<Vec<_>>());
         model.surfaces[first].shape =
             Shape::Polygon { outline: outline.into_iter().next().unwrap_or_default(), holes };
         surfaces.for_each(|surface| is_kept[surface] = false);

@@ -5,17 +5,10 @@ use glam::DVec3;
 use crate::colour;
 use crate::fault::Fault;
 use crate::merge;
-use crate::model::{Model, Shape, Sides, Surface};
+use crate::model::{GREATEST, MOST_SURFACES, MOST_VERTICES, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::outline::{WARPED, is_warped};
 use crate::place::Place;
-
-/// Most faces of a mesh, and most corners of all faces together. Chosen; not tuned.
-const MOST_FACES: usize = 10_000_000;
-const MOST_CORNERS: usize = 4 * MOST_FACES;
-
-/// Greatest coordinate, reflectance or exitance, of any unit: its sixth power is still a number. Chosen; not tuned.
-pub const GREATEST: f64 = 1e50;
 
 /// What the faces that follow share.
 #[derive(Clone, Copy, Debug)]
@@ -56,17 +49,16 @@ impl Mesh {
                 "take the face out, or give it three corners",
             ));
         }
-        // Not a number is not within either.
-        if !corners.iter().all(|corner| corner.abs().max_element() <= GREATEST) {
+        if !corners.iter().all(|corner| corner.is_finite() && corner.abs().max_element() <= GREATEST) {
             return Err(Fault::new(
                 format!("a coordinate is beyond {GREATEST:e}"),
                 "correct it, or scale the model down",
             ));
         }
         self.corners += corners.len();
-        if self.objects.len() >= MOST_FACES || self.corners > MOST_CORNERS {
+        if self.objects.len() >= MOST_SURFACES || self.corners > MOST_VERTICES {
             return Err(Fault::new(
-                format!("more than {MOST_FACES} faces or {MOST_CORNERS} corners"),
+                format!("more than {MOST_SURFACES} faces or {MOST_VERTICES} corners"),
                 "split the model",
             ));
         }

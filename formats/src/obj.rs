@@ -7,8 +7,9 @@
 //! free-form curves and surfaces are left out and noted.
 //!
 //! Of materials `Kd` is the reflectance; without it a material is black. `Ke` is read as radiance, so the exitance is
-//! π Ke. Textures, specular reflection and transparency are left out and noted. A material that no MTL file describes
-//! reflects one half, which is noted: a side file may say better.
+//! π Ke. Textures, specular reflection and transparency are left out and noted: the mean of `map_Kd` is taken for one
+//! half, what `map_Ke` makes shine is dark. A material that no MTL file describes, as where the file is missing, reflects
+//! one half, which is noted: a side file may say better.
 
 mod statements;
 mod mtl;
@@ -18,7 +19,9 @@ pub mod write;
 
 use std::collections::{HashMap, HashSet};
 use std::f64::consts::PI;
+use std::io;
 
+use crate::colour::UNKNOWN;
 use crate::error::Refusal;
 use crate::fault::Fault;
 use crate::files::Files;
@@ -31,39 +34,49 @@ use faces::{Faces, Library};
 use mtl::Mtl;
 use statements::statements;
 
-/// Reflectance of materials that nothing describes. Chosen; not tuned.
-const UNKNOWN: f64 = 0.5;
-
 /// Most bytes of all material files. Chosen; not tuned.
 const MOST: usize = 1 << 28;
 
 /// Reads an OBJ of the name `file` and the material files that it names.
 ///
 /// # Errors
-/// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, material files
-/// that cannot be read, no faces.
+/// Statements that OBJ and MTL do not have, numbers that are none, corners that no vertex is listed for, no faces.
 pub fn read(file: &str, bytes: &[u8], files: &dyn Files) -> Result<Model, Refusal> {
     let text = decoded(bytes).map_err(|located| located.in_file(file))?;
     let mut faces = Faces::default();
     for (line, statement) in statements(&text) {
         faces.statement(&statement, line).map_err(|fault| fault.in_line(file, line))?;
     }
-    let known = libraries(file, &faces.libraries, files)?;
     let mut mesh = Mesh::default();
     mesh.model.bands = ["r", "g", "b"].map(str::to_owned).to_vec();
+    let known = libraries(file, &faces.libraries, files, &mut mesh.model)?;
     for (name, line) in &faces.materials {
-        add_material(&mut mesh.model, name, known.get(name.as_str()), *line);
+        add_material(&mut mesh.model, name, known.get(name), *line);
     }
     faces.add_to(&mut mesh).map_err(|located| located.in_file(file))?;
     mesh.finish("faces (f)").map_err(|fault| fault.of_file(file))
 }
 
-/// The materials of all material files by name; of several of one name the first.
-fn libraries(file: &str, libraries: &[Library], files: &dyn Files) -> Result<HashMap<String, Mtl>, Refusal> {
+/// The materials of all material files by name; of several of one name the first. Files that cannot be read are noted.
+fn libraries(
+    file: &str,
+    libraries: &[Library],
+    files: &dyn Files,
+    model: &mut Model,
+) -> Result<HashMap<String, Mtl>, Refusal> {
     let (mut known, mut read) = (HashMap::new(), HashSet::new());
     let mut size = 0;
+    let mut missing = Vec::new();
     for Library { names, line } in libraries {
-        for (name, bytes) in bytes(names, &read, files).map_err(|fault| fault.in_line(file, *line))? {
+        for (name, bytes) in bytes(names, &read, files) {
+            read.insert(name.clone());
+            let bytes = match bytes {
+                Ok(bytes) => bytes,
+                Err(error) => {
+                    missing.push((format!("'{}' cannot be read: {error}", short(&name)), *line));
+                    continue;
+                }
+            };
             size += bytes.len();
             if size > MOST {
                 let fault = Fault::new(
@@ -74,31 +87,28 @@ fn libraries(file: &str, libraries: &[Library], files: &dyn Files) -> Result<Has
             }
             let text = decoded(&bytes).map_err(|located| located.in_file(&name))?;
             mtl::read(&text, &mut known).map_err(|located| located.in_file(&name))?;
-            read.insert(name);
         }
+    }
+    if let Some((first, line)) = missing.first() {
+        let more = match missing.len() - 1 {
+            0 => String::new(),
+            more => format!(", nor can {more} more"),
+        };
+        model.note(format!("the material file {first}{more}"), Some(Place::Line(*line)));
     }
     Ok(known)
 }
 
 /// The files that a statement names and that are not yet read: one whose name has blanks, or several.
-fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Result<Vec<(String, Vec<u8>)>, Fault> {
-    let mut found = Vec::new();
+fn bytes(names: &str, read: &HashSet<String>, files: &dyn Files) -> Vec<(String, io::Result<Vec<u8>>)> {
     if read.contains(names) {
-        return Ok(found);
+        return Vec::new();
     }
     if let Ok(bytes) = files.bytes(names) {
-        return Ok(vec![(names.to_owned(), bytes)]);
+        return vec![(names.to_owned(), Ok(bytes))];
     }
-    for name in names.split_whitespace().filter(|name| !read.contains(*name)) {
-        let bytes = files.bytes(name).map_err(|error| {
-            Fault::new(
-                format!("the material file '{}' cannot be read: {error}", short(name)),
-                "put it beside the model, or take 'mtllib' out and give the materials in a file of their own",
-            )
-        })?;
-        found.push((name.to_owned(), bytes));
-    }
-    Ok(found)
+    let each = names.split_whitespace().filter(|name| !read.contains(*name));
+    each.map(|name| (name.to_owned(), files.bytes(name))).collect()
 }
 
 /// Adds the material of a name, as a material file describes it or not.
@@ -106,8 +116,8 @@ fn add_material(model: &mut Model, name: &str, mtl: Option<&Mtl>, line: usize) {
     let place = Some(Place::Line(line));
     let (reflectance, emission) = match mtl {
         Some(mtl) => {
-            mtl.left_out.iter().for_each(|what| model.note(*what, None));
-            (mtl.reflectance, mtl.radiance.map(|value| PI * value))
+            mtl.left_out.iter().for_each(|what| model.note(what.as_str(), None));
+            (mtl.reflectance(), mtl.radiance().map(|value| PI * value))
         }
         None => {
             model.note(format!("materials that no file describes reflect {UNKNOWN}"), place);

@@ -69,10 +69,13 @@ pub fn repair(model: &mut Model, options: &Options) -> Repairs {
     repairs
 }
 
-/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none.
+/// Refuses, for those who want no repairs, a model read from `file` that needed some. None if it needed none: fronts that
+/// were left as they are changed nothing.
 pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
-    let first = repairs.list.first()?;
-    let cause = match repairs.list.len() {
+    let made: Vec<&Repair> =
+        repairs.list.iter().filter(|repair| repair.kind != Kind::DoubtfulFronts).collect();
+    let first = made.first()?;
+    let cause = match made.len() {
         1 => first.text.clone(),
         count => format!("{count} repairs are needed; the first: {}", first.text),
     };

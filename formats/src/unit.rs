@@ -6,15 +6,24 @@ use glam::DVec3;
 
 use crate::model::{Model, Shape};
 
-/// Units with their lengths in metres. Inch, foot and yard: international yard and pound agreement, 1959.
-const UNITS: [(&str, f64); 7] =
-    [("mm", 1e-3), ("cm", 1e-2), ("dm", 1e-1), ("m", 1.0), ("in", 0.0254), ("ft", 0.3048), ("yd", 0.9144)];
+/// Units with their lengths in metres, as quotients of whole numbers. Inch, foot and yard: international yard and pound
+/// agreement, 1959.
+const UNITS: [(&str, [f64; 2]); 7] = [
+    ("mm", [1.0, 1e3]),
+    ("cm", [1.0, 1e2]),
+    ("dm", [1.0, 1e1]),
+    ("m", [1.0, 1.0]),
+    ("in", [254.0, 1e4]),
+    ("ft", [3048.0, 1e4]),
+    ("yd", [9144.0, 1e4]),
+];
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Unit {
-    /// Its length in metres.
-    metres: f64,
+    /// Its length in metres: numerator and denominator. A thousandth has no binary digits, dividing by 1000 rounds once:
+    /// 9 mm are 0.009 m.
+    metres: [f64; 2],
 }
 
 impl FromStr for Unit {
@@ -38,50 +47,53 @@ impl Unit {
 
     /// Turns a model in this unit into one in metres. Reflectances and exitances stay what they are.
     pub fn to_metres(self, model: &mut Model) {
-        if self.metres == 1.0 {
+        if self.metres == [1.0; 2] {
             return;
         }
-        model.surfaces.iter_mut().for_each(|surface| scale(&mut surface.shape, self.metres));
+        model.surfaces.iter_mut().for_each(|surface| self.scale(&mut surface.shape));
         if let Some(camera) = &mut model.camera {
-            camera.eye *= self.metres;
-            camera.target *= self.metres;
+            self.points(&mut [&mut camera.eye, &mut camera.target]);
         }
     }
-}
 
-/// Makes a shape larger about the origin.
-fn scale(shape: &mut Shape, factor: f64) {
-    let all = |points: &mut [DVec3]| points.iter_mut().for_each(|point| *point *= factor);
-    match shape {
-        Shape::Polygon { outline, holes } => {
-            all(outline);
-            holes.iter_mut().for_each(|hole| all(hole));
+    /// Turns the lengths of a shape into metres.
+    fn scale(self, shape: &mut Shape) {
+        match shape {
+            Shape::Polygon { outline, holes } => {
+                self.points(&mut outline.iter_mut().chain(holes.iter_mut().flatten()).collect::<Vec<_>>());
+            }
+            Shape::Quad(corners) => self.points(&mut corners.each_mut()),
+            Shape::Disk { center, radius, inner, .. } => {
+                self.points(&mut [center]);
+                self.lengths([radius, inner]);
+            }
+            Shape::Cylinder { base, axis, radius, .. } => {
+                self.points(&mut [base, axis]);
+                self.lengths([radius]);
+            }
+            Shape::Cone { base, axis, radii, .. } => {
+                self.points(&mut [base, axis]);
+                self.lengths(radii.each_mut());
+            }
+            Shape::Sphere { center, radius, .. } => {
+                self.points(&mut [center]);
+                self.lengths([radius]);
+            }
+            Shape::Torus { center, major, minor, .. } => {
+                self.points(&mut [center]);
+                self.lengths([major, minor]);
+            }
         }
-        Shape::Quad(corners) => all(corners),
-        Shape::Disk { center, radius, inner, .. } => {
-            *center *= factor;
-            *radius *= factor;
-            *inner *= factor;
-        }
-        Shape::Cylinder { base, axis, radius, .. } => {
-            *base *= factor;
-            *axis *= factor;
-            *radius *= factor;
-        }
-        Shape::Cone { base, axis, radii, .. } => {
-            *base *= factor;
-            *axis *= factor;
-            radii.iter_mut().for_each(|radius| *radius *= factor);
-        }
-        Shape::Sphere { center, radius, .. } => {
-            *center *= factor;
-            *radius *= factor;
-        }
-        Shape::Torus { center, major, minor, .. } => {
-            *center *= factor;
-            *major *= factor;
-            *minor *= factor;
-        }
+    }
+
+    fn points(self, points: &mut [&mut DVec3]) {
+        let [numerator, denominator] = self.metres;
+        points.iter_mut().for_each(|point| **point = **point * numerator / denominator);
+    }
+
+    fn lengths<const N: usize>(self, lengths: [&mut f64; N]) {
+        let [numerator, denominator] = self.metres;
+        lengths.into_iter().for_each(|length| *length = *length * numerator / denominator);
     }
 }
 
@@ -92,18 +104,35 @@ mod tests {
     #[test]
     fn lengths_change_and_directions_stay() {
         let mut disk = Shape::Disk { center: DVec3::X, normal: DVec3::Z, radius: 2.0, inner: 1.0 };
-        scale(&mut disk, 0.5);
+        Unit { metres: [1.0, 2.0] }.scale(&mut disk);
         assert_eq!(disk, Shape::Disk { center: 0.5 * DVec3::X, normal: DVec3::Z, radius: 1.0, inner: 0.5 });
         let mut cone = Shape::Cone { base: DVec3::X, axis: DVec3::Z, radii: [1.0, 0.0], inward: true };
-        scale(&mut cone, 2.0);
+        Unit { metres: [2.0, 1.0] }.scale(&mut cone);
         let large =
             Shape::Cone { base: 2.0 * DVec3::X, axis: 2.0 * DVec3::Z, radii: [2.0, 0.0], inward: true };
         assert_eq!(cone, large);
     }
 
     #[test]
+    fn whole_numbers_become_the_decimals_that_they_mean() {
+        for (name, decimals) in [("mm", 3), ("cm", 2), ("dm", 1)] {
+            let unit: Unit = name.parse().expect("a unit");
+            for k in 0..20_000_u32 {
+                let mut length = f64::from(k);
+                unit.lengths([&mut length]);
+                let whole = 10_u32.pow(decimals);
+                let text = format!("{}.{:0width$}", k / whole, k % whole, width = decimals as usize);
+                assert_eq!(length, text.parse::<f64>().expect("a number"), "{k} {name}");
+            }
+        }
+        let mut inch = 1.0;
+        Unit::lengths("in".parse().expect("a unit"), [&mut inch]);
+        assert_eq!(inch, 0.0254);
+    }
+
+    #[test]
     fn units_are_known_by_name() {
-        assert_eq!("mm".parse(), Ok(Unit { metres: 1e-3 }));
+        assert_eq!("mm".parse(), Ok(Unit { metres: [1.0, 1e3] }));
         assert!("furlong".parse::<Unit>().is_err());
     }
 }

@@ -31,7 +31,7 @@ use self::statements::{Corners, Input, Kind, OBSTRUCTION, Statement};
 use crate::error::Refusal;
 use crate::fault::Fault;
 use crate::files::Files;
-use crate::model::{Material, Model, Shape, Sides, Surface};
+use crate::model::{GREATEST, Material, Model, Shape, Sides, Surface};
 use crate::names::UniqueNames;
 use crate::place::Place;
 use crate::text::decode;
@@ -73,9 +73,9 @@ fn outline(input: &Input, surface: &Statement) -> Result<Vec<DVec3>, Fault> {
             numbers.iter().map(|number| vertex(&input.vertices, *number)).collect::<Result<_, _>>()?
         }
     };
-    match points.iter().all(|point| point.is_finite()) {
+    match points.iter().all(|point| point.is_finite() && point.abs().max_element() <= GREATEST) {
         true => Ok(points),
-        false => Err(Fault::new("a corner lies beyond all numbers", "write smaller coordinates")),
+        false => Err(Fault::new(format!("a coordinate is beyond {GREATEST:e}"), "write smaller coordinates")),
     }
 }
 

@@ -63,7 +63,7 @@ impl Similarity {
     }
 
     /// A rotation about an axis, 0 to 2, counter-clockwise seen from its tip. Quarter turns are exact.
-    fn rotation(axis: usize, degrees: f64) -> Self {
+    pub(crate) fn rotation(axis: usize, degrees: f64) -> Self {
         let (sin, cos) = sin_cos(degrees);
         let (next, last) = ((axis + 1) % 3, (axis + 2) % 3);
         let mut linear = DMat3::IDENTITY;

@@ -366,6 +366,23 @@ fn curved_copies_are_found_however_they_are_given() {
 }
 
 #[test]
+fn mantles_that_agree_to_rounding_are_found_whatever_their_radius() {
+    let pipe = |name: &str, x: f64, z: f64, radius: f64| {
+        surface(name, Shape::Cylinder { base: DVec3::new(x, 0.0, z), axis: DVec3::Z, radius, inward: false })
+    };
+    for middle in [0.5, 0.500_000_005, 0.500_000_007_3] {
+        let pipes = vec![
+            pipe("wide", 0.0, 9.0, 1.0),
+            pipe("low", 0.0, 0.0, middle - 1e-12),
+            pipe("high", 0.0, 0.5, middle + 1e-12),
+            pipe("beside", 0.4, 0.5, middle),
+        ];
+        let (_, repairs) = repaired(model(pipes));
+        assert_eq!(texts(&repairs), [r#""high" lies partly in "low"; it was raised slightly"#], "{middle}");
+    }
+}
+
+#[test]
 fn a_rug_half_over_the_edge_is_cut_out_of_its_floor() {
     let floor = square("floor", [0.0; 3], 4.0, true);
     let rug = square("rug", [3.0, 1.0, 0.0], 2.0, true);
@@ -472,6 +489,53 @@ fn a_refusal_tells_the_first_repair() {
     let told = refusal(&repairs, "room.obj").expect("a copy is at fault");
     assert_eq!(told.to_string(), r#"room.obj:1: "desk" and "again" coincide; "again" was removed"#);
     assert!(told.cure.contains("--strict"));
+    // What was left as it is was not repaired.
+    let boxes = cuboid("box", DVec3::ZERO, DVec3::ONE, false);
+    let (_, left) = repaired(model([boxes, vec![square("sign", [5.0; 3], 1.0, true)]].concat()));
+    assert_eq!((left.count(Kind::DoubtfulFronts), refusal(&left, "room.obj")), (1, None));
+}
+
+#[test]
+fn of_faces_that_show_opposite_fronts_the_smaller_area_is_turned_and_none_of_halves() {
+    // A floor and a wall that meet at a side and show opposite fronts.
+    let fold = |height: f64| {
+        let floor = polygon(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]);
+        let wall = polygon(&[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, height], [0.0, 0.0, height]]);
+        model(vec![surface("floor", floor), surface("wall", wall)])
+    };
+    let fixed = |height: f64| {
+        let mut model = fold(height);
+        let repairs = repair(&mut model, &Options { fix_fronts: true, ..Options::default() });
+        let changed: Vec<String> = fold(height)
+            .surfaces
+            .iter()
+            .zip(&model.surfaces)
+            .filter(|(before, after)| before != after)
+            .map(|(own, _)| own.name.clone())
+            .collect();
+        (changed, texts(&repairs).concat())
+    };
+    assert_eq!(fixed(0.5).0, ["wall"]);
+    assert_eq!(fixed(2.0).0, ["floor"]);
+    let (changed, told) = fixed(1.0);
+    assert!(changed.is_empty());
+    assert_eq!(
+        told,
+        r#""wall" shows its front where "floor" beside has its back, of equal areas; it was left so"#
+    );
+}
+
+#[test]
+fn a_fan_of_many_crossings_is_mended() {
+    // A star polygon {n/k} has k − 1 crossings on each side; the even–odd rule leaves rings of alternate depth.
+    let (count, step) = (201, 80);
+    let corner = |k: usize| {
+        let angle = std::f64::consts::TAU * (k * step % count) as f64 / count as f64;
+        [angle.cos(), angle.sin(), 0.0]
+    };
+    let star: Vec<[f64; 3]> = (0..count).map(corner).collect();
+    let (after, repairs) = repaired(model(vec![surface("star", polygon(&star))]));
+    assert!(repairs.count(Kind::Outline) == 1 && after.surfaces.len() > 1000);
 }
 
 #[test]

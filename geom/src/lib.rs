@@ -65,7 +65,7 @@ pub use ray::{Hit, Ray};
 pub use ray_tree::{Encounter, RayTree};
 pub use rect::Rect;
 pub use region::PlanarRegion;
-pub use rounding::coordinate_rounding;
+pub use rounding::{coordinate_rounding, unit_roundoff};
 pub use separated::separated;
 pub use shape_error::ShapeError;
 pub use surface::{Foot, Jet, Surface};

@@ -17,9 +17,14 @@ const PLAIN: f64 = 1000.0;
 pub fn coordinate_rounding(points: &[DVec3], direction: Option<DVec3>) -> f64 {
     let largest = points.iter().fold(DVec3::ZERO, |largest, x| largest.max(x.abs()));
     let along = direction.map_or(DVec3::ONE, DVec3::abs);
+    largest.dot(along) * unit_roundoff(points)
+}
+
+/// Unit roundoff, 2⁻²⁴ or 2⁻⁵³, of the precision that `points` are given in.
+pub fn unit_roundoff(points: &[DVec3]) -> f64 {
     let coordinates = || points.iter().flat_map(|x| x.to_array());
     let is_single = coordinates().all(|x| f64::from(x as f32) == x) && !coordinates().all(is_plain);
-    largest.dot(along) * if is_single { SINGLE } else { DOUBLE }
+    if is_single { SINGLE } else { DOUBLE }
 }
 
 fn is_plain(x: f64) -> bool {

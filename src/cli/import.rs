@@ -6,7 +6,7 @@ use clap::{
     Args,
     builder::{PossibleValuesParser, TypedValueParser},
 };
-use radiosity::formats::{format::Format, materials::SideFile, model::Sides, unit::Unit};
+use radiosity::formats::{format::Format, materials::SideFile, model::Sides, unit::Unit, up::Up};
 use radiosity::scene::{Import, input};
 
 use crate::cli::error::CliError;
@@ -36,6 +36,10 @@ pub(crate) struct ImportArgs {
     #[arg(long, value_name = "UNIT")]
     unit: Option<Unit>,
 
+    /// Axis that points upwards in the file, y or z; z will [default: y in glTF, else z]
+    #[arg(long, value_name = "AXIS")]
+    up: Option<Up>,
+
     /// Turns fronts that seem to point the wrong way; else they are only told
     #[arg(long)]
     fix_fronts: bool,
@@ -54,6 +58,7 @@ impl ImportArgs {
             (self.two_sided, "--two-sided"),
             (self.materials.is_some(), "--materials"),
             (self.unit.is_some(), "--unit"),
+            (self.up.is_some(), "--up"),
             (self.fix_fronts, "--fix-fronts"),
             (self.grey, "--grey"),
         ];
@@ -80,6 +85,7 @@ impl ImportArgs {
             sides,
             materials: self.materials.as_deref().map(side_file).transpose()?,
             unit: self.unit,
+            up: self.up,
             tolerance,
             strict,
             fix_fronts: self.fix_fronts,

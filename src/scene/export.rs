@@ -23,8 +23,8 @@ pub(super) struct Export<'a> {
     model: Model,
     /// The scene's surfaces by name, which know their materials.
     known: HashMap<&'a str, &'a SceneSurface>,
-    /// Indices of the materials in the model, by name and light.
-    materials: Vec<(&'a SceneSurface, usize)>,
+    /// Indices of the materials in the model, by name and light (as bits).
+    materials: HashMap<(&'a str, Vec<u64>), usize>,
     names: UniqueNames,
     /// Surfaces of shapes that a model cannot hold, with the keys of these.
     refused: Vec<(String, &'static str)>,
@@ -35,7 +35,7 @@ impl<'a> Export<'a> {
     pub(super) fn new(surfaces: &'a [SceneSurface], bands: &[String], unit: &str) -> Self {
         let model = Model { bands: bands.to_vec(), unit: Some(unit.to_owned()), ..Model::default() };
         let known = surfaces.iter().map(|surface| (surface.name.as_str(), surface)).collect();
-        Self { model, known, materials: Vec::new(), names: UniqueNames::default(), refused: Vec::new() }
+        Self { model, known, materials: HashMap::new(), names: UniqueNames::default(), refused: Vec::new() }
     }
 
     /// Adds the camera of the scene, from whose coordinates `middle` was subtracted.
@@ -84,22 +84,15 @@ impl<'a> Export<'a> {
         if surface.group.is_some() {
             self.model.note("light groups are left out", None);
         }
-        let is_same = |other: &SceneSurface| {
-            other.material_name == surface.material_name
-                && other.material == surface.material
-                && other.factor() == surface.factor()
-        };
-        if let Some((_, index)) = self.materials.iter().find(|(other, _)| is_same(other)) {
-            return Some(*index);
+        let reflectance = surface.material.reflectance.clone();
+        let emission: Vec<f64> =
+            (0..surface.material.emission.len()).map(|band| surface.exitance(band)).collect();
+        let light = reflectance.iter().chain(&emission).map(|value| value.to_bits()).collect();
+        let next = self.model.materials.len();
+        let index = *self.materials.entry((own, light)).or_insert(next);
+        if index == next {
+            self.model.materials.push(ModelMaterial { name: self.names.take(own), reflectance, emission });
         }
-        let index = self.model.materials.len();
-        let bands = 0..surface.material.emission.len();
-        self.model.materials.push(ModelMaterial {
-            name: self.names.take(own),
-            reflectance: surface.material.reflectance.clone(),
-            emission: bands.map(|band| surface.exitance(band)).collect(),
-        });
-        self.materials.push((surface, index));
         Some(index)
     }
 

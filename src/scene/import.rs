@@ -15,6 +15,7 @@ use radiosity_formats::{
     read::read,
     repair::{Options, refusal, repair},
     unit::Unit,
+    up::Up,
 };
 
 use crate::scene::{
@@ -36,6 +37,9 @@ pub struct Import {
     pub materials: Option<SideFile>,
     /// Unit of the lengths in the file; they become metres.
     pub unit: Option<Unit>,
+    /// The axis that points upwards in the file; z will. Without it, y in glTF, whose specification says so (section 3.4),
+    /// and z elsewhere.
+    pub up: Option<Up>,
     /// Length up to which points are one, in metres if a unit is given.
     pub tolerance: Option<f64>,
     /// Whether a scene that needs repairs is refused.
@@ -84,6 +88,7 @@ impl Import {
         if let Some(unit) = self.unit {
             unit.to_metres(&mut model);
         }
+        self.upright(&mut model, format);
         if self.grey {
             colour::to_grey(&mut model);
         }
@@ -95,6 +100,17 @@ impl Import {
         let notes = std::mem::take(&mut model.notes);
         let imported = Imported { file: file.to_owned(), format, replaced, notes, repairs: repairs.list };
         Ok((model, imported))
+    }
+
+    fn upright(&self, model: &mut Model, format: Format) {
+        let up = self.up.unwrap_or(if format == Format::Gltf { Up::Y } else { Up::Z });
+        if self.up.is_none() && up == Up::Y {
+            model.note(
+                "y points upwards in glTF: the scene was turned so that z does (--up z leaves it)",
+                None,
+            );
+        }
+        up.to_z(model);
     }
 
     /// The text of the scene in `file`, or in standard input for `-`.

@@ -55,9 +55,14 @@ impl Variables {
     /// Finds the value of a variable, and before it of those that it needs.
     fn find(&mut self, name: &str, definitions: &Definitions<'_>) -> Result<(), Located> {
         let mut open = vec![name.to_owned()];
-        let mut seen = BTreeSet::from([name.to_owned()]);
+        // Of those the ones that wait for others, each for one that comes behind it.
+        let mut path = Vec::new();
+        let mut waiting = BTreeSet::new();
         while let Some(name) = open.last() {
             if self.values.contains_key(name) {
+                if waiting.remove(name) {
+                    path.pop();
+                }
                 open.pop();
                 continue;
             }
@@ -66,19 +71,21 @@ impl Variables {
                 Step::Known(value) => {
                     self.values.insert(name.clone(), value);
                 }
-                Step::Needs(other, place) => {
-                    let is_new = seen.insert(other.clone());
-                    open.push(other);
-                    if !is_new {
-                        return Err(cycle(&open, &place));
+                Step::Needs(others, place) => {
+                    path.push(name.clone());
+                    waiting.insert(name.clone());
+                    if let Some(other) = others.iter().find(|other| waiting.contains(*other)) {
+                        path.push(other.clone());
+                        return Err(cycle(&path, &place));
                     }
+                    open.extend(others.into_iter().rev());
                 }
             }
         }
         Ok(())
     }
 
-    /// The value of a variable, or the first variable that it needs and that is not known yet.
+    /// The value of a variable, or the variables that it needs and that are not known yet.
     fn step(&self, name: &str, definitions: &Definitions<'_>) -> Result<Step, Located> {
         if let Some(value) = definitions.settings.get(name) {
             return check_number(*value).map(|()| Step::Known(*value)).map_err(Located::nowhere);
@@ -86,16 +93,21 @@ impl Variables {
         let Some(node) = definitions.typed.get(name) else {
             return Err(Located::nowhere(self.unknown(name)));
         };
-        let needed = RefCell::new(None);
+        let needed = RefCell::new(Vec::new());
         let value = number(&evaluated(node, &|other| {
-            if definitions.typed.contains_key(other) && !self.values.contains_key(other) {
-                needed.replace(Some(other.to_owned()));
+            match definitions.typed.contains_key(other) && !self.values.contains_key(other) {
+                true => {
+                    needed.borrow_mut().push(other.to_owned());
+                    // No number stops no formula: what it needs behind this name is found, too.
+                    Ok(f64::NAN)
+                }
+                false => self.value(other),
             }
-            self.value(other)
         }));
-        match (needed.into_inner(), value) {
-            (Some(other), _) => Ok(Step::Needs(other, node.span.clone())),
-            (None, value) => value.map(|number| Step::Known(number.value)),
+        let needed = needed.into_inner();
+        match needed.is_empty() {
+            false => Ok(Step::Needs(needed, node.span.clone())),
+            true => value.map(|number| Step::Known(number.value)),
         }
     }
 
@@ -147,8 +159,8 @@ struct Definitions<'a> {
 /// What came of the attempt to find a value.
 enum Step {
     Known(f64),
-    /// Another variable comes first; the formula that needs it stands there.
-    Needs(String, Span),
+    /// Other variables come first; the formula that needs them stands there.
+    Needs(Vec<String>, Span),
 }
 
 /// The fault of a path of variables that ends with one of those before.

@@ -9,14 +9,14 @@ use radiosity::geom::DVec3;
 use radiosity_core::gauss;
 use serde_json::Value;
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
+pub(crate) fn radiosity(folder: &Path, args: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
     command.current_dir(folder).args(args).output().expect("the binary runs")
 }
 
 /// Standard output and standard error of a command that succeeds.
 #[track_caller]
-fn done(folder: &Path, args: &[&str]) -> [String; 2] {
+pub(crate) fn done(folder: &Path, args: &[&str]) -> [String; 2] {
     let Output { status, stdout, stderr } = radiosity(folder, args);
     let texts = [stdout, stderr].map(|bytes| String::from_utf8(bytes).expect("text"));
     assert!(status.success(), "{args:?}: {}", texts[1]);
@@ -24,7 +24,7 @@ fn done(folder: &Path, args: &[&str]) -> [String; 2] {
 }
 
 #[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
+pub(crate) fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
     let output = radiosity(folder, args);
     let message = String::from_utf8_lossy(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
@@ -32,7 +32,7 @@ fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
 }
 
 /// A folder with these files.
-fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
+pub(crate) fn folder(files: &[(&str, &[u8])]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a temporary folder");
     for (name, bytes) in files {
         fs::write(folder.path().join(name), bytes).expect("it can be written to");
@@ -49,7 +49,7 @@ fn factors(text: &str) -> (Vec<String>, Vec<Vec<f64>>) {
 }
 
 /// The corners of the faces of a unit cube, counter-clockwise as seen from within.
-fn cube() -> Vec<[DVec3; 4]> {
+pub(crate) fn cube() -> Vec<[DVec3; 4]> {
     let mut faces = Vec::new();
     for axis in 0..3 {
         let [n, u, v] = [0, 1, 2].map(|k| DVec3::AXES[(axis + k) % 3]);
@@ -69,12 +69,15 @@ fn words(point: DVec3) -> String {
 }
 
 /// Faces or triangles as a list of texts, one for each.
-fn each<const N: usize>(faces: &[[DVec3; N]], text: impl Fn(usize, &[String; N]) -> String) -> String {
+pub(crate) fn each<const N: usize>(
+    faces: &[[DVec3; N]],
+    text: impl Fn(usize, &[String; N]) -> String,
+) -> String {
     faces.iter().enumerate().map(|(index, face)| text(index, &face.map(words))).collect()
 }
 
 /// The triangles of the cube as a glTF with a buffer beside it, cube.bin.
-fn gltf() -> (String, Vec<u8>) {
+pub(crate) fn gltf() -> (String, Vec<u8>) {
     let positions: Vec<DVec3> = cube().into_iter().flat_map(triangles).flatten().collect();
     let bytes: Vec<u8> =
         positions.iter().flat_map(|p| p.to_array()).flat_map(|x| (x as f32).to_le_bytes()).collect();
@@ -236,9 +239,25 @@ fn examples_of_view3d_have_their_closed_forms() {
     }
 }
 
-/// Numbers of a table of readings, in its order.
-fn numbers(table: &str) -> Vec<f64> {
-    table.lines().skip(1).flat_map(|line| line.split(',')).filter_map(|field| field.parse().ok()).collect()
+/// The columns of a table of readings that hold numbers, by name.
+fn columns(table: &str) -> Vec<(String, Vec<f64>)> {
+    let mut lines = table.lines();
+    let names = lines.next().expect("a header").split(',');
+    let rows: Vec<Vec<&str>> = lines.map(|line| line.split(',').collect()).collect();
+    let column = |index: usize| rows.iter().map(|row| row[index].parse().ok()).collect::<Option<Vec<f64>>>();
+    names.enumerate().filter_map(|(index, name)| Some((name.to_owned(), column(index)?))).collect()
+}
+
+/// The radiosities of a table, of all bands.
+#[track_caller]
+fn radiosities(columns: &[(String, Vec<f64>)]) -> Vec<f64> {
+    let own: Vec<f64> = columns
+        .iter()
+        .filter(|(name, _)| name.starts_with("B_"))
+        .flat_map(|(_, values)| values.clone())
+        .collect();
+    assert!(!own.is_empty());
+    own
 }
 
 #[test]
@@ -260,18 +279,26 @@ fn built_in_scenes_come_back_from_each_format_that_has_their_shapes() {
     for (scene, endings) in scenes {
         let grid = |source: &str| {
             let cheap: &[&str] = if endings.len() == 1 { &["--accuracy", "0.3"] } else { &[] };
-            numbers(&done(here, &[&["grid", source, "--cells", "1x1", "-q"], cheap].concat())[0])
+            columns(&done(here, &[&["grid", source, "--cells", "1x1", "-q"], cheap].concat())[0])
         };
         let expected = grid(scene);
-        let largest = expected.iter().copied().fold(0.0, f64::max);
-        assert!(largest > 0.0, "{scene}");
+        let greatest = |values: &[f64]| values.iter().copied().map(f64::abs).fold(0.0, f64::max);
+        let is_place = |name: &str| ["x", "y", "z"].contains(&name);
+        let places = expected.iter().filter(|(name, _)| is_place(name));
+        let extent = places.map(|(_, values)| greatest(values)).fold(0.0, f64::max);
+        assert!(radiosities(&expected).iter().any(|value| *value > 0.0), "{scene}");
         for ending in endings {
             let file = format!("{scene}.{ending}");
             done(here, &["convert", scene, &file]);
             let found = grid(&file);
             assert_eq!(found.len(), expected.len(), "{file}");
-            let worst = found.iter().zip(&expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
-            assert!(worst <= 1e-10 * largest, "{file}: {worst:e} of {largest:e}");
+            // Bands lose their names on the way.
+            for ((_, found), (name, expected)) in found.iter().zip(&expected) {
+                assert_eq!(found.len(), expected.len(), "{file}: {name}");
+                let largest = if is_place(name) { extent } else { greatest(expected) };
+                let worst = found.iter().zip(expected).map(|(x, y)| (x - y).abs()).fold(0.0, f64::max);
+                assert!(worst <= 1e-10 * largest, "{file}: {name}: {worst:e} of {largest:e}");
+            }
         }
     }
     // View3D has no emission: its factors are compared, where no hole cuts a surface in pieces.
@@ -394,7 +421,8 @@ fn units_and_materials_come_from_outside() {
         here,
         &["grid", "cube.stl", "--cells", "1x1", "--unit", "mm", "--materials", "paint.toml", "-q"],
     );
-    assert!(numbers(&table).into_iter().any(|value| value > 0.0), "{table}");
+    let lit = radiosities(&columns(&table));
+    assert!(lit.len() == 6 && lit.iter().all(|value| *value > 0.0), "{table}");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod exact_factors;
 mod fitted;
 mod formats;
 mod heat;
+mod imports;
 mod inspection;
 mod language;
 mod pictures;

@@ -49,6 +49,24 @@ fn formulas_stand_for_numbers() {
 }
 
 #[test]
+fn a_formula_of_many_variables_that_stand_below_it_is_read_at_once() {
+    const COUNT: usize = 20_000;
+    let names: Vec<String> = (0..COUNT).map(|k| format!("a{k}")).collect();
+    let sum = format!("[variables]\nwidth = \"={}\"\n", names.join("+"));
+    // Each is a half of the next one's double.
+    let parts: Vec<String> = (0..COUNT)
+        .map(|k| match k + 1 < COUNT {
+            true => format!("a{k} = \"=a{} / 2 * 2\"\n", k + 1),
+            false => format!("a{k} = 0.5\n"),
+        })
+        .collect();
+    let text = ROOM.replace("[variables]\nwidth = 4\n", &(sum + &parts.concat()));
+    let scene = Scene::from_toml(&text, "room").unwrap();
+    let width = scene.variables.iter().find(|(name, _)| name == "width").unwrap().1;
+    assert_eq!(width, 0.5 * COUNT as f64);
+}
+
+#[test]
 fn variables_are_set_from_outside() {
     let source = || Source::new("room.toml", ROOM);
     let scene = Scene::parse(&source().set([("width", 6.0)])).unwrap();

@@ -202,6 +202,13 @@ impl<'a, 'b> Accessors<'a, 'b> {
         if accessor.count > MOST {
             return Err(Fault::new(format!("it has more than {MOST} rows"), "split the model").into());
         }
+        if kind == Kind::Points && accessor.buffer_view.is_none() && accessor.sparse.is_none() {
+            return Err(Fault::new(
+                "its points are all 0: it has neither a buffer view nor sparse values",
+                "export the model without compression",
+            )
+            .into());
+        }
         let scale = if accessor.normalized { component.whole() } else { 1.0 };
         let rows = Rows { bytes: &[], stride: 0, component, scale };
         let own = accessor

@@ -6,9 +6,9 @@ use serde_json::value::RawValue;
 
 use super::json::Json;
 use super::scheme;
+use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
 use crate::located::Located;
-use crate::mesh::GREATEST;
-use crate::model::{Material, Model, Sides};
+use crate::model::{GREATEST, Material, Model, Sides};
 use crate::names::UniqueNames;
 use crate::place::Place;
 
@@ -44,15 +44,25 @@ fn read<'a>(
         (Some(_), _) => 0.0,
         (None, factor) => factor.unwrap_or(1.0),
     };
-    let mut base = pbr.base_color_factor.unwrap_or([1.0; 4]).map(|value| value * (1.0 - metallic));
+    let (mut base, mut texture) = (pbr.base_color_factor, pbr.base_color_texture);
+    let mut diffuse = 1.0 - metallic;
     if let Some(glossiness) = &material.extensions.glossiness {
-        base = glossiness.diffuse_factor.unwrap_or([1.0; 4]);
+        (base, texture) = (glossiness.diffuse_factor, glossiness.diffuse_texture);
+        diffuse = 1.0;
     } else if metallic > 0.0 {
         model.note("specular reflection is left out", Some(place));
     }
+    if texture.is_some() {
+        model.note(TEXTURED, Some(place));
+        diffuse *= UNKNOWN;
+    }
     let strength = material.extensions.strength.as_ref().and_then(|strength| strength.emissive_strength);
-    let emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
-    let [r, g, b, _] = base;
+    let mut emission = material.emissive_factor.map(|value| PI * value * strength.unwrap_or(1.0));
+    if material.emissive_texture.is_some() && emission != [0.0; 3] {
+        model.note(TEXTURED_EMISSION, Some(place));
+        emission = [0.0; 3];
+    }
+    let [r, g, b, _] = base.unwrap_or([1.0; 4]).map(|value| value * diffuse);
     if ![r, g, b].iter().chain(&emission).all(|value| (0.0..=GREATEST).contains(value)) {
         return Err(Located::new(
             place,
@@ -74,15 +84,7 @@ fn read<'a>(
 /// Says what of a material is left out.
 fn note(material: &scheme::Material, place: Place, model: &mut Model) {
     let pbr = &material.pbr_metallic_roughness;
-    let glossiness = material.extensions.glossiness.as_ref();
-    let textures = [
-        pbr.base_color_texture,
-        pbr.metallic_roughness_texture,
-        material.emissive_texture,
-        material.normal_texture,
-        glossiness.and_then(|glossiness| glossiness.diffuse_texture),
-    ];
-    if textures.iter().any(Option::is_some) {
+    if pbr.metallic_roughness_texture.or(material.normal_texture).is_some() {
         model.note("textures are left out", Some(place));
     }
     let is_transparent = material.alpha_mode.as_deref().is_some_and(|mode| mode != "OPAQUE");

@@ -1,6 +1,10 @@
 //! Nodes: meshes and cameras placed in the scene (sections 3.5 and 3.10).
 
+use std::collections::HashMap;
+use std::rc::Rc;
+
 use glam::{DMat3, DMat4, DQuat, DVec3};
+use serde_json::value::RawValue;
 
 use super::accessor::{Accessors, Data, Kind};
 use super::json::Json;
@@ -25,7 +29,15 @@ pub(super) struct Nodes<'a, 'b> {
     names: UniqueNames,
     /// Sides of the surfaces of each material.
     sides: &'b [Sides],
+    /// The meshes that were parsed, by index.
+    meshes: HashMap<usize, Rc<Parts>>,
     visits: usize,
+}
+
+/// A mesh that was parsed.
+struct Parts {
+    name: Option<String>,
+    primitives: Vec<(Primitive, Place)>,
 }
 
 /// A node in the world.
@@ -44,7 +56,16 @@ impl<'a, 'b> Nodes<'a, 'b> {
         sides: &'b [Sides],
         mesh: &'b mut Mesh,
     ) -> Self {
-        Nodes { json, root, accessors, mesh, names: UniqueNames::default(), sides, visits: 0 }
+        Nodes {
+            json,
+            root,
+            accessors,
+            mesh,
+            names: UniqueNames::default(),
+            sides,
+            meshes: HashMap::new(),
+            visits: 0,
+        }
     }
 
     /// Adds the scene that the file names, or its first one; without scenes, all nodes that are nobody's children.
@@ -154,19 +175,31 @@ impl<'a, 'b> Nodes<'a, 'b> {
     }
 
     fn add_mesh(&mut self, index: usize, placed: &Placed) -> Result<(), Located> {
-        let (mesh, _): (scheme::Mesh, Place) =
-            self.json.item(&self.root.meshes, index, "mesh", placed.place)?;
+        let mesh = self.mesh(index, placed.place)?;
         let named = |name: &Option<String>| name.clone().filter(|name| !name.trim().is_empty());
         let name = named(&placed.node.name).or_else(|| named(&mesh.name));
         let name = name.map(|name| self.names.take(&name));
         let object = self.mesh.object(name.as_deref());
-        for text in &mesh.primitives {
-            let place = self.json.place(text.get());
-            self.visit(1, place)?;
-            let primitive: Primitive = self.json.parse(text.get(), "the primitive")?;
-            self.add_primitive(&primitive, object, &placed.world, place)?;
+        for (primitive, place) in &mesh.primitives {
+            self.visit(1, *place)?;
+            self.add_primitive(primitive, object, &placed.world, *place)?;
         }
         Ok(())
+    }
+
+    /// The mesh of an index, which is parsed once however many nodes place it.
+    fn mesh(&mut self, index: usize, from: Place) -> Result<Rc<Parts>, Located> {
+        if let Some(known) = self.meshes.get(&index) {
+            return Ok(Rc::clone(known));
+        }
+        let (mesh, _): (scheme::Mesh, Place) = self.json.item(&self.root.meshes, index, "mesh", from)?;
+        let primitive = |text: &&RawValue| -> Result<(Primitive, Place), Located> {
+            Ok((self.json.parse(text.get(), "the primitive")?, self.json.place(text.get())))
+        };
+        let primitives = mesh.primitives.iter().map(primitive).collect::<Result<_, _>>()?;
+        let parts = Rc::new(Parts { name: mesh.name, primitives });
+        self.meshes.insert(index, Rc::clone(&parts));
+        Ok(parts)
     }
 
     fn add_primitive(

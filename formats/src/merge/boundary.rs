@@ -14,6 +14,9 @@ const AREA: f64 = 1e-9;
 /// Roundings within which corners lie in a plane through others. Chosen; not tuned.
 const ROUNDINGS: f64 = 8.0;
 
+/// Width of a slit over its length: less closes. Chosen: more than decimals that are usual leave.
+const SLIT: f64 = 1e-6;
+
 /// A polygon that faces were merged to.
 #[derive(Debug)]
 pub(super) struct Merged {
@@ -38,7 +41,8 @@ impl Merged {
         for ring in loops(&sides, &successors(&sides, &sheet)?) {
             let (own, length) = sheet.area_and_length(&ring);
             // Both banks of a slit: faces meet there along parts of a side.
-            if own.abs() <= 0.5 * corners.near * length {
+            let width = (ROUNDINGS * corners.rounding(&ring)).max(SLIT * length);
+            if own.abs() <= 0.5 * width * length {
                 continue;
             }
             area += own;
@@ -48,8 +52,9 @@ impl Merged {
         let outlines = rings.iter().filter(|ring| ring.0 > 0.0).count();
         let parts: f64 = faces.iter().map(|face| face.area * face.normal.dot(sheet.normal)).sum();
         let loops: Vec<Vec<u32>> = rings.into_iter().map(|(_, ring)| ring).collect();
+        let rounding = loops.iter().map(|ring| corners.rounding(ring)).fold(0.0, f64::max);
         let is_sound = outlines == 1 && (area - parts).abs() <= AREA * parts;
-        if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS * corners.rounding) {
+        if !is_sound || cross(&sheet.flat(&loops), ROUNDINGS * rounding) {
             return None;
         }
         let mut surfaces: Vec<usize> = faces.iter().map(|face| face.surface).collect();
@@ -78,7 +83,8 @@ fn is_flat(sides: &[[u32; 2]], sheet: &Sheet) -> bool {
     let offsets = || sides.iter().map(|[a, _]| sheet.corners.point(*a) - origin);
     let size = offsets().map(DVec3::length).fold(0.0, f64::max);
     let height = offsets().map(|x| x.dot(sheet.normal).abs()).fold(0.0, f64::max);
-    height <= (FLAT * size).max(ROUNDINGS * sheet.corners.rounding)
+    let rounding = sides.iter().map(|side| sheet.corners.rounding(side)).fold(0.0, f64::max);
+    height <= (FLAT * size).max(ROUNDINGS * rounding)
 }
 
 /// For each side the next one that bounds the same faces: around the corner where it ends, the first one clockwise from

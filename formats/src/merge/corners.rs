@@ -1,71 +1,82 @@
 //! Corners of surfaces, those at one place welded.
+//!
+//! Two corners are at one place if they differ by what rounding leaves of the coordinates of either's surface, in the
+//! precision of its object. What else is in the file, and how large it is, does not matter.
 
 use std::collections::HashMap;
 
 use glam::DVec3;
-use radiosity_geom::coordinate_rounding;
+use radiosity_geom::{Aabb, Bvh, sides, unit_roundoff};
 
 use crate::model::{Shape, Surface};
 
-/// Corners nearer to each other than this part of the extent are one: some roundings of single precision. Chosen; not
+/// Roundings by which two corners that are meant to be one may differ: each is computed, by a few operations. Chosen; not
 /// tuned.
-const NEAR: f64 = 1e-6;
+const ROUNDINGS: f64 = 8.0;
 
-/// Side of a cell over the distance within which corners are one. Chosen; not tuned.
-const CELL: f64 = 4.0;
+/// Part of the shortest side at a corner that its place may be uncertain by. Chosen; not tuned.
+const OF_SIDE: f64 = 0.25;
 
 /// The corners of polygons and quads by number.
 #[derive(Debug)]
 pub(super) struct Corners {
+    /// The first corner of each number, and its rounding (length).
     points: Vec<DVec3>,
-    /// The corners of all surfaces one after another, and where those of each begin.
+    roundings: Vec<f64>,
+    /// The corners of all surfaces one after another, their numbers, and where those of each surface begin.
+    given: Vec<DVec3>,
     numbers: Vec<u32>,
     starts: Vec<usize>,
-    /// Distance within which corners are one (length).
-    pub(super) near: f64,
-    /// Extent of all corners (length).
-    pub(super) extent: f64,
-    /// Rounding of coordinates (length).
-    pub(super) rounding: f64,
 }
 
 impl Corners {
-    /// The corners of `surfaces`, holes behind outlines; curved surfaces have none.
-    pub(super) fn welded(surfaces: &[Surface]) -> Corners {
-        let (mut all, mut starts) = (Vec::new(), vec![0]);
+    /// The corners of `surfaces`, holes behind outlines; curved surfaces have none. `objects` names the object of each.
+    pub(super) fn welded(surfaces: &[Surface], objects: &[usize]) -> Corners {
+        let (mut given, mut starts) = (Vec::new(), vec![0]);
         for surface in surfaces {
-            match &surface.shape {
-                Shape::Polygon { outline, holes } => {
-                    all.extend(outline.iter().chain(holes.iter().flatten()).copied());
-                }
-                Shape::Quad(corners) => all.extend(corners),
-                _ => {}
-            }
-            starts.push(all.len());
+            rings(&surface.shape).into_iter().for_each(|ring| given.extend(ring));
+            starts.push(given.len());
         }
-        let low = all.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let high = all.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max);
-        let extent = if all.is_empty() { 0.0 } else { low.distance(high) };
-        let mut weld = Weld { low, near: NEAR * extent, points: Vec::new(), cells: HashMap::new() };
-        let mut exact: HashMap<[u64; 3], u32> = HashMap::new();
-        let mut number = |x: &DVec3| {
-            // Adding 0 turns −0 into 0.
-            let key = (*x + DVec3::ZERO).to_array().map(f64::to_bits);
-            *exact.entry(key).or_insert_with(|| weld.number(*x))
-        };
-        let numbers = all.iter().map(&mut number).collect();
-        let rounding = coordinate_rounding(&all, None);
-        Corners { numbers, starts, near: weld.near, extent, rounding, points: weld.points }
+        let mut places = Places::default();
+        let roundoffs = roundoffs(&given, &starts, objects);
+        let mut numbers = Vec::with_capacity(given.len());
+        for (surface, object) in surfaces.iter().zip(objects) {
+            let rings = rings(&surface.shape);
+            let size = |x: &DVec3| x.abs().element_sum();
+            let rounding = roundoffs[*object] * rings.iter().copied().flatten().map(size).fold(0.0, f64::max);
+            for ring in rings {
+                numbers.extend(shortest(ring).zip(ring).map(|(side, x)| places.take(*x, rounding, side)));
+            }
+        }
+        let firsts = places.welded();
+        let (points, roundings) = (places.points, places.roundings);
+        let numbers = numbers.into_iter().map(|place: u32| firsts[place as usize]).collect();
+        Corners { points, roundings, given, numbers, starts }
     }
 
-    /// Number of different corners.
+    /// Numbers are below this.
     pub(super) fn count(&self) -> usize {
         self.points.len()
     }
 
     /// The corners of a surface.
     pub(super) fn of(&self, surface: usize) -> &[u32] {
-        &self.numbers[self.starts[surface]..self.starts[surface + 1]]
+        &self.numbers[self.range(surface)]
+    }
+
+    /// The corners of surfaces as they were given: of those at one place the first.
+    pub(super) fn given(&self, surfaces: &[usize]) -> HashMap<u32, DVec3> {
+        let mut given = HashMap::new();
+        for range in surfaces.iter().map(|surface| self.range(*surface)) {
+            for (number, x) in self.numbers[range.clone()].iter().zip(&self.given[range]) {
+                given.entry(*number).or_insert(*x);
+            }
+        }
+        given
+    }
+
+    fn range(&self, surface: usize) -> std::ops::Range<usize> {
+        self.starts[surface]..self.starts[surface + 1]
     }
 
     /// Where a corner is.
@@ -77,42 +88,89 @@ impl Corners {
     pub(super) fn points(&self, ring: &[u32]) -> Vec<DVec3> {
         ring.iter().map(|corner| self.point(*corner)).collect()
     }
+
+    /// The largest rounding of these corners (length): of the smallest surface that has each.
+    pub(super) fn rounding(&self, ring: &[u32]) -> f64 {
+        ring.iter().map(|corner| self.roundings[*corner as usize]).fold(0.0, f64::max)
+    }
 }
 
-/// Welded points in cells. Points that differ are apart by more than `near`, so a cell holds few.
-struct Weld {
-    low: DVec3,
-    near: f64,
-    points: Vec<DVec3>,
-    cells: HashMap<[i64; 3], Vec<u32>>,
-}
-
-impl Weld {
-    /// The number of the first point near `x`, or a new one.
-    fn number(&mut self, x: DVec3) -> u32 {
-        let [low, high] = [-self.near, self.near].map(|reach| self.cell(x + DVec3::splat(reach)));
-        for i in low[0]..=high[0] {
-            for j in low[1]..=high[1] {
-                for k in low[2]..=high[2] {
-                    let found = self.cells.get(&[i, j, k]).into_iter().flatten();
-                    let near = |number: &&u32| self.points[**number as usize].distance(x) <= self.near;
-                    if let Some(number) = found.copied().find(|number| near(&number)) {
-                        return number;
-                    }
-                }
-            }
+/// The outline and the holes of a flat or bilinear shape.
+fn rings(shape: &Shape) -> Vec<&[DVec3]> {
+    match shape {
+        Shape::Polygon { outline, holes } => {
+            std::iter::once(outline).chain(holes).map(Vec::as_slice).collect()
         }
-        let number = self.points.len() as u32;
-        self.points.push(x);
-        let cell = self.cell(x);
-        self.cells.entry(cell).or_default().push(number);
+        Shape::Quad(corners) => vec![corners],
+        _ => Vec::new(),
+    }
+}
+
+/// The unit roundoff of each object.
+fn roundoffs(given: &[DVec3], starts: &[usize], objects: &[usize]) -> Vec<f64> {
+    let count = objects.iter().max().map_or(0, |last| last + 1);
+    let mut points: Vec<Vec<DVec3>> = vec![Vec::new(); count];
+    for (object, range) in objects.iter().zip(starts.windows(2)) {
+        points[*object].extend(&given[range[0]..range[1]]);
+    }
+    points.iter().map(|points| unit_roundoff(points)).collect()
+}
+
+/// For each corner of a ring the shorter one of its two sides; a side of no length is none.
+fn shortest(ring: &[DVec3]) -> impl Iterator<Item = f64> {
+    let length = |[x, y]: [DVec3; 2]| match x.distance(y) {
+        0.0 => f64::INFINITY,
+        length => length,
+    };
+    let lengths: Vec<f64> = sides(ring).map(length).collect();
+    let count = lengths.len();
+    (0..count).map(move |k| lengths[k].min(lengths[(k + count - 1) % count]))
+}
+
+/// Different points, with what is known of the surfaces that have a corner there.
+#[derive(Debug, Default)]
+struct Places {
+    known: HashMap<[u64; 3], u32>,
+    points: Vec<DVec3>,
+    /// The smallest rounding, and the shortest side (lengths).
+    roundings: Vec<f64>,
+    shortest: Vec<f64>,
+}
+
+impl Places {
+    /// The number of a corner of a surface with this rounding.
+    fn take(&mut self, x: DVec3, rounding: f64, side: f64) -> u32 {
+        // Adding 0 turns −0 into 0.
+        let key = (x + DVec3::ZERO).to_array().map(f64::to_bits);
+        let next = self.points.len() as u32;
+        let number = *self.known.entry(key).or_insert(next);
+        if number == next {
+            self.points.push(x);
+            self.roundings.push(f64::INFINITY);
+            self.shortest.push(f64::INFINITY);
+        }
+        let at = number as usize;
+        self.roundings[at] = self.roundings[at].min(rounding);
+        self.shortest[at] = self.shortest[at].min(side);
         number
     }
 
-    fn cell(&self, x: DVec3) -> [i64; 3] {
-        match self.near > 0.0 {
-            true => ((x - self.low) / (CELL * self.near)).to_array().map(|c| c.floor() as i64),
-            false => [0; 3],
+    /// For each point the first one that it is one with.
+    fn welded(&self) -> Vec<u32> {
+        let reach = |at: usize| (ROUNDINGS * self.roundings[at]).min(OF_SIDE * self.shortest[at]);
+        let boxes: Vec<Aabb> = self.points.iter().map(|x| Aabb { min: *x, max: *x }).collect();
+        let tree = Bvh::build(&boxes);
+        let mut firsts: Vec<u32> = (0..self.points.len() as u32).collect();
+        for (at, x) in self.points.iter().enumerate() {
+            let mut first = at;
+            tree.overlapping(&boxes[at].inflate(reach(at)), |other| {
+                let is_first = other < first && firsts[other] as usize == other;
+                if is_first && self.points[other].distance(*x) <= reach(at).min(reach(other)) {
+                    first = other;
+                }
+            });
+            firsts[at] = first as u32;
         }
+        firsts
     }
 }

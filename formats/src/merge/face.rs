@@ -34,8 +34,11 @@ pub(super) struct Face {
     pub(super) ring: Vec<u32>,
     /// Unit normal of its front.
     pub(super) normal: DVec3,
-    /// Its area (length²).
+    /// Its area (length²), and its extent (length).
     pub(super) area: f64,
+    pub(super) extent: f64,
+    /// Rounding of its corners (length).
+    pub(super) rounding: f64,
     /// Tilt that rounding may have given it (radians).
     tilt: f64,
 }
@@ -73,14 +76,14 @@ impl Face {
             return None;
         }
         let points = corners.points(&ring);
-        let (size, area_vector) = (extent(&points), area_vector(&points));
-        let area = area_vector.length();
-        let is_flat = unevenness(&points) <= (FLAT * size).max(ROUNDINGS * corners.rounding);
-        if area.is_nan() || area <= NO_AREA * size * size || !is_flat {
+        let (extent, area_vector) = (extent(&points), area_vector(&points));
+        let (area, rounding) = (area_vector.length(), corners.rounding(&ring));
+        let is_flat = unevenness(&points) <= (FLAT * extent).max(ROUNDINGS * rounding);
+        if area.is_nan() || area <= NO_AREA * extent * extent || !is_flat {
             return None;
         }
-        let tilt = ROUNDINGS * corners.rounding * size / area;
-        Some(Face { surface, key, ring, normal: area_vector / area, area, tilt })
+        let tilt = ROUNDINGS * rounding * extent / area;
+        Some(Face { surface, key, ring, normal: area_vector / area, area, extent, rounding, tilt })
     }
 
     /// Whether its plane has the direction of another's plane.

@@ -1,10 +1,7 @@
 //! Groups of faces in one plane that hang together by their sides.
 
 use super::corners::Corners;
-use super::face::Face;
-
-/// Distance of corners from a group's plane over the extent of all surfaces. Chosen; not tuned.
-const FLAT: f64 = 1e-5;
+use super::face::{FLAT, Face};
 
 /// Roundings within which corners lie in a plane through others. Chosen; not tuned.
 const ROUNDINGS: f64 = 8.0;
@@ -23,7 +20,6 @@ struct Side {
 /// Groups of two or more faces, each a list of faces.
 pub(super) fn groups(faces: &[Face], corners: &Corners) -> Vec<Vec<u32>> {
     let neighbours = neighbours(faces);
-    let distance = (FLAT * corners.extent).max(ROUNDINGS * corners.rounding);
     let mut seeds: Vec<u32> = (0..faces.len() as u32).collect();
     seeds.sort_by(|a, b| faces[*b as usize].area.total_cmp(&faces[*a as usize].area));
     let mut is_taken = vec![false; faces.len()];
@@ -41,7 +37,11 @@ pub(super) fn groups(faces: &[Face], corners: &Corners) -> Vec<Vec<u32>> {
             next += 1;
             for other in neighbours.of(face) {
                 let joined = &faces[*other as usize];
-                let is_near = |x: &u32| (corners.point(*x) - origin).dot(first.normal).abs() <= distance;
+                let rounded = ROUNDINGS * first.rounding.max(joined.rounding);
+                let is_near = |x: &u32| {
+                    let way = corners.point(*x) - origin;
+                    way.dot(first.normal).abs() <= (FLAT * first.extent.max(way.length())).max(rounded)
+                };
                 if !is_taken[*other as usize]
                     && joined.is_level_with(first)
                     && joined.ring.iter().all(is_near)

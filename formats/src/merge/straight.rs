@@ -1,7 +1,5 @@
 //! Corners in the middle of straight sides.
 
-use glam::DVec3;
-
 use super::boundary::Merged;
 use super::corners::Corners;
 
@@ -52,12 +50,14 @@ fn droppable(merged: &[Merged], corners: &Corners, count: usize) -> Vec<bool> {
 fn goes_straight(three: [u32; 3], corners: &Corners) -> bool {
     let [a, b, c] = three.map(|corner| corners.point(corner));
     let turn = (b - a).normalize_or_zero().distance((c - b).normalize_or_zero());
-    turn <= TURN && is_on([a, c], b, corners)
+    turn <= TURN && is_on([three[0], three[2]], three[1], corners)
 }
 
-/// Whether a point lies on a side, to rounding.
-fn is_on([a, c]: [DVec3; 2], b: DVec3, corners: &Corners) -> bool {
-    (b - a).reject_from_normalized((c - a).normalize_or_zero()).length() <= ROUNDINGS * corners.rounding
+/// Whether a corner lies on the side between two, to rounding.
+fn is_on([a, c]: [u32; 2], b: u32, corners: &Corners) -> bool {
+    let rounding = corners.rounding(&[a, b, c]);
+    let [a, b, c] = [a, b, c].map(|corner| corners.point(corner));
+    (b - a).reject_from_normalized((c - a).normalize_or_zero()).length() <= ROUNDINGS * rounding
 }
 
 /// Takes corners back whose sides would bend without them. Whether there were any.
@@ -74,8 +74,8 @@ fn bent(merged: &[Merged], corners: &Corners, may_go: &mut [bool]) -> bool {
         for (start, end) in stays.iter().zip(stays.iter().cycle().skip(1)) {
             let steps = (end + ring.len() - start - 1) % ring.len();
             let between = || (1..=steps).map(|step| ring[(start + step) % ring.len()]);
-            let ends = [ring[*start], ring[*end]].map(|corner| corners.point(corner));
-            if !between().all(|corner| is_on(ends, corners.point(corner), corners)) {
+            let ends = [ring[*start], ring[*end]];
+            if !between().all(|corner| is_on(ends, corner, corners)) {
                 between().for_each(|corner| may_go[corner as usize] = false);
                 is_changed = true;
             }

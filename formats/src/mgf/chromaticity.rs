@@ -65,6 +65,10 @@ const COOLEST: f64 = 1000.0;
 /// Least y: darker colours are none that an eye sees. Of the spectrum's colours the least is 0.0048.
 const LEAST_Y: f64 = 1e-3;
 
+/// Part of the largest of red, green and blue by which those of a grey may differ: chromaticities are written with three
+/// digits. Chosen; not tuned.
+const GREY: f64 = 4e-3;
+
 /// A colour without its brightness (CIE 1931 x, y).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Chromaticity {
@@ -180,12 +184,10 @@ impl Chromaticity {
         }
     }
 
-    /// Red, green and blue of it at brightness 1.
+    /// Red, green and blue of it at brightness 1. What is grey but for the digits that chromaticities have is grey.
     pub(super) fn bands(&self) -> [f64; 3] {
-        match *self == Self::default() {
-            true => [1.0; 3],
-            false => colour::of_chromaticity(self.x, self.y),
-        }
+        let bands = colour::of_chromaticity(self.x, self.y);
+        if colour::is_grey(&bands, GREY) { [1.0; 3] } else { bands }
     }
 }
 

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::fault::Fault;
 use crate::model::Shape;
-use crate::outline::is_warped;
+use crate::outline::{area_vector, is_warped};
 
 /// A vertex: a point, and a direction where one is needed.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -132,7 +132,7 @@ fn check_normal(vertex: Vertex, kind: &str) -> Result<(), Fault> {
 /// # Errors
 /// Fewer than three points, no area, no length.
 pub(super) fn prism(outline: Vec<DVec3>, length: f64) -> Result<Vec<Shape>, Fault> {
-    let normal = normal(&outline);
+    let normal = area_vector(&outline).normalize_or_zero();
     if length == 0.0 || normal == DVec3::ZERO {
         return Err(Fault::new("a prism has no volume", "give it a length and an end with an area"));
     }
@@ -144,10 +144,4 @@ pub(super) fn prism(outline: Vec<DVec3>, length: f64) -> Result<Vec<Shape>, Faul
     }
     faces.push(far.into_iter().rev().collect());
     faces.into_iter().map(face).collect()
-}
-
-/// Unit normal of an outline (Newell), zero if it has no area.
-fn normal(outline: &[DVec3]) -> DVec3 {
-    let Some(first) = outline.first() else { return DVec3::ZERO };
-    outline.windows(2).map(|pair| (pair[0] - first).cross(pair[1] - first)).sum::<DVec3>().normalize_or_zero()
 }

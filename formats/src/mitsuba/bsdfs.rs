@@ -6,13 +6,13 @@ use super::colours::{Colour, Colours};
 use super::element::Element;
 use super::ids::Ids;
 use super::remarks::Remarks;
+use crate::colour::UNKNOWN;
 use crate::error::Refusal;
 use crate::model::Sides;
 use crate::text::short;
 
-/// Reflectance where the scene states none, and of textures that do not tell: Mitsuba's own, and chosen.
+/// Reflectance where the scene states none: Mitsuba's own.
 const USUAL: f64 = 0.5;
-const UNKNOWN: f64 = 0.5;
 
 /// Most bsdfs in one another. Chosen.
 const DEEPEST: usize = 16;

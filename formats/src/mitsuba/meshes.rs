@@ -16,6 +16,8 @@ use crate::{obj, ply};
 pub(super) struct Mesh {
     /// Its faces.
     pub(super) faces: Vec<Shape>,
+    /// Whether it states normals at its vertices.
+    pub(super) has_normals: bool,
     /// What was left out of it.
     pub(super) remarks: Vec<String>,
 }
@@ -50,6 +52,7 @@ impl<'a> Meshes<'a> {
                 "put it beside the scene, or take the shape out",
             ))
         })?;
+        let has_normals = has_normals(shape.kind(), &bytes);
         let model = match shape.kind() {
             "obj" => obj::read(path, &without_materials(bytes), self.files)?,
             _ => ply::read(path, &bytes, self.files)?,
@@ -57,9 +60,22 @@ impl<'a> Meshes<'a> {
         // Merging has no place; what has one was left out.
         let remarks = model.notes.iter().filter(|note| note.place.is_some()).map(|note| note.text.clone());
         let faces = model.surfaces.into_iter().map(|surface| surface.shape).collect();
-        let mesh = Rc::new(Mesh { faces, remarks: remarks.collect() });
+        let mesh = Rc::new(Mesh { faces, has_normals, remarks: remarks.collect() });
         self.known.insert(path.to_owned(), mesh.clone());
         Ok(mesh)
+    }
+}
+
+/// Whether the bytes of an OBJ (`vn`) or a PLY (`property … nx`) state normals at vertices.
+fn has_normals(kind: &str, bytes: &[u8]) -> bool {
+    let mut lines = bytes.split(|byte| *byte == b'\n').map(<[u8]>::trim_ascii);
+    match kind {
+        "obj" => {
+            lines.any(|line| line.starts_with(b"vn") && line.get(2).is_some_and(u8::is_ascii_whitespace))
+        }
+        _ => lines
+            .take_while(|line| *line != b"end_header")
+            .any(|line| line.starts_with(b"property") && line.ends_with(b" nx")),
     }
 }
 

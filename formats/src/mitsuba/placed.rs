@@ -1,5 +1,6 @@
 //! Shapes where a transform puts them. Mirror images keep their fronts: normals are turned by the inverse transpose, as
-//! in Mitsuba.
+//! in Mitsuba. So do meshes that state normals; of others the front is where the corners run counter-clockwise once they
+//! are placed.
 
 use glam::{DAffine3, DVec3};
 
@@ -133,9 +134,13 @@ pub(super) fn sphere(
     Ok(Shape::Sphere { center: placed.transform_point3(center), radius, inward: is_flipped })
 }
 
-/// A flat shape of a mesh.
-pub(super) fn face(placed: &DAffine3, shape: &Shape, is_flipped: bool) -> Shape {
-    let is_turned = (placed.matrix3.determinant() < 0.0) != is_flipped;
+/// Whether a transform mirrors.
+pub(super) fn is_mirror(placed: &DAffine3) -> bool {
+    placed.matrix3.determinant() < 0.0
+}
+
+/// A flat shape of a mesh, its corners run through the other way round if it is turned.
+pub(super) fn face(placed: &DAffine3, shape: &Shape, is_turned: bool) -> Shape {
     let moved = |points: &[DVec3]| points.iter().map(|point| placed.transform_point3(*point)).collect();
     match shape {
         Shape::Polygon { outline, holes } => Shape::Polygon {

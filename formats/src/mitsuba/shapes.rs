@@ -151,7 +151,11 @@ impl<'a, 'b> Shapes<'a, 'b> {
             _ => {
                 let mesh = self.meshes.of(shape)?;
                 mesh.remarks.iter().for_each(|text| remarks.add(format!("of meshes: {text}"), shape));
-                Ok(mesh.faces.iter().map(|face| placed::face(placed, face, is_flipped)).collect())
+                let own = transforms::of(shape, "to_world")?;
+                let has_normals = mesh.has_normals && !shape.boolean("face_normals")?;
+                let is_lost = placed::is_mirror(&own) && !has_normals;
+                let is_turned = (placed::is_mirror(placed) != is_flipped) != is_lost;
+                Ok(mesh.faces.iter().map(|face| placed::face(placed, face, is_turned)).collect())
             }
         }
     }

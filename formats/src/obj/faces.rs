@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 
-use super::mtl::split;
+use super::statements::split;
 use crate::fault::Fault;
 use crate::located::Located;
 use crate::mesh::{Coat, Mesh};

@@ -1,11 +1,13 @@
 //! MTL: the diffuse part of materials.
 
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
-use super::statements::statements;
+use super::statements::{split, statements};
+use crate::colour::{TEXTURED, TEXTURED_EMISSION, UNKNOWN};
 use crate::fault::Fault;
 use crate::located::Located;
-use crate::mesh::GREATEST;
+use crate::model::GREATEST;
 use crate::place::Place;
 use crate::text::{number, short};
 
@@ -14,14 +16,13 @@ const SPECULAR: &str = "specular reflection is left out";
 const TRANSPARENCY: &str = "transparency is left out";
 
 /// A material.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Mtl {
-    /// `Kd`, red, green and blue.
-    pub(super) reflectance: [f64; 3],
-    /// `Ke`, red, green and blue.
-    pub(super) radiance: [f64; 3],
+    /// `Kd` and `Ke`, red, green and blue.
+    diffuse: Option<[f64; 3]>,
+    radiance: [f64; 3],
     /// What of it is left out, each kind once.
-    pub(super) left_out: Vec<&'static str>,
+    pub(super) left_out: Vec<String>,
 }
 
 /// Adds the materials of a text to those that are known.
@@ -49,27 +50,47 @@ pub(super) fn read(text: &str, known: &mut HashMap<String, Mtl>) -> Result<(), L
 
 /// Adds a material, if none of its name is known.
 fn add(mtl: Option<(String, Mtl)>, known: &mut HashMap<String, Mtl>) {
-    if let Some((name, mtl)) = mtl {
-        known.entry(name).or_insert(mtl);
+    let Some((name, mtl)) = mtl else { return };
+    match known.entry(name) {
+        Entry::Vacant(entry) => drop(entry.insert(mtl)),
+        Entry::Occupied(mut entry) => {
+            let again = format!(
+                "the material '{}' is described again with other values: the first ones are taken",
+                short(entry.key())
+            );
+            let first = entry.get_mut();
+            if [first.reflectance(), first.radiance()] != [mtl.reflectance(), mtl.radiance()] {
+                first.leave_out(&again);
+            }
+        }
     }
 }
 
-/// The first word and what follows it.
-pub(super) fn split(statement: &str) -> (&str, &str) {
-    let (keyword, rest) = statement.split_once(char::is_whitespace).unwrap_or((statement, ""));
-    (keyword, rest.trim())
-}
-
 impl Mtl {
+    /// Reflectance of red, green and blue: `Kd`, times the mean of what `map_Kd` names. Black without both.
+    pub(super) fn reflectance(&self) -> [f64; 3] {
+        match (self.diffuse, self.has(TEXTURED)) {
+            (stated, true) => stated.unwrap_or([1.0; 3]).map(|value| UNKNOWN * value),
+            (stated, false) => stated.unwrap_or_default(),
+        }
+    }
+
+    /// Radiance of red, green and blue: `Ke`, or 0 where a texture tells what shines.
+    pub(super) fn radiance(&self) -> [f64; 3] {
+        if self.has(TEXTURED_EMISSION) { [0.0; 3] } else { self.radiance }
+    }
+
     fn statement(&mut self, keyword: &str, rest: &str) -> Result<(), Fault> {
         match keyword.to_ascii_lowercase().as_str() {
-            "kd" => self.reflectance = colour(rest, "Kd")?,
+            "kd" => self.diffuse = Some(colour(rest, "Kd")?),
             "ke" => self.radiance = colour(rest, "Ke")?,
             "ks" if colour(rest, "Ks").is_ok_and(|colour| colour != [0.0; 3]) => self.leave_out(SPECULAR),
             "d" if last(rest).is_some_and(|d| d < 1.0) => self.leave_out(TRANSPARENCY),
             // Programs write 0 for opaque, as transparency, or 1, as its opposite.
             "tr" if last(rest).is_some_and(|tr| tr > 0.0 && tr < 1.0) => self.leave_out(TRANSPARENCY),
             "pm" if last(rest).is_some_and(|metallic| metallic > 0.0) => self.leave_out(SPECULAR),
+            "map_kd" => self.leave_out(TEXTURED),
+            "map_ke" => self.leave_out(TEXTURED_EMISSION),
             "bump" | "disp" | "decal" | "refl" | "norm" => self.leave_out(TEXTURES),
             map if map.starts_with("map_") => self.leave_out(TEXTURES),
             _ => {}
@@ -77,9 +98,13 @@ impl Mtl {
         Ok(())
     }
 
-    fn leave_out(&mut self, what: &'static str) {
-        if !self.left_out.contains(&what) {
-            self.left_out.push(what);
+    fn has(&self, what: &str) -> bool {
+        self.left_out.iter().any(|own| own == what)
+    }
+
+    fn leave_out(&mut self, what: &str) {
+        if !self.has(what) {
+            self.left_out.push(what.to_owned());
         }
     }
 }

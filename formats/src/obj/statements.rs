@@ -1,6 +1,12 @@
 //! Statements of OBJ and MTL: lines without comments, joined where they end with a backslash.
+//!
+//! A number sign begins a comment at the beginning of a line or behind a blank. Where a statement gives a name, a blank
+//! has to follow too: programs write `usemtl Material #25`.
 
 use std::borrow::Cow;
+
+/// Statements that give a name.
+const NAMED: [&str; 5] = ["o", "g", "usemtl", "newmtl", "mtllib"];
 
 /// The statements of a text, each with the line that it begins in. Blank ones are left out.
 pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
@@ -8,17 +14,17 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str
     std::iter::from_fn(move || {
         loop {
             let (index, line) = lines.next()?;
-            let mut statement = Cow::Borrowed(plain(line));
-            while let Some(start) = statement.strip_suffix('\\') {
-                let next = lines.next().map_or("", |(_, line)| plain(line));
-                let mut joined = start.to_owned();
-                joined.push(' ');
-                joined.push_str(next);
-                statement = Cow::Owned(joined);
-            }
-            let statement = match statement {
-                Cow::Borrowed(statement) => Cow::Borrowed(statement.trim()),
-                Cow::Owned(statement) => Cow::Owned(statement.trim().to_owned()),
+            let first = plain(line);
+            let statement = if first.ends_with('\\') {
+                let mut joined = first.to_owned();
+                while joined.ends_with('\\') {
+                    joined.pop();
+                    joined.push(' ');
+                    joined.push_str(lines.next().map_or("", |(_, line)| plain(line)));
+                }
+                Cow::Owned(joined.trim().to_owned())
+            } else {
+                Cow::Borrowed(first.trim())
             };
             if !statement.is_empty() {
                 return Some((index + 1, statement));
@@ -27,11 +33,22 @@ pub(super) fn statements(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str
     })
 }
 
-/// A line without its comment: a number sign at its beginning or behind a blank, so that names may hold one.
+/// A line without its comment.
 fn plain(line: &str) -> &str {
-    let is_comment = |at: &usize| line[..*at].chars().next_back().is_none_or(char::is_whitespace);
+    let (keyword, _) = split(line.trim_start());
+    let is_named = NAMED.iter().any(|known| known.eq_ignore_ascii_case(keyword));
+    let is_comment = |at: &usize| {
+        line[..*at].chars().next_back().is_none_or(char::is_whitespace)
+            && (!is_named || line[at + 1..].chars().next().is_none_or(char::is_whitespace))
+    };
     let end = line.match_indices('#').map(|(at, _)| at).find(is_comment).unwrap_or(line.len());
     line[..end].trim_end()
+}
+
+/// The first word and what follows it.
+pub(super) fn split(statement: &str) -> (&str, &str) {
+    let (keyword, rest) = statement.split_once(char::is_whitespace).unwrap_or((statement, ""));
+    (keyword, rest.trim())
 }
 
 #[cfg(test)]
@@ -40,9 +57,9 @@ mod tests {
 
     #[test]
     fn comments_go_and_lines_are_joined() {
-        let text = "# C:\\models\\\nv 1 2 \\\n  3 # three\n\nusemtl a#1\nf 1 2 3 \\";
+        let text = "# C:\\models\\\nv 1 2 \\\n  3 # three\n\nusemtl a#1 #2 # 3\nf 1 2 3 \\";
         let found: Vec<(usize, String)> = statements(text).map(|(line, x)| (line, x.into_owned())).collect();
-        let expected = [(2, "v 1 2    3"), (5, "usemtl a#1"), (6, "f 1 2 3")];
+        let expected = [(2, "v 1 2    3"), (5, "usemtl a#1 #2"), (6, "f 1 2 3")];
         assert_eq!(found, expected.map(|(line, x)| (line, x.to_owned())));
     }
 }

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::fault::Fault;
 use crate::model::Shape;
-use crate::rad::shapes::{genbox, turned};
+use crate::rad::shapes::genbox;
 use crate::text::{number, short};
 use crate::xform::{Similarity, Transforms};
 
@@ -64,6 +64,9 @@ impl Default for Frame {
     }
 }
 
+/// Most stages of a command, each of which places those before it. Chosen.
+const MOST_STAGES: usize = 32;
+
 /// Most characters of a prefix. Chosen.
 const LONGEST_PREFIX: usize = 1000;
 
@@ -98,6 +101,12 @@ impl Pass {
 /// # Errors
 /// Any command but `xform` with files and `genbox` of sharp edges, through `xform` or not.
 pub(super) fn parse(command: &str) -> Result<Command, Fault> {
+    if command.matches('|').count() >= MOST_STAGES {
+        return Err(Fault::new(
+            format!("a command has more than {MOST_STAGES} stages"),
+            "join some of them: one xform takes several transforms",
+        ));
+    }
     let mut stages = command.split('|').map(words);
     let first = stages.next().unwrap_or_default();
     let first: Vec<&str> = first.iter().map(String::as_str).collect();
@@ -202,7 +211,9 @@ fn boxed(arguments: &[&str]) -> Result<Source, Fault> {
     if corner.min_element() <= 0.0 {
         return Err(Fault::new("a box has no volume", "write three sizes above 0"));
     }
-    let shapes = genbox(corner);
-    let shapes = if options.is_empty() { shapes } else { shapes.into_iter().map(turned).collect() };
+    let mut shapes = genbox(corner);
+    if !options.is_empty() {
+        shapes.iter_mut().for_each(Shape::turn_over);
+    }
     Ok(Source::Shapes { modifier: modifier.to_owned(), name: name.to_owned(), shapes })
 }

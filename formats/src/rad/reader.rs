@@ -105,8 +105,10 @@ impl<'a> Reader<'a> {
                 return Ok(());
             }
         };
-        let placed = frame.placed.shape(&shape);
-        let placed = if frame.is_turned { shapes::turned(placed) } else { placed };
+        let mut placed = frame.placed.shape(&shape);
+        if frame.is_turned {
+            placed.turn_over();
+        }
         self.model.surface(Some(&format!("{}{name}", frame.prefix)), placed, &coat, line)
     }
 

@@ -12,7 +12,7 @@ use crate::text::short;
 /// The shape of a surface; none if the primitive is no surface with a shape.
 ///
 /// # Errors
-/// Another number of numbers than the shape needs, cones of negative radii, rings without a direction.
+/// Another number of numbers than the shape needs, cones with radii of both signs, rings of radii below 0.
 pub(super) fn shape(primitive: &Primitive) -> Result<Option<Shape>, Fault> {
     let shape = match primitive.kind.as_str() {
         "polygon" => polygon(primitive)?,
@@ -62,14 +62,17 @@ fn polygon(primitive: &Primitive) -> Result<Shape, Fault> {
 
 fn cone(primitive: &Primitive) -> Result<Shape, Fault> {
     let [x, y, z, end_x, end_y, end_z, first, second] = numbers(primitive)?;
-    if first < 0.0 || second < 0.0 {
+    if first.min(second) < 0.0 && first.max(second) > 0.0 {
         return Err(Fault::new(
-            format!("the {} '{}' has a radius below 0", primitive.kind, short(&primitive.name)),
-            "write 0 or more; a cup is a cone seen from inside",
+            format!("the {} '{}' has radii of both signs", primitive.kind, short(&primitive.name)),
+            "give both the sign alike; a cup is a cone seen from inside",
         ));
     }
     let base = DVec3::new(x, y, z);
-    let (axis, inward) = (DVec3::new(end_x, end_y, end_z) - base, primitive.kind == "cup");
+    // With radii below 0 one kind is the other.
+    let inward = (primitive.kind == "cup") != (first.min(second) < 0.0);
+    let axis = DVec3::new(end_x, end_y, end_z) - base;
+    let [first, second] = [first.abs(), second.abs()];
     Ok(match first == second {
         true => Shape::Cylinder { base, axis, radius: first, inward },
         false => Shape::Cone { base, axis, radii: [first, second], inward },
@@ -105,27 +108,4 @@ pub(super) fn genbox(corner: DVec3) -> Vec<Shape> {
         [at(1., 0., 0.), at(1., 1., 0.), at(1., 1., 1.), at(1., 0., 1.)],
     ];
     corners.map(|corners| Shape::Polygon { outline: corners.to_vec(), holes: Vec::new() }).into()
-}
-
-/// The same shape with its front turned over.
-pub(super) fn turned(shape: Shape) -> Shape {
-    let reversed = |mut points: Vec<DVec3>| {
-        points.reverse();
-        points
-    };
-    match shape {
-        Shape::Polygon { outline, holes } => Shape::Polygon { outline: reversed(outline), holes },
-        Shape::Quad([a, b, c, d]) => Shape::Quad([a, d, c, b]),
-        Shape::Disk { center, normal, radius, inner } => {
-            Shape::Disk { center, normal: -normal, radius, inner }
-        }
-        Shape::Cylinder { base, axis, radius, inward } => {
-            Shape::Cylinder { base, axis, radius, inward: !inward }
-        }
-        Shape::Cone { base, axis, radii, inward } => Shape::Cone { base, axis, radii, inward: !inward },
-        Shape::Sphere { center, radius, inward } => Shape::Sphere { center, radius, inward: !inward },
-        Shape::Torus { center, axis, major, minor, inward } => {
-            Shape::Torus { center, axis, major, minor, inward: !inward }
-        }
-    }
 }

@@ -17,7 +17,7 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let sheets = Sheets::of(model);
     let mut copies = Copies::of(model);
     for (index, own) in sheets.list().iter().enumerate() {
-        if own.is_round {
+        if own.is_round || !copies.is_there(own.surface) {
             continue;
         }
         for other in sheets.later(index) {

@@ -2,18 +2,17 @@
 //!
 //! The shorter one is raised before its own front by a gap that lets no light through, as a sleeve on a pipe.
 
-use std::collections::HashMap;
-
 use glam::DVec3;
+use radiosity_geom::{Aabb, Bvh};
 
-use crate::model::{Model, Shape};
+use crate::model::{Model, Shape, Surface};
 use crate::repair::record::{Kind, Repairs};
 
 /// Gap over the radius: a hundred times what is no length. Chosen; not tuned.
 const GAP: f64 = 1e-7;
 
-/// Steps in which axes are compared. Chosen; not tuned.
-const KEY: f64 = 1e-8;
+/// How far axes and radii over the reach of all may differ. Chosen; not tuned.
+const STEP: f64 = 1e-8;
 
 /// Part of the shorter length that two have to share at the least. Chosen; not tuned.
 const SHARED: f64 = 1e-3;
@@ -39,24 +38,36 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     }
 }
 
-/// Groups of mantles that are parts of one, each with the index of its surface.
+/// Groups of mantles that are parts of one, each with the index of its surface: those that agree with the first of a group.
 fn lines(model: &Model) -> Vec<Vec<(usize, Mantle)>> {
-    let reach = reach(model);
-    let mut lines: HashMap<[i64; 8], Vec<(usize, Mantle)>> = HashMap::new();
-    for (index, surface) in model.surfaces.iter().enumerate() {
-        if let Some(mantle) = Mantle::of(&surface.shape) {
-            lines.entry(mantle.key(reach)).or_default().push((index, mantle));
+    let of = |(index, surface): (usize, &Surface)| Some((index, Mantle::of(&surface.shape)?));
+    let mut mantles: Vec<_> = model.surfaces.iter().enumerate().filter_map(of).map(Some).collect();
+    let reach = |(_, mantle): &(usize, Mantle)| mantle.radius.max(mantle.middle.length());
+    let reach = mantles.iter().flatten().map(reach).fold(f64::MIN_POSITIVE, f64::max);
+    let measures: Vec<[f64; 8]> =
+        mantles.iter().flatten().map(|(_, mantle)| mantle.measures(reach)).collect();
+    let place = |[x, y, z, ..]: &[f64; 8]| DVec3::new(*x, *y, *z);
+    let boxes: Vec<Aabb> = measures.iter().map(|own| Aabb { min: place(own), max: place(own) }).collect();
+    let tree = Bvh::build(&boxes);
+    let mut lines = Vec::new();
+    for (first, own) in measures.iter().enumerate() {
+        if mantles[first].is_none() {
+            continue;
+        }
+        let mut alike = Vec::new();
+        tree.overlapping(&boxes[first].inflate(STEP), |other| {
+            let is_near = own.iter().zip(&measures[other]).all(|(x, y)| (x - y).abs() <= STEP);
+            if is_near && mantles[other].is_some() {
+                alike.push(other);
+            }
+        });
+        alike.sort_unstable();
+        let line: Vec<_> = alike.into_iter().filter_map(|other| mantles[other].take()).collect();
+        if line.len() > 1 {
+            lines.push(line);
         }
     }
-    let mut lines: Vec<_> = lines.into_values().filter(|line| line.len() > 1).collect();
-    lines.sort_by_key(|line| line[0].0);
     lines
-}
-
-/// The largest coordinate.
-fn reach(model: &Model) -> f64 {
-    let ends = model.surfaces.iter().filter_map(|surface| Mantle::of(&surface.shape));
-    ends.map(|mantle| mantle.radius.max(mantle.middle.length())).fold(f64::MIN_POSITIVE, f64::max)
 }
 
 /// Changes the radii by a part of them, outwards or inwards as the front is.
@@ -93,7 +104,7 @@ impl Mantle {
             _ => return None,
         };
         let (length, along) = (axis.length(), axis.try_normalize()?);
-        let leading = along.to_array().into_iter().find(|x| x.abs() > KEY).unwrap_or(1.0);
+        let leading = along.to_array().into_iter().find(|x| x.abs() > STEP).unwrap_or(1.0);
         let along = along * leading.signum();
         let growth = (radii[1] - radii[0]) / length * leading.signum();
         let start = base.dot(along);
@@ -102,11 +113,10 @@ impl Mantle {
         Some(Mantle { along, middle, radius, growth, range: [start.min(end), start.max(end)] })
     }
 
-    /// What mantles in one another have in common, in steps.
-    fn key(&self, reach: f64) -> [i64; 8] {
-        let [a, m] = [self.along, self.middle / reach].map(|x| x.to_array());
-        let steps = |x: f64| (x / KEY).round() as i64;
-        [a[0], a[1], a[2], self.growth, m[0], m[1], m[2], self.radius / reach].map(steps)
+    /// What mantles in one another have in common: the middle over the reach, the axis, the radius and its growth.
+    fn measures(&self, reach: f64) -> [f64; 8] {
+        let [m, a] = [self.middle / reach, self.along].map(|x| x.to_array());
+        [m[0], m[1], m[2], a[0], a[1], a[2], self.radius / reach, self.growth]
     }
 
     fn length(&self) -> f64 {

@@ -4,6 +4,8 @@
 //! the crossings are found in integers by the crate `i_overlay`. Points that were given come back as they were given,
 //! to the bit, also those that lie beside the plane.
 
+mod nodes;
+
 use std::collections::{HashMap, HashSet};
 
 use glam::{DVec2, DVec3};
@@ -11,10 +13,12 @@ use i_overlay::core::fill_rule::FillRule;
 use i_overlay::core::overlay::{ContourDirection, IntOverlayOptions, Overlay, ShapeType};
 use i_overlay::core::overlay_rule::OverlayRule;
 use i_overlay::i_float::int::point::IntPoint;
-use radiosity_geom::{Aabb, Bvh, distance_to_segment};
+use radiosity_geom::distance_to_segment;
 
+use crate::outline::area_vector;
 use crate::repair::plane::Plane;
-use crate::repair::ring::{TOUCH, area_vector, perimeter, tolerance};
+use crate::repair::ring::{TOUCH, perimeter, tolerance};
+use nodes::{Near, Nodes, bits, cyclic, through_nodes};
 
 /// Steps of the integers over the extent: about a thousand times finer than the tolerance, and far from their limit,
 /// 2⁶². Chosen; not tuned.
@@ -72,6 +76,9 @@ struct Drawing<'a> {
     /// Rings of nodes, those before `subjects` being the rings that are cut.
     rings: Vec<Vec<usize>>,
     subjects: usize,
+    /// Sides of the rings that are cut, and what is near to them.
+    sides: Vec<[usize; 2]>,
+    near: Near,
     tolerance: f64,
     low: DVec2,
     step: f64,
@@ -95,12 +102,12 @@ impl<'a> Drawing<'a> {
         let ring = |ring: &&[DVec3]| ring.iter().map(|x| nodes.take(*x, plane.flat(*x))).collect::<Vec<_>>();
         let rings = subjects.iter().chain(clips).map(ring).collect();
         let rings = through_nodes(rings, &nodes, tolerance);
-        let (low, high) = nodes
-            .flat
-            .iter()
-            .fold((DVec2::INFINITY, DVec2::NEG_INFINITY), |(low, high), x| (low.min(*x), high.max(*x)));
+        let [low, high] = nodes.bounds();
         let step = (high - low).max_element().max(f64::MIN_POSITIVE) / STEPS;
-        Drawing { plane, nodes, rings, subjects: subjects.len(), tolerance, low, step }
+        let subjects = subjects.len();
+        let sides: Vec<[usize; 2]> = rings[..subjects].iter().flat_map(|ring| cyclic(ring)).collect();
+        let near = nodes.near(&sides);
+        Drawing { plane, nodes, rings, subjects, sides, near, tolerance, low, step }
     }
 
     fn whole(&self, at: DVec2) -> IntPoint<i64> {
@@ -176,13 +183,17 @@ impl<'a> Drawing<'a> {
     /// kept.
     fn crossing(&self, at: IntPoint<i64>) -> DVec3 {
         let at = self.low + self.step * DVec2::new(at.x as f64, at.y as f64);
-        let sides = self.rings.iter().take(self.subjects).flat_map(|ring| cyclic(ring));
-        let flat = |node: usize| self.nodes.flat[node].extend(0.0);
-        let away = |[from, to]: &[usize; 2]| distance_to_segment(at.extend(0.0), [flat(*from), flat(*to)]);
-        let nearest = sides.min_by(|a, b| away(a).total_cmp(&away(b)));
-        let Some([from, to]) = nearest.filter(|side| away(side) <= self.tolerance) else {
+        let point = at.extend(0.0);
+        let mut found: Vec<(f64, usize)> = Vec::new();
+        self.near.at(point, |side| {
+            let ends = self.sides[side].map(|node| self.nodes.flat[node].extend(0.0));
+            found.push((distance_to_segment(point, ends), side));
+        });
+        let nearest = found.into_iter().min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let Some((_, side)) = nearest.filter(|(away, _)| *away <= self.tolerance) else {
             return self.plane.raised(at);
         };
+        let [from, to] = self.sides[side];
         let [p, q] = [self.nodes.flat[from], self.nodes.flat[to]];
         let along = ((at - p).dot(q - p) / (q - p).length_squared()).clamp(0.0, 1.0);
         let [x, y] = [self.nodes.points[from], self.nodes.points[to]];
@@ -201,91 +212,6 @@ impl<'a> Drawing<'a> {
 
 fn place(at: IntPoint<i64>) -> [i64; 2] {
     [at.x, at.y]
-}
-
-fn bits(x: DVec3) -> [u64; 3] {
-    x.to_array().map(f64::to_bits)
-}
-
-/// Each node of a ring with the next.
-fn cyclic(ring: &[usize]) -> impl Iterator<Item = [usize; 2]> {
-    ring.iter().zip(ring.iter().cycle().skip(1)).map(|(a, b)| [*a, *b])
-}
-
-/// Points no two of which are nearer than the tolerance.
-struct Nodes {
-    points: Vec<DVec3>,
-    flat: Vec<DVec2>,
-    index: HashMap<[u64; 3], usize>,
-    cells: HashMap<[i64; 2], Vec<usize>>,
-    cell: f64,
-    /// How many were given.
-    given: usize,
-}
-
-impl Nodes {
-    fn new(tolerance: f64) -> Self {
-        let cell = tolerance.max(f64::MIN_POSITIVE);
-        Nodes { points: vec![], flat: vec![], index: HashMap::new(), cells: HashMap::new(), cell, given: 0 }
-    }
-
-    /// The node at a point: the first that was near.
-    fn take(&mut self, x: DVec3, flat: DVec2) -> usize {
-        let cell = (flat / self.cell).floor();
-        let cell = [cell.x as i64, cell.y as i64];
-        let around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [i, j]));
-        let near = around
-            .filter_map(|[i, j]| self.cells.get(&[cell[0].saturating_add(i), cell[1].saturating_add(j)]))
-            .flatten();
-        let nearest = near
-            .map(|node| (*node, self.flat[*node].distance(flat)))
-            .filter(|(_, distance)| *distance <= self.cell)
-            .min_by(|a, b| a.1.total_cmp(&b.1));
-        if let Some((node, _)) = nearest {
-            return node;
-        }
-        let node = self.points.len();
-        self.points.push(x);
-        self.flat.push(flat);
-        self.index.entry(bits(x)).or_insert(node);
-        self.cells.entry(cell).or_default().push(node);
-        node
-    }
-}
-
-/// The rings with each side led through the nodes that lie on it, without sides of no length.
-fn through_nodes(rings: Vec<Vec<usize>>, nodes: &Nodes, tolerance: f64) -> Vec<Vec<usize>> {
-    let point = |node: usize| nodes.flat[node].extend(0.0);
-    let sides: Vec<[usize; 2]> = rings.iter().flat_map(|ring| cyclic(ring)).collect();
-    let boxes: Vec<Aabb> =
-        sides.iter().map(|side| Aabb::around(side.map(point)).inflate(tolerance)).collect();
-    let tree = Bvh::build(&boxes);
-    let mut on: Vec<Vec<usize>> = vec![Vec::new(); sides.len()];
-    for node in 0..nodes.flat.len() {
-        let at = point(node);
-        tree.overlapping(&Aabb { min: at, max: at }, |side| {
-            let [from, to] = sides[side];
-            let is_near = || distance_to_segment(at, [point(from), point(to)]) <= tolerance;
-            if node != from && node != to && from != to && is_near() {
-                on[side].push(node);
-            }
-        });
-    }
-    let mut side = 0;
-    let mut led = Vec::with_capacity(rings.len());
-    for ring in rings {
-        let mut nodes_of = Vec::with_capacity(ring.len());
-        for from in ring {
-            nodes_of.push(from);
-            let way = |node: &usize| nodes.flat[*node].distance_squared(nodes.flat[from]);
-            on[side].sort_by(|a, b| way(a).total_cmp(&way(b)));
-            nodes_of.append(&mut on[side]);
-            side += 1;
-        }
-        nodes_of.dedup();
-        led.push(nodes_of);
-    }
-    led
 }
 
 /// Whether a ring runs somewhere and back along the same way, as the seam does that leads an outline to a hole.

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 use radiosity_geom::sides;
 
-use crate::repair::ring::{area_vector, extent};
+use crate::outline::{area_vector, extent};
 
 /// Part of its corners' areas below which the net area of an outline that crosses itself tells no direction. Chosen;
 /// not tuned.

@@ -74,7 +74,7 @@ fn bits(x: DVec3) -> [u64; 3] {
 mod tests {
     use super::*;
     use crate::model::{Sides, Surface};
-    use crate::repair::ring::area_vector;
+    use crate::outline::area_vector;
 
     fn mended(outline: Vec<DVec3>, holes: Vec<Vec<DVec3>>) -> (Vec<Shape>, Repairs) {
         let surface = Surface {

@@ -1,6 +1,8 @@
 //! Reflectances that no material has.
 
-use crate::model::Model;
+use std::collections::HashMap;
+
+use crate::model::{Model, Surface};
 use crate::repair::record::{Kind, Repairs};
 
 /// The largest reflectance: what reflects all light never comes to rest, and no paint does. Chosen; not tuned.
@@ -9,6 +11,10 @@ const MOST: f64 = 0.999;
 /// Brings reflectances into 0 ≤ ρ < 1.
 pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
     let bands = &model.bands;
+    let mut users: HashMap<usize, Vec<&Surface>> = HashMap::new();
+    for surface in &model.surfaces {
+        surface.material.into_iter().for_each(|index| users.entry(index).or_default().push(surface));
+    }
     for (index, material) in model.materials.iter_mut().enumerate() {
         let mut parts = Vec::new();
         for (band, value) in material.reflectance.iter_mut().enumerate() {
@@ -23,10 +29,9 @@ pub(super) fn mend(model: &mut Model, repairs: &mut Repairs) {
             }
         }
         if !parts.is_empty() {
-            let mut users =
-                model.surfaces.iter().filter(|surface| surface.material == Some(index)).peekable();
-            let place = users.peek().and_then(|surface| surface.place);
-            let names = users.map(|surface| surface.name.clone()).collect();
+            let users = users.get(&index).map_or(&[][..], Vec::as_slice);
+            let place = users.first().and_then(|surface| surface.place);
+            let names = users.iter().map(|surface| surface.name.clone()).collect();
             let text = format!("reflectance of material {:?}: {}", material.name, parts.join(", "));
             repairs.say(Kind::Reflectance, names, place, text);
         }

@@ -3,28 +3,18 @@
 use glam::DVec3;
 use radiosity_geom::{coordinate_rounding, sides};
 
+use crate::outline::extent;
+
 /// Part of a ring's extent that is no length; `radiosity_geom::PlanarRegion` refuses what is nearer.
 pub(super) const TOUCH: f64 = 1e-9;
 
 /// Roundings by which two points that are meant to be one may differ: one of each.
 const ROUNDINGS: f64 = 2.0;
 
-/// Largest distance from the first point.
-pub(super) fn extent(ring: &[DVec3]) -> f64 {
-    let Some(first) = ring.first() else { return 0.0 };
-    ring.iter().map(|x| x.distance(*first)).fold(0.0, f64::max)
-}
-
 /// The length (the ring's unit) up to which two of its points are one: `asked`, or else what rounding leaves, of
 /// single precision where its coordinates are of that.
 pub(super) fn tolerance(ring: &[DVec3], asked: Option<f64>) -> f64 {
     asked.unwrap_or(0.0).max(TOUCH * extent(ring)).max(ROUNDINGS * coordinate_rounding(ring, None))
-}
-
-/// ½ Σ xᵢ × xᵢ₊₁, the vector of the area that the ring encloses.
-pub(super) fn area_vector(ring: &[DVec3]) -> DVec3 {
-    let Some(first) = ring.first() else { return DVec3::ZERO };
-    0.5 * sides(ring).map(|[x, y]| (x - *first).cross(y - *first)).sum::<DVec3>()
 }
 
 /// Length of the ring.

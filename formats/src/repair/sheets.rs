@@ -9,8 +9,8 @@ use radiosity_geom::{
 };
 
 use crate::model::{Model, Shape};
+use crate::outline::{area_vector, extent};
 use crate::repair::plane::Plane;
-use crate::repair::ring::{area_vector, extent};
 
 /// Sine of the angle between planes that are the same. As in `radiosity::scene`.
 const PARALLEL: f64 = 1e-6;

@@ -1,9 +1,10 @@
 //! Faces without area.
 
 use crate::model::{Model, Shape};
+use crate::outline::area_vector;
 use crate::repair::edit::Edit;
 use crate::repair::record::{Kind, Repairs};
-use crate::repair::ring::{TOUCH, area_vector, length_and_width};
+use crate::repair::ring::{TOUCH, length_and_width};
 
 /// Width over length of a face without area. Chosen; not tuned.
 const NARROW: f64 = 1e-7;

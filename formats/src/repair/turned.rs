@@ -18,10 +18,14 @@ pub(super) fn mend(model: &mut Model, fixes: bool, repairs: &mut Repairs) {
                 let beside = &model.surfaces[found.beside].name;
                 format!("{} {show} where {beside:?} beside has its back", spelt(&names))
             }
+            Why::Halves => {
+                let beside = &model.surfaces[found.beside].name;
+                format!("{} {show} where {beside:?} beside has its back, of equal areas", spelt(&names))
+            }
             Why::Inwards => format!("{} enclose nothing and {show} inwards", spelt(&names)),
             Why::Outwards => format!("{} enclose everything and {show} outwards", spelt(&names)),
         };
-        if fixes {
+        if fixes && found.why != Why::Halves {
             found.surfaces.iter().for_each(|surface| model.surfaces[*surface].shape.turn_over());
             repairs.say(Kind::Fronts, names, place, format!("{what}; {were} turned over"));
         } else {

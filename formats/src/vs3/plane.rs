@@ -3,6 +3,8 @@
 
 use glam::{DVec2, DVec3};
 
+use crate::xform::sin_cos;
+
 /// The form of a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
@@ -35,25 +37,13 @@ impl Form {
     }
 }
 
-/// Cosine and sine of an angle in degrees, without rounding at right angles.
-fn cos_sin(degrees: f64) -> [f64; 2] {
-    let turn = degrees.rem_euclid(360.0);
-    match [0.0, 90.0, 180.0, 270.0].iter().position(|right| *right == turn) {
-        Some(0) => [1.0, 0.0],
-        Some(1) => [0.0, 1.0],
-        Some(2) => [-1.0, 0.0],
-        Some(_) => [0.0, -1.0],
-        None => [turn.to_radians().cos(), turn.to_radians().sin()],
-    }
-}
-
 /// The corners of a surface, counter-clockwise seen from its front, from [`Form::count`] numbers: x, y, z of the origin,
 /// azimuth (clockwise from +y) and tilt (0 faces up, 90 stands) in degrees, then measures in the plane, whose first axis
 /// runs to the right and whose second runs upwards as the front is seen.
 pub(super) fn corners(form: Form, numbers: &[f64]) -> Vec<DVec3> {
     let (plane, inner) = numbers.split_at_checked(5).unwrap_or_default();
     let [x, y, z, azimuth, tilt] = plane else { return Vec::new() };
-    let [[ca, sa], [ct, st]] = [cos_sin(*azimuth), cos_sin(*tilt)];
+    let [(sa, ca), (st, ct)] = [sin_cos(*azimuth), sin_cos(*tilt)];
     let right = DVec3::new(-ca, sa, 0.0);
     let up = DVec3::new(-ct * sa, -ct * ca, st);
     let points: Vec<DVec2> = match (form, inner) {

@@ -108,6 +108,7 @@ fn broken_inputs_are_refused_with_line_cause_and_cure() {
         ("F 3", "F 2", Some(1), "the geometry is '2'", "write F 3"),
         ("V 2 1 0 0", "V 2 1 0", Some(3), "a vertex has 3 words", "write V, its number"),
         ("V 2 1 0 0", "V 2 1e999 0 0", Some(3), "x is 1e999", "finite"),
+        ("V 2 1 0 0", "V 2 1e200 0 0", Some(5), "a coordinate is beyond 1e50", "smaller"),
         ("V 2 1 0 0", "V 2 l 0 0", Some(3), "x is 'l'", "write a number"),
         ("V 2", "V 3", Some(3), "the number of a vertex is '3', it has to be 2", "from 1"),
         ("V 2", "W 2", Some(3), "a line begins with 'W'", "T, C, F, V, S"),

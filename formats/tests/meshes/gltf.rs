@@ -245,6 +245,37 @@ fn sparse_strided_and_normalized_points_are_read() {
 }
 
 #[test]
+fn points_that_no_bytes_state_and_that_are_no_numbers_are_refused() {
+    let bare = text().replace(
+        r#"{"bufferView": 0, "componentType": 5126, "count": 8"#,
+        r#"{"componentType": 5126, "count": 8"#,
+    );
+    let said =
+        "a.gltf:15: the accessor 0: its points are all 0: it has neither a buffer view nor sparse values";
+    assert_refusal(from(&bare), said, "without compression");
+    // 1e200 twice is beyond all numbers, and 0 times that is none.
+    let nodes = r#"{"scale": [1e200, 1, 1], "children": [1]}, {"scale": [1e200, 1, 1], "mesh": 0}"#;
+    let said = "a.gltf:7: a coordinate is beyond 1e50";
+    assert_refusal(from(&text_of(&uri(&buffer()), nodes)), said, "scale the model down");
+}
+
+#[test]
+fn textures_are_told_with_the_number_that_stands_for_them() {
+    let textured = text()
+        .replace(r#""metallicFactor": 0"#, r#""metallicFactor": 0, "baseColorTexture": {"index": 0}"#)
+        .replace(r#""emissiveFactor""#, r#""emissiveTexture": {"index": 1}, "emissiveFactor""#);
+    let model = from(&textured).unwrap();
+    let material = &model.materials[0];
+    assert!((material.reflectance[0] - 0.4).abs() < 1e-15, "{material:?}");
+    assert!(material.emission.iter().all(|value| *value == 0.0), "{material:?}");
+    let expected = [
+        "textures are left out: their mean reflectance is taken for 0.5",
+        "textures of emission are left out: what they make shine is dark",
+    ];
+    assert_eq!(&notes(&model)[..2], expected);
+}
+
+#[test]
 fn what_is_left_out_is_noted() {
     let odd = text()
         .replace(r#""metallicFactor": 0"#, r#""metallicFactor": 0.25, "baseColorTexture": {"index": 0}"#)
@@ -262,11 +293,12 @@ fn what_is_left_out_is_noted() {
     let model = from(&odd).unwrap();
     assert_cube(&model, true);
     assert!(model.surfaces.iter().all(|surface| surface.sides == Sides::Both));
-    assert!((model.materials[0].reflectance[0] - 0.6).abs() < 1e-15);
+    // (1 − 0.25) of 0.8, half of it for the texture.
+    assert!((model.materials[0].reflectance[0] - 0.3).abs() < 1e-15);
     let expected = [
-        "textures are left out",
         "transparency is left out",
         "specular reflection is left out",
+        "textures are left out: their mean reflectance is taken for 0.5",
         "animations are left out",
         "point lights, spots and directed light are left out",
         "cameras without perspective are left out",

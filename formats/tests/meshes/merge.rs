@@ -1,5 +1,7 @@
 //! Coplanar faces become polygons with holes.
 
+use std::collections::HashSet;
+
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
@@ -177,6 +179,70 @@ fn slits_of_sides_that_meet_in_parts_close() {
     assert_eq!(model.surfaces.len(), 1);
     let region = region(&model.surfaces[0]);
     assert_eq!((region.area(), region.holes().len()), (5.0, 0));
+}
+
+/// Corners of all faces, as bits.
+fn corners(faces: &[Vec<DVec3>]) -> HashSet<[u64; 3]> {
+    faces.iter().flatten().map(|x| x.to_array().map(f64::to_bits)).collect()
+}
+
+/// A polygon's fan of triangles around its first corner.
+fn fan(outline: &[DVec3]) -> Vec<Vec<DVec3>> {
+    outline[1..].windows(2).map(|side| vec![outline[0], side[0], side[1]]).collect()
+}
+
+#[test]
+fn what_is_small_beside_a_large_ground_keeps_its_corners() {
+    // A plate whose corner is cut off by 21 mm, and a sheet half a millimetre above it, once in decimals and once in
+    // single precision, each with a ground of 20 km in the same object.
+    let p = |x: f64, y: f64, z: f64| DVec3::new(x, y, z);
+    let plate =
+        [p(0.1, 0.0, 0.0), p(1.0, 0.0, 0.0), p(1.0, 0.985, 0.0), p(0.985, 1.0, 0.0), p(0.1, 1.0, 0.0)];
+    let above = plate.map(|x| x + 5e-4 * DVec3::Z);
+    let ground = [p(-1e4, -1e4, -1.0), p(1e4, -1e4, -1.0), p(1e4, 1e4, -1.0), p(-1e4, 1e4, -1.0)];
+    let single = |x: DVec3| DVec3::from_array(x.to_array().map(|c| f64::from(c as f32)));
+    for place in [|x| x, single] as [fn(DVec3) -> DVec3; 2] {
+        let faces: Vec<Vec<DVec3>> = [fan(&plate), fan(&above), fan(&ground)].concat();
+        let faces: Vec<Vec<DVec3>> =
+            faces.iter().map(|face| face.iter().map(|x| place(*x)).collect()).collect();
+        let mut site = model(&faces);
+        coplanar(&mut site);
+        let merged: Vec<Vec<DVec3>> = site.surfaces.iter().map(|own| region(own).outer().to_vec()).collect();
+        assert_eq!(merged.iter().map(Vec::len).collect::<Vec<_>>(), [5, 5, 4]);
+        assert_eq!(corners(&merged), corners(&faces));
+    }
+}
+
+#[test]
+fn a_dome_around_all_bends_no_gentle_roof() {
+    // Of three strips the last rises by 1.8 mm in 20 m, beside a face of 50 km: the level ones are one.
+    let p = |x: f64, z: f64| [DVec3::new(x, 0.0, z), DVec3::new(x, 10.0, z)];
+    let strip = |[a, d]: [DVec3; 2], [b, c]: [DVec3; 2]| vec![a, b, c, d];
+    let roof = [p(0.0, 3.0), p(10.0, 3.0), p(20.0, 3.0), p(40.0, 3.0018)];
+    let roof: Vec<Vec<DVec3>> = roof.windows(2).map(|ends| strip(ends[0], ends[1])).collect();
+    let dome = vec![5e4 * DVec3::X, 5e4 * DVec3::Y, 5e4 * DVec3::Z];
+    let mut site = model(&[roof, vec![dome]].concat());
+    coplanar(&mut site);
+    assert_eq!(site.surfaces.len(), 3);
+}
+
+#[test]
+fn corners_that_single_precision_rounded_apart_are_one() {
+    // The shared side is off by a rounding in one of two squares.
+    let third = f64::from(1.0f32 / 3.0);
+    let off = f64::from(1.0f32 / 3.0 + f32::EPSILON / 4.0);
+    assert_ne!(third, off);
+    let square = |low: f64, high: f64| {
+        [[low, 0.1], [high, 0.1], [high, 0.7], [low, 0.7]]
+            .map(|[x, y]| DVec3::new(f64::from(x as f32), f64::from(y as f32), 0.0))
+            .to_vec()
+    };
+    let faces = [square(-0.2, third), square(off, 0.9)];
+    let mut wall = model(&faces);
+    coplanar(&mut wall);
+    assert_eq!(wall.surfaces.len(), 1);
+    let outline = region(&wall.surfaces[0]).outer().to_vec();
+    assert!(outline.len() == 4 && corners(&[outline]).is_subset(&corners(&faces)));
 }
 
 proptest! {

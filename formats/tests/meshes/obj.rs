@@ -114,12 +114,76 @@ fn materials_come_from_several_files() {
     let model = read("a.obj", text.as_bytes(), &files).unwrap();
     assert_eq!(model.bands, ["grey"]);
     let values: Vec<f64> = model.materials.iter().map(|material| material.reflectance[0]).collect();
-    assert!(values.iter().zip([0.1, 0.2, 0.3]).all(|(a, b)| (a - b).abs() < 1e-15), "{values:?}");
-    let expected = ["specular reflection is left out", "textures are left out", "transparency is left out"];
+    assert!(values.iter().zip([0.1, 0.2, 0.15]).all(|(a, b)| (a - b).abs() < 1e-15), "{values:?}");
+    let expected = [
+        "the material 'one' is described again with other values: the first ones are taken",
+        "specular reflection is left out",
+        "textures are left out: their mean reflectance is taken for 0.5",
+        "textures are left out",
+        "transparency is left out",
+    ];
     assert_eq!(notes(&model), expected);
     let unknown = from(&format!("usemtl wood\n{TRIANGLE}")).unwrap();
     assert_eq!(unknown.materials[0].reflectance, [0.5]);
     assert_eq!(notes(&unknown), ["materials that no file describes reflect 0.5"]);
+}
+
+/// The only material of a text of materials with one named `a`, and what is noted of it.
+#[track_caller]
+fn material(mtl: &str) -> (Vec<f64>, Vec<f64>, Vec<String>) {
+    let files = InMemory::of(&[("b.mtl", format!("newmtl a\n{mtl}\n").as_bytes())]);
+    let text = format!("mtllib b.mtl\nusemtl a\n{TRIANGLE}");
+    let mut model = read("a.obj", text.as_bytes(), &files).unwrap();
+    let told = notes(&model).into_iter().map(str::to_owned).collect();
+    let material = model.materials.remove(0);
+    (material.reflectance, material.emission, told)
+}
+
+#[test]
+fn textures_are_told_with_the_number_that_stands_for_them() {
+    let half = "textures are left out: their mean reflectance is taken for 0.5".to_owned();
+    // Textures are multiplied by Kd, which is 1 where they stand alone.
+    assert_eq!(material("map_Kd wood.png"), (vec![0.5], vec![0.0], vec![half.clone()]));
+    assert_eq!(material("map_Kd wood.png\nKd 0.8 0.8 0.8"), (vec![0.4], vec![0.0], vec![half]));
+    assert_eq!(material("bump b.png\nKd 0.8").0, [0.8]);
+    assert_eq!(material("Kd .800 .797 .799").0, [0.8, 0.797, 0.799], "a hue as it is written");
+    let dark = vec!["textures of emission are left out: what they make shine is dark".to_owned()];
+    for mtl in ["map_Ke tube.png", "Ke 5 5 5\nmap_Ke tube.png"] {
+        assert_eq!(material(mtl), (vec![0.0], vec![0.0], dark.clone()), "{mtl}");
+    }
+}
+
+#[test]
+fn names_hold_number_signs() {
+    let files = InMemory::of(&[(
+        "dup #1.mtl",
+        b"newmtl Material #25\nKd .9 .1 .1\nnewmtl Material #26\nKd .1 .9 .1\nKe 5 5 5\n",
+    )]);
+    let text = format!(
+        "mtllib dup #1.mtl\no box #1\nusemtl Material #25\n{TRIANGLE}o box #2\nusemtl Material #26 # lamp\nf 3 2 1\n"
+    );
+    let model = read("a.obj", text.as_bytes(), &files).unwrap();
+    assert_eq!(names(&model), ["box #1", "box #2"]);
+    let found: Vec<(f64, f64)> =
+        model.materials.iter().map(|own| (own.reflectance[0], own.emission[0])).collect();
+    assert_eq!(found, [(0.9, 0.0), (0.1, 5.0 * PI)]);
+    assert!(model.notes.is_empty(), "{:?}", model.notes);
+}
+
+#[test]
+fn models_without_their_material_files_are_read() {
+    let text = format!("mtllib gone.mtl\nusemtl wood\n{TRIANGLE}");
+    let model = read("a.obj", text.as_bytes(), &InMemory::of(&[])).unwrap();
+    assert_eq!((model.materials[0].name.as_str(), model.materials[0].reflectance[0]), ("wood", 0.5));
+    let missing = "the material file 'gone.mtl' cannot be read: no such file";
+    assert_eq!(notes(&model), [missing, "materials that no file describes reflect 0.5"]);
+    assert_eq!(model.notes[0].place, Some(Place::Line(1)));
+}
+
+#[test]
+fn long_chains_of_continued_lines_take_no_quadratic_time() {
+    let text = format!("{TRIANGLE}f 1 2{}3\n", " \\\n".repeat(1_000_000));
+    assert_eq!(from(&text).unwrap().surfaces.len(), 2);
 }
 
 #[test]
@@ -143,8 +207,6 @@ fn broken_files_are_refused() {
         "v/vt",
     );
     refused("v 1e60 0 0\nv 0 0 0\nv 0 1 0\nf 1 2 3\n", "a.obj:4: a coordinate is beyond 1e50", "scale");
-    let missing = "a.obj:1: the material file 'b.mtl' cannot be read: no such file";
-    refused("mtllib b.mtl\n", missing, "put it beside the model");
     refused("v \0\n", "a.obj: byte 2: this is not a text: it holds a zero byte", "UTF-8");
     let with = |mtl: &str| read("a.obj", b"mtllib b.mtl\n", &InMemory::of(&[("b.mtl", mtl.as_bytes())]));
     assert_refusal(with("Kd 1 1 1\n"), "b.mtl:1: 'Kd' stands before the first material", "newmtl NAME");

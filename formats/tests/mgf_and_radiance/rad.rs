@@ -123,6 +123,18 @@ fn all_surfaces_are_read() {
 }
 
 #[test]
+fn cones_and_cups_of_radii_below_zero_are_one_another() {
+    let cone = |kind: &str, radii: &str| {
+        let text = format!("void plastic w 0 0 5 .5 .5 .5 0 0\nw {kind} s 0 0 8 0 0 0 0 0 1 {radii}");
+        let Shape::Cone { radii, inward, .. } = right(&text).surfaces[0].shape else { panic!("a cone") };
+        (radii, inward)
+    };
+    // As in Radiance's cone.c, with a warning.
+    assert_eq!(cone("cone", "-2 -1"), ([2.0, 1.0], true));
+    assert_eq!(cone("cup", "-2 0"), ([2.0, 0.0], false));
+}
+
+#[test]
 fn the_diffuse_part_of_materials_stays() {
     let model = right(ALL);
     assert_eq!(model.bands, ["r", "g", "b"]);
@@ -200,7 +212,7 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("w sphere s 0 0 4 1 1 1 x", "'x', which is no number", "write a number"),
         ("w sphere s 0 0 4 1 1 1 nan", "a number is nan", "finite"),
         ("w cylinder s 0 0 7 0 0 0 0 0 0 1", "a cylinder has no axis", "part its ends"),
-        ("w cone s 0 0 8 0 0 0 0 0 1 -1 1", "a radius below 0", "cup"),
+        ("w cone s 0 0 8 0 0 0 0 0 1 -1 1", "radii of both signs", "alike"),
         ("w ring s 0 0 8 0 0 0 0 0 1 -1 1", "a radius below 0", "0 or more"),
         ("w ring s 0 0 8 0 0 0 0 0 0 1 2", "a disk has no axis", "take it out"),
         ("w ring s 0 0 8 0 0 0 0 0 1 2 2", "a disk has no radius", "take it out"),
@@ -218,6 +230,7 @@ fn what_is_wrong_is_refused_with_a_cure() {
         ("!genbox w b 1 1", "a genbox lacks arguments", "x y z"),
         ("!genbox w b 1 1 0", "a box has no volume", "above 0"),
         ("!genbox w b 1 1 1 -r .1", "genbox -r is not followed", "rounded"),
+        (&format!("!genbox w b 1 1 1{}", " |xform".repeat(100_000)), "more than 32 stages", "join"),
         ("!genbox z b 1 1 1", "the modifier 'z' is not defined", "define it above"),
         ("!xform room.rad", "includes itself", "take one"),
     ];

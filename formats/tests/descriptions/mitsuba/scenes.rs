@@ -120,9 +120,52 @@ fn meshes_are_read_and_merged() {
     let obj = "mtllib none.mtl\nusemtl a\nv -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\nv -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n\
                f 1 4 3\nusemtl b\nf 1 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 4 8 7 3\nf 1 5 8 4\nf 2 3 7 6\n";
     let text = "<path value=\"meshes\"/>\n<shape type=\"obj\" id=\"box\"><string name=\"filename\" value=\"box.obj\"/>\
-                <transform name=\"to_world\"><scale x=\"-0.5\" y=\"0.5\" z=\"0.5\"/></transform></shape>";
+                <transform name=\"to_world\"><scale value=\"0.5\"/></transform></shape>";
     let model = beside(text, &[("meshes/box.obj", obj)]).expect("the box is right");
     is_unit_cube(&model, DVec3::ZERO, 1.0);
     assert_eq!((model.surfaces[0].name.as_str(), model.materials[0].name.as_str()), ("box-1", "default"));
     assert!(model.notes.is_empty(), "{:?}", model.notes);
+}
+
+/// Mitsuba finds normals that a mesh does not state from its corners once they are placed; those that it states, and what
+/// an instance places, it turns as the surface is.
+#[test]
+fn mirrored_meshes_keep_their_fronts_where_they_state_normals() {
+    let corners = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\n";
+    let bare = format!("{corners}f 1 2 3 4\n");
+    let stated = format!("{corners}vn 0 0 1\nf 1//1 2//1 3//1 4//1\n");
+    let ply = |normals: &str, zeros: &str| {
+        let rows = ["-1 -1 0", "1 -1 0", "1 1 0", "-1 1 0"].map(|row| format!("{row}{zeros}\n")).concat();
+        format!(
+            "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n{normals}\
+             element face 1\nproperty list uchar int vertex_indices\nend_header\n{rows}4 0 1 2 3\n"
+        )
+    };
+    let normals = "property float nx\nproperty float ny\nproperty float nz\n";
+    let files = [
+        ("bare.obj", bare),
+        ("stated.obj", stated),
+        ("bare.ply", ply("", "")),
+        ("stated.ply", ply(normals, " 0 0 1")),
+    ];
+    let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();
+    let mirror = "<transform name=\"to_world\"><scale x=\"-1\"/></transform>";
+    let shape = |name: &str, inner: &str| {
+        let kind = &name[name.len() - 3..];
+        format!("<shape type=\"{kind}\"><string name=\"filename\" value=\"{name}\"/>{inner}</shape>")
+    };
+    let front = |text: &str| polygon(&beside(text, &files).expect("the square is right").surfaces[0]).z;
+    for ending in ["obj", "ply"] {
+        let [bare, stated] = ["bare", "stated"].map(|name| format!("{name}.{ending}"));
+        assert_eq!(front(&shape(&bare, "")), 4.0);
+        assert_eq!(front(&shape(&bare, mirror)), -4.0);
+        assert_eq!(front(&shape(&stated, mirror)), 4.0);
+        let faces = format!("{mirror}<boolean name=\"face_normals\" value=\"true\"/>");
+        assert_eq!(front(&shape(&stated, &faces)), -4.0);
+        let group = shape(&bare, "");
+        let instance = format!(
+            "<shape type=\"shapegroup\" id=\"g\">{group}</shape><shape type=\"instance\"><ref id=\"g\"/>{mirror}</shape>"
+        );
+        assert_eq!(front(&instance), 4.0);
+    }
 }
