@@ -112,6 +112,9 @@ enum MatrixFormat {
     Npy,
 }
 
+/// Digits of the table on standard output. Chosen.
+const DIGITS: usize = 6;
+
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
 const CLOSED: f64 = 1e-3;
 
@@ -162,7 +165,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
 
 fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
     match format {
-        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces))),
+        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces, DIGITS))),
         Format::Csv => output::csv(&heat.surfaces, writer),
         Format::Json => output::json(heat, writer),
     }

@@ -33,22 +33,26 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
     writer.flush()
 }
 
-/// The figures for people: given ones as they are, others with their errors.
-pub fn table(surfaces: &[SurfaceHeat]) -> Table {
+/// Digits of what is given. Chosen.
+const GIVEN: usize = 6;
+
+/// The figures for people: given ones as they are, others to so many digits with their errors.
+pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
     let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
     let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
     let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
+    let figure = |is_given: bool, value: f64| significant(value, if is_given { GIVEN } else { digits });
     for own in surfaces {
         let error =
             |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
         table.row([
             own.name.clone(),
-            significant(own.area, 6),
+            significant(own.area, GIVEN),
             own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| emissivity.to_string()),
-            significant(own.temperature, 6),
+            figure(own.is_temperature_known, own.temperature),
             error(own.is_temperature_known, own.temperature_error),
-            significant(own.flux, 6),
-            significant(own.flow, 6),
+            figure(own.is_flow_known, own.flux),
+            figure(own.is_flow_known, own.flow),
             error(own.is_flow_known, own.flow_error),
         ]);
     }

@@ -58,8 +58,12 @@ fn write_list(class: &str, items: &[String], out: &mut impl Write) -> io::Result
     writeln!(out, "</ul>")
 }
 
+/// Most rows of a table that is kept on one page. Chosen: half of one.
+const SHORT: usize = 24;
+
 fn write_table(table: &Table, out: &mut impl Write) -> io::Result<()> {
-    writeln!(out, "<div class=\"wide\"><table>\n<thead><tr>")?;
+    let class_of_table = if table.rows.len() <= SHORT { "wide short" } else { "wide" };
+    writeln!(out, "<div class=\"{class_of_table}\"><table>\n<thead><tr>")?;
     for column in &table.columns {
         let unit = match column.unit.as_str() {
             "" => String::new(),

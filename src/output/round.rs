@@ -112,6 +112,11 @@ pub fn column(values: &[f64]) -> Vec<String> {
     }
 }
 
+/// An error to two digits: 0.25, 1.2·10⁻⁴.
+pub fn error(value: f64) -> String {
+    if (0.01..1e4).contains(&value.abs()) { significant(value, 2) } else { power_of_ten(value, 2) }
+}
+
 /// `value` to so many digits, with a power of ten: 1.2·10⁻⁴.
 pub fn power_of_ten(value: f64, digits: usize) -> String {
     if value == 0.0 {
@@ -225,5 +230,6 @@ mod tests {
         assert_eq!(power_of_ten(-123.0, 2), "-1.2·10²");
         assert_eq!(power_of_ten(1.23, 2), "1.2");
         assert_eq!(significant(1234.567, 5), "1234.6");
+        assert_eq!([0.253, 1.25e-4, 0.0].map(error), ["0.25", "1.3·10⁻⁴", "0"]);
     }
 }

@@ -14,4 +14,5 @@ mod pictures;
 mod planes;
 mod probe;
 mod relight;
+mod report;
 mod solution_file;

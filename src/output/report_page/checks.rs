@@ -2,7 +2,7 @@
 
 use super::light_part::LightPart;
 use crate::output::document::{Block, Column, Table};
-use crate::output::round::{decimals, power_of_ten, significant};
+use crate::output::round::{decimals, error, significant};
 use crate::output::shown::power_unit;
 use crate::scene::Scene;
 
@@ -23,11 +23,10 @@ fn rows(scene: &Scene, light: &LightPart) -> Vec<[String; 3]> {
         0.0 => "–".to_owned(),
         whole => format!("{} %", decimals(100.0 * part / whole, 3)),
     };
-    let error = |error: f64| power_of_ten(error, 2);
     let row = |check: &str, found: String, ideal: &str| [check.to_owned(), found, ideal.to_owned()];
     let absorbed: f64 = light.surfaces.iter().flat_map(|own| &own.absorbed).sum();
     let mut rows = vec![
-        row("emitted power", power(checks.energy_in), "as the scene states"),
+        row("emitted power, where lengths are metres", power(checks.energy_in), "as the scene states"),
         row("absorbed power", percent(checks.energy_absorbed), "100 % in a closed scene"),
         row("lost power", percent(checks.energy_lost), "0 % in a closed scene"),
         row("absorbed power as the surfaces were read", percent(absorbed), "the absorbed power"),

@@ -5,6 +5,9 @@ use crate::output::document::Block;
 use crate::output::heat::table;
 use crate::output::round::significant;
 
+/// Digits of what was computed. Chosen: errors of a thousandth are usual.
+const DIGITS: usize = 4;
+
 pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
     let heading = Block::Heading("Radiant heat".to_owned());
     match heat {
@@ -16,7 +19,7 @@ pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
                  stored heat are left out. Lengths are metres.",
                 significant(heat.lost, 2)
             )),
-            Block::Table(table(&heat.surfaces)),
+            Block::Table(table(&heat.surfaces, DIGITS)),
         ],
         Err(error) => {
             let cure = error.cure().map(|cure| format!(": {cure}")).unwrap_or_default();

@@ -4,7 +4,7 @@ use super::light_part::{LightPart, ReportedPlane};
 use crate::checks::Checks;
 use crate::heat::{Heat, HeatError, SurfaceHeat};
 use crate::output::document::{Block, Highlight};
-use crate::output::round::{decimals, power_of_ten, significant, three_digits};
+use crate::output::round::{decimals, error, significant, three_digits};
 use crate::output::shown::{Shown, power_unit};
 use crate::scene::Scene;
 
@@ -41,9 +41,9 @@ fn of_light(scene: &Scene, light: &LightPart) -> Vec<Highlight> {
     };
     let mut highlights: Vec<Highlight> = light.plans.iter().take(PLANES).map(plane).collect();
     highlights.push(power(scene, &light.report.checks));
-    highlights.extend(light.report.accuracy_estimate.map(|error| Highlight {
+    highlights.extend(light.report.accuracy_estimate.map(|estimate| Highlight {
         label: "Estimated relative error".to_owned(),
-        value: power_of_ten(error, 2),
+        value: error(estimate),
         note: String::new(),
     }));
     let warnings = light.report.warnings.len();
@@ -64,7 +64,7 @@ fn power(scene: &Scene, checks: &Checks) -> Highlight {
         }
     };
     Highlight {
-        label: "Emitted power".to_owned(),
+        label: "Emitted power (lengths in metres)".to_owned(),
         value: format!("{} {}", significant(checks.energy_in, 4), power_unit(&scene.unit)),
         note,
     }

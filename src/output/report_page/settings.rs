@@ -3,7 +3,7 @@
 use super::light_part::LightPart;
 use crate::output::document::{Block, Column, Table};
 use crate::output::reader::Read;
-use crate::output::round::{power_of_ten, short};
+use crate::output::round::short;
 use crate::scene::Scene;
 
 pub(super) fn blocks(scene: &Scene, light: Option<&LightPart>, command: &str) -> Vec<Block> {
@@ -67,17 +67,21 @@ fn of_light(light: &LightPart) -> Vec<[String; 2]> {
     };
     let accuracy = match reading.read {
         Read::Basis => String::new(),
-        _ => format!(", to {}", power_of_ten(reading.eps, 2)),
+        _ => format!(", to {}", short(reading.eps)),
+    };
+    let solver = match report.iterations {
+        0 => report.solver.clone(),
+        iterations => format!("{}, {iterations} iterations", report.solver),
     };
     vec![
         pair("order of the polynomials", order),
         pair("elements", report.elements.to_string()),
         pair("unknowns a band", report.unknowns.to_string()),
-        pair("accuracy of transfers", power_of_ten(options.eps, 2)),
-        pair("accuracy of shadows", power_of_ten(options.accuracy().shadow_eps, 2)),
+        pair("accuracy of transfers", short(options.eps)),
+        pair("accuracy of shadows", short(options.accuracy().shadow_eps)),
         pair("transfers", format!("{}: {}", report.transport.kind, report.transport.why)),
         pair("direct light", report.direct.to_owned()),
-        pair("solver", format!("{}, {} iterations", report.solver, report.iterations)),
+        pair("solver", solver),
         pair("light of planes and surfaces", format!("{read}{accuracy}")),
     ]
 }
