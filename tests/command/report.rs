@@ -79,7 +79,7 @@ fn planes_are_those_of_probe_and_surfaces_those_of_grid() {
     let page = text(folder, "box.md");
     let sensed = column(&done(folder, &["probe", "empty-box", "--plane", PLANE, "-q"]), "E_grey");
     let [mean, least, greatest] = figures(&sensed);
-    let plane = row(&page, "### Plane plane-1", "grey");
+    let plane = row(&page, "## Planes of sensors", "plane-1");
     assert_eq!(plane[1], "16");
     for (cell, expected) in plane[2..5].iter().zip([mean, least, greatest]) {
         near(cell, expected, 4);
@@ -122,7 +122,11 @@ fn html_is_one_file_that_asks_for_no_other_and_is_the_same_every_time() {
     }
     assert_eq!(page.matches("<img ").count(), 2);
     assert_eq!(page.matches("src=\"data:image/png;base64,iVBORw0KGgo").count(), 2);
-    assert!(page.contains("<code>radiosity report empty-box --plane &#39;0.1,0.1,0.3; 0.8,0,0; 0,0.8,0; 0.2&#39; "));
+    assert!(
+        page.contains(
+            "<code>radiosity report empty-box --plane &#39;0.1,0.1,0.3; 0.8,0,0; 0,0.8,0; 0.2&#39; "
+        )
+    );
     done(folder, &args);
     assert_eq!(text(folder, "box.html"), page);
 }
@@ -176,12 +180,12 @@ fn names_are_never_markup() {
     assert!(page.contains(
         "<td>&lt;script&gt;alert(1)&lt;/script&gt;</td><td>wood &amp; &lt;i&gt;oil&lt;/i&gt;</td>"
     ));
-    assert!(page.contains("<h3>Plane a&lt;b&gt;|c</h3>"));
+    assert!(page.contains("<td>a&lt;b&gt;|c</td>"));
     assert!(["<script", "<b>", "<i>"].iter().all(|tag| !page.contains(tag)));
     done(folder, &["report", "odd.toml", "-o", "odd.md", "-q"]);
     let page = text(folder, "odd.md");
     assert!(page.contains("| \\<script\\>alert(1)\\</script\\> | wood \\& \\<i\\>oil\\</i\\> |"), "{page}");
-    assert!(page.contains("| lamp\\_\\*1\\* | lamp |") && page.contains("### Plane a\\<b\\>\\|c"), "{page}");
+    assert!(page.contains("| lamp\\_\\*1\\* | lamp |") && page.contains("| a\\<b\\>\\|c |"), "{page}");
     assert!(page.contains("The scene has no camera"));
 }
 
