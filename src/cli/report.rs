@@ -4,7 +4,7 @@ mod kind;
 mod light;
 
 use std::io::{Write, stderr};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use radiosity::heat::{Heat, HeatError, HeatOptions};
@@ -94,7 +94,7 @@ pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded) -> Result<(), CliError>
 }
 
 /// Writes the report of a scene that has heat and no light.
-fn run_in_the_dark(args: &ReportPageArgs, path: &std::path::Path, loaded: &Loaded) -> Result<(), CliError> {
+fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Result<(), CliError> {
     if args.report.report.is_some() {
         return Err(CliError::Refused {
             message: "--report has the figures of light, and no surface of this scene emits any".to_owned(),
@@ -117,9 +117,10 @@ fn run_in_the_dark(args: &ReportPageArgs, path: &std::path::Path, loaded: &Loade
 
 /// The balance of heat, as `radiosity heat` computes it unless told otherwise.
 fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress) -> Result<Heat, HeatError> {
-    let show = |stage| match stage {
-        Stage::Blocks(done, total) => progress.show("blocks of heat", done, total),
-        _ => {}
+    let show = |stage| {
+        if let Stage::Blocks(done, total) = stage {
+            progress.show("blocks of heat", done, total);
+        }
     };
     let usual = HeatOptions::default();
     let threads = args.method.threads.unwrap_or(usual.options.threads);

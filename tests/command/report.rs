@@ -96,7 +96,7 @@ fn planes_are_those_of_probe_and_surfaces_those_of_grid() {
     near(&floor[7], floor[4].parse().unwrap(), 3);
     near(&floor[8], 0.5 * floor[4].parse::<f64>().unwrap(), 3);
     let whole = row(&page, "## Surfaces", "all surfaces");
-    assert_eq!((whole[3].as_str(), whole[9].as_str()), ("6", "1"));
+    assert_eq!((whole[3].as_str(), whole[9].as_str()), ("6", "1.000"));
     // The box is closed: what its ceiling emits is absorbed.
     assert!((whole[8].parse::<f64>().unwrap() - 1.0).abs() < 2e-3, "{whole:?}");
     let json: Value = serde_json::from_str(&text(folder, "box.json")).unwrap();

@@ -62,68 +62,106 @@ fn sum(values: &[f64]) -> f64 {
     values.iter().sum()
 }
 
-fn material(surface: &SceneSurface) -> String {
-    surface.material_name.clone().unwrap_or_else(|| "–".to_owned())
+/// A column with its cells and what stands below them.
+struct Filled {
+    column: Column,
+    cells: Vec<String>,
+    total: String,
+}
+
+impl Filled {
+    fn new(column: Column, cells: Vec<String>) -> Self {
+        Self { column, cells, total: String::new() }
+    }
+}
+
+/// The columns side by side.
+fn table(columns: Vec<Filled>) -> Table {
+    let rows = columns.first().map_or(0, |first| first.cells.len());
+    let mut table = Table::new(columns.iter().map(|own| own.column.clone()).collect::<Vec<_>>());
+    for row in 0..rows {
+        table.row(columns.iter().map(|own| own.cells[row].clone()).collect::<Vec<_>>());
+    }
+    let has_total = columns.iter().any(|own| !own.total.is_empty());
+    table.total = has_total.then(|| columns.into_iter().map(|own| own.total).collect());
+    table
 }
 
 fn powers(scene: &Scene, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Table {
-    let (unit, power) = (scene.unit.as_str(), power_unit(&scene.unit));
-    let has_reflectance = scene.bands.len() == 1;
-    let reflectance = has_reflectance.then(|| Column::numbers("ρ", ""));
-    let irradiance = ["E mean", "E min", "E max"].map(|head| Column::numbers(head, unit));
-    let powers = ["received", "absorbed", "emitted"].map(|head| Column::numbers(head, &power));
-    let names = [Column::text("surface"), Column::text("material")];
-    let columns = names.into_iter().chain(reflectance).chain([Column::numbers("area", "m²")]);
-    let mut table = Table::new(columns.chain(irradiance).chain(powers).collect::<Vec<_>>());
-    let of =
-        |value: fn(&SurfaceLight) -> f64| column(&listed.iter().map(|own| value(own)).collect::<Vec<_>>());
-    let irradiances: Vec<f64> = listed
-        .iter()
-        .flat_map(|own| [of_bands(&own.irradiance, None), own.extremes[0], own.extremes[1]])
-        .collect();
-    let irradiances = column(&irradiances);
-    let whole = |value: fn(&SurfaceLight) -> f64| all.iter().map(value).sum::<f64>();
-    let columns: [(fn(&SurfaceLight) -> f64, Vec<String>); 3] = [
-        (|own| sum(&own.received), of(|own| sum(&own.received))),
-        (|own| sum(&own.absorbed), of(|own| sum(&own.absorbed))),
-        (|own| sum(&own.emitted), of(|own| sum(&own.emitted))),
-    ];
-    for (index, own) in listed.iter().enumerate() {
-        let surface = &scene.surfaces[own.surface];
-        let reflectance = has_reflectance.then(|| significant(surface.material.reflectance[0], 3));
-        let mut cells = vec![surface.name.clone(), material(surface)];
-        cells.extend(reflectance);
-        cells.push(significant(own.area, 4));
-        cells.extend_from_slice(&irradiances[3 * index..3 * index + 3]);
-        cells.extend(columns.iter().map(|(value, texts)| match value(own) {
-            0.0 => "–".to_owned(),
-            _ => texts[index].clone(),
-        }));
-        table.row(cells);
+    let [mut names, materials] = names(scene, listed);
+    names.total = "all surfaces".to_owned();
+    let mut columns = vec![names, materials];
+    if scene.bands.len() == 1 {
+        columns.push(reflectance(scene, listed, 0, "ρ"));
     }
-    let blank = |count: usize| vec![String::new(); count];
-    let mut total = vec!["all surfaces".to_owned()];
-    total.extend(blank(1 + usize::from(has_reflectance)));
-    total.push(significant(whole(|own| own.area), 4));
-    total.extend(blank(3));
-    total.extend(columns.iter().map(|(value, _)| significant(whole(*value), 4)));
-    table.total = Some(total);
-    table
+    columns.push(areas(all, listed));
+    columns.extend(irradiances(scene, listed));
+    let unit = power_unit(&scene.unit);
+    let power = |head: &str, of: Powers| power(Column::numbers(head, &unit), of, all, listed);
+    columns.extend([
+        power("received", |own| &own.received),
+        power("absorbed", |own| &own.absorbed),
+        power("emitted", |own| &own.emitted),
+    ]);
+    table(columns)
 }
 
 fn by_band(scene: &Scene, listed: &[&SurfaceLight]) -> Table {
-    let bands = &scene.bands;
-    let reflectances = bands.iter().map(|band| Column::numbers(&format!("ρ {band}"), ""));
-    let irradiances = bands.iter().map(|band| Column::numbers(&format!("E {band}"), &scene.unit));
-    let names = [Column::text("surface"), Column::text("material")];
-    let mut table = Table::new(names.into_iter().chain(reflectances).chain(irradiances).collect::<Vec<_>>());
+    let bands = scene.bands.iter().enumerate();
+    let reflectances =
+        bands.clone().map(|(band, name)| reflectance(scene, listed, band, &format!("ρ {name}")));
     let values: Vec<f64> = listed.iter().flat_map(|own| own.irradiance.clone()).collect();
-    for (own, values) in listed.iter().zip(column(&values).chunks(bands.len())) {
-        let surface = &scene.surfaces[own.surface];
-        let mut cells = vec![surface.name.clone(), material(surface)];
-        cells.extend(surface.material.reflectance.iter().map(|rho| significant(*rho, 3)));
-        cells.extend_from_slice(values);
-        table.row(cells);
-    }
-    table
+    let texts = column(&values);
+    let irradiances = bands.map(|(band, name)| {
+        let cells = texts.iter().skip(band).step_by(scene.bands.len()).cloned().collect();
+        Filled::new(Column::numbers(&format!("E {name}"), &scene.unit), cells)
+    });
+    table(names(scene, listed).into_iter().chain(reflectances).chain(irradiances).collect())
+}
+
+/// Names of surfaces and of their materials.
+fn names(scene: &Scene, listed: &[&SurfaceLight]) -> [Filled; 2] {
+    let of = |head: &str, text: fn(&SceneSurface) -> String| {
+        let cells = listed.iter().map(|own| text(&scene.surfaces[own.surface])).collect();
+        Filled::new(Column::text(head), cells)
+    };
+    let material = |surface: &SceneSurface| surface.material_name.clone().unwrap_or_else(|| "–".to_owned());
+    [of("surface", |surface| surface.name.clone()), of("material", material)]
+}
+
+fn reflectance(scene: &Scene, listed: &[&SurfaceLight], band: usize, head: &str) -> Filled {
+    let rho = |own: &&SurfaceLight| significant(scene.surfaces[own.surface].material.reflectance[band], 3);
+    Filled::new(Column::numbers(head, ""), listed.iter().map(rho).collect())
+}
+
+fn areas(all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+    let cells = listed.iter().map(|own| significant(own.area, 4)).collect();
+    let total = significant(all.iter().map(|own| own.area).sum(), 4);
+    Filled { column: Column::numbers("area", "m²"), cells, total }
+}
+
+/// Mean, least and greatest irradiance, all with the same decimals.
+fn irradiances(scene: &Scene, listed: &[&SurfaceLight]) -> impl Iterator<Item = Filled> {
+    let three = |own: &&SurfaceLight| [of_bands(&own.irradiance, None), own.extremes[0], own.extremes[1]];
+    let texts = column(&listed.iter().flat_map(three).collect::<Vec<_>>());
+    ["E mean", "E min", "E max"].into_iter().enumerate().map(move |(index, head)| {
+        let cells = texts.iter().skip(index).step_by(3).cloned().collect();
+        Filled::new(Column::numbers(head, &scene.unit), cells)
+    })
+}
+
+/// A power of a surface in each band.
+type Powers = fn(&SurfaceLight) -> &Vec<f64>;
+
+/// The sum of the bands, a dash for none, and the sum over all surfaces.
+fn power(column_head: Column, of: Powers, all: &[SurfaceLight], listed: &[&SurfaceLight]) -> Filled {
+    let whole = all.iter().map(|own| sum(of(own))).sum();
+    let values: Vec<f64> = listed.iter().map(|own| sum(of(own))).chain([whole]).collect();
+    let mut cells: Vec<String> = column(&values)
+        .into_iter()
+        .zip(&values)
+        .map(|(text, value)| if *value == 0.0 { "–".to_owned() } else { text })
+        .collect();
+    let total = cells.pop().unwrap_or_default();
+    Filled { column: column_head, cells, total }
 }
