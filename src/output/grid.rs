@@ -42,7 +42,7 @@ pub struct Cell {
     pub deviation: Option<Deviation>,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
-    /// Area of the cell that receives light: without holes and what covers it (scene length²).
+    /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
     pub exposed: f64,
     /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
     /// [`Scene::middle`](crate::scene::Scene::middle).

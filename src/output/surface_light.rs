@@ -4,8 +4,8 @@
 //! Φ = ∫ E dA ,     mean E = Φ / A ,     absorbed (1 − ρ) Φ ,     emitted E₀ A ,
 //! ```
 //!
-//! from the means over cells ([`grid`](super::grid)). Extremes are those of the cells' means, over the part of each cell that
-//! receives light.
+//! from the means over cells ([`grid`](super::grid)), where A is the area of the elements: without holes, and without
+//! footprints that are cut out of them. Extremes are those of the means over the part of each cell that elements cover.
 
 use super::grid::Cell;
 use super::shown::of_bands;
@@ -16,7 +16,7 @@ use crate::solution::Solution;
 pub struct SurfaceLight {
     /// Index of the surface.
     pub surface: usize,
-    /// Area that receives light (scene length²).
+    /// Area of its elements (scene length²).
     pub area: f64,
     /// Mean irradiance of each band (unit of exitance).
     pub irradiance: Vec<f64>,
@@ -31,7 +31,7 @@ pub struct SurfaceLight {
 }
 
 impl SurfaceLight {
-    /// The light of each surface that receives any, in the scene's order; `cells` are those of the surfaces of `solution`,
+    /// The light of each surface that has elements, in the scene's order; `cells` are those of the surfaces of `solution`,
     /// surface after surface.
     pub fn of(solution: &Solution, cells: &[Cell]) -> Vec<Self> {
         let bare = |cells: &&[Cell]| cells.iter().any(|cell| cell.exposed > 0.0);
