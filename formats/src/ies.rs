@@ -33,7 +33,7 @@ use crate::text::{decode_western, told};
 /// Most angles of either kind. Chosen: a table at every hundredth of a degree in γ, or every twentieth in C.
 const MOST_ANGLES: usize = 20_000;
 
-/// Most factors by tilt, and most lamps. Chosen.
+/// Most factors by tilt. Chosen.
 const MOST_TILTS: usize = 10_000;
 
 /// Reads the luminaire in `bytes`, the contents of `file`.

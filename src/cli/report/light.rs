@@ -17,7 +17,7 @@ use radiosity::output::uniformity::Uniformity;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
-use super::ReportPageArgs;
+use super::args::ReportPageArgs;
 use crate::cli::{
     colours::ColourArgs,
     error::CliError,
