@@ -1,6 +1,5 @@
 //! Command line: the verbs, and what each does with the library.
 
-mod decimals;
 mod interrupt;
 mod masks;
 mod memory;
@@ -39,6 +38,7 @@ mod schema;
 mod convert;
 mod view_factors;
 mod heat;
+mod report;
 
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
@@ -57,6 +57,7 @@ Examples:
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity heat oven                         temperatures and flows of radiant heat
+  radiosity report room.toml -o room.html     a report for people: picture, planes, surfaces, checks, settings
   radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
   radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 
@@ -85,6 +86,7 @@ enum Verb {
     Convergence(convergence::ConvergenceArgs),
     ViewFactors(view_factors::ViewFactorsArgs),
     Heat(heat::HeatArgs),
+    Report(report::ReportPageArgs),
     Check(check::CheckArgs),
     Convert(convert::ConvertArgs),
     Scenes(scenes::ScenesArgs),
@@ -119,6 +121,7 @@ impl Cli {
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Heat(args) => heat::run(args),
+            Verb::Report(args) => report::run(args, Loaded::dark_or_lit(&args.scene, &self.fixing)?),
             Verb::Check(args) => check::run(args, &args.scene.load_repaired()?),
             Verb::Convert(args) => convert::run(args),
             Verb::Scenes(args) => scenes::run(args),

@@ -31,7 +31,7 @@ mod conductances;
 
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::solve::{Direct, Model, Options, Outcome, Progress};
+use crate::solve::{Direct, Model, Options, Outcome, Progress, Transport};
 pub use black_body::{STEFAN_BOLTZMANN, kelvin};
 use coats::{all_emit, at_levels, radiant};
 pub use conductances::Conductances;
@@ -62,7 +62,27 @@ pub struct HeatOptions {
     pub conductances: bool,
 }
 
+impl Default for HeatOptions {
+    /// Order 3, every pair to 1e-4 with its shadows, the system to 1e-12; no conductances.
+    fn default() -> Self {
+        let options = Options {
+            order: 3,
+            eps: 1e-4,
+            shadow_eps: 1e-4,
+            transport: Transport::Exact,
+            tolerance: 1e-12,
+            ..Options::default()
+        };
+        Self { options, conductances: false }
+    }
+}
+
 impl Heat {
+    /// Whether anything is known of the heat of `scene`: some surface has a temperature or a flux.
+    pub fn is_known(scene: &Scene) -> bool {
+        scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some())
+    }
+
     /// The temperatures and flows of `scene`, with errors from what lower orders find ([`error_orders`]).
     ///
     /// # Errors

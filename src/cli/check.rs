@@ -122,7 +122,7 @@ fn describe_warnings(warnings: &[Warning], text: &mut String) -> fmt::Result {
     Ok(())
 }
 
-fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<6> {
+fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
     let mut table = Table::new(["surface", "shape", "area", "normal", "material", "reflectance"]);
     for (surface, area) in surfaces.iter().zip(areas) {
         let center = surface.shape.jet(0.0, 0.0).normal;
@@ -140,7 +140,7 @@ fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table<6> {
 }
 
 /// One row for each surface and way of touching, each contact named once.
-fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table<3> {
+fn contact_table(scene: &Scene, contacts: &[Contact]) -> Table {
     let mut table = Table::new(["surface", "touches", "of"]);
     let mut rows: Vec<(usize, &str, Vec<&str>)> = Vec::new();
     for Contact { surfaces: [own, other], touch } in contacts {

@@ -109,12 +109,6 @@ impl ColourArgs {
         self.band.as_ref().map(find).transpose()
     }
 
-    /// The band's name, or how several bands become one; none where there is only one.
-    pub(crate) fn band_name(&self, scene: &Scene) -> Option<String> {
-        let mean = || "mean of bands".to_owned();
-        (scene.bands.len() > 1).then(|| self.band.clone().unwrap_or_else(mean))
-    }
-
     /// The colours of values that lie in the range `usual` for the most part.
     pub(crate) fn colours(&self, usual: [f64; 2]) -> FalseColours {
         self.lined(self.scale(usual), usual)
@@ -137,6 +131,12 @@ impl ColourArgs {
                 FalseColours { isolines: values.iter().map(mark).collect(), ..colours }
             }
         }
+    }
+
+    /// The same for a plan, which has round isolines where none were typed.
+    pub(crate) fn of_plan(&self, range: [f64; 2]) -> FalseColours {
+        let colours = self.colours(range);
+        if self.isolines.is_none() { colours.with_round_isolines(range) } else { colours }
     }
 
     fn scale(&self, [low, high]: [f64; 2]) -> Scale {

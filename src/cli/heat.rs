@@ -7,9 +7,10 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity::heat::{Heat, HeatOptions, SurfaceHeat};
+use radiosity::heat::{Heat, HeatOptions};
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
+use radiosity::output::round::significant;
 use radiosity::scene::{MAX_ORDER, Scene};
 use radiosity::solve::{Options, Progress as Stage, Transport, in_threads};
 use radiosity::transport::Miss;
@@ -120,6 +121,9 @@ enum MatrixFormat {
     Npy,
 }
 
+/// Digits of the table on standard output. Chosen.
+const DIGITS: usize = 6;
+
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
 const CLOSED: f64 = 1e-3;
 
@@ -176,45 +180,15 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
 
 fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> {
     match format {
-        Format::Text => write!(writer, "{}", table(&heat.surfaces)),
+        Format::Text => write!(writer, "{}", Table::of(&output::table(&heat.surfaces, DIGITS))),
         Format::Csv => output::csv(&heat.surfaces, writer),
         Format::Json => output::json(heat, writer),
     }
 }
 
-/// The figures for people: given ones as they are, others with their errors.
-fn table(surfaces: &[SurfaceHeat]) -> Table<8> {
-    let mut table = Table::new(["surface", "area m²", "ε", "T K", "± K", "q W/m²", "Q W", "± W"]);
-    for own in surfaces {
-        let error =
-            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { rounded(error, 2) };
-        table.row([
-            own.name.clone(),
-            rounded(own.area, 6),
-            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| emissivity.to_string()),
-            rounded(own.temperature, 6),
-            error(own.is_temperature_known, own.temperature_error),
-            rounded(own.flux, 6),
-            rounded(own.flow, 6),
-            error(own.is_flow_known, own.flow_error),
-        ]);
-    }
-    table
-}
-
-/// `number` to so many digits.
-fn rounded(number: f64, digits: usize) -> String {
-    let text = format!("{number:.*e}", digits - 1);
-    let value: f64 = text.parse().expect("a number was written");
-    // Without the −0 of rounding.
-    let value = value + 0.0;
-    let is_handy = value == 0.0 || (1e-3..1e7).contains(&value.abs());
-    if is_handy { value.to_string() } else { format!("{value:e}") }
-}
-
 impl HeatArgs {
     fn options(&self) -> Options {
-        let usual = Options::default();
+        let usual = HeatOptions::default().options;
         Options {
             order: self.order as usize,
             subdivide: self.subdivide.0,
@@ -222,7 +196,6 @@ impl HeatArgs {
             shadow_eps: self.shadow_eps.unwrap_or(self.eps),
             shadows: self.shadows.hiding(),
             transport: self.transport,
-            tolerance: 1e-12,
             memory: memory::usable(),
             threads: self.threads.unwrap_or(usual.threads),
             ..usual
@@ -238,14 +211,14 @@ impl HeatArgs {
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         let whole = if heat.lost.abs() > CLOSED * given.max(taken) {
-            format!("{} W leave the scene, to surroundings at 0 K", rounded(heat.lost, 6))
+            format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
         } else {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
         };
         lines.push(format!(
             "surfaces send out {} W and take up {} W; {whole}",
-            rounded(given, 6),
-            rounded(taken, 6)
+            significant(given, 6),
+            significant(taken, 6)
         ));
         if let Some(conductances) = &heat.conductances {
             lines.push(format!(

@@ -3,11 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::output::plan::Plan;
-use radiosity::output::plan_page::PlanPage;
+use radiosity::output::plan_page::plan_page;
 use radiosity::output::probe::Reading;
-use radiosity::output::shown::Shown;
-use radiosity::output::uniformity::Uniformity;
 use radiosity::scene::Scene;
 
 use crate::cli::{
@@ -95,25 +92,7 @@ impl Drawing<'_> {
     }
 
     fn draw(&self, scene: &Scene, on: &OnPlane<Reading>) -> Result<(), CliError> {
-        let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
-        let one = |reading: &Reading| {
-            self.band.map_or_else(|| mean(&reading.irradiance), |band| reading.irradiance[band])
-        };
-        let values: Vec<f64> = on.items.iter().map(one).collect();
-        let figures = Uniformity::of(values.iter().copied());
-        let quantity = Shown::Irradiance.name(&scene.unit).to_owned();
-        let legend = [quantity].into_iter().chain(self.colours.band_name(scene)).chain([scene.unit.clone()]);
-        let page = PlanPage {
-            plan: &Plan::new(on.plane, &values),
-            name: on.plane.name(),
-            figures: &figures.told(&scene.unit),
-            legend: legend.collect(),
-        };
-        let range = [figures.min, figures.max];
-        let colours = self.colours.colours(range);
-        // Without levels of its own a plan has round ones.
-        let colours =
-            if self.colours.isolines.is_none() { colours.with_round_isolines(range) } else { colours };
-        self.output.write(|writer| page.picture(&colours).write_png(writer))
+        let picture = plan_page(scene, on.plane, on.items, self.band, |range| self.colours.of_plan(range));
+        self.output.write(|writer| picture.write_png(writer))
     }
 }

@@ -80,21 +80,14 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let kind = args.style.kind(&path)?;
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args.size, &loaded.scene)?;
-    let pixels = u64::from(camera.width) * u64::from(camera.height);
-    let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
-    forecast::require(needed, &args.method, ["the pixels", "--size"])?;
+    require_pixels(&camera, &loaded.scene, &args.method)?;
     let [quantity, unit] = args.shown(&loaded.scene);
     let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
     let wanted = args.wanted(&loaded.scene)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::solve(loaded, &args.method, &args.report, &progress)?;
     let visibility = run.solved.visibility();
-    let observe = |stage| match stage {
-        Stage::Expected(seconds) => progress.expect("picture", seconds),
-        Stage::Direct(done, total) => progress.show("direct light", done, total),
-        Stage::Gather(done, total) => progress.show("gathering", done, total),
-        Stage::Pixels(done, total) => progress.show("picture", done, total),
-    };
+    let observe = |stage| show(&progress, stage);
     let threads = run.threads();
     let worth = wanted.map(|goal| importance(&run.solved.outcome.solution, visibility, &goal, threads));
     let worth = worth.transpose()?;
@@ -102,7 +95,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let (read, show) = match args.importance {
         true => (Read::Basis, Shown::Irradiance),
         false => {
-            let usual = || usual_read(solution, visibility, pixels, threads);
+            let usual = || usual_read(solution, visibility, pixels(&camera), threads);
             (args.read.unwrap_or_else(usual), args.style.show)
         }
     };
@@ -132,6 +125,36 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     run.finish(progress, Some(&written))
 }
 
+/// Pixels of a camera's picture.
+pub(crate) fn pixels(camera: &Camera) -> u64 {
+    u64::from(camera.width) * u64::from(camera.height)
+}
+
+/// Refuses a picture for which there is no room.
+pub(crate) fn require_pixels(camera: &Camera, scene: &Scene, method: &MethodArgs) -> Result<(), CliError> {
+    let pixels = pixels(camera);
+    let needed = pixels * (PIXEL + BAND * scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
+    forecast::require(needed, method, ["the pixels", "--size"])
+}
+
+/// Shows how far a picture is.
+pub(crate) fn show(progress: &Progress, stage: Stage) {
+    match stage {
+        Stage::Expected(seconds) => progress.expect("picture", seconds),
+        Stage::Direct(done, total) => progress.show("direct light", done, total),
+        Stage::Gather(done, total) => progress.show("gathering", done, total),
+        Stage::Pixels(done, total) => progress.show("picture", done, total),
+    }
+}
+
+/// The camera with the pixels that were asked for.
+pub(crate) fn sized(camera: Camera, size: Option<Counts>) -> Camera {
+    match size {
+        Some(Counts([width, height])) => Camera { width, height, ..camera },
+        None => camera,
+    }
+}
+
 impl RenderArgs {
     /// The quantity that the picture shows and its unit.
     fn shown(&self, scene: &Scene) -> [String; 2] {
@@ -153,10 +176,7 @@ impl RenderArgs {
 pub(crate) fn camera(size: Option<Counts>, scene: &Scene) -> Result<Camera, CliError> {
     let no_camera = || CliError::NoCamera { origin: scene.origin.clone(), proposal: proposal(scene) };
     let camera = scene.camera.clone().ok_or_else(no_camera)?;
-    Ok(match size {
-        Some(Counts([width, height])) => Camera { width, height, ..camera },
-        None => camera,
-    })
+    Ok(sized(camera, size))
 }
 
 /// A camera for a scene without one, in one line: inside what looks like a room, outside of anything else.

@@ -13,6 +13,7 @@ use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::Probe;
 use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
+use radiosity::output::round::decimals;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
@@ -20,7 +21,6 @@ use radiosity::solved::Solved;
 use radiosity::studies::adaptation::{Achieved, Aim, Goal};
 
 use crate::cli::aim::at_probes;
-use crate::cli::decimals::decimals;
 use crate::cli::error::CliError;
 use crate::cli::memory;
 use crate::cli::modes::{Order, Shadows};
@@ -64,23 +64,28 @@ impl Loaded {
     /// Reads a scene that has light.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        Self::new(source.path(), source.load_lit()?, None, started)
+        Self::new(source.path(), source.load_lit()?, None, started).required()
     }
 
     /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
     /// and change the method, are refused.
     pub(crate) fn readable(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
+        Self::dark_or_lit(source, fixed)?.required()
+    }
+
+    /// The same, whether it has light or not.
+    pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
         let started = Instant::now();
         let text = source.text()?;
         if !is_solution(&text.text) {
             let scene = source.parse(&text)?;
-            return Self::new(source.path(), scene, None, started);
+            return Ok(Self::new(source.path(), scene, None, started));
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
         if let Some(option) = fixed.first().or(tolerance.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        Self::saved(source.path(), relit(read(&text)?, &source.later())?, started)
+        Ok(Self::saved(source.path(), relit(read(&text)?, &source.later())?, started))
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.
@@ -91,23 +96,23 @@ impl Loaded {
             return Err(CliError::NotSolved { origin: text.origin.to_string() });
         }
         let file = (path != "-").then(|| Path::new(path));
-        Self::saved(file, relit(read(&text)?, &borrowed(settings))?, started)
+        Self::saved(file, relit(read(&text)?, &borrowed(settings))?, started).required()
     }
 
-    fn saved(file: Option<&Path>, solved: Solved, started: Instant) -> Result<Self, CliError> {
+    fn saved(file: Option<&Path>, solved: Solved, started: Instant) -> Self {
         let Solved { scene, options, outcome, achieved, .. } = solved;
         Self::new(file, scene, Some(Saved { options, outcome, achieved }), started)
     }
 
-    fn new(
-        file: Option<&Path>,
-        scene: Scene,
-        saved: Option<Saved>,
-        started: Instant,
-    ) -> Result<Self, CliError> {
-        scene.require_light()?;
+    fn new(file: Option<&Path>, scene: Scene, saved: Option<Saved>, started: Instant) -> Self {
         let file = file.map(Path::to_owned);
-        Ok(Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() })
+        Self { scene, file, saved, started, seconds: started.elapsed().as_secs_f64() }
+    }
+
+    /// Refuses a scene without light.
+    pub(crate) fn required(self) -> Result<Self, CliError> {
+        self.scene.require_light()?;
+        Ok(self)
     }
 
     /// The options that the scene was or will be solved with.
@@ -316,6 +321,11 @@ impl Run {
     /// Runs long work with as many threads as were asked for.
     pub(crate) fn in_threads<T: Send>(&self, work: impl FnOnce() -> T + Send) -> Result<T, CliError> {
         Ok(in_threads(self.threads, work)?)
+    }
+
+    /// The report so far.
+    pub(crate) fn report(&self) -> &Report {
+        &self.report
     }
 
     /// Tells of planes in the summary and in the report.

@@ -13,7 +13,7 @@ use radiosity::output::picture::Picture;
 use radiosity::output::raster::Raster;
 use radiosity::output::round::{round_above, three_digits};
 use radiosity::output::scale::Scale;
-use radiosity::output::shown::Shown;
+use radiosity::output::shown::{Shown, band_name};
 use radiosity::output::sights::Sights;
 use radiosity::output::tone::Tone;
 use radiosity::scene::{Camera, Scene};
@@ -114,7 +114,7 @@ impl StyleArgs {
         self.check_colours()?;
         self.colours.check()?;
         let band = self.colours.band(scene)?;
-        let band_name = self.colours.band_name(scene);
+        let band_name = band_name(&scene.bands, band);
         let title = [quantity].into_iter().chain(band_name.clone()).chain([unit]).collect();
         let other = self.difference.as_deref().map(|path| other(path, scene, camera)).transpose()?;
         Ok(Style { args: self, band, title, band_name, other })
@@ -200,7 +200,7 @@ impl Style<'_> {
         let image = Image::new(raster, balance);
         let picture = match self.args.exposure {
             Some(exposure) => image.exposed(exposure, Tone::Linear),
-            None => image.exposed(image.automatic_exposure(), Tone::Shoulder),
+            None => image.photograph(),
         };
         Ok((wired(picture), String::new()))
     }

@@ -2,32 +2,41 @@
 
 use std::fmt;
 
-/// A table with a header and `N` left-aligned columns, two spaces between.
+use radiosity::output::document::{self, Column};
+
+/// A table with a header and left-aligned columns, two spaces between.
 #[derive(Debug)]
-pub(crate) struct Table<const N: usize> {
-    rows: Vec<[String; N]>,
+pub(crate) struct Table {
+    rows: Vec<Vec<String>>,
 }
 
-impl<const N: usize> Table<N> {
+impl Table {
     /// A table of this header and no rows.
-    pub(crate) fn new(header: [&str; N]) -> Self {
-        Table { rows: vec![header.map(str::to_owned)] }
+    pub(crate) fn new<const N: usize>(header: [&str; N]) -> Self {
+        Table { rows: vec![header.map(str::to_owned).to_vec()] }
+    }
+
+    /// The text of a table of a document.
+    pub(crate) fn of(table: &document::Table) -> Self {
+        let header = table.columns.iter().map(Column::line).collect();
+        Table { rows: [header].into_iter().chain(table.rows.iter().cloned()).collect() }
     }
 
     /// Adds a row at the end.
-    pub(crate) fn row(&mut self, cells: [String; N]) {
-        self.rows.push(cells);
+    pub(crate) fn row<const N: usize>(&mut self, cells: [String; N]) {
+        self.rows.push(cells.to_vec());
     }
 }
 
-impl<const N: usize> fmt::Display for Table<N> {
+impl fmt::Display for Table {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let columns = self.rows.first().map_or(0, Vec::len);
         let width =
             |column: usize| self.rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-        let widths: [usize; N] = std::array::from_fn(width);
+        let widths: Vec<usize> = (0..columns).map(width).collect();
         for row in &self.rows {
             let padded: Vec<String> =
-                row.iter().zip(widths).map(|(cell, width)| padded(cell, width)).collect();
+                row.iter().zip(&widths).map(|(cell, width)| padded(cell, *width)).collect();
             writeln!(f, "{}", padded.join("  ").trim_end())?;
         }
         Ok(())

@@ -7,6 +7,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use radiosity::output::missed::missed;
+use radiosity::output::round::decimals;
 use radiosity::output::view_factors as output;
 use radiosity::scene::Scene;
 use radiosity::solve;
@@ -14,7 +15,6 @@ use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{
-    decimals::decimals,
     destination::Destination,
     error::CliError,
     format,

@@ -42,6 +42,8 @@ pub struct Cell {
     pub deviation: Option<Deviation>,
     /// Area of the cell within the outer outline (scene length²).
     pub area: f64,
+    /// Area of its elements: without holes, and without footprints that are cut out of them (scene length²).
+    pub exposed: f64,
     /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
     /// [`Scene::middle`](crate::scene::Scene::middle).
     pub position: DVec3,
@@ -167,12 +169,13 @@ impl Integrals {
 
     /// The means; `area` is that of the cell if the surface has an outline, else the integrated area is taken.
     fn cell(self, surface: usize, index: [usize; 2], position: DVec3, area: Option<f64>) -> Cell {
-        let area = area.unwrap_or(self.covered);
+        let exposed = self.covered;
+        let area = area.unwrap_or(exposed);
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
         let deviation = self.deviations.over(self.irradiance.iter().sum());
         let (irradiance, radiosity) = (mean(self.irradiance), mean(self.radiosity));
-        Cell { surface, index, irradiance, radiosity, deviation, area, position }
+        Cell { surface, index, irradiance, radiosity, deviation, area, exposed, position }
     }
 }
 

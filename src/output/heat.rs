@@ -5,7 +5,9 @@ use std::io::{self, Write};
 use serde::Serialize;
 
 use crate::heat::{Conductances, Heat, SurfaceHeat};
+use crate::output::document::{Column, Table};
 use crate::output::npy;
+use crate::output::round::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
 ///
@@ -29,6 +31,32 @@ pub fn csv(surfaces: &[SurfaceHeat], out: impl Write) -> io::Result<()> {
         writer.write_record(head.into_iter().chain(numbers.map(|number| number.to_string())))?;
     }
     writer.flush()
+}
+
+/// Digits of what is given. Chosen.
+const GIVEN: usize = 6;
+
+/// The figures for people: given ones as they are, others to so many digits with their errors.
+pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
+    let columns = [("area", "m²"), ("ε", ""), ("T", "K"), ("±", "K"), ("q", "W/m²"), ("Q", "W"), ("±", "W")];
+    let columns = columns.map(|(head, unit)| Column::numbers(head, unit));
+    let mut table = Table::new([vec![Column::text("surface")], columns.to_vec()].concat());
+    let figure = |is_given: bool, value: f64| significant(value, if is_given { GIVEN } else { digits });
+    for own in surfaces {
+        let error =
+            |is_given: bool, error: f64| if is_given { "given".to_owned() } else { significant(error, 2) };
+        table.row([
+            own.name.clone(),
+            significant(own.area, GIVEN),
+            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| emissivity.to_string()),
+            figure(own.is_temperature_known, own.temperature),
+            error(own.is_temperature_known, own.temperature_error),
+            figure(own.is_flow_known, own.flux),
+            figure(own.is_flow_known, own.flow),
+            error(own.is_flow_known, own.flow_error),
+        ]);
+    }
+    table
 }
 
 /// JSON with the figures of each surface, the balance and how good it is.

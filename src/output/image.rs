@@ -48,6 +48,11 @@ impl<'a> Image<'a> {
         Picture::new(width, height, self.raster.pixels().enumerate().map(pixel).collect())
     }
 
+    /// The pixels at the automatic exposure, with a soft approach to white.
+    pub fn photograph(&self) -> Picture {
+        self.exposed(self.automatic_exposure(), Tone::Shoulder)
+    }
+
     fn colour(&self, values: &[f64]) -> [f64; 3] {
         match *values {
             [red, green, blue] => [red * self.balance[0], green * self.balance[1], blue * self.balance[2]],

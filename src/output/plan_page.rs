@@ -6,7 +6,11 @@ use super::lettering::Lettering;
 use super::mark::Mark;
 use super::picture::{Colour, Picture};
 use super::plan::Plan;
+use super::probe::Reading;
 use super::round::multiples;
+use super::shown::{Shown, band_name, of_bands};
+use super::uniformity::Uniformity;
+use crate::scene::{Scene, SensorPlane};
 
 const PAPER: Colour = [255; 3];
 const INK: Colour = [0; 3];
@@ -29,6 +33,28 @@ pub struct PlanPage<'a> {
     pub figures: &'a str,
     /// Lines above the legend: the quantity, its unit.
     pub legend: Vec<String>,
+}
+
+/// The page of what the sensors of a plane read in a band, or in the mean of all; `colours` chooses colours and isolines for
+/// the range of its values.
+pub fn plan_page(
+    scene: &Scene,
+    plane: &SensorPlane,
+    readings: &[Reading],
+    band: Option<usize>,
+    colours: impl FnOnce([f64; 2]) -> FalseColours,
+) -> Picture {
+    let values: Vec<f64> = readings.iter().map(|reading| of_bands(&reading.irradiance, band)).collect();
+    let figures = Uniformity::of(values.iter().copied());
+    let quantity = Shown::Irradiance.name(&scene.unit).to_owned();
+    let legend = [quantity].into_iter().chain(band_name(&scene.bands, band)).chain([scene.unit.clone()]);
+    let page = PlanPage {
+        plan: &Plan::new(plane, &values),
+        name: plane.name(),
+        figures: &figures.told(&scene.unit),
+        legend: legend.collect(),
+    };
+    page.picture(&colours([figures.min, figures.max]))
 }
 
 impl PlanPage<'_> {

@@ -28,10 +28,32 @@ impl Shown {
     pub fn name(self, unit: &str) -> &'static str {
         match self {
             Self::Radiosity => "radiosity",
-            Self::Irradiance if matches!(unit, "lx" | "lux" | "klx" | "lm/m²" | "lm/m^2" | "lm m⁻²") => {
-                "illuminance"
-            }
+            Self::Irradiance if matches!(unit, "klx") || is_lux(unit) => "illuminance",
             Self::Irradiance => "irradiance",
         }
     }
+}
+
+/// Whether a unit of exitance is the lux.
+fn is_lux(unit: &str) -> bool {
+    matches!(unit, "lx" | "lux" | "lm/m²" | "lm/m^2" | "lm m⁻²")
+}
+
+/// The unit of power where exitance is in `unit` and lengths are metres: lm for lx, W for W/m², else their product.
+pub fn power_unit(unit: &str) -> String {
+    match unit {
+        _ if is_lux(unit) => "lm".to_owned(),
+        "W/m²" | "W/m^2" | "W m⁻²" => "W".to_owned(),
+        _ => format!("{unit} · m²"),
+    }
+}
+
+/// The name of the band that is shown, or how several bands become one; none where there is only one.
+pub fn band_name(bands: &[String], shown: Option<usize>) -> Option<String> {
+    (bands.len() > 1).then(|| shown.map_or_else(|| "mean of bands".to_owned(), |band| bands[band].clone()))
+}
+
+/// What is shown of the values of all bands: that of the band, or the mean.
+pub fn of_bands(values: &[f64], shown: Option<usize>) -> f64 {
+    shown.map_or_else(|| values.iter().sum::<f64>() / values.len() as f64, |band| values[band])
 }

@@ -15,4 +15,5 @@ mod pictures;
 mod planes;
 mod probe;
 mod relight;
+mod report;
 mod solution_file;

@@ -1,0 +1,29 @@
+//! Radiant heat: temperatures, fluxes and flows.
+
+use crate::heat::{Heat, HeatError};
+use crate::output::document::Block;
+use crate::output::heat::table;
+use crate::output::round::significant;
+
+/// Digits of what was computed. Chosen: errors of a thousandth are usual.
+const DIGITS: usize = 4;
+
+pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
+    let heading = Block::Heading("Radiant heat".to_owned());
+    match heat {
+        Ok(heat) => vec![
+            heading,
+            Block::Text(format!(
+                "Temperature T, net flux q and net flow Q that leave each surface as radiation, with their estimated errors, or \
+                 given. The flows sum to {} W, which leave the scene, to surroundings at 0 K. Conduction, convection and \
+                 stored heat are left out. Lengths are metres.",
+                significant(heat.lost, 2)
+            )),
+            Block::Table(table(&heat.surfaces, DIGITS)),
+        ],
+        Err(error) => {
+            let cure = error.cure().map(|cure| format!(": {cure}")).unwrap_or_default();
+            vec![heading, Block::Warnings(vec![format!("There is no balance of heat: {error}{cure}")])]
+        }
+    }
+}
