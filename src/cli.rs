@@ -23,6 +23,7 @@ mod progress;
 mod run;
 mod read;
 mod reference;
+mod solution_format;
 mod data;
 mod plan;
 mod grid;
@@ -57,6 +58,7 @@ Examples:
   radiosity grid empty-box --cells 8x8        mean irradiance of every cell, as CSV
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity heat oven                         temperatures and flows of radiant heat
+  radiosity solve room.toml -o room.vtu       its light as polynomials on curved cells, for ParaView
   radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
   radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 

@@ -45,3 +45,4 @@ pub mod npy;
 pub mod view_factors;
 pub mod heat;
 pub mod wireframe;
+pub mod vtu;

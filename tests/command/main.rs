@@ -15,3 +15,4 @@ mod planes;
 mod probe;
 mod relight;
 mod solution_file;
+mod vtu;
