@@ -144,8 +144,11 @@ pub(crate) enum CliError {
         known: String,
     },
     /// A few pairs were asked for in a format that holds a matrix.
-    #[error("--pairs are no matrix, which is all that NPY holds")]
-    PairsAsArray,
+    #[error("--pairs are no matrix, which is all that {format} holds")]
+    PairsAsArray {
+        /// Its name.
+        format: String,
+    },
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
@@ -175,7 +178,7 @@ impl CliError {
             | CliError::NoCamera { .. }
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
-            | CliError::PairsAsArray
+            | CliError::PairsAsArray { .. }
             | CliError::Heat(_)
             | CliError::Vtu { .. }
             | CliError::Refused { .. } => ExitCode::from(2),
@@ -241,7 +244,7 @@ impl CliError {
             }
             CliError::Vtu { reason, .. } => Some(reason.cure().into()),
             CliError::Heat(error) => error.cure().map(str::to_owned),
-            CliError::PairsAsArray => Some("choose --format csv or json".into()),
+            CliError::PairsAsArray { .. } => Some("choose --format csv or json".into()),
             CliError::Solve(Failure::Memory { fits, .. }) => Some(match fits.is_empty() {
                 true => "allow more with --memory, or leave it out".into(),
                 false => "ask for one of these, or allow more with --memory".into(),
