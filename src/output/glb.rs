@@ -29,7 +29,7 @@ use super::shown::Shown;
 use super::tessellation::Triangulation;
 use crate::scene::{Camera, Scene, SceneSurface};
 
-use atlas::Atlas;
+use atlas::{Atlas, MARGIN};
 use binary::{Binary, Component};
 
 /// A scene with its light in textures.
@@ -149,7 +149,7 @@ impl<'a> Baked<'a> {
     }
 }
 
-/// The texels of all surfaces, where the atlas has them.
+/// The texels of all surfaces, where the atlas has them, and their margins.
 fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Raster {
     let [width, height] = atlas.size();
     let bands = scene.bands.len();
@@ -160,7 +160,12 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Ra
         let [left, top] = atlas.corner(index);
         let light: Vec<Vec<f64>> =
             (0..bands).map(|band| light(surface, lightmap, texture, band, shown)).collect();
-        for (texel, at) in (0..across * down).map(|k| (k, (top + k / across) * width + left + k % across)) {
+        let inner = |place: usize, count: usize| place.saturating_sub(MARGIN).min(count - 1);
+        for (row, column) in
+            (0..down + 2 * MARGIN).flat_map(|j| (0..across + 2 * MARGIN).map(move |i| (j, i)))
+        {
+            let at = (top + row - MARGIN) * width + left + column - MARGIN;
+            let texel = inner(row, down) * across + inner(column, across);
             coverage[at] = 1.0;
             for (band, light) in light.iter().enumerate() {
                 values[at * bands + band] = light[texel];

@@ -1,10 +1,13 @@
 //! An atlas: rectangles of texels side by side in one image.
 //!
-//! They stand in rows, highest first, in an image about as wide as high. Rectangles touch: what is read in one by bilinear
-//! interpolation between the centres of its texels never asks for those of another.
+//! They stand in rows, highest first, in an image about as wide as high. Around each is a margin, which repeats its outermost
+//! texels: graphics hardware that smooths edges reads a pixel at its middle, which may lie beyond the edge of the triangle.
 
 /// Part by which an image is wider than the root of its texels, to leave room at the ends of rows. Chosen.
 const ROOM: f64 = 1.05;
+
+/// Texels of the margin on every side: pixels of up to eight texels read none beyond. Chosen.
+pub(super) const MARGIN: usize = 4;
 
 /// Places of rectangles.
 #[derive(Clone, Debug)]
@@ -17,19 +20,20 @@ pub(super) struct Atlas {
 impl Atlas {
     /// The atlas of rectangles of these sizes, across and down.
     pub(super) fn of(sizes: Vec<[usize; 2]>) -> Self {
-        let texels: usize = sizes.iter().map(|[across, down]| across * down).sum();
-        let widest = sizes.iter().map(|[across, _]| *across).max().unwrap_or(1);
+        let whole = |[across, down]: [usize; 2]| [across + 2 * MARGIN, down + 2 * MARGIN];
+        let texels: usize = sizes.iter().map(|size| whole(*size)).map(|[across, down]| across * down).sum();
+        let widest = sizes.iter().map(|size| whole(*size)[0]).max().unwrap_or(1);
         let width = widest.max((ROOM * (texels as f64).sqrt()).ceil() as usize);
         let mut order: Vec<usize> = (0..sizes.len()).collect();
         order.sort_by_key(|index| std::cmp::Reverse(sizes[*index][1]));
         let mut corners = vec![[0, 0]; sizes.len()];
         let (mut left, mut top, mut bottom) = (0, 0, 0);
         for index in order {
-            let [across, down] = sizes[index];
+            let [across, down] = whole(sizes[index]);
             if left + across > width {
                 (left, top) = (0, bottom);
             }
-            corners[index] = [left, top];
+            corners[index] = [left + MARGIN, top + MARGIN];
             left += across;
             bottom = bottom.max(top + down);
         }
@@ -41,7 +45,7 @@ impl Atlas {
         self.size
     }
 
-    /// The left upper texel of a rectangle.
+    /// The left upper texel of a rectangle, within its margin.
     pub(super) fn corner(&self, index: usize) -> [usize; 2] {
         self.corners[index]
     }
@@ -67,8 +71,9 @@ mod tests {
         let mut taken = vec![false; width * height];
         for (index, [across, down]) in sizes.iter().enumerate() {
             let [left, top] = atlas.corner(index);
-            for (x, y) in (0..*down).flat_map(|y| (0..*across).map(move |x| (x, y))) {
-                let at = (top + y) * width + left + x;
+            let [right, bottom] = [left + across + MARGIN, top + down + MARGIN];
+            for (x, y) in (top - MARGIN..bottom).flat_map(|y| (left - MARGIN..right).map(move |x| (x, y))) {
+                let at = y * width + x;
                 assert!(!std::mem::replace(&mut taken[at], true), "{index} lies on another");
             }
             let end = atlas.place(index, [1.0, 1.0]);
