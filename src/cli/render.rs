@@ -23,7 +23,7 @@ use crate::cli::{
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
-    read::check_aim,
+    read::{ROUGH, check_aim},
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
@@ -123,7 +123,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     })?;
     let mut written = path.display().to_string();
     if args.read.is_none() && read == Read::Direct {
-        written += " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+        written += ROUGH;
     }
     if kind == Kind::Exr {
         output.write(|writer| write_exr(&raster, writer))?;

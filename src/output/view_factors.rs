@@ -101,9 +101,9 @@ pub fn nonzero_pairs(factors: &ViewFactors) -> Vec<[usize; 2]> {
 /// Characters of the first line that View3D writes, and reads back by their number.
 const VIEW3D_LINE: usize = 30;
 
-/// Text in the form that View3D 3.5 writes (its manual, section 3.3): a line with program, version, format 0, whether factors were adjusted to an
-/// enclosure and hold emittances (0, 0), and the number of surfaces; the areas; a row of factors for each surface; and the
-/// emittances ε of the surfaces, of which there is one each. Numbers have all their digits.
+/// Text in the form that View3D 3.5 writes (its format 0): a line with program, version, format, whether factors are adjusted to
+/// an enclosure and whether they hold emittances (0, 0), and the number of surfaces; the areas; a row of factors for each
+/// surface; and the `emittances` ε, one for each surface. Numbers have all their digits.
 ///
 /// # Errors
 /// What `out` reports.

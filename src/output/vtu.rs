@@ -160,6 +160,9 @@ impl<'a> Grid<'a> {
         document.strings("surfaces", surfaces.iter().map(|surface| surface.name.as_str()))?;
         document.strings("bands", bands.iter().map(String::as_str))?;
         document.strings("unit of irradiance and radiosity", [unit.as_str()])?;
+        let residuals: Vec<f64> =
+            self.solution.bands().iter().map(|band| band.coefficients.residual).collect();
+        document.array("residual", 1, Numbers::Float64(&residuals))?;
         document.array("geometric deviation", 1, Numbers::Float64(&[self.deviation]))?;
         document.close("FieldData")
     }
