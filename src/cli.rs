@@ -22,6 +22,7 @@ mod progress;
 mod run;
 mod read;
 mod reference;
+mod solution_format;
 mod data;
 mod plan;
 mod grid;
@@ -29,6 +30,7 @@ mod probe;
 mod solve;
 mod relight;
 mod style;
+mod bake;
 mod render;
 mod table;
 mod convergence;
@@ -50,6 +52,7 @@ use run::Loaded;
 const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
+  radiosity render room.toml -o room.glb      the room with its light in textures, for Blender and viewers
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
   radiosity relight room.solution.json --set lamps=0.3   its light groups dimmed, without solving again
   radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz
@@ -58,6 +61,7 @@ Examples:
   radiosity view-factors room.toml            the share of each surface's light that reaches each other, as CSV
   radiosity heat oven                         temperatures and flows of radiant heat
   radiosity report room.toml -o room.html     a report for people: picture, planes, surfaces, checks, settings
+  radiosity solve room.toml -o room.vtu       its light as polynomials on curved cells, for ParaView
   radiosity convert room.mgf room.toml        a scene of another program, repaired and told, as one of radiosity
   radiosity check room.toml --set width=5     what is in a scene, and what looks wrong; its variable `width` set
 

@@ -113,24 +113,43 @@ impl Solution {
     ) -> Self {
         let (elements, groups) = (elements.into(), groups.into());
         let factors = factors(scene, &groups);
+        let coating = |band: usize| Coating::of(scene, elements.list(), band);
+        let lit: Vec<(f64, &GroupLight)> = factors.into_iter().zip(groups.iter()).collect();
+        let whole = Self::together(Arc::clone(&elements), scene, &lit, &coating);
+        let is_apart = groups.iter().any(|group| group.group.is_some());
+        Self { groups: if is_apart { groups } else { Arc::default() }, ..whole }
+    }
+
+    /// The light of one of its groups alone ([`Solution::groups`]), not dimmed, in the scene of this solution.
+    pub fn of_group(&self, scene: &Scene, group: &GroupLight) -> Self {
+        let coating =
+            |band: usize| Coating::of_group(scene, self.elements.list(), band, group.group.as_deref());
+        Self::together(Arc::clone(&self.elements), scene, &[(1.0, group)], &coating)
+    }
+
+    /// The light of groups at these factors, with the coating of each band.
+    fn together(
+        elements: Arc<Elements>,
+        scene: &Scene,
+        lit: &[(f64, &GroupLight)],
+        coating: &dyn Fn(usize) -> Coating,
+    ) -> Self {
+        let factors: Vec<f64> = lit.iter().map(|(factor, _)| *factor).collect();
         let bands: Vec<Band> = (0..scene.bands.len())
             .map(|band| {
-                let parts = groups.iter().map(|group| &group.bands[band]);
+                let parts = lit.iter().map(|(_, group)| &group.bands[band]);
                 let Incident { irradiance, direct, residual } = Incident::together(&factors, parts);
+                let coating = coating(band);
                 let list = elements.list();
-                let coating = Coating::of(scene, list, band);
                 let whole = Coefficients::of_irradiance(list, &coating, irradiance, direct, residual);
                 Band::new(scene.bands[band].clone(), &elements, coating, whole)
             })
             .collect();
-        let masks = factors.iter().zip(groups.iter());
-        let masks = masks.filter_map(|(factor, group)| Some((*factor, group.masked.as_deref()?)));
+        let masks = lit.iter().filter_map(|(factor, group)| Some((*factor, group.masked.as_deref()?)));
         let masked = MaskedLight::together(masks);
-        let powers = factors.iter().zip(groups.iter()).map(|(factor, group)| *factor * group.powers);
+        let powers = lit.iter().map(|(factor, group)| *factor * group.powers);
         let powers = powers.reduce(|sum, part| sum + part);
-        let is_apart = groups.iter().any(|group| group.group.is_some());
-        let groups = if is_apart { groups } else { Arc::default() };
-        Self { elements, bands, masked, groups, powers }
+        Self { elements, bands, masked, groups: Arc::default(), powers }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.

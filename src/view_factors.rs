@@ -120,6 +120,12 @@ impl ViewFactors {
         row
     }
 
+    /// The factors from surface i that are not zero, as (j, F_ij), ascending in j.
+    pub fn nonzeros(&self, i: usize) -> impl Iterator<Item = (usize, f64)> {
+        let own = self.exchanges[i].iter().filter(|(_, exchange)| *exchange != 0.0);
+        own.map(move |(j, exchange)| (*j as usize, exchange / self.areas[i]))
+    }
+
     /// Σ_j F_ij of each surface: 1 if no power that leaves it is lost.
     pub fn row_sums(&self) -> Vec<f64> {
         let sum = |(row, area): (&Vec<(u32, f64)>, &f64)| row.iter().map(|(_, x)| x).sum::<f64>() / area;

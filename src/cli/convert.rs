@@ -1,4 +1,4 @@
-//! `radiosity convert`: a scene in another format.
+//! `radiosity convert`: a scene in another format, or a solution as a grid.
 
 use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
@@ -9,27 +9,33 @@ use radiosity::formats::{
     model::Model,
     write::{WRITTEN, write},
 };
+use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{Notation, Scene};
 
-use crate::cli::{error::CliError, options::SceneArg, output_file::OutputFile};
+use crate::cli::{
+    error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
+};
 
 const EXAMPLES: &str = "\
 Scenes of other programs are repaired as for every verb, and each repair is told. What a format has no words for is left out, \
 and told too; surfaces that it has no shape for are refused, with their names. Comments are not kept.
 
+A solution becomes .vtu: its polynomials on curved cells of VTK, for ParaView.
+
 Examples:
   radiosity convert room.mgf room.toml --one-sided   a scene to work on, its materials by name
   radiosity convert kitchen.obj kitchen.json --unit mm --materials paint.toml
-  radiosity convert cornell-box cornell.obj          a built-in scene, with cornell.mtl";
+  radiosity convert cornell-box cornell.obj          a built-in scene, with cornell.mtl
+  radiosity convert room.solution.json room.vtu      light that `radiosity solve` computed";
 
-/// Writes a scene in another format: .toml, .json, .mgf, .vs3 or .obj
+/// Writes a scene in another format, .toml, .json, .mgf, .vs3 or .obj, or a solution as .vtu
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES, allow_missing_positional = true)]
 pub(crate) struct ConvertArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File that is written, in the format of its ending: .toml, .json, .mgf, .vs3 or .obj with .mtl
+    /// File that is written, in the format of its ending: .toml, .json, .mgf, .vs3 or .obj with .mtl; .vtu of a solution
     #[arg(value_name = "OUT")]
     pub(crate) output: PathBuf,
 }
@@ -57,15 +63,18 @@ impl Target {
                 let message = format!("{}: the ending names no format that is written", path.display());
                 Err(CliError::Refused {
                     message,
-                    cure: format!("end the name in one of toml, json, {names}"),
+                    cure: format!("end the name in one of toml, json, {names}, or vtu for a solution"),
                 })
             }
         }
     }
 }
 
-/// Reads the scene and writes it.
+/// Reads the scene, or the solution, and writes it.
 pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
+    if SolutionFormat::of(&args.output) == SolutionFormat::Vtu {
+        return grid(args);
+    }
     let target = Target::of(&args.output)?;
     let beside = args.output.with_extension("mtl");
     let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
@@ -86,6 +95,24 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     let also = materials.map(|_| format!(" and {}", beside.display())).unwrap_or_default();
     told += &format!("wrote {}{also}\n", args.output.display());
     stderr().write_all(told.as_bytes())?;
+    Ok(())
+}
+
+/// Reads a solution and writes its grid.
+fn grid(args: &ConvertArgs) -> Result<(), CliError> {
+    let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
+    let text = args.scene.text()?;
+    if !is_solution(&text.text) {
+        return Err(CliError::Refused {
+            message: format!("{}: a scene has no light yet, and a grid holds light", text.origin),
+            cure: format!("solve it: `radiosity solve {} -o {}`", text.origin, args.output.display()),
+        });
+    }
+    let solved = read(&text)?;
+    let factors = args.scene.later();
+    let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };
+    let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
+    stderr().write_all(format!("wrote {written}\n").as_bytes())?;
     Ok(())
 }
 

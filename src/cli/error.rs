@@ -6,6 +6,7 @@ use radiosity::elements::ElementError;
 use radiosity::heat::HeatError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
+use radiosity::output::vtu::VtuError;
 use radiosity::scene::{Place, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solved::RelightError;
@@ -117,6 +118,14 @@ pub(crate) enum CliError {
         /// How to mend it.
         cure: String,
     },
+    /// A solution is no grid of VTK.
+    #[error("{}: {reason}", path.display())]
+    Vtu {
+        /// The output as typed.
+        path: PathBuf,
+        /// Why not.
+        reason: VtuError,
+    },
     /// A chart could not be drawn.
     #[error(transparent)]
     Chart(#[from] ChartError),
@@ -135,8 +144,11 @@ pub(crate) enum CliError {
         known: String,
     },
     /// A few pairs were asked for in a format that holds a matrix.
-    #[error("--pairs are no matrix, which is all that NPY holds")]
-    PairsAsArray,
+    #[error("--pairs are no matrix, which is all that {format} holds")]
+    PairsAsArray {
+        /// Its name.
+        format: String,
+    },
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
@@ -166,8 +178,9 @@ impl CliError {
             | CliError::NoCamera { .. }
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
-            | CliError::PairsAsArray
+            | CliError::PairsAsArray { .. }
             | CliError::Heat(_)
+            | CliError::Vtu { .. }
             | CliError::Refused { .. } => ExitCode::from(2),
             CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
                 ExitCode::from(2)
@@ -229,8 +242,9 @@ impl CliError {
             CliError::UnknownFormat { known, .. } => {
                 Some(format!("end the name in .{}, or add --format {known}", known.replace("or ", "or .")))
             }
+            CliError::Vtu { reason, .. } => Some(reason.cure().into()),
             CliError::Heat(error) => error.cure().map(str::to_owned),
-            CliError::PairsAsArray => Some("choose --format csv or json".into()),
+            CliError::PairsAsArray { .. } => Some("choose --format csv or json".into()),
             CliError::Solve(Failure::Memory { fits, .. }) => Some(match fits.is_empty() {
                 true => "allow more with --memory, or leave it out".into(),
                 false => "ask for one of these, or allow more with --memory".into(),

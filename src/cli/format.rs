@@ -40,7 +40,8 @@ pub(crate) fn of_ending<F: ValueEnum>(path: &Path) -> Option<F> {
     F::from_str(path.extension()?.to_str()?, true).ok()
 }
 
-fn name(form: &impl ValueEnum) -> String {
+/// The word for a form on the command line.
+pub(crate) fn name(form: &impl ValueEnum) -> String {
     form.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
 }
 

@@ -57,7 +57,7 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "FORMAT")]
     pub(crate) format: Option<Format>,
 
-    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json or .npy: from i to j flows
+    /// File of the conductances C_ij (m²) between all surfaces for thermal networks, .csv, .json, .npy or .npz: from i to j flows
     /// C_ij σ (T_i⁴ − T_j⁴)
     #[arg(long, value_name = "FILE")]
     pub(crate) conductances: Option<PathBuf>,
@@ -119,6 +119,7 @@ enum MatrixFormat {
     Csv,
     Json,
     Npy,
+    Npz,
 }
 
 /// Digits of the table on standard output. Chosen.
@@ -164,6 +165,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
             MatrixFormat::Csv => output::conductances_csv(&names, conductances, writer),
             MatrixFormat::Json => output::conductances_json(&names, conductances, writer),
             MatrixFormat::Npy => output::conductances_npy(conductances, writer),
+            MatrixFormat::Npz => output::conductances_npz(&heat.surfaces, conductances, writer),
         })?;
     }
     if let Some(picture) = picture {

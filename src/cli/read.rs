@@ -20,6 +20,9 @@ use crate::cli::run::Run;
 /// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
 const BY_RAYS: f64 = 1e-2;
 
+/// What a summary says of light that was not gathered because that would have taken long.
+pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+
 /// `--read` and the accuracy of it.
 #[derive(Debug, Args)]
 pub(crate) struct ReadArgs {

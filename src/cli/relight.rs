@@ -3,13 +3,13 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::output::solution_file::SolutionFile;
 
 use crate::cli::{
     error::CliError,
     options::{ReportArgs, setting},
     progress::Progress,
     run::{Loaded, Run},
+    solution_format::SolutionFormat,
 };
 
 /// Dims the light groups of a solution, or makes them brighter, without solving again
@@ -35,8 +35,8 @@ pub(crate) struct RelightArgs {
     #[arg(long = "set", value_name = "GROUP=FACTOR", required = true, value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
 
-    /// File of the new solution [default: SCENE.relit.json]
-    #[arg(short, long, value_name = "FILE.json")]
+    /// File of the new solution: .json, or .vtu for ParaView [default: SCENE.relit.json]
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     #[command(flatten)]
@@ -50,7 +50,6 @@ pub(crate) fn run(args: &RelightArgs) -> Result<(), CliError> {
     let output = loaded.reserve(&path, &args.report)?;
     let progress = Progress::new(args.report.quiet);
     let run = Run::read(loaded, &args.report)?;
-    let file = SolutionFile::new(&run.solved);
-    output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
-    run.finish(progress, Some(&path.display().to_string()))
+    let written = SolutionFormat::of(&path).write(&run.solved, &path, &output)?;
+    run.finish(progress, Some(&written))
 }

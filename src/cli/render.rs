@@ -1,6 +1,6 @@
 //! `radiosity render`: a picture of a scene.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use radiosity::output::exr_file::write_exr;
@@ -17,28 +17,30 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     aim::Wanted,
+    bake::Bake,
     error::CliError,
     forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
-    read::check_aim,
+    read::{ROUGH, check_aim},
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
 
 /// Solves a scene and takes a picture through its camera
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Examples:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png\n  radiosity render cornell-box -o box.glb")]
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; or .glb, the surfaces with their
+    /// light in a texture, and an .exr of the same texels as they are beside it [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Pixels across and down [default: as the scene's camera says]
+    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all [default: 1024x1024]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Counts>,
 
@@ -78,6 +80,9 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
     check_aim(args.read, &args.method)?;
     let kind = args.style.kind(&path)?;
+    if kind == Kind::Glb {
+        return args.bake(&path)?.run(loaded);
+    }
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args.size, &loaded.scene)?;
     require_pixels(&camera, &loaded.scene, &args.method)?;
@@ -111,16 +116,15 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     })?;
     let mut written = path.display().to_string();
     if args.read.is_none() && read == Read::Direct {
-        written += " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+        written += ROUGH;
     }
-    match kind {
-        Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
-        Kind::Png => {
-            let (picture, figures) =
-                style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
-            written += &figures;
-            output.write(|writer| picture.write_png(writer))?;
-        }
+    if kind == Kind::Exr {
+        output.write(|writer| write_exr(&raster, writer))?;
+    } else {
+        let (picture, figures) =
+            style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
+        written += &figures;
+        output.write(|writer| picture.write_png(writer))?;
     }
     run.finish(progress, Some(&written))
 }
@@ -156,6 +160,18 @@ pub(crate) fn sized(camera: Camera, size: Option<Counts>) -> Camera {
 }
 
 impl RenderArgs {
+    /// The light in textures instead of a picture.
+    fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
+        let Self { size, read, importance, style, method, report, .. } = self;
+        if *importance {
+            return Err(CliError::Refused {
+                message: format!("{}: textures hold light, not its importance", path.display()),
+                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
+            });
+        }
+        Ok(Bake { path, size: *size, read: *read, style, method, report })
+    }
+
     /// The quantity that the picture shows and its unit.
     fn shown(&self, scene: &Scene) -> [String; 2] {
         match self.importance {

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::output::solution_file::SolutionFile;
 use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
@@ -12,20 +11,21 @@ use crate::cli::{
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
     progress::Progress,
     run::{Loaded, Run, options},
+    solution_format::SolutionFormat,
 };
 
 /// Solves a scene and writes the coefficients of its radiosity
 #[derive(Debug, Args)]
 #[command(
     mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)),
-    after_help = "Example:\n  radiosity solve cornell-box --order 5 -o box.solution.json --report box.json"
+    after_help = "Examples:\n  radiosity solve cornell-box --order 5 -o box.solution.json --report box.json\n  radiosity solve cornell-box -o box.vtu"
 )]
 pub(crate) struct SolveArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the solution [default: SCENE.solution.json]
-    #[arg(short, long, value_name = "FILE.json")]
+    /// File of the solution: .json, which other verbs read, or .vtu, cells of VTK for ParaView [default: SCENE.solution.json]
+    #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Writes the best there is where the solver does not converge, or where Ctrl-C ends the rays, and still fails
@@ -42,15 +42,16 @@ pub(crate) struct SolveArgs {
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
+    let format = SolutionFormat::of(&path);
+    format.check(&path, &options(&args.method))?;
     let output = loaded.reserve(&path, &args.report)?;
     let progress = Progress::new(args.report.quiet);
     let stop = args.keep_partial.then_some(&STOP);
     let options = Options { keep_partial: args.keep_partial, stop, ..options(&args.method) };
     let run = Run::with_options(loaded, &args.method, options, &args.report, &progress)?;
     let Outcome { converged, residual, sampling, .. } = run.solved.outcome;
-    let file = SolutionFile::new(&run.solved);
-    output.write(|writer| Ok(serde_json::to_writer(writer, &file)?))?;
-    run.finish(progress, Some(&path.display().to_string()))?;
+    let written = format.write(&run.solved, &path, &output)?;
+    run.finish(progress, Some(&written))?;
     match sampling {
         _ if !converged => Err(CliError::Partial { path, residual }),
         Some(Sampling { rays, planned, .. }) if rays < planned => {

@@ -62,6 +62,8 @@ pub(crate) enum Kind {
     Png,
     /// The values.
     Exr,
+    /// The surfaces with their light in textures.
+    Glb,
 }
 
 /// A style with its band and its other picture.
@@ -97,9 +99,16 @@ impl StyleArgs {
                 cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
             }),
             Some("exr") => Ok(Kind::Exr),
+            Some("glb") if drawn => Err(CliError::Refused {
+                message: format!("{}: a .glb has light in textures, with nothing drawn on it", path.display()),
+                cure: "leave out --false-colour, --wireframe and --difference, or choose a file ending in .png"
+                    .to_owned(),
+            }),
+            Some("glb") => Ok(Kind::Glb),
             _ => Err(CliError::Refused {
                 message: format!("{}: the ending names no kind of picture", path.display()),
-                cure: "choose a file ending in .png (colours) or .exr (values)".to_owned(),
+                cure: "choose a file ending in .png (colours), .exr (values) or .glb (surfaces with their light)"
+                    .to_owned(),
             }),
         }
     }

@@ -9,6 +9,7 @@ use clap::{Args, ValueEnum};
 use radiosity::output::missed::missed;
 use radiosity::output::round::decimals;
 use radiosity::output::view_factors as output;
+use radiosity::output::view_factors::Sparse;
 use radiosity::scene::Scene;
 use radiosity::solve;
 use radiosity::transport::{Accuracy, Miss};
@@ -28,7 +29,9 @@ use crate::cli::{
 
 const NOTES: &str = "\
 Examples:
-  radiosity view-factors room.toml -o F.npy
+  radiosity view-factors room.toml -o F.npz             F, names and areas for NumPy
+  radiosity view-factors hall.obj --sparse csr -o F.npz   without zeros, for scipy.sparse.load_npz
+  radiosity view-factors room.toml -o F.txt             as View3D writes them
   radiosity view-factors room.toml --pairs floor,ceiling --eps 1e-10
   radiosity view-factors faces.csv > F.csv
 
@@ -44,13 +47,18 @@ pub(crate) struct ViewFactorsArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the matrix, in the format of its ending: .csv, .json or .npy [default: CSV on standard output]
+    /// File of the matrix, in the format of its ending: .csv, .json, .npy, .npz, or .txt as View3D writes it [default: CSV on
+    /// standard output]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
     /// Format of the matrix
     #[arg(long, value_name = "FORMAT")]
     pub(crate) format: Option<Format>,
+
+    /// Leaves zeros out: of .npz, by rows (csr) or as triples (coo); of .csv and .json, as a list of pairs (coo)
+    #[arg(long, value_name = "FORM", conflicts_with = "pairs")]
+    pub(crate) sparse: Option<Sparse>,
 
     /// Computes and prints F from surface A to surface B only, with 17 digits; may be repeated
     #[arg(long, value_name = "A,B")]
@@ -91,6 +99,18 @@ pub(crate) enum Format {
     Json,
     /// `NumPy`: N × N numbers of 8 bytes
     Npy,
+    /// `NumPy`: F, names and areas
+    Npz,
+    /// View3D: areas, factors and emittances as text
+    #[value(alias = "view3d")]
+    Txt,
+}
+
+impl Format {
+    /// Whether it has a place for a list of pairs.
+    fn holds_pairs(self) -> bool {
+        matches!(self, Self::Csv | Self::Json)
+    }
 }
 
 /// Error of row sums from which they tell nothing of a scene. Chosen.
@@ -119,7 +139,8 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
     let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
-    destination.write(|writer| write(&factors, &pairs, format, writer))?;
+    let form = Form { format, sparse: args.sparse, pairs };
+    destination.write(|writer| form.write(&scene, &factors, writer))?;
     drop(progress);
     if !args.quiet {
         args.tell(&scene, &factors, start);
@@ -127,19 +148,47 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     Ok(())
 }
 
-fn write(
-    factors: &ViewFactors,
-    pairs: &[[usize; 2]],
+/// What is written of the factors, and how.
+struct Form {
     format: Format,
-    writer: &mut dyn Write,
-) -> io::Result<()> {
-    match (format, pairs.is_empty()) {
-        (Format::Csv, true) => output::csv(factors, writer),
-        (Format::Json, true) => output::json(factors, writer),
-        (Format::Npy, _) => output::npy(factors, writer),
-        (Format::Csv, false) => output::pairs_csv(factors, pairs, writer),
-        (Format::Json, false) => output::pairs_json(factors, pairs, writer),
+    sparse: Option<Sparse>,
+    /// Those that were asked for; none for all.
+    pairs: Vec<[usize; 2]>,
+}
+
+impl Form {
+    fn write(&self, scene: &Scene, factors: &ViewFactors, writer: &mut dyn Write) -> io::Result<()> {
+        match (self.format, self.listed(factors), self.sparse) {
+            (Format::Csv, Some(pairs), _) => output::pairs_csv(factors, &pairs, writer),
+            (Format::Csv, None, _) => output::csv(factors, writer),
+            (Format::Json, Some(pairs), _) => output::pairs_json(factors, &pairs, writer),
+            (Format::Json, None, _) => output::json(factors, writer),
+            (Format::Npy, ..) => output::npy(factors, writer),
+            (Format::Npz, _, Some(sparse)) => output::sparse_npz(factors, sparse, writer),
+            (Format::Npz, _, None) => output::npz(factors, writer),
+            (Format::Txt, ..) => output::view3d(factors, &emittances(scene), writer),
+        }
     }
+
+    /// The pairs that are listed one by one, where the factors are no matrix.
+    fn listed(&self, factors: &ViewFactors) -> Option<Vec<[usize; 2]>> {
+        match (self.pairs.is_empty(), self.sparse) {
+            (false, _) => Some(self.pairs.clone()),
+            (true, Some(_)) => Some(output::nonzero_pairs(factors)),
+            (true, None) => None,
+        }
+    }
+}
+
+/// Emissivities of all surfaces, of all bands together: those of heat where they are stated, else 1 − ρ.
+fn emittances(scene: &Scene) -> Vec<f64> {
+    let mean = |numbers: &[f64]| numbers.iter().sum::<f64>() / numbers.len() as f64;
+    let surfaces = scene.surfaces.iter();
+    surfaces
+        .map(|surface| {
+            surface.thermal.emissivity.unwrap_or_else(|| 1.0 - mean(&surface.material.reflectance))
+        })
+        .collect()
 }
 
 /// The two surfaces of `A,B`. Names may contain commas: the first comma with known names on both sides separates them.
@@ -159,10 +208,18 @@ impl ViewFactorsArgs {
     /// The format asked for, or that of the output's ending.
     fn format(&self) -> Result<Format, CliError> {
         let format = format::chosen(self.format, self.output.as_deref(), Format::Csv)?;
-        if format == Format::Npy && !self.pairs.is_empty() {
-            return Err(CliError::PairsAsArray);
+        let named = || format::name(&format).to_uppercase();
+        if !format.holds_pairs() && !self.pairs.is_empty() {
+            return Err(CliError::PairsAsArray { format: named() });
         }
-        Ok(format)
+        let Some(sparse) = self.sparse else { return Ok(format) };
+        let cure = match (format, sparse) {
+            (Format::Npz, _) | (Format::Csv | Format::Json, Sparse::Coo) => return Ok(format),
+            (Format::Csv | Format::Json, Sparse::Csr) => "take --sparse coo, or choose a file ending in .npz",
+            (Format::Npy | Format::Txt, _) => "leave out --sparse, or choose a file ending in .npz",
+        };
+        let message = format!("--sparse {}: {} has no place for it", format::name(&sparse), named());
+        Err(CliError::Refused { message, cure: cure.to_owned() })
     }
 
     fn accuracy(&self) -> Accuracy {

@@ -1,4 +1,4 @@
-//! The balance of heat as CSV or JSON, and its conductances as CSV, JSON or NPY.
+//! The balance of heat as CSV or JSON, and its conductances as CSV, JSON, NPY or NPZ.
 
 use std::io::{self, Write};
 
@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::heat::{Conductances, Heat, SurfaceHeat};
 use crate::output::document::{Column, Table};
 use crate::output::npy;
+use crate::output::npz::Archive;
 use crate::output::round::significant;
 
 /// CSV with a row for each surface; an emissivity that is not known is left empty.
@@ -123,4 +124,22 @@ pub fn conductances_json(names: &[&str], conductances: &Conductances, mut out: i
 /// What `out` reports.
 pub fn conductances_npy(conductances: &Conductances, out: impl Write) -> io::Result<()> {
     npy::square(conductances.rows.len(), conductances.rows.iter(), out)
+}
+
+/// NPZ with `C` of shape (N, N), and `surroundings`, `names`, `areas` of shape (N,).
+///
+/// # Errors
+/// What `out` reports.
+pub fn conductances_npz(
+    surfaces: &[SurfaceHeat],
+    conductances: &Conductances,
+    out: impl Write,
+) -> io::Result<()> {
+    let count = surfaces.len();
+    let mut archive = Archive::new(out);
+    archive.square("C", count, conductances.rows.iter())?;
+    archive.numbers("surroundings", count, conductances.lost.iter().copied())?;
+    archive.texts("names", surfaces.iter().map(|surface| surface.name.as_str()))?;
+    archive.numbers("areas", count, surfaces.iter().map(|surface| surface.area))?;
+    archive.finish()
 }

@@ -1,12 +1,69 @@
 //! NPY, the format of NumPy, version 1.0.
 //!
-//! A magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the numbers
-//! as little-endian f64 in C order.
+//! A magic text, the length of the header, a header in Python's notation padded to a multiple of 64 bytes, then the numbers,
+//! little-endian, in C order.
 
 use std::io::{self, Write};
 
 /// Bytes of magic text, version and length.
 const PREFIX: usize = 10;
+
+/// The kind of an array's entries.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// f64.
+    Float64,
+    /// i32.
+    Int32,
+    /// i64.
+    Int64,
+    /// Texts of so many characters at the most, in UTF-32, filled up with zeros.
+    Text(usize),
+    /// Texts of so many bytes.
+    Bytes(usize),
+}
+
+impl Kind {
+    /// `NumPy`'s word for it.
+    fn word(self) -> String {
+        match self {
+            Self::Float64 => "<f8".to_owned(),
+            Self::Int32 => "<i4".to_owned(),
+            Self::Int64 => "<i8".to_owned(),
+            Self::Text(longest) => format!("<U{longest}"),
+            Self::Bytes(length) => format!("|S{length}"),
+        }
+    }
+
+    /// Bytes of an entry.
+    pub fn size(self) -> usize {
+        match self {
+            Self::Float64 | Self::Int64 => 8,
+            Self::Int32 => 4,
+            Self::Text(longest) => 4 * longest,
+            Self::Bytes(length) => length,
+        }
+    }
+}
+
+/// The header of an array; its entries follow.
+///
+/// # Errors
+/// What `out` reports.
+pub fn header(kind: Kind, shape: &[usize], mut out: impl Write) -> io::Result<()> {
+    let shape: String = shape.iter().map(|count| format!("{count}, ")).collect();
+    // Python writes (4, 5) and (4,).
+    let shape = shape.trim_end().strip_suffix(',').map_or(String::new(), |shape| match shape.contains(',') {
+        true => shape.to_owned(),
+        false => format!("{shape},"),
+    });
+    let word = kind.word();
+    let header = format!("{{'descr': '{word}', 'fortran_order': False, 'shape': ({shape}), }}");
+    let length = (PREFIX + header.len() + 1).next_multiple_of(64) - PREFIX;
+    out.write_all(b"\x93NUMPY\x01\x00")?;
+    out.write_all(&(length as u16).to_le_bytes())?;
+    writeln!(out, "{header:<width$}", width = length - 1)
+}
 
 /// A square matrix of so many rows, each made when it is written.
 ///
@@ -17,11 +74,7 @@ pub fn square(
     rows: impl Iterator<Item = impl AsRef<[f64]>>,
     mut out: impl Write,
 ) -> io::Result<()> {
-    let header = format!("{{'descr': '<f8', 'fortran_order': False, 'shape': ({count}, {count}), }}");
-    let length = (PREFIX + header.len() + 1).next_multiple_of(64) - PREFIX;
-    out.write_all(b"\x93NUMPY\x01\x00")?;
-    out.write_all(&(length as u16).to_le_bytes())?;
-    writeln!(out, "{header:<width$}", width = length - 1)?;
+    header(Kind::Float64, &[count, count], &mut out)?;
     for row in rows {
         for number in row.as_ref() {
             out.write_all(&number.to_le_bytes())?;

@@ -7,8 +7,9 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use crate::gather::by_rays::Deviation;
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
-use crate::output::reader::{Reader, Value};
+use crate::output::reader::{Light, Reader, Value};
 use crate::scene::SensorPlane;
+use crate::solution::Place;
 
 /// Least cosine between a probe's normal and its surface's for which they count as equal: where only polynomials are
 /// known, and (`EQUAL_NORMAL`) where light is gathered along any normal. Both are chosen, not tuned.
@@ -94,7 +95,7 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
     let spot = Spot::find(elements, reader.visibility(), position, normal);
-    let along_surface = |spot: &Spot| reader.irradiance(spot.element, &spot.place, spot.normal);
+    let along_surface = |spot: &Spot| reader.irradiance(spot.element, &place(reader, spot), spot.normal);
     let (value, on) = match spot {
         None => {
             let free = ReceiverPoint::free(position, normal);
@@ -113,6 +114,16 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
     };
     let Value { irradiance, deviation } = value;
     Ok(Reading { probe: *probe, irradiance, deviation, on })
+}
+
+/// Where a spot is read: polynomials have a value at the foot itself, recomputed light near it.
+fn place(reader: &Reader, spot: &Spot) -> Place {
+    if !matches!(reader.light(), Light::Basis) {
+        return spot.place;
+    }
+    let Place { surface, .. } = spot.place;
+    let position = reader.solution().elements().shape(surface).jet(spot.foot[0], spot.foot[1]).position;
+    Place { surface, parameters: spot.foot, position }
 }
 
 fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {

@@ -1,22 +1,20 @@
 //! Pictures of a solution: camera rays meet the true surfaces, where radiosity is read.
 //!
-//! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Direct light is computed at the
-//! middle of every pixel. Other light, where it is gathered, is computed at few of them and interpolated (`smooth`).
+//! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is
+//! computed at the middles of the pixels (`frame_light`).
 //! Pixels that differ from one beside them average `samples × samples` points of a regular grid.
-
-mod eye;
-mod fit;
-mod frame;
-mod tally;
-mod smooth;
-mod picture_light;
-mod direct_pass;
 
 use std::ops::Range;
 use std::time::Instant;
 
 use rayon::prelude::*;
 
+use super::frame_light::eye::{Eye, Seen};
+use super::frame_light::frame::Frame;
+use super::frame_light::picture_light::{AVERAGED, PictureLight};
+use super::frame_light::smooth::COARSEST;
+use super::frame_light::tally::Tally;
+use super::frame_light::{FrameLight, Pass};
 use super::pinhole::Pinhole;
 use super::raster::Raster;
 pub use super::reader::Read;
@@ -27,12 +25,6 @@ use crate::light::penumbra::Care;
 use crate::scene::Camera;
 use crate::solution::Solution;
 use crate::visibility::Visibility;
-use direct_pass::lit;
-use eye::{Eye, Seen};
-use frame::Frame;
-use picture_light::PictureLight;
-use smooth::{COARSEST, Known, Smooth, Source};
-use tally::Tally;
 
 /// Relative accuracy of recomputed light in pictures: finer than the steps of eight bits, 1/255. Chosen; not tuned.
 const GATHERED: f64 = 3e-3;
@@ -118,7 +110,7 @@ pub fn render(
 /// How a picture of so many pixels is read unless told otherwise: gathered, if `threads` do that within
 /// some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
 pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64, threads: usize) -> Read {
-    let seconds = seconds_to_gather(solution, visibility, picture_light::AVERAGED * GATHERED);
+    let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED);
     let gathered = pixels as f64 / INTERPOLATED / threads as f64 * seconds;
     if gathered <= PATIENCE { Read::Gather } else { Read::Direct }
 }
@@ -132,23 +124,6 @@ struct Pixel {
     coverage: f64,
     /// What is averaged, if that is more than the middle.
     samples: Option<Samples>,
-}
-
-/// The light of pixels beside their direct light.
-struct Rest<'a> {
-    light: &'a PictureLight<'a>,
-    /// Per pixel and band.
-    direct: &'a [Vec<f64>],
-}
-
-impl Source for Rest<'_> {
-    fn smooth(&self, pixel: usize, seen: &Seen) -> Known {
-        self.light.rest(seen, &self.direct[pixel])
-    }
-
-    fn other(&self, pixel: usize) -> f64 {
-        self.direct[pixel].iter().sum()
-    }
 }
 
 /// A picture about to be taken.
@@ -196,22 +171,22 @@ impl Shot<'_> {
         let first = rows.start.saturating_sub(MARGIN);
         let around = first..(rows.end + MARGIN).min(height);
         let frame = Frame::new(self.eye, &self.view, width, around);
-        let bands = self.light.solution().bands().len();
-        let direct = lit(&frame, self.light, &|done, all| (self.observe)(Stage::Direct(done, all)));
-        let rest = Rest { light: self.light, direct: &direct };
-        let gathered = |done, all| (self.observe)(Stage::Gather(done, all));
-        let smooth = self.light.gathers().then(|| Smooth::over(&frame, bands, &rest, &gathered));
-        let middles: Vec<Pixel> = (0..frame.len())
-            .into_par_iter()
-            .map(|pixel| self.middle(&frame, smooth.as_ref(), &direct[pixel], pixel))
-            .collect();
+        let tell = |pass, done, all| {
+            (self.observe)(match pass {
+                Pass::Direct => Stage::Direct(done, all),
+                Pass::Gather => Stage::Gather(done, all),
+            });
+        };
+        let lit = FrameLight::over(&frame, self.light, &tell);
+        let middles: Vec<Pixel> =
+            (0..frame.len()).into_par_iter().map(|pixel| self.middle(&lit, pixel)).collect();
         rows.into_par_iter()
             .with_max_len(ROWS)
             .flat_map_iter(|row| {
                 let start = (row - first) * width;
                 let pixel = |pixel: usize| {
                     let is_fine = self.samples > 1 && differs(&frame, &middles, pixel);
-                    let sampled = || self.sampled(&frame, smooth.as_ref(), pixel, first, &middles[pixel]);
+                    let sampled = || self.sampled(&lit, pixel, first, &middles[pixel]);
                     let value = if is_fine { sampled() } else { middles[pixel].clone() };
                     done.add();
                     value
@@ -222,18 +197,11 @@ impl Shot<'_> {
     }
 
     /// What the middle of a pixel sees.
-    fn middle(&self, frame: &Frame, smooth: Option<&Smooth>, direct: &[f64], pixel: usize) -> Pixel {
-        let Some(seen) = frame.seen(pixel) else { return self.nothing() };
-        let radiosity = match smooth {
-            Some(smooth) => {
-                let irradiance = direct.iter().zip(smooth.at(pixel)).map(|(d, s)| d + s);
-                self.light.shown(seen, irradiance)
-            }
-            None => {
-                let rest = self.light.rest(seen, direct).bands;
-                self.light.shown(seen, direct.iter().zip(rest).map(|(d, s)| d + s))
-            }
+    fn middle(&self, lit: &FrameLight, pixel: usize) -> Pixel {
+        let (Some(seen), Some(irradiance)) = (lit.frame().seen(pixel), lit.irradiance(pixel)) else {
+            return self.nothing();
         };
+        let radiosity = self.light.shown(seen, irradiance.into_iter());
         Pixel { radiosity, coverage: 1.0, samples: None }
     }
 
@@ -243,15 +211,8 @@ impl Shot<'_> {
 
     /// The mean over a pixel of a frame that begins with the row `first`; `middle` is what its middle sees. Where the corners
     /// see about the same, they and the middle are enough.
-    fn sampled(
-        &self,
-        frame: &Frame,
-        smooth: Option<&Smooth>,
-        pixel: usize,
-        first: usize,
-        middle: &Pixel,
-    ) -> Pixel {
-        let sample = |place: [u32; 2]| self.sample(frame, smooth, pixel, first, place);
+    fn sampled(&self, lit: &FrameLight, pixel: usize, first: usize, middle: &Pixel) -> Pixel {
+        let sample = |place: [u32; 2]| self.sample(lit, pixel, first, place);
         let most = self.samples - 1;
         let corners = [[0, 0], [most, 0], [0, most], [most, most]];
         let few: Vec<Pixel> = corners.into_iter().map(sample).chain([middle.clone()]).collect();
@@ -265,22 +226,14 @@ impl Shot<'_> {
     }
 
     /// What one point of the regular grid of a pixel sees.
-    fn sample(
-        &self,
-        frame: &Frame,
-        smooth: Option<&Smooth>,
-        pixel: usize,
-        first: usize,
-        place: [u32; 2],
-    ) -> Pixel {
-        let [column, row] = frame.place(pixel);
+    fn sample(&self, lit: &FrameLight, pixel: usize, first: usize, place: [u32; 2]) -> Pixel {
+        let [column, row] = lit.frame().place(pixel);
         let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
         let at = [column as f64 + x, row as f64 + y];
         let seen = self.eye.along(&self.view.ray(at[0], at[1] + first as f64));
         let Some(seen) = seen else { return self.nothing() };
         let direct = self.light.direct(&seen, ONE_OF_SEVERAL).bands;
-        let rest = smooth.and_then(|smooth| smooth.between(at, &seen));
-        let rest = rest.unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
+        let rest = lit.between(at, &seen).unwrap_or_else(|| self.light.rest(&seen, &direct).bands);
         let radiosity = self.light.shown(&seen, direct.iter().zip(rest).map(|(d, s)| d + s));
         Pixel { radiosity, coverage: 1.0, samples: None }
     }

@@ -8,11 +8,11 @@ use radiosity::zatz1993::masked_light::{Average, Masking};
 use radiosity_solvers::method::Method;
 
 /// Number of lamps, each a group of its own.
-const LAMPS: usize = 3;
+pub(crate) const LAMPS: usize = 3;
 
 /// A closed room with a panel that casts a shadow, lamps that are groups, and a wall that glows and is none. The lamps
 /// emit their share of `levels`.
-fn room(levels: [f64; LAMPS]) -> Scene {
+pub(crate) fn room(levels: [f64; LAMPS]) -> Scene {
     let emission = [[3.0, 2.0], [0.0, 5.0], [1.0, 0.25]];
     let lamp = |k: usize| {
         let [a, b] = emission[k].map(|emission| levels[k] * emission);

@@ -11,6 +11,7 @@ mod footings;
 mod gather;
 mod groups;
 mod hard_cases;
+mod lightmaps;
 mod masks;
 mod models;
 mod occlusion;

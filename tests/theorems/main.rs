@@ -14,5 +14,6 @@ mod layering;
 mod scene_format;
 mod schema;
 mod shapes;
+mod triangles;
 mod variables;
 mod whole;

@@ -22,7 +22,7 @@ const FLAT: f64 = 1e-3;
 
 /// Values around a place.
 #[derive(Clone, Debug)]
-pub(super) struct Fit<'a> {
+pub(crate) struct Fit<'a> {
     values: SmallVec<[Value<'a>; 25]>,
 }
 
@@ -36,7 +36,7 @@ struct Value<'a> {
 
 /// What is found.
 #[derive(Clone, Debug)]
-pub(super) struct Found {
+pub(crate) struct Found {
     /// The value per band.
     pub value: Vec<f64>,
     /// Root mean square of what the fit leaves, the sum over the bands.
@@ -51,17 +51,17 @@ pub(super) struct Found {
 
 impl<'a> Fit<'a> {
     /// Nothing yet.
-    pub(super) fn new() -> Self {
+    pub(crate) fn new() -> Self {
         Self { values: SmallVec::new() }
     }
 
     /// Takes the value of all bands at the offset `at`, with a weight above 0. Their sum has the standard deviation `error`.
-    pub(super) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64], error: f64) {
+    pub(crate) fn take(&mut self, at: [f64; 2], weight: f64, bands: &'a [f64], error: f64) {
         self.values.push(Value { at, weight, bands, error });
     }
 
     /// `found` within the range that the values have, band by band.
-    pub(super) fn within(&self, mut found: Vec<f64>) -> Vec<f64> {
+    pub(crate) fn within(&self, mut found: Vec<f64>) -> Vec<f64> {
         for (band, value) in found.iter_mut().enumerate() {
             let all = || self.values.iter().map(|value| value.bands[band]);
             *value = value.min(all().fold(f64::MIN, f64::max)).max(all().fold(f64::MAX, f64::min));
@@ -70,7 +70,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The mean of all values, by their weights; None of none.
-    pub(super) fn mean(&self) -> Option<Vec<f64>> {
+    pub(crate) fn mean(&self) -> Option<Vec<f64>> {
         let first = self.values.first()?;
         let all: f64 = self.values.iter().map(|value| value.weight).sum();
         let mean =
@@ -79,7 +79,7 @@ impl<'a> Fit<'a> {
     }
 
     /// The fit; None of too few values, or of values on a line.
-    pub(super) fn found(&self) -> Option<Found> {
+    pub(crate) fn found(&self) -> Option<Found> {
         let wanted = match self.values.len() {
             count if count >= QUADRATIC + SPARE => QUADRATIC,
             count if count >= LINEAR + SPARE => LINEAR,

@@ -1,6 +1,6 @@
 //! Smooth light over a picture: computed at few pixels, interpolated between them.
 //!
-//! Light is computed at every [`COARSEST`]-th pixel both ways, and fitted between ([`super::fit`]) from those that lie on
+//! Light is computed at every [`COARSEST`]-th pixel both ways, and fitted between (`fit`) from those that lie on
 //! the same smooth surface. Where fewer than four do, where they lie too far on one side, or where the fit leaves
 //! more than [`ROUGH`] beside the values' own errors, pixels half as far apart follow, down to all pixels: at contacts and in
 //! corners, where light changes fast. So do they where the values lie in a row, too few to tell whether light bends between
@@ -18,7 +18,7 @@ use super::frame::Frame;
 use super::tally::Tally;
 
 /// Pixels from one computed value to the next at first: a power of two. Chosen.
-pub(super) const COARSEST: usize = 16;
+pub(crate) const COARSEST: usize = 16;
 
 /// What a linear fit may differ by from a quadratic one, over what a fit may leave. Chosen: what remains is smaller by about as
 /// much; fits of few values leave little even where light peaks between them.
@@ -41,7 +41,7 @@ const ASIDE_BETWEEN: f64 = 0.8;
 const BETWEEN: f64 = 2.5;
 
 /// Light that is computed where it is wanted.
-pub(super) trait Source: Sync {
+pub(crate) trait Source: Sync {
     /// The smooth light at a pixel and what it sees.
     fn smooth(&self, pixel: usize, seen: &Seen) -> Known;
 
@@ -51,7 +51,7 @@ pub(super) trait Source: Sync {
 
 /// Light that was computed.
 #[derive(Clone, Debug)]
-pub(super) struct Known {
+pub(crate) struct Known {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
     /// Standard deviation of their sum.
@@ -60,7 +60,7 @@ pub(super) struct Known {
 
 /// Values per band at every pixel of a frame.
 #[derive(Debug)]
-pub(super) struct Smooth<'a> {
+pub(crate) struct Smooth<'a> {
     frame: &'a Frame,
     bands: usize,
     /// Pixel by pixel, bands fastest; zero where nothing is seen.
@@ -69,7 +69,7 @@ pub(super) struct Smooth<'a> {
 
 impl<'a> Smooth<'a> {
     /// The light of all pixels of a frame in so many bands; `tell` gets (done, all) of the pixels computed at one spacing.
-    pub(super) fn over(
+    pub(crate) fn over(
         frame: &'a Frame,
         bands: usize,
         source: &impl Source,
@@ -110,13 +110,13 @@ impl<'a> Smooth<'a> {
     }
 
     /// The light of a pixel.
-    pub(super) fn at(&self, pixel: usize) -> &[f64] {
+    pub(crate) fn at(&self, pixel: usize) -> &[f64] {
         &self.values[pixel * self.bands..(pixel + 1) * self.bands]
     }
 
     /// The light at a place seen at a point of the picture, counted from the first row of the frame; None where no pixel
     /// around sees that surface.
-    pub(super) fn between(&self, [x, y]: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
+    pub(crate) fn between(&self, [x, y]: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
         let mut fit = Fit::new();
         let [column, row] = [x, y].map(|at| at.floor() as isize);
         for (i, j) in (-2..=2).flat_map(|j| (-2..=2).map(move |i| (i, j))) {

@@ -19,14 +19,14 @@ const FEW: usize = 2000;
 
 /// Error of gathered light by rays, over the accuracy asked for: ten or so values are averaged where light is
 /// interpolated. Chosen.
-pub(super) const AVERAGED: f64 = 2.0;
+pub(crate) const AVERAGED: f64 = 2.0;
 
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
 
 /// Direct irradiance at a place.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Lit {
+pub(crate) struct Lit {
     /// Per band (W m⁻²).
     pub bands: Vec<f64>,
     /// Which emitters were seen, where rays looked for them.
@@ -35,7 +35,7 @@ pub(super) struct Lit {
 
 /// Direct light and the rest.
 #[derive(Debug)]
-pub(super) struct PictureLight<'a> {
+pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
     shown: Shown,
     direct: Direct<'a>,
@@ -59,7 +59,7 @@ enum Rest<'a> {
 
 impl<'a> PictureLight<'a> {
     /// The light of `solution`, as it is read to about the relative accuracy `eps`.
-    pub(super) fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
+    pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility, read: Read, eps: f64) -> Self {
         let twice = read == Read::GatherTwice;
         let rest = match read {
             Read::Basis | Read::Direct => Rest::Polynomials,
@@ -81,17 +81,17 @@ impl<'a> PictureLight<'a> {
     }
 
     /// The same light, of which a picture shows this.
-    pub(super) fn showing(self, shown: Shown) -> Self {
+    pub(crate) fn showing(self, shown: Shown) -> Self {
         Self { shown, ..self }
     }
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.
-    pub(super) fn gathers(&self) -> bool {
+    pub(crate) fn gathers(&self) -> bool {
         !matches!(self.rest, Rest::Polynomials)
     }
 
     /// Direct light at a place.
-    pub(super) fn direct(&self, seen: &Seen, care: Care) -> Lit {
+    pub(crate) fn direct(&self, seen: &Seen, care: Care) -> Lit {
         let mut bands = vec![0.0; self.solution.bands().len()];
         let mut shade = None;
         match &self.direct {
@@ -116,7 +116,7 @@ impl<'a> PictureLight<'a> {
     }
 
     /// The rest of the light beside the direct light `lit` (W m⁻² per band).
-    pub(super) fn rest(&self, seen: &Seen, lit: &[f64]) -> Known {
+    pub(crate) fn rest(&self, seen: &Seen, lit: &[f64]) -> Known {
         match &self.rest {
             Rest::Polynomials => Known { bands: self.polynomials(seen), error: 0.0 },
             Rest::Cells(gather) => {
@@ -148,13 +148,13 @@ impl<'a> PictureLight<'a> {
     }
 
     /// What is shown per band under this irradiance.
-    pub(super) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
+    pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
         bands.zip(irradiance).map(|(band, e)| self.shown.of(&band.coating, seen.element, e)).collect()
     }
 
     /// The solution that is seen.
-    pub(super) fn solution(&self) -> &'a Solution {
+    pub(crate) fn solution(&self) -> &'a Solution {
         self.solution
     }
 }

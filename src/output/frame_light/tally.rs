@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 const OFTEN: usize = 1024;
 
 /// Counts pixels, from any thread.
-pub(super) struct Tally<'a> {
+pub(crate) struct Tally<'a> {
     done: AtomicUsize,
     total: usize,
     /// Gets (done, all).
@@ -15,12 +15,12 @@ pub(super) struct Tally<'a> {
 
 impl<'a> Tally<'a> {
     /// None of `total` is done.
-    pub(super) fn new(total: usize, tell: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
+    pub(crate) fn new(total: usize, tell: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
         Self { done: AtomicUsize::new(0), total, tell }
     }
 
     /// One more is done.
-    pub(super) fn add(&self) {
+    pub(crate) fn add(&self) {
         let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
         if done.is_multiple_of(OFTEN) || done == self.total {
             (self.tell)(done, self.total);

@@ -1,4 +1,4 @@
-//! What the middles of the pixels see, in some rows of a picture.
+//! Places in rows: what the middles of the pixels see, in some rows of a picture, or the texels of a surface.
 
 use std::ops::Range;
 
@@ -10,7 +10,7 @@ use super::eye::{Eye, Seen};
 
 /// The places seen, row by row.
 #[derive(Debug)]
-pub(super) struct Frame {
+pub(crate) struct Frame {
     width: usize,
     rows: Range<usize>,
     seen: Vec<Option<Seen>>,
@@ -18,7 +18,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// The rows `rows` of a picture of so many columns.
-    pub(super) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>) -> Self {
+    pub(crate) fn new(eye: &Eye, view: &Pinhole, width: usize, rows: Range<usize>) -> Self {
         let first = rows.start * width;
         let seen = (0..rows.len() * width).into_par_iter().map(|index| {
             let (row, column) = ((first + index) / width, (first + index) % width);
@@ -28,25 +28,30 @@ impl Frame {
         Self { width, rows, seen }
     }
 
+    /// These places, row by row of so many columns.
+    pub(crate) fn of(width: usize, seen: Vec<Option<Seen>>) -> Self {
+        Self { width, rows: 0..seen.len() / width, seen }
+    }
+
     /// Number of pixels.
-    pub(super) fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.seen.len()
     }
 
     /// Column and row, counted from the first of these rows, of a pixel.
-    pub(super) fn place(&self, pixel: usize) -> [usize; 2] {
+    pub(crate) fn place(&self, pixel: usize) -> [usize; 2] {
         [pixel % self.width, pixel / self.width]
     }
 
     /// The pixel at a column and a row, counted from the first of these, if it is one of them.
-    pub(super) fn pixel(&self, [column, row]: [isize; 2]) -> Option<usize> {
+    pub(crate) fn pixel(&self, [column, row]: [isize; 2]) -> Option<usize> {
         let is_within =
             (0..self.width as isize).contains(&column) && (0..self.rows.len() as isize).contains(&row);
         is_within.then(|| row as usize * self.width + column as usize)
     }
 
     /// What a pixel sees.
-    pub(super) fn seen(&self, pixel: usize) -> Option<&Seen> {
+    pub(crate) fn seen(&self, pixel: usize) -> Option<&Seen> {
         self.seen[pixel].as_ref()
     }
 }

@@ -16,7 +16,7 @@ const LEVEL: f64 = 0.1;
 
 /// A place on the front of a surface.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+pub(crate) struct Seen {
     /// Index of the element.
     pub element: usize,
     /// The place.
@@ -27,12 +27,12 @@ pub(super) struct Seen {
 
 impl Seen {
     /// The place as a receiver.
-    pub(super) fn vantage(&self) -> ReceiverPoint {
+    pub(crate) fn vantage(&self) -> ReceiverPoint {
         ReceiverPoint::on(self.place.surface, self.place.position, self.normal)
     }
 
     /// Whether light may be interpolated between this place and another: on about one smooth surface.
-    pub(super) fn goes_with(&self, other: &Self) -> bool {
+    pub(crate) fn goes_with(&self, other: &Self) -> bool {
         let step = other.place.position - self.place.position;
         let most = if self.place.surface == other.place.surface { BENT } else { LEVEL } * step.length();
         self.normal.dot(other.normal) > ALIKE
@@ -43,7 +43,7 @@ impl Seen {
 
 /// What meets camera rays.
 #[derive(Debug)]
-pub(super) struct Eye<'a> {
+pub(crate) struct Eye<'a> {
     pub elements: &'a Elements,
     pub visibility: &'a Visibility,
     /// Diagonal of the scene's bounding box.
@@ -52,7 +52,7 @@ pub(super) struct Eye<'a> {
 
 impl Eye<'_> {
     /// The front that a ray meets first, if it is a front.
-    pub(super) fn along(&self, ray: &Ray) -> Option<Seen> {
+    pub(crate) fn along(&self, ray: &Ray) -> Option<Seen> {
         let Encounter { surface, hit, front } = self.visibility.nearest(ray)?;
         // Where two surfaces meet, light is the limit from within the visible one.
         let spot = front.then(|| Spot::at(self.elements, surface, [hit.u, hit.v], self.diagonal))??;

@@ -13,7 +13,7 @@ use super::tally::Tally;
 const BESIDE: isize = 2;
 
 /// The direct irradiance of all pixels; nothing where nothing is seen. `tell` gets (done, all) of the pixels, twice.
-pub(super) fn lit(
+pub(crate) fn lit(
     frame: &Frame,
     light: &PictureLight,
     tell: &(dyn Fn(usize, usize) + Sync),

@@ -1,0 +1,93 @@
+//! Light at the places of a frame, such as what the pixels of a picture see, or the texels of a surface.
+//!
+//! Direct light is computed at every place. Other light, where it is gathered, is computed at few of them and interpolated
+//! between neighbours in the frame (`smooth`).
+
+pub(crate) mod eye;
+mod fit;
+pub(crate) mod frame;
+pub(crate) mod tally;
+pub(crate) mod smooth;
+pub(crate) mod picture_light;
+mod direct_pass;
+
+use direct_pass::lit;
+use eye::Seen;
+use frame::Frame;
+use picture_light::PictureLight;
+use smooth::{Known, Smooth, Source};
+
+/// What is computed at the places of a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Pass {
+    /// Direct light, at every place.
+    Direct,
+    /// Reflected light, at those places that are so far known to want it.
+    Gather,
+}
+
+/// The irradiance of a frame.
+pub(crate) struct FrameLight<'a> {
+    frame: &'a Frame,
+    light: &'a PictureLight<'a>,
+    /// Per place and band.
+    direct: Vec<Vec<f64>>,
+    /// None where other light is not gathered.
+    smooth: Option<Smooth<'a>>,
+}
+
+/// The light of places beside their direct light.
+struct Rest<'a> {
+    light: &'a PictureLight<'a>,
+    /// Per place and band.
+    direct: &'a [Vec<f64>],
+}
+
+impl Source for Rest<'_> {
+    fn smooth(&self, place: usize, seen: &Seen) -> Known {
+        self.light.rest(seen, &self.direct[place])
+    }
+
+    fn other(&self, place: usize) -> f64 {
+        self.direct[place].iter().sum()
+    }
+}
+
+impl<'a> FrameLight<'a> {
+    /// The light of all places of a frame; `tell` gets (done, all) of each pass, from any thread.
+    pub(crate) fn over(
+        frame: &'a Frame,
+        light: &'a PictureLight<'a>,
+        tell: &(dyn Fn(Pass, usize, usize) + Sync),
+    ) -> Self {
+        let direct = lit(frame, light, &|done, all| tell(Pass::Direct, done, all));
+        let rest = Rest { light, direct: &direct };
+        let bands = light.solution().bands().len();
+        let gathered = |done, all| tell(Pass::Gather, done, all);
+        let smooth = light.gathers().then(|| Smooth::over(frame, bands, &rest, &gathered));
+        Self { frame, light, direct, smooth }
+    }
+
+    /// The places.
+    pub(crate) fn frame(&self) -> &'a Frame {
+        self.frame
+    }
+
+    /// Irradiance per band (W m⁻²) at a place; None where nothing is seen.
+    pub(crate) fn irradiance(&self, place: usize) -> Option<Vec<f64>> {
+        let seen = self.frame.seen(place)?;
+        let mut sum = self.direct[place].clone();
+        let mut add = |rest: &[f64]| sum.iter_mut().zip(rest).for_each(|(sum, rest)| *sum += rest);
+        match &self.smooth {
+            Some(smooth) => add(smooth.at(place)),
+            None => add(&self.light.rest(seen, &self.direct[place]).bands),
+        }
+        Some(sum)
+    }
+
+    /// Gathered light per band (W m⁻²) where a point between the places of the frame sees `seen`; None where light is not
+    /// gathered, or no place around goes with it.
+    pub(crate) fn between(&self, at: [f64; 2], seen: &Seen) -> Option<Vec<f64>> {
+        self.smooth.as_ref()?.between(at, seen)
+    }
+}

@@ -1,0 +1,99 @@
+//! Triangles of surfaces: their area, their fronts, their distance from what they stand for, and the edges they share.
+
+use std::collections::BTreeMap;
+
+use radiosity::output::tessellation::{Triangulation, tessellation};
+use radiosity::scene::{Scene, SceneSurface};
+use radiosity_geom::DVec3;
+
+fn every_shape() -> Scene {
+    Scene::from_toml(include_str!("../data/every-shape.toml"), "every-shape").expect("a scene")
+}
+
+fn corners<'a>(own: &'a Triangulation, triangle: &'a [u32; 3]) -> [DVec3; 3] {
+    triangle.map(|corner| own.positions[corner as usize])
+}
+
+fn area(own: &Triangulation) -> f64 {
+    let triangle = |triangle: &[u32; 3]| {
+        let [a, b, c] = corners(own, triangle);
+        0.5 * (b - a).cross(c - a).length()
+    };
+    own.triangles.iter().map(triangle).sum()
+}
+
+#[test]
+fn area_converges_to_that_of_the_surface() {
+    let scene = every_shape();
+    let [coarse, fine] = [3e-2, 3e-4].map(|tolerance| tessellation(&scene, tolerance));
+    for ((surface, coarse), fine) in scene.surfaces.iter().zip(&coarse).zip(&fine) {
+        let exact = surface.shape.area();
+        let error = |own: &Triangulation| (area(own) / exact - 1.0).abs();
+        let (coarse, fine) = (error(coarse), error(fine));
+        if surface.shape.region().is_some() {
+            assert!(coarse < 1e-12, "{}: {coarse}", surface.name);
+        } else {
+            assert!(fine < 2e-3 && fine <= 0.2 * coarse + 1e-12, "{}: {coarse}, {fine}", surface.name);
+        }
+    }
+}
+
+/// The place of the mean parameters of a triangle, and the unit normal there.
+fn middle(surface: &SceneSurface, own: &Triangulation, triangle: &[u32; 3]) -> (DVec3, DVec3) {
+    let mean =
+        |axis: usize| triangle.iter().map(|corner| own.parameters[*corner as usize][axis]).sum::<f64>() / 3.0;
+    let jet = surface.shape.jet(mean(0), mean(1));
+    (jet.position, jet.normal)
+}
+
+#[test]
+fn triangles_show_their_fronts_and_lie_within_the_tolerance() {
+    const TOLERANCE: f64 = 1e-3;
+    let scene = every_shape();
+    for (surface, own) in scene.surfaces.iter().zip(tessellation(&scene, TOLERANCE)) {
+        let shape = &surface.shape;
+        assert!(!own.triangles.is_empty(), "{}", surface.name);
+        for (position, [u, v]) in own.positions.iter().zip(&own.parameters) {
+            assert!(shape.jet(*u, *v).position.distance(*position) < 1e-9, "{}", surface.name);
+        }
+        for triangle in &own.triangles {
+            let [a, b, c] = corners(&own, triangle);
+            let (place, normal) = middle(surface, &own, triangle);
+            let distance = place.distance((a + b + c) / 3.0);
+            assert!(distance < 1.5 * TOLERANCE, "{}: {distance}", surface.name);
+            let cosine = (b - a).cross(c - a).normalize().dot(normal);
+            assert!(cosine > 0.9, "{}: {cosine}", surface.name);
+        }
+    }
+}
+
+#[test]
+fn closed_rooms_of_flat_faces_have_no_cracks() {
+    for name in ["furnace-cube", "empty-box"] {
+        let scene = Scene::builtin(name).expect("built in");
+        let mut edges: BTreeMap<[[u64; 3]; 2], i32> = BTreeMap::new();
+        for own in tessellation(&scene, 1e-3) {
+            for triangle in &own.triangles {
+                let bits = corners(&own, triangle).map(|x| (x + 0.0).to_array().map(f64::to_bits));
+                for k in 0..3 {
+                    let (from, to) = (bits[k], bits[(k + 1) % 3]);
+                    *edges.entry([from.min(to), from.max(to)]).or_default() += if from < to { 1 } else { -1 };
+                }
+            }
+        }
+        assert!(edges.len() >= 18 && edges.values().all(|count| *count == 0), "{name}");
+    }
+}
+
+/// The part of a wall under a sheet is not drawn twice.
+#[test]
+fn what_a_sheet_covers_is_left_out() {
+    let text = r#"
+        [[surfaces]]
+        quad = { vertices = [[0,0,0],[2,0,0],[2,2,0],[0,2,0]] }
+        [[surfaces]]
+        quad = { vertices = [[0.5,0.5,0],[1,0.5,0],[1,1.5,0],[0.5,1.5,0]] }"#;
+    let scene = Scene::from_toml(text, "sheet").expect("a scene");
+    let areas = tessellation(&scene, 1e-3).iter().map(area).collect::<Vec<f64>>();
+    assert!((areas[0] - 3.5).abs() < 1e-6 && (areas[1] - 0.5).abs() < 1e-6, "{areas:?}");
+}
