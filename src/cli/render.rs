@@ -8,6 +8,7 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::{Stage, render, usual_read, white_balance};
 use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
+use radiosity::output::viewer::Start;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Solution;
@@ -21,6 +22,7 @@ use crate::cli::{
     forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    page,
     progress::Progress,
     read::check_aim,
     run::{Loaded, Run},
@@ -29,12 +31,13 @@ use crate::cli::{
 
 /// Solves a scene and takes a picture through its camera
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Example:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png")]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Examples:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png\n  radiosity render cornell-box -o box.html")]
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; or .html, one file to walk through
+    /// in a browser [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -80,6 +83,10 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let kind = args.style.kind(&path)?;
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args, &loaded.scene)?;
+    if kind == Kind::Html {
+        let start = args.start(&loaded.scene, camera)?;
+        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read);
+    }
     let pixels = u64::from(camera.width) * u64::from(camera.height);
     let needed = pixels * (PIXEL + BAND * loaded.scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
     forecast::require(needed, &args.method, ["the pixels", "--size"])?;
@@ -122,7 +129,7 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     }
     match kind {
         Kind::Exr => output.write(|writer| write_exr(&raster, writer))?,
-        Kind::Png => {
+        Kind::Png | Kind::Html => {
             let (picture, figures) =
                 style.picture(&raster, white_balance(solution), borders.as_deref(), sights.as_ref())?;
             written += &figures;
@@ -139,6 +146,17 @@ impl RenderArgs {
             true => ["importance".to_owned(), "1/area".to_owned()],
             false => [self.style.show.name(&scene.unit).to_owned(), scene.unit.clone()],
         }
+    }
+
+    /// What a page shows first.
+    fn start(&self, scene: &Scene, camera: Camera) -> Result<Start, CliError> {
+        if self.importance {
+            return Err(CliError::Refused {
+                message: "--importance: a page to walk through shows light".to_owned(),
+                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
+            });
+        }
+        self.style.start(scene, camera, self.samples)
     }
 
     /// What light is to be worth something to, where its importance is shown.
