@@ -90,16 +90,22 @@ class Drawing {
   draw(camera, look) {
     const { gl } = this;
     gl.viewport(0, 0, ...this.size);
-    this.drawScene(camera.matrix(this.size, [-this.shifts[this.done][0], this.shifts[this.done][1]]), look);
+    const [right, down] = this.shifts[this.done];
+    const matrix = camera.matrix(this.size, [-right, down]);
     this.done += 1;
-    this.copy(this.sample, this.mean.frame, { part: 1 / this.done });
+    if (this.done === 1) {
+      this.drawScene(this.mean.frame, matrix, look);
+    } else {
+      this.drawScene(this.sample.frame, matrix, look);
+      this.copy(this.sample, this.mean.frame, { part: 1 / this.done });
+    }
     this.copy(this.mean, null, { encode: true, dither: !look.falseColours });
   }
 
-  drawScene(matrix, { style, exposure, range, backs, falseColours }) {
+  drawScene(frame, matrix, { style, exposure, range, backs, falseColours }) {
     const { gl, surface } = this;
     const paper = falseColours ? 1 : 0;
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.sample.frame);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, frame);
     gl.clearColor(paper, paper, paper, 1);
     gl.enable(gl.DEPTH_TEST);
     gl.enable(gl.CULL_FACE);
