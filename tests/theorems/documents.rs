@@ -5,11 +5,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents of all packages.
-const DOCUMENTS: [&str; 11] = [
+const DOCUMENTS: [&str; 12] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "docs/measured.md",
+    "docs/viewer.md",
     "benches/README.md",
     "core/README.md",
     "core/benches/README.md",
@@ -19,12 +20,13 @@ const DOCUMENTS: [&str; 11] = [
     "solvers/benches/README.md",
 ];
 /// The documents that say where in the sources things live.
-const MAPS: [&str; 5] = [
+const MAPS: [&str; 6] = [
     "docs/glossary.md",
     "docs/theory/transport.md",
     "docs/theory/visibility.md",
     "docs/theory/gathering.md",
     "docs/theory/solvers.md",
+    "docs/viewer.md",
 ];
 const PACKAGES: [&str; 5] = [".", "core", "formats", "geom", "solvers"];
 

@@ -19,6 +19,11 @@ class Shape {
     this.diagonal = length(minus(this.high, this.low));
   }
 
+  /** Whether a point lies in the box around the scene. */
+  holds(point) {
+    return point.every((x, axis) => x > this.low[axis] && x < this.high[axis]);
+  }
+
   corner(index) {
     return [this.positions[3 * index], this.positions[3 * index + 1], this.positions[3 * index + 2]];
   }

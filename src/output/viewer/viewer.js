@@ -8,7 +8,7 @@ class Viewer {
     Object.assign(this, { header, shape, light, drawing, listeners: [] });
     this.camera = new Camera(header.camera, shape);
     this.state = {
-      mode: "orbit",
+      mode: shape.holds(header.camera.eye) ? "walk" : "orbit",
       backs: true,
       quantity: header.quantity,
       band: header.colours?.band ?? null,
