@@ -31,6 +31,7 @@ mod solve;
 mod relight;
 mod style;
 mod bake;
+mod page;
 mod render;
 mod table;
 mod convergence;
@@ -53,6 +54,7 @@ const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
   radiosity render room.toml -o room.glb      the room with its light in textures, for Blender and viewers
+  radiosity render room.toml -o room.html     one file to walk through in a browser
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
   radiosity relight room.solution.json --set lamps=0.3   its light groups dimmed, without solving again
   radiosity probe room.toml --points p.csv    irradiance at your points x,y,z,nx,ny,nz

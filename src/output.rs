@@ -42,6 +42,7 @@ pub mod report;
 pub mod scale;
 pub mod false_colour;
 pub mod legend;
+pub mod viewer;
 pub mod plan;
 pub mod plan_page;
 pub mod solution_file;

@@ -8,6 +8,7 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::{Stage, render, usual_read, white_balance};
 use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
+use radiosity::output::viewer::Start;
 use radiosity::output::wireframe::wireframe;
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Solution;
@@ -22,6 +23,7 @@ use crate::cli::{
     forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
+    page,
     progress::Progress,
     read::{ROUGH, check_aim},
     run::{Loaded, Run},
@@ -30,13 +32,14 @@ use crate::cli::{
 
 /// Solves a scene and takes a picture through its camera
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Examples:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png\n  radiosity render cornell-box -o box.glb")]
+#[command(mut_arg("scene", |scene| scene.help(SCENE_OR_SOLUTION)), mut_arg("settings", |set| set.help(PARAMETER_OR_GROUP)), after_help = "Examples:\n  radiosity render cornell-box --order 5 --size 800x800 -o box.png\n  radiosity render cornell-box -o box.html\n  radiosity render cornell-box -o box.glb")]
 pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; or .glb, the surfaces with their
-    /// light in a texture, and an .exr of the same texels as they are beside it [default: SCENE.png]
+    /// File of the picture: .png, or .exr for the values as they are, in the scene's unit; .html, one file to walk through in a
+    /// browser; or .glb, the surfaces with their light in a texture, and an .exr of the same texels as they are beside it
+    /// [default: SCENE.png]
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
@@ -85,6 +88,10 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     }
     let output = loaded.reserve(&path, &args.report)?;
     let camera = camera(args.size, &loaded.scene)?;
+    if kind == Kind::Html {
+        let start = args.start(&loaded.scene, camera)?;
+        return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read);
+    }
     require_pixels(&camera, &loaded.scene, &args.method)?;
     let [quantity, unit] = args.shown(&loaded.scene);
     let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
@@ -178,6 +185,17 @@ impl RenderArgs {
             true => ["importance".to_owned(), "1/area".to_owned()],
             false => [self.style.show.name(&scene.unit).to_owned(), scene.unit.clone()],
         }
+    }
+
+    /// What a page shows first.
+    fn start(&self, scene: &Scene, camera: Camera) -> Result<Start, CliError> {
+        if self.importance {
+            return Err(CliError::Refused {
+                message: "--importance: a page to walk through shows light".to_owned(),
+                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
+            });
+        }
+        self.style.start(scene, camera, self.samples)
     }
 
     /// What light is to be worth something to, where its importance is shown.

@@ -16,6 +16,7 @@ use radiosity::output::scale::Scale;
 use radiosity::output::shown::{Shown, band_name};
 use radiosity::output::sights::Sights;
 use radiosity::output::tone::Tone;
+use radiosity::output::viewer::{Start, StartColours};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
@@ -64,6 +65,8 @@ pub(crate) enum Kind {
     Exr,
     /// The surfaces with their light in textures.
     Glb,
+    /// A page to walk through.
+    Html,
 }
 
 /// A style with its band and its other picture.
@@ -105,12 +108,44 @@ impl StyleArgs {
                     .to_owned(),
             }),
             Some("glb") => Ok(Kind::Glb),
+            Some("html") => self.check_page(path),
             _ => Err(CliError::Refused {
                 message: format!("{}: the ending names no kind of picture", path.display()),
-                cure: "choose a file ending in .png (colours), .exr (values) or .glb (surfaces with their light)"
+                cure: "choose a file ending in .png (colours), .exr (values), .html (to walk through) or .glb (surfaces with \
+                       their light)"
                     .to_owned(),
             }),
         }
+    }
+
+    /// Refuses what a page does not show.
+    fn check_page(&self, path: &Path) -> Result<Kind, CliError> {
+        let drawn = [
+            ("--wireframe", self.wireframe),
+            ("--difference", self.difference.is_some()),
+            ("--isolines", self.colours.isolines.is_some()),
+        ];
+        match drawn.iter().find(|(_, typed)| *typed) {
+            Some((option, _)) => Err(CliError::Refused {
+                message: format!("{}: a page to walk through has no {option}", path.display()),
+                cure: format!("leave out {option}, or choose a file ending in .png"),
+            }),
+            None => Ok(Kind::Html),
+        }
+    }
+
+    /// What a page shows first through `camera`, with so many samples along each side of a pixel.
+    pub(crate) fn start(&self, scene: &Scene, camera: Camera, samples: u32) -> Result<Start, CliError> {
+        self.check_colours()?;
+        self.colours.check()?;
+        let ColourArgs { range, log, .. } = &self.colours;
+        let colours = StartColours {
+            band: self.colours.band(scene)?,
+            range: range.map(|Range(range)| range),
+            log: *log,
+        };
+        let false_colours = self.false_colour.then_some(colours);
+        Ok(Start { camera, samples, exposure: self.exposure, shown: self.show, false_colours })
     }
 
     /// Finds the band and reads the other picture of a quantity in this unit, before the work.

@@ -13,10 +13,10 @@ mod curved;
 
 use std::collections::HashMap;
 
-use radiosity_geom::{DVec3, Surface};
+use radiosity_geom::{DVec3, PlanarRegion, Surface};
 use rayon::prelude::*;
 
-use crate::covers::{self, covers};
+use crate::covers::{self, Cover, covers};
 use crate::scene::{Scene, SceneSurface};
 use corner::Corner;
 
@@ -44,18 +44,28 @@ pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
         let shape = surface.shape.as_ref();
         let facets = match shape.region() {
             Some(region) => {
-                let own = covers::of_surface(&covers, index);
-                flat::facets(
-                    shape,
-                    covers::without(region.convex_pieces().to_vec(), own, region.normal()),
-                    tolerance,
-                )
+                let own: Vec<&Cover> = covers::of_surface(&covers, index).collect();
+                flat::facets(shape, open_pieces(region, &own), tolerance)
             }
             None => curved::facets(shape, tolerance),
         };
         Triangulation::of(shape, facets)
     };
     scene.surfaces.par_iter().enumerate().map(surface).collect()
+}
+
+/// Convex pieces of a flat surface outside its `covers`: with no corners on its borders other than its own, where that can be.
+fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
+    if covers.is_empty() {
+        return region.convex_pieces().to_vec();
+    }
+    let covered = covers.iter().flat_map(|cover| cover.pieces.clone());
+    let holes = region.holes().iter().cloned().chain(covered).collect();
+    match PlanarRegion::new(region.outer().to_vec(), holes) {
+        Ok(open) => open.convex_pieces().to_vec(),
+        // Covers that reach the border, or lie beside each other, are no holes.
+        Err(_) => covers::without(region.convex_pieces().to_vec(), covers.iter().copied(), region.normal()),
+    }
 }
 
 impl Triangulation {

@@ -1,10 +1,13 @@
 //! Pictures: radiosities in files against closed forms, borders of elements, and what is refused.
 
 use std::fs::{self, File};
-use std::io::BufReader;
+use std::io::{BufReader, Read};
 use std::path::Path;
 use std::process::{Command, Output};
 
+use base64::Engine;
+use base64::engine::general_purpose::STANDARD;
+use flate2::read::DeflateDecoder;
 use radiosity::elements::{Discretization, Elements};
 use radiosity::output::exr_file::read_exr;
 use radiosity::output::sights::Sights;
@@ -280,6 +283,61 @@ fn kinds_of_pictures_are_told_by_their_endings() {
     refused(&["render", "-o", "box"], &["box: the ending names no kind of picture"]);
     refused(&["render", "-o", "box.exr", "--wireframe"], &["an .exr holds the values", ".png"]);
     refused(&["convergence", "-o", "box.pdf"], &["box.pdf: the ending names no kind of drawing", ".svg"]);
+}
+
+#[test]
+fn pages_refuse_what_they_do_not_show() {
+    for option in [["--wireframe"].as_slice(), &["--difference", "a.exr"], &["--false-colour", "--isolines"]]
+    {
+        let name = option.last().expect("an option");
+        let name = if name.starts_with("--") { name } else { option[0] };
+        let parts = [format!("box.html: a page to walk through has no {name}"), format!("leave out {name}")];
+        refused(&[&["render", "-o", "box.html"], option].concat(), &parts.each_ref().map(String::as_str));
+    }
+    refused(&["render", "-o", "box.html", "--importance"], &["shows light", "leave out --importance"]);
+    refused(&["render", "-o", "box.html", "--log"], &["add --false-colour"]);
+    refused(&["render", "-o", "box.html", "--false-colour", "--band", "uv"], &["no band \"uv\""]);
+}
+
+/// What stands in a script element of a page.
+fn script<'a>(page: &'a str, id: &str) -> &'a str {
+    let (_, rest) = page.split_once(&format!("id=\"{id}\">")).expect("the element is there");
+    rest.split_once("</script>").expect("it ends").0
+}
+
+/// Everywhere in the furnace 2 arrives: the halves that the page holds, each the difference from the one before it, say so.
+#[test]
+fn a_page_holds_the_light_of_its_scene() {
+    let folder = tempfile::tempdir().unwrap();
+    done(
+        folder.path(),
+        &["render", "furnace-cube", "--size", "16x12", "--show", "irradiance", "-o", "a.html"],
+    );
+    let page = fs::read_to_string(folder.path().join("a.html")).unwrap();
+    assert!(!page.contains("http:") && !page.contains("https:") && !page.contains("{{"));
+    let header: serde_json::Value = serde_json::from_str(script(&page, "header")).unwrap();
+    assert_eq!(header["quantity"], "irradiance");
+    assert_eq!(header["camera"]["width"], 16);
+    let light = STANDARD.decode(script(&page, "light")).unwrap();
+    let mut bytes = Vec::new();
+    DeflateDecoder::new(&light[..]).read_to_end(&mut bytes).unwrap();
+    let (low, high) = bytes.split_at(bytes.len() / 2);
+    let scale = header["scale"].as_f64().unwrap();
+    let mut texels = low.iter().zip(high).map(|(low, high)| u16::from_le_bytes([*low, *high]));
+    for surface in header["surfaces"].as_array().unwrap() {
+        let [columns, rows] = [0, 1].map(|axis| surface["texels"][axis].as_u64().unwrap());
+        let mut above = 0_u16;
+        for _ in 0..rows {
+            let mut own = above;
+            for column in 0..columns {
+                own = own.wrapping_add(texels.next().unwrap());
+                above = if column == 0 { own } else { above };
+                let value = f64::from(half::f16::from_bits(own)) * scale;
+                assert!((value - 2.0).abs() < 0.01, "{value}");
+            }
+        }
+    }
+    assert_eq!(texels.next(), None);
 }
 
 #[test]

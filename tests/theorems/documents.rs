@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents of all packages.
-const DOCUMENTS: [&str; 12] = [
+const DOCUMENTS: [&str; 13] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "docs/measured.md",
     "docs/outputs.md",
+    "docs/viewer.md",
     "benches/README.md",
     "core/README.md",
     "core/benches/README.md",
@@ -20,12 +21,13 @@ const DOCUMENTS: [&str; 12] = [
     "solvers/benches/README.md",
 ];
 /// The documents that say where in the sources things live.
-const MAPS: [&str; 5] = [
+const MAPS: [&str; 6] = [
     "docs/glossary.md",
     "docs/theory/transport.md",
     "docs/theory/visibility.md",
     "docs/theory/gathering.md",
     "docs/theory/solvers.md",
+    "docs/viewer.md",
 ];
 const PACKAGES: [&str; 5] = [".", "core", "formats", "geom", "solvers"];
 

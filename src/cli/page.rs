@@ -1,0 +1,42 @@
+//! A page to walk through a scene in a browser.
+
+use std::path::Path;
+
+use radiosity::output::lightmap::Lightmap;
+use radiosity::output::reader::Read;
+use radiosity::output::render::usual_read;
+use radiosity::output::viewer::{Start, texels, write_viewer};
+
+use crate::cli::{
+    error::CliError,
+    options::{MethodArgs, ReportArgs},
+    output_file::OutputFile,
+    progress::Progress,
+    run::{Loaded, Run},
+};
+
+/// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
+pub(crate) fn write(
+    loaded: Loaded,
+    method: &MethodArgs,
+    report: &ReportArgs,
+    (path, output): (&Path, &OutputFile),
+    start: &Start,
+    read: Option<Read>,
+) -> Result<(), CliError> {
+    let progress = Progress::new(report.quiet);
+    let run = Run::solve(loaded, method, report, &progress)?;
+    let solution = &run.solved.outcome.solution;
+    let parts = solution.groups().len().max(1);
+    let texels = texels(parts, solution.bands().len());
+    let usual = || usual_read(solution, run.solved.visibility(), (texels * parts) as u64, run.threads());
+    let read_by = read.unwrap_or_else(usual);
+    let tell = |done, all| progress.show("texels", done, all);
+    let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;
+    output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
+    let mut written = path.display().to_string();
+    if read.is_none() && read_by == Read::Direct {
+        written += " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+    }
+    run.finish(progress, Some(&written))
+}
