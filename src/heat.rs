@@ -158,9 +158,10 @@ fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     scene
 }
 
-/// The scene in the single band `heat` with this reflectance and emission for each role.
+/// The scene in the single band `heat`, without its luminaires, with this reflectance and emission for each role.
 fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
     let mut scene = scene.clone();
+    scene.luminaires.clear();
     scene.bands = vec!["heat".to_owned()];
     "W/m²".clone_into(&mut scene.unit);
     for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {

@@ -62,10 +62,9 @@ impl Inspection {
 }
 
 fn light(scene: &Scene) -> Vec<Warning> {
-    let emits = scene.surfaces.iter().any(|surface| surface.material.emits());
-    let dark = "no surface emits light: give a material an emission above 0";
+    let dark = "nothing emits light: give a material an emission above 0, or add luminaires";
     let unseen = "there is no camera for a picture: add a [camera] with eye and target";
-    let dark = (!emits).then(|| Warning::general("no-emitter", dark));
+    let dark = (!scene.emits()).then(|| Warning::general("no-emitter", dark));
     let unseen = scene.camera.is_none().then(|| Warning::general("no-camera", unseen));
     dark.into_iter().chain(unseen).collect()
 }

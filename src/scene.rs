@@ -23,6 +23,8 @@ mod sensor_plane;
 mod camera;
 mod stacked;
 mod light_group;
+mod distribution;
+mod luminaire;
 mod thermal;
 mod surface;
 mod draft;
@@ -60,12 +62,14 @@ use radiosity_geom::DVec3;
 pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
+pub use distribution::Distribution;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use fitted::{Fitted, Lying};
 pub use import::Import;
 pub use imported::Imported;
 pub use light_group::LightGroup;
+pub use luminaire::{Luminaire, Strength};
 pub use material::Material;
 pub use print::Notation;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
@@ -105,6 +109,8 @@ pub struct Scene {
     pub fitted: Fitted,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
+    /// The luminaires in the order they are given.
+    pub luminaires: Vec<Luminaire>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
     /// Variables of the text with their values, in its order.
@@ -281,9 +287,12 @@ impl Scene {
             export.camera(camera, self.middle);
         }
         let placed = instances::placed(&file.content, &file.parts, source)?;
-        placed.iter().try_for_each(|placed| export.add(placed))?;
+        placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
         let mut model = export.finish()?;
         model.title = self.title.clone();
+        if !self.luminaires.is_empty() {
+            model.note("luminaires are left out", None);
+        }
         if !self.planes.is_empty() {
             model.note("planes of sensors are left out", None);
         }
@@ -343,7 +352,13 @@ impl Scene {
         builtin::ALL.iter().map(|scene| scene.name)
     }
 
-    /// Checks what only light needs: a material on every surface, and one that emits.
+    /// Whether anything in it sends light of its own: a surface or a luminaire.
+    pub fn emits(&self) -> bool {
+        self.surfaces.iter().any(|surface| surface.material.emits())
+            || self.luminaires.iter().any(Luminaire::emits)
+    }
+
+    /// Checks what only light needs: a material on every surface, and something that emits.
     ///
     /// # Errors
     /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
@@ -363,7 +378,7 @@ impl Scene {
                 fault: Fault::MissingKey { key: "material" },
             });
         }
-        match self.surfaces.iter().any(|surface| surface.material.emits()) {
+        match self.emits() {
             true => Ok(()),
             false => Err(whole_file(&self.origin, Fault::NoEmitter)),
         }
@@ -416,8 +431,9 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
-    let surfaces = instances::placed(&file.content, &file.parts, source)?;
+    let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
     let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, bands.len(), source)?;
+    let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
         name: stem(&source.origin),
@@ -425,6 +441,7 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
         middle,
         fitted,
         surfaces: list,
+        luminaires: luminaires.into_iter().map(|own| own.about(middle)).collect(),
         bands,
         unit,
         variables,

@@ -16,6 +16,8 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
+use crate::light::emitters::Emitters;
+use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 use crate::system::Coefficients;
 use crate::zatz1993::masked_light::MaskedLight;
@@ -39,6 +41,8 @@ pub struct Place {
 pub struct Solution {
     elements: Arc<Elements>,
     bands: Vec<Band>,
+    /// The luminaires, at their factors.
+    points: PointLights,
     masked: Option<MaskedLight>,
     /// The light of each group, where the scene has any.
     groups: Arc<[GroupLight]>,
@@ -93,10 +97,10 @@ fn factors(scene: &Scene, groups: &[GroupLight]) -> Vec<f64> {
 }
 
 impl Solution {
-    /// The solution of all bands over `elements`.
+    /// The solution of all bands over `elements`, in a scene without luminaires.
     pub fn new(elements: impl Into<Arc<Elements>>, bands: Vec<Band>) -> Self {
         let elements = elements.into();
-        Self { elements, bands, masked: None, groups: Arc::default(), powers: None }
+        Self { elements, bands, points: PointLights::default(), masked: None, groups: Arc::default(), powers: None }
     }
 
     /// Other light over the same elements.
@@ -130,7 +134,7 @@ impl Solution {
         let powers = powers.reduce(|sum, part| sum + part);
         let is_apart = groups.iter().any(|group| group.group.is_some());
         let groups = if is_apart { groups } else { Arc::default() };
-        Self { elements, bands, masked, groups, powers }
+        Self { elements, bands, points: PointLights::of(scene), masked, groups, powers }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
@@ -169,6 +173,11 @@ impl Solution {
     /// Reflectance and exitance per element, band after band.
     pub fn coatings(&self) -> Vec<&Coating> {
         self.bands.iter().map(|band| &band.coating).collect()
+    }
+
+    /// What emits: the elements with their coatings, and the luminaires.
+    pub fn emitters(&self) -> Emitters<'_> {
+        Emitters { elements: self.elements.list(), coatings: self.coatings(), points: &self.points }
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.

@@ -13,6 +13,15 @@ pub enum HierarchyError {
         /// The range.
         wanted: &'static str,
     },
+    /// Light of luminaires, which links do not carry.
+    #[error(
+        "luminaire '{luminaire}': hierarchical radiosity carries the light of surfaces only: solve with the usual \
+         algorithm, --algorithm galerkin"
+    )]
+    Luminaire {
+        /// Name of the first luminaire that shines.
+        luminaire: String,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {

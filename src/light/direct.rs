@@ -1,9 +1,10 @@
 //! Direct light at a point, computed there instead of read from polynomials.
 //!
 //! ```text
-//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y        W m⁻²
+//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y + Σ_l I_l cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
+//! from diffuse elements of the exitance E₀, and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
 //! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
 //! ([`crate::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate::light`] are
 //! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
@@ -14,10 +15,11 @@ use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
-use crate::elements::coating::Coating;
 use crate::light::area_light::AreaLight;
+use crate::light::emitters::Emitters;
 use crate::light::hierarchy::tree::Tree;
 use crate::light::occluders::{Occluders, Site};
+use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
@@ -39,6 +41,7 @@ const FEW: usize = 40;
 #[derive(Debug)]
 pub struct DirectLight<'a> {
     elements: &'a [Element],
+    points: &'a PointLights,
     visibility: &'a Visibility,
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
@@ -59,18 +62,14 @@ struct Emitter {
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of `elements` with one coating per band, accurate to [`ACCURACY`] where it is not exact.
-    pub fn new(elements: &'a [Element], coatings: &[&Coating], visibility: &'a Visibility) -> Self {
-        Self::within(elements, coatings, visibility, ACCURACY)
+    /// The direct light of `sources`, accurate to [`ACCURACY`] where it is not exact.
+    pub fn new(sources: &Emitters<'a>, visibility: &'a Visibility) -> Self {
+        Self::within(sources, visibility, ACCURACY)
     }
 
     /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
-    pub fn within(
-        elements: &'a [Element],
-        coatings: &[&Coating],
-        visibility: &'a Visibility,
-        eps: f64,
-    ) -> Self {
+    pub fn within(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
+        let Emitters { elements, ref coatings, points } = *sources;
         let emitter = |element: usize| {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[element]).collect();
             exitance.iter().any(|exitance| *exitance > 0.0).then_some(Emitter { element, exitance })
@@ -86,8 +85,9 @@ impl<'a> DirectLight<'a> {
             AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
+        let surroundings = Vec::new();
         let mut light =
-            Self { elements, visibility, emitters, trees, lamps, surroundings: Vec::new(), bands, eps };
+            Self { elements, points, visibility, emitters, trees, lamps, surroundings, bands, eps };
         light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
@@ -127,14 +127,15 @@ impl<'a> DirectLight<'a> {
         surroundings.narrowed(self.visibility, &hulls, site)
     }
 
-    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far.
+    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far;
+    /// never said where luminaires shine.
     pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
             apart.max(DVec3::ZERO).length()
         };
-        surroundings.is_clear() && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
+        self.points.is_empty() && surroundings.is_clear() && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
@@ -148,8 +149,9 @@ impl<'a> DirectLight<'a> {
         surroundings: &Occluders,
         other: &[f64],
     ) -> Vec<f64> {
-        let other = other.iter().map(|other| other.max(0.0)).sum();
         let mut sums = vec![0.0; self.bands];
+        self.points.add(vantage, self.visibility, &mut sums);
+        let other = other.iter().chain(&sums).map(|other| other.max(0.0)).sum();
         for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }

@@ -147,11 +147,15 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::BadPlane { .. } => {
             "give two edges, vectors along two sides of the plane, each with a length and not parallel to the other"
         }
+        Fault::NoDistribution => {
+            "add point = {} for the same intensity all around, or spot = { angle = 40, edge = 5 }"
+        }
+        Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
-            "give a material an emission above 0, e.g. emission = 10, and use it on a surface; for a file of another \
-             program, in a file for --materials; `radiosity heat` takes temperatures instead"
+            "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add [[luminaires]]; for a \
+             file of another program, in a file for --materials; `radiosity heat` takes temperatures instead"
         }
         _ => "",
     }
@@ -174,7 +178,7 @@ fn example(key: &str) -> &'static str {
         "reflectance" => {
             ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
         }
-        "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
+        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
         | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
@@ -184,6 +188,7 @@ fn example(key: &str) -> &'static str {
         "spacing" => ", a length, or one along each edge",
         "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",
+        "flux" => ", in W or lm, all of it together; or its peak, `intensity = …`, in W/sr or cd",
         "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
         "patches" => ", a list of patches, each 16 indices of points, counted from 0",
         "weights" => ", four rows of four numbers above 0",

@@ -287,7 +287,16 @@ pub enum Fault {
         /// The surfaces of the scene.
         known: Vec<String>,
     },
-    /// A light group that was set, but of which no surface emits.
+    /// A luminaire that does not say how its light is spread.
+    #[error("nothing says how the light is spread over directions")]
+    NoDistribution,
+    /// A vector without a length where a direction is needed.
+    #[error("the vector `{what}` has no length")]
+    NoDirection {
+        /// The key of the vector.
+        what: &'static str,
+    },
+    /// A light group that was set, but of which nothing emits.
     #[error("no light comes from a group {name:?}")]
     UnknownGroup {
         /// What was typed.
@@ -393,7 +402,7 @@ pub enum Fault {
     #[error("the scene has no surface")]
     EmptyScene,
     /// A scene in which nothing emits, where light is asked for.
-    #[error("no surface emits light")]
+    #[error("nothing emits light")]
     NoEmitter,
 }
 
@@ -405,6 +414,11 @@ pub(super) fn material_title(name: &str) -> String {
 /// How messages call a light group.
 pub(super) fn group_title(name: &str) -> String {
     format!("light group {name:?}")
+}
+
+/// How messages call a luminaire.
+pub(super) fn luminaire_title(name: &str) -> String {
+    format!("luminaire {name:?}")
 }
 
 /// How messages call a plane of sensors.

@@ -3,6 +3,7 @@
 mod per_band;
 mod thermal;
 mod surface;
+mod luminaire;
 mod part;
 
 use radiosity_geom::DVec3;
@@ -22,6 +23,7 @@ use part::{read_content, read_parts};
 use per_band::per_band;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
+pub(super) use luminaire::{LuminaireFile, StrengthFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
 pub(super) use surface::SurfaceFile;
@@ -73,7 +75,7 @@ pub(super) struct MaterialFile {
 
 const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
 
-const SCENE_KEYS: [&str; 11] = [
+const SCENE_KEYS: [&str; 12] = [
     INCLUDE,
     "title",
     "bands",
@@ -84,16 +86,20 @@ const SCENE_KEYS: [&str; 11] = [
     "materials",
     "parts",
     "surfaces",
+    "luminaires",
     "instances",
 ];
 
 impl SceneFile {
-    /// Whether every reflectance, emission and flux is a single number.
+    /// Whether every reflectance, emission, flux and intensity is a single number.
     pub(super) fn is_grey(&self) -> bool {
         let materials = self.materials.iter();
         let per_band = materials.flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
         let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
-        let fluxes = contents.flat_map(|content| &content.surfaces).map(|surface| surface.flux.as_ref());
+        let fluxes = contents.flat_map(|content| {
+            let luminaires = content.luminaires.iter().map(|luminaire| Some(luminaire.strength.numbers()));
+            content.surfaces.iter().map(|surface| surface.flux.as_ref()).chain(luminaires)
+        });
         per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
     }
 

@@ -18,6 +18,7 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);
         put_before(&mut whole.content.surfaces, file.content.surfaces);
+        put_before(&mut whole.content.luminaires, file.content.luminaires);
         put_before(&mut whole.content.instances, file.content.instances);
     }
     once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;

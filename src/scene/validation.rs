@@ -1,4 +1,4 @@
-//! Scene file → valid scene: bands, materials, camera and surfaces.
+//! Scene file → valid scene: bands, materials, camera, surfaces and luminaires.
 
 use std::{collections::BTreeMap, sync::Arc};
 
@@ -7,9 +7,10 @@ use radiosity_geom::Surface;
 use crate::scene::{
     camera::Camera,
     draft::{NamedShape, SurfaceDraft, Typed},
-    error::{Fault, Located, material_title, plane_title, surface_title},
-    file::{CameraFile, MaterialFile, PerBand, PlaneFile},
-    instances::PlacedSurface,
+    error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
+    file::{CameraFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, StrengthFile},
+    instances::{PlacedLuminaire, PlacedSurface},
+    luminaire::{Luminaire, Strength, check_intensity},
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     sensor_plane::SensorPlane,
@@ -191,6 +192,50 @@ fn draft(
             flux: file.flux.as_ref().map(|flux| flux.span().clone()),
         }),
     })
+}
+
+/// Every luminaire, each of a name of its own.
+pub(super) fn luminaires(
+    files: &[PlacedLuminaire<'_>],
+    bands: usize,
+    source: &Source,
+) -> Result<Vec<Luminaire>, Located> {
+    let mut names = UniqueNames::default();
+    let luminaire = |placed: &PlacedLuminaire<'_>| {
+        let span = &placed.file.name.span;
+        let added = names.add(&placed.name, Some(source.line(span.start)));
+        let own = added.map_err(|fault| Located::at(span, fault));
+        let own = own.and_then(|()| luminaire(placed, bands, source));
+        own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
+    };
+    files.iter().map(luminaire).collect()
+}
+
+fn luminaire(
+    PlacedLuminaire { file, name, motion }: &PlacedLuminaire<'_>,
+    bands: usize,
+    source: &Source,
+) -> Result<Luminaire, Located> {
+    let LuminaireFile { span, position, aim, distribution, strength, group, dimming, .. } = file;
+    let numbers = strength.numbers().span();
+    let strength = match strength {
+        StrengthFile::Flux(flux) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
+        StrengthFile::Intensity(intensity) => {
+            Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
+        }
+    };
+    let own = Luminaire::new(name, *position, distribution.value.clone(), strength);
+    let mut own = own.map_err(|fault| Located::at(numbers, fault))?;
+    if let Some(aim) = aim {
+        own = own.aimed(aim.value).map_err(|fault| Located::at(&aim.span, fault))?;
+    }
+    if let Some(dimming) = dimming {
+        own = own.at_factor(dimming.value).map_err(|fault| Located::at(&dimming.span, fault))?;
+    }
+    if let Some(group) = group {
+        own = own.in_group(&group.value).map_err(|fault| Located::at(&group.span, fault))?;
+    }
+    Ok(Luminaire { place: Some(source.place(span)), ..own.moved(motion) })
 }
 
 fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Located> {

@@ -24,6 +24,15 @@ pub enum Failure {
         /// Name of the surface.
         surface: String,
     },
+    /// Shadow masks were asked for, but they know no light of luminaires.
+    #[error(
+        "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: leave --masks out, direct light is \
+         then exact at every point"
+    )]
+    Unmasked {
+        /// Name of the first luminaire that shines.
+        luminaire: String,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {
