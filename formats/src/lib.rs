@@ -2,6 +2,8 @@
 //! and written.
 //!
 //! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
+//!
+//! Luminaires: bytes → [`luminaire::read`] → [`Photometry`](photometry::Photometry).
 
 pub mod place;
 pub mod error;
@@ -13,6 +15,7 @@ pub mod format;
 pub mod fault;
 pub mod text;
 pub mod located;
+mod numbers;
 pub mod budget;
 pub mod includes;
 pub mod xform;
@@ -30,6 +33,10 @@ pub mod mitsuba;
 pub mod vs3;
 pub mod read;
 pub mod write;
+pub mod photometry;
+pub mod ies;
+pub mod eulumdat;
+pub mod luminaire;
 pub mod materials;
 pub mod unit;
 pub mod fronts;

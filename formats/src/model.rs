@@ -179,10 +179,17 @@ impl Shape {
 impl Model {
     /// Notes something at `place`; what was noted before is only counted.
     pub fn note(&mut self, text: impl Into<String>, place: Option<Place>) {
+        Note::add(&mut self.notes, text, place);
+    }
+}
+
+impl Note {
+    /// Adds something at `place` to `notes`; what is among them is only counted.
+    pub fn add(notes: &mut Vec<Note>, text: impl Into<String>, place: Option<Place>) {
         let text = text.into();
-        match self.notes.iter_mut().find(|note| note.text == text) {
+        match notes.iter_mut().find(|note| note.text == text) {
             Some(note) => note.count += 1,
-            None => self.notes.push(Note { text, place, count: 1 }),
+            None => notes.push(Note { text, place, count: 1 }),
         }
     }
 }

@@ -8,13 +8,28 @@ use crate::fault::Fault;
 /// # Errors
 /// Bytes that are no text: a zero byte among them.
 pub fn decode(bytes: &[u8]) -> Result<String, Fault> {
+    decode_with(bytes, |bytes| String::from_utf8_lossy(bytes).into_owned())
+}
+
+/// As [`decode`], but a text that is not UTF-8 is Latin-1, as old programs for Windows write it.
+///
+/// # Errors
+/// Bytes that are no text: a zero byte among them.
+pub fn decode_western(bytes: &[u8]) -> Result<String, Fault> {
+    decode_with(bytes, |bytes| match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|byte| char::from(*byte)).collect(),
+    })
+}
+
+fn decode_with(bytes: &[u8], characters: impl Fn(&[u8]) -> String) -> Result<String, Fault> {
     if bytes.contains(&0) {
         return Err(Fault::new(
             "this is not a text: it holds a zero byte",
             "name its format, or save it as UTF-8",
         ));
     }
-    let text = String::from_utf8_lossy(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes)).into_owned();
+    let text = characters(bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes));
     match text.contains('\r') && !text.contains('\n') {
         true => Ok(text.replace('\r', "\n")),
         false => Ok(text),
@@ -32,6 +47,14 @@ pub fn number(word: &str, what: &str) -> Result<f64, Fault> {
         Err(_) => {
             Err(Fault::new(format!("{what} is '{}', which is no number", short(word)), "write a number"))
         }
+    }
+}
+
+/// `value` as messages quote it: numbers beyond all measure with an exponent.
+pub fn told(value: f64) -> String {
+    match value.abs() < 1e15 {
+        true => value.to_string(),
+        false => format!("{value:e}"),
     }
 }
 
@@ -53,6 +76,14 @@ mod tests {
         assert_eq!(decode(b"\xef\xbb\xbfv a\rp 1").as_deref(), Ok("v a\np 1"));
         assert_eq!(decode(b"a\r\nb").as_deref(), Ok("a\r\nb"));
         assert!(decode(b"glTF\x02\0\0\0").is_err());
+        assert_eq!(decode(b"Stra\xdfe").as_deref(), Ok("Stra\u{fffd}e"));
+        assert_eq!(decode_western(b"Stra\xdfe").as_deref(), Ok("Straße"));
+        assert_eq!(decode_western("Straße".as_bytes()).as_deref(), Ok("Straße"));
+    }
+
+    #[test]
+    fn great_numbers_are_told_in_few_digits() {
+        assert_eq!([-2.5, 1000.0, 1e300].map(told), ["-2.5", "1000", "1e300"]);
     }
 
     #[test]

@@ -1,0 +1,225 @@
+//! Photometric webs: intensities at angles C and γ, and between them.
+//!
+//! Between its nodes the intensity is bilinear in (C, γ), periodic in C; at angles γ beyond the table it is 0. With the
+//! half gaps w_k between planes (radians), and γ_i ≤ γ ≤ γ_{i+1} in steps h_i, its integral over the sphere is exactly
+//!
+//! ```text
+//! Φ = Σ_k w_k Σ_i [I_k,i (cos γ_i − s_i) + I_k,i+1 (s_i − cos γ_{i+1})] ,     s_i = (sin γ_{i+1} − sin γ_i) / h_i
+//! ```
+//!
+//! because ∫ sin γ (γ_{i+1} − γ) dγ = h_i cos γ_i − (sin γ_{i+1} − sin γ_i), and likewise from the other end. For a
+//! smooth intensity the error of interpolation is O(h²).
+
+use std::f64::consts::TAU;
+
+use super::symmetry::Symmetry;
+use crate::fault::Fault;
+use crate::text::told;
+
+/// How far beyond the last angle of the table, in degrees, a direction still counts as lying on it: rounding.
+const EDGE: f64 = 1e-9;
+
+/// Most candelas: more than any source on Earth. Chosen, so that sums stay numbers.
+const MOST: f64 = 1e15;
+
+/// How much wider the gap between the last plane and the first may be than the others, where planes go all around. Chosen:
+/// a plane at 360° may be left out, and one more.
+const WIDER: f64 = 2.0;
+
+/// How far intensities of one direction may differ by plane, relative to the greatest, before that is noted. Chosen.
+const OFF_POLE: f64 = 0.01;
+
+/// Intensities in cd at angles in degrees.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Web {
+    symmetry: Symmetry,
+    planes: Vec<f64>,
+    rows: Vec<usize>,
+    gammas: Vec<f64>,
+    table: Vec<f64>,
+}
+
+impl Web {
+    /// The web of a table that states some planes, and repeats them by a `symmetry`. `table` has the intensities ≥ 0 of
+    /// one stated plane after another, at each of the `gammas`; all angles increase.
+    ///
+    /// # Errors
+    /// Angles γ outside 0° … 180°, or that begin neither at 0° nor at 90°; planes that do not go around; no intensity above
+    /// 0, or one beyond all lamps.
+    pub(crate) fn new(
+        symmetry: Symmetry,
+        stated: &[f64],
+        gammas: Vec<f64>,
+        table: Vec<f64>,
+    ) -> Result<Self, Fault> {
+        debug_assert_eq!(table.len(), stated.len() * gammas.len());
+        let [first, .., last] = gammas[..] else {
+            return Err(Fault::new("there are fewer than two vertical angles", "give at least 0 and 90"));
+        };
+        if !(first == 0.0 || first == 90.0) || last > 180.0 {
+            return Err(Fault::new(
+                format!("the vertical angles run from {} to {}", told(first), told(last)),
+                "let them begin at 0 (straight down) or 90, and end at 180 or before; beyond their end it is dark",
+            ));
+        }
+        let largest = table.iter().copied().fold(0.0, f64::max);
+        if !(largest > 0.0 && largest <= MOST) {
+            return Err(Fault::new(
+                format!("the greatest luminous intensity is {} cd", told(largest)),
+                "check lumens and factors, or leave the luminaire out",
+            ));
+        }
+        let (planes, rows) = symmetry.expand(stated);
+        goes_around(&planes)?;
+        Ok(Self { symmetry, planes, rows, gammas, table })
+    }
+
+    /// The symmetry that its file states.
+    pub fn symmetry(&self) -> Symmetry {
+        self.symmetry
+    }
+
+    /// Angles C of its planes all around, in [0°, 360°), which increase; one alone where it is the same all around.
+    pub fn planes(&self) -> &[f64] {
+        &self.planes
+    }
+
+    /// Angles γ, which increase, from 0° or 90° to 180° at the most.
+    pub fn gammas(&self) -> &[f64] {
+        &self.gammas
+    }
+
+    /// Intensities of a plane, counted as in [`Self::planes`], at each of [`Self::gammas`], in cd.
+    pub fn candelas(&self, plane: usize) -> &[f64] {
+        let count = self.gammas.len();
+        let row = self.rows[plane];
+        &self.table[row * count..(row + 1) * count]
+    }
+
+    /// Intensity at angles in degrees, cd. `c` may be any number, `gamma` is from 0 to 180.
+    pub fn at(&self, c: f64, gamma: f64) -> f64 {
+        let last = self.gammas.len() - 1;
+        if gamma < self.gammas[0] - EDGE || gamma > self.gammas[last] + EDGE {
+            return 0.0;
+        }
+        let upper = self.gammas.partition_point(|angle| *angle <= gamma).clamp(1, last);
+        let along = between(self.gammas[upper - 1], self.gammas[upper], gamma);
+        let (one, other, across) = self.neighbours(c);
+        let of = |plane: usize| {
+            let values = self.candelas(plane);
+            mix(values[upper - 1], values[upper], along)
+        };
+        mix(of(one), of(other), across)
+    }
+
+    /// The planes on either side of an angle, and where it stands between them.
+    fn neighbours(&self, c: f64) -> (usize, usize, f64) {
+        let c = c.rem_euclid(360.0);
+        let count = self.planes.len();
+        let upper = self.planes.partition_point(|angle| *angle <= c);
+        let (one, other) = ((upper + count - 1) % count, upper % count);
+        if one == other {
+            return (one, one, 0.0);
+        }
+        let start = self.planes[one];
+        let gap = (self.planes[other] - start).rem_euclid(360.0);
+        (one, other, ((c - start).rem_euclid(360.0) / gap).clamp(0.0, 1.0))
+    }
+
+    /// Half the gaps to both neighbours of a plane, in radians. They add up to 2π.
+    fn share(&self, plane: usize) -> f64 {
+        let count = self.planes.len();
+        if count == 1 {
+            return TAU;
+        }
+        let (before, after) = (self.planes[(plane + count - 1) % count], self.planes[(plane + 1) % count]);
+        match (after - before).rem_euclid(360.0).to_radians() {
+            // Of two planes each is the other's neighbour on both sides.
+            0.0 => TAU / 2.0,
+            gaps => gaps / 2.0,
+        }
+    }
+
+    /// Luminous flux, lm: the exact integral of [`Self::at`] over the sphere.
+    pub fn flux(&self) -> f64 {
+        let weights = self.zone_weights();
+        let of = |plane: usize| -> f64 {
+            self.candelas(plane).iter().zip(&weights).map(|(value, weight)| value * weight).sum()
+        };
+        (0..self.planes.len()).map(|plane| self.share(plane) * of(plane)).sum()
+    }
+
+    /// The integral ∫ sin γ dγ of each node's hat function over γ.
+    fn zone_weights(&self) -> Vec<f64> {
+        let mut weights = vec![0.0; self.gammas.len()];
+        for (lower, pair) in self.gammas.windows(2).enumerate() {
+            let (start, end) = (pair[0].to_radians(), pair[1].to_radians());
+            let slope = (end.sin() - start.sin()) / (end - start);
+            weights[lower] += start.cos() - slope;
+            weights[lower + 1] += slope - end.cos();
+        }
+        weights
+    }
+
+    /// Greatest intensity, cd.
+    pub fn largest(&self) -> f64 {
+        self.table.iter().copied().fold(0.0, f64::max)
+    }
+
+    /// What looks wrong in it.
+    pub(super) fn remarks(&self) -> Vec<String> {
+        let mut remarks = Vec::new();
+        for (index, angle) in [(0, 0.0), (self.gammas.len() - 1, 180.0)] {
+            let (least, most) = self.spread(index);
+            if self.gammas[index] == angle && most - least > OFF_POLE * self.largest() {
+                remarks.push(format!("at γ = {angle}° the planes differ, from {least:.0} to {most:.0} cd"));
+            }
+        }
+        if self.differs_at_360() {
+            remarks.push("the planes C0 and C360 differ; C0 is taken for both".to_owned());
+        }
+        let last = self.gammas[self.gammas.len() - 1];
+        if last != 90.0 && last != 180.0 {
+            remarks.push(format!("the table ends at γ = {last}°; beyond it is dark"));
+        }
+        remarks
+    }
+
+    /// Whether a plane at C360 was stated, and is not as that at C0.
+    fn differs_at_360(&self) -> bool {
+        let count = self.gammas.len();
+        let last = self.table.len() / count - 1;
+        let stated = &self.table[last * count..];
+        let is_off = |(a, b): (&f64, &f64)| (a - b).abs() > OFF_POLE * self.largest();
+        !self.rows.contains(&last) && stated.iter().zip(self.candelas(0)).any(is_off)
+    }
+
+    /// Least and greatest intensity of all planes at one γ.
+    fn spread(&self, gamma: usize) -> (f64, f64) {
+        (0..self.planes.len())
+            .map(|plane| self.candelas(plane)[gamma])
+            .fold((f64::INFINITY, 0.0), |(least, most), value| (least.min(value), f64::max(most, value)))
+    }
+}
+
+/// That the last plane is about as far from the first as planes are from one another.
+fn goes_around(planes: &[f64]) -> Result<(), Fault> {
+    let [first, .., last] = planes else { return Ok(()) };
+    let widest = planes.windows(2).map(|pair| pair[1] - pair[0]).fold(0.0, f64::max);
+    match 360.0 + first - last <= WIDER * widest {
+        true => Ok(()),
+        false => Err(Fault::new(
+            format!("the planes go from C = {first}° to {last}° without a symmetry that gives the rest"),
+            "give planes all around, or the symmetry",
+        )),
+    }
+}
+
+/// Where `x` stands from `start` (0) to `end` (1).
+fn between(start: f64, end: f64, x: f64) -> f64 {
+    ((x - start) / (end - start)).clamp(0.0, 1.0)
+}
+
+fn mix(start: f64, end: f64, part: f64) -> f64 {
+    start * (1.0 - part) + end * part
+}
