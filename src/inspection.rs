@@ -10,6 +10,7 @@ pub mod warning;
 pub mod contact;
 mod front;
 mod gap;
+mod luminaires;
 
 pub use contact::Contact;
 pub use shell::{Fronts, Shell};
@@ -51,6 +52,7 @@ impl Inspection {
         let shells: Vec<Shell> = groups.iter().filter_map(|group| shell::shell(&sheets, group)).collect();
         let mut warnings = light(scene);
         warnings.extend(scene.surfaces.iter().filter_map(material));
+        warnings.extend(luminaires::odd(scene));
         warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, &lying, found)));
         warnings.extend(gap::gaps(scene, &sheets, &rims, &contacts));
         warnings.extend(front::turned(&sheets, &groups));

@@ -33,8 +33,8 @@ const DIRECT_HALVINGS: usize = 2;
 const REFLECTED_HALVINGS: usize = 1;
 
 /// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
-/// points each way then err by about 0.02 (2 · 0.3)⁴ = 3e-3 of what the cell receives, of either sign. Chosen; not tuned.
-const PEAKED: f64 = 0.3;
+/// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.
+const PEAKED: f64 = 0.15;
 const DEEPEST: usize = 6;
 
 /// A patch below this part of its element's area is small. Chosen; not tuned.

@@ -32,7 +32,7 @@ impl PartialEq for PointLight {
     /// Whether both send the same light, whatever they are called.
     fn eq(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|light| &light.luminaire);
-        let is_there = own.position == others.position && own.aim == others.aim;
+        let is_there = own.position == others.position && own.aim == others.aim && own.along == others.along;
         is_there && own.distribution == others.distribution && self.strength == other.strength
     }
 }

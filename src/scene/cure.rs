@@ -148,8 +148,9 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "give two edges, vectors along two sides of the plane, each with a length and not parallel to the other"
         }
         Fault::NoDistribution => {
-            "add point = {} for the same intensity all around, or spot = { angle = 40, edge = 5 }"
+            "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\""
         }
+        Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
         Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",

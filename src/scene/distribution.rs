@@ -7,13 +7,19 @@
 //! spot, exponent n  d = cosⁿ γ for γ < 90°, else 0                   Ω = 2π / (n + 1)
 //! spot, angle       d = 1 for γ ≤ γ₀, 0 for γ ≥ γ₁, between them     Ω = 2π (1 − (c₀ + c₁)/2 · (1 − 1/(1 − k²)))
 //!                   d = (1 + cos k(γ − γ₀))/2, k = π/(γ₁ − γ₀)
+//! table             d = I in cd, as a photometric file states it      Ω = ∫ I dω = its flux in lm
 //! ```
 //!
 //! with c = cos γ, γ₀ and γ₁ half the angle less and plus half the edge, so that d = ½ at half the angle. The intensity is
-//! I = s d with the strength s of each band (W/sr, or cd where exitance is in lm/m²), the flux Φ = s Ω.
+//! I = s d with the strength s of each band (W/sr, or cd where exitance is in lm/m²; without a unit for tables), the flux Φ = s Ω.
+//!
+//! The frame of a luminaire is that of photometric files ([`radiosity_formats::photometry`]): it aims along −z, the plane
+//! C = 0 contains x.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
+use radiosity_formats::photometry::Photometry;
 use radiosity_geom::DVec3;
 
 use crate::scene::error::Fault;
@@ -21,7 +27,7 @@ use crate::scene::error::Fault;
 /// Largest exponent: half of the peak is left at 0.7°. Chosen.
 const STEEPEST: f64 = 1e4;
 
-/// A distribution of relative intensity about an axis.
+/// A distribution of relative intensity over directions.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Distribution {
     /// The same in all directions.
@@ -38,6 +44,8 @@ pub enum Distribution {
         /// Angle over which the peak falls to nothing, degrees.
         edge: f64,
     },
+    /// A table of luminous intensities.
+    Table(Arc<Photometry>),
 }
 
 impl Distribution {
@@ -47,7 +55,7 @@ impl Distribution {
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number.
     pub(super) fn check(&self) -> Result<(), Fault> {
         match *self {
-            Self::Point => Ok(()),
+            Self::Point | Self::Table(_) => Ok(()),
             Self::Power { exponent } => {
                 check(exponent, (0.0..=STEEPEST).contains(&exponent), "the exponent", "0 ≤ exponent ≤ 10000")
             }
@@ -60,33 +68,37 @@ impl Distribution {
         }
     }
 
-    /// d in the unit direction `direction` from a luminaire that aims along the unit vector `aim`.
-    pub fn relative(&self, aim: DVec3, direction: DVec3) -> f64 {
-        let cosine = aim.dot(direction);
+    /// d in a unit direction of the frame of the luminaire.
+    pub fn relative(&self, direction: DVec3) -> f64 {
+        let cosine = -direction.z;
         match *self {
             Self::Point => 1.0,
-            Self::Power { exponent } => {
-                if cosine > 0.0 {
-                    cosine.powf(exponent)
-                } else {
-                    0.0
-                }
-            }
+            Self::Power { exponent } if cosine > 0.0 => cosine.powf(exponent),
+            Self::Power { .. } => 0.0,
             Self::Cone { angle, edge } => {
                 let [inner, outer] = ends(angle, edge);
-                // The cross product keeps small angles exact.
-                match aim.cross(direction).length().atan2(cosine) {
+                match direction.truncate().length().atan2(cosine) {
                     gamma if gamma <= inner => 1.0,
                     gamma if gamma >= outer => 0.0,
                     gamma => 0.5 * (1.0 + (PI * (gamma - inner) / (outer - inner)).cos()),
                 }
             }
+            Self::Table(ref table) => table.intensity(direction),
         }
     }
 
-    /// Ω (sr).
+    /// The largest d.
+    pub fn peak(&self) -> f64 {
+        match self {
+            Self::Table(table) => table.largest(),
+            _ => 1.0,
+        }
+    }
+
+    /// Ω (sr; lm for a table).
     pub fn flux_factor(&self) -> f64 {
         match *self {
+            Self::Table(ref table) => table.flux(),
             Self::Point => 4.0 * PI,
             Self::Power { exponent } => 2.0 * PI / (exponent + 1.0),
             Self::Cone { angle, edge } => {
@@ -123,7 +135,7 @@ mod tests {
         let step = PI / steps as f64;
         let at = |k: usize| {
             let gamma = (k as f64 + 0.5) * step;
-            distribution.relative(DVec3::Z, DVec3::new(gamma.sin(), 0.0, gamma.cos())) * gamma.sin()
+            distribution.relative(DVec3::new(gamma.sin(), 0.0, -gamma.cos())) * gamma.sin()
         };
         2.0 * PI * step * (0..steps).map(at).sum::<f64>()
     }

@@ -290,8 +290,8 @@ pub enum Fault {
     /// A luminaire that does not say how its light is spread.
     #[error("nothing says how the light is spread over directions")]
     NoDistribution,
-    /// A vector without a length where a direction is needed.
-    #[error("the vector `{what}` has no length")]
+    /// A vector without a length, or along the wrong line, where a direction is needed.
+    #[error("the vector `{what}` gives no direction")]
     NoDirection {
         /// The key of the vector.
         what: &'static str,

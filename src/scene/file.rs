@@ -23,7 +23,7 @@ use part::{read_content, read_parts};
 use per_band::per_band;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
-pub(super) use luminaire::{LuminaireFile, StrengthFile};
+pub(super) use luminaire::{DistributionFile, LuminaireFile, PHOTOMETRY, StrengthFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
 pub(super) use surface::SurfaceFile;
@@ -97,7 +97,8 @@ impl SceneFile {
         let per_band = materials.flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
         let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
         let fluxes = contents.flat_map(|content| {
-            let luminaires = content.luminaires.iter().map(|luminaire| Some(luminaire.strength.numbers()));
+            let luminaires = content.luminaires.iter().map(|own| own.strength.as_ref());
+            let luminaires = luminaires.map(|strength| strength.map(StrengthFile::numbers));
             content.surfaces.iter().map(|surface| surface.flux.as_ref()).chain(luminaires)
         });
         per_band.chain(fluxes).flatten().all(PerBand::is_one_number)

@@ -20,6 +20,9 @@ use crate::scene::{
     source::Place,
 };
 
+/// Sine of the angle below which two directions count as one, as for the camera's up vector.
+const PARALLEL: f64 = 1e-9;
+
 /// A lamp of no size.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -28,11 +31,13 @@ pub struct Luminaire {
     pub name: String,
     /// Where it is (scene length), in the coordinates that the scene is computed in.
     pub position: DVec3,
-    /// The unit vector along which it aims.
+    /// The unit vector along which it aims: −z of its frame, γ = 0.
     pub aim: DVec3,
+    /// The unit vector along x of its frame, in the plane C = 0.
+    pub along: DVec3,
     /// How its light is spread over directions.
     pub distribution: Distribution,
-    /// Factor on the relative intensities, per band (W/sr), not dimmed by its light group.
+    /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light group.
     pub strength: Vec<f64>,
     /// Its light group, if it has one.
     pub group: Option<LightGroup>,
@@ -47,13 +52,16 @@ pub enum Strength {
     Flux(Vec<f64>),
     /// Where it sends most (W/sr, or cd).
     Intensity(Vec<f64>),
+    /// What its table states (cd), in each of so many bands.
+    AsMeasured(usize),
 }
 
 impl Luminaire {
-    /// The luminaire `name` at `position` (scene length), which aims along −z.
+    /// The luminaire `name` at `position` (scene length), which aims along −z, the plane C = 0 along x.
     ///
     /// # Errors
-    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::EmptyText`] for the name.
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number, [`Fault::EmptyText`] for the name, [`Fault::MissingKey`] where
+    /// no table says how much light it sends.
     pub fn new(
         name: impl Into<String>,
         position: DVec3,
@@ -65,17 +73,30 @@ impl Luminaire {
         position.to_array().into_iter().try_for_each(check_number)?;
         distribution.check()?;
         let strength = strength.factors(&distribution)?;
-        Ok(Self { name, position, aim: -DVec3::Z, distribution, strength, group: None, place: None })
+        let (aim, along) = (-DVec3::Z, DVec3::X);
+        Ok(Self { name, position, aim, along, distribution, strength, group: None, place: None })
     }
 
-    /// The same, aimed along `aim` of any length.
+    /// The same, aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
     ///
     /// # Errors
     /// [`Fault::NoDirection`] for a vector without a length.
     pub fn aimed(self, aim: DVec3) -> Result<Self, Fault> {
         aim.to_array().into_iter().try_for_each(check_number)?;
         let aim = aim.try_normalize().ok_or(Fault::NoDirection { what: "aim" })?;
-        Ok(Self { aim, ..self })
+        let along = [DVec3::X, DVec3::Y].into_iter().find_map(|axis| across(axis, aim));
+        Ok(Self { aim, along: along.unwrap_or(self.along), ..self })
+    }
+
+    /// The same, turned about its aim until `along` lies in the half-plane C = 0.
+    ///
+    /// # Errors
+    /// [`Fault::NoDirection`] for a vector along the aim, or without a length.
+    pub fn turned(self, along: DVec3) -> Result<Self, Fault> {
+        along.to_array().into_iter().try_for_each(check_number)?;
+        let fault = Fault::NoDirection { what: "along" };
+        let along = along.try_normalize().and_then(|along| across(along, self.aim)).ok_or(fault)?;
+        Ok(Self { along, ..self })
     }
 
     /// The same at `factor` ≥ 0 of its strength.
@@ -110,7 +131,8 @@ impl Luminaire {
 
     /// The same, moved.
     pub(super) fn moved(self, motion: &Motion) -> Self {
-        Self { position: motion.point(self.position), aim: motion.direction(self.aim), ..self }
+        let [aim, along] = [self.aim, self.along].map(|axis| motion.direction(axis));
+        Self { position: motion.point(self.position), aim, along, ..self }
     }
 
     /// The same after `middle` was subtracted from all coordinates.
@@ -125,7 +147,8 @@ impl Luminaire {
 
     /// Relative intensity in a unit direction from it; times a band's strength it is the intensity.
     pub fn relative(&self, direction: DVec3) -> f64 {
-        self.distribution.relative(self.aim, direction)
+        let y = self.along.cross(self.aim).dot(direction);
+        self.distribution.relative(DVec3::new(self.along.dot(direction), y, -self.aim.dot(direction)))
     }
 
     /// Flux of a band (W), not dimmed by its light group.
@@ -149,8 +172,14 @@ impl Luminaire {
     }
 }
 
+/// The unit vector in the plane of two, at right angles to the second; None if both lie along one line.
+fn across(along: DVec3, aim: DVec3) -> Option<DVec3> {
+    let across = along.reject_from_normalized(aim);
+    if across.length() > PARALLEL { across.try_normalize() } else { None }
+}
+
 impl Strength {
-    /// Factors on the relative intensities of a distribution, whose peak is 1.
+    /// Factors on the relative intensities of a distribution.
     fn factors(self, distribution: &Distribution) -> Result<Vec<f64>, Fault> {
         let (numbers, over) = match self {
             Self::Flux(flux) => {
@@ -159,10 +188,15 @@ impl Strength {
             }
             Self::Intensity(intensity) => {
                 intensity.iter().try_for_each(|intensity| check_intensity(*intensity))?;
-                (intensity, 1.0)
+                (intensity, distribution.peak())
             }
+            Self::AsMeasured(bands) if matches!(distribution, Distribution::Table(_)) => {
+                (vec![1.0; bands], 1.0)
+            }
+            Self::AsMeasured(_) => return Err(Fault::MissingKey { key: "flux" }),
         };
         let factors: Vec<f64> = numbers.into_iter().map(|number| number / over).collect();
+        // A table that is dark everywhere cannot be scaled.
         factors.iter().try_for_each(|factor| check_number(*factor))?;
         Ok(factors)
     }

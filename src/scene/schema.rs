@@ -54,6 +54,7 @@ fn scene_keys() -> Vec<(&'static str, Value)> {
         ("materials", by_name("Materials by name", "material")),
         ("parts", by_name("Parts by name, to be put in many places", "part")),
         ("surfaces", list("surface", "The surfaces", 0)),
+        ("luminaires", list("luminaire", "Lamps of no size", 0)),
         ("instances", list("instance", "Instances of parts", 0)),
     ]
 }
@@ -73,6 +74,7 @@ fn definitions() -> Vec<(&'static str, Value)> {
         ("material", material()),
         ("transform", transform()),
         ("surface", surface()),
+        ("luminaire", luminaire()),
         ("part", part()),
         ("instance", instance()),
         ("array", array()),
@@ -177,12 +179,41 @@ fn surface() -> Value {
     with(table("A surface, with exactly one shape", &[], keys), "oneOf", one.into())
 }
 
+fn luminaire() -> Value {
+    let angle = json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 });
+    let edge = json!({ "minimum": 0, "maximum": 179 });
+    let exponent = json!({ "minimum": 0, "maximum": 10000 });
+    let spot = vec![
+        ("angle", ranged(angle, "Angle across the cone, to half the peak, degrees")),
+        ("edge", or(json!(0), ranged(edge, "Angle over which the peak falls to nothing, degrees"))),
+        ("exponent", ranged(exponent, "Exponent n of the cosine, instead of angle and edge")),
+    ];
+    let keys = vec![
+        ("name", text("Its name, given once in its list")),
+        ("position", of("point", "Where it is")),
+        ("aim", or(json!([0, 0, -1]), of("vector", "Where it aims"))),
+        ("along", of("vector", "The direction of the plane C = 0 of its photometric file")),
+        ("flux", per_band(at_least_zero(), "All its light, W or lm")),
+        ("intensity", per_band(at_least_zero(), "The peak of its intensity, W/sr or cd, instead of the flux")),
+        ("dimming", or(json!(1), ranged(at_least_zero(), "Factor on its light"))),
+        ("group", text("Its light group")),
+        ("point", table("The same intensity all around", &[], Vec::new())),
+        ("spot", table("A cone of light, or a power of the cosine", &[], spot)),
+        ("photometry", text("Path of a photometric file, .ies or .ldt, from the folder of this one")),
+    ];
+    let one = json!([
+        { "required": ["point"] }, { "required": ["spot"] }, { "required": ["photometry"] },
+    ]);
+    with(table("A lamp of no size", &["position"], keys), "oneOf", one)
+}
+
 fn part() -> Value {
     let keys = vec![
         ("surfaces", list("surface", "Its surfaces", 0)),
+        ("luminaires", list("luminaire", "Its luminaires", 0)),
         ("instances", list("instance", "Instances of other parts in it", 0)),
     ];
-    table("A group of surfaces that instances put somewhere", &[], keys)
+    table("A group of surfaces and luminaires that instances put somewhere", &[], keys)
 }
 
 fn instance() -> Value {

@@ -2,13 +2,16 @@
 
 use std::{collections::BTreeMap, sync::Arc};
 
+use radiosity_formats::{luminaire as photometry, photometry::Photometry};
 use radiosity_geom::Surface;
 
 use crate::scene::{
     camera::Camera,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
-    file::{CameraFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, StrengthFile},
+    distribution::Distribution,
+    file::{CameraFile, DistributionFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, StrengthFile},
+    include,
     instances::{PlacedLuminaire, PlacedSurface},
     luminaire::{Luminaire, Strength, check_intensity},
     material::{Material, check_emission, check_flux, check_reflectance},
@@ -201,33 +204,42 @@ pub(super) fn luminaires(
     source: &Source,
 ) -> Result<Vec<Luminaire>, Located> {
     let mut names = UniqueNames::default();
-    let luminaire = |placed: &PlacedLuminaire<'_>| {
+    let mut tables = Tables { source, known: BTreeMap::new() };
+    let mut luminaire = |placed: &PlacedLuminaire<'_>| {
         let span = &placed.file.name.span;
         let added = names.add(&placed.name, Some(source.line(span.start)));
         let own = added.map_err(|fault| Located::at(span, fault));
-        let own = own.and_then(|()| luminaire(placed, bands, source));
+        let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
         own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
     };
-    files.iter().map(luminaire).collect()
+    files.iter().map(&mut luminaire).collect()
 }
 
 fn luminaire(
     PlacedLuminaire { file, name, motion }: &PlacedLuminaire<'_>,
     bands: usize,
-    source: &Source,
+    tables: &mut Tables<'_>,
 ) -> Result<Luminaire, Located> {
-    let LuminaireFile { span, position, aim, distribution, strength, group, dimming, .. } = file;
-    let numbers = strength.numbers().span();
+    let LuminaireFile { span, position, aim, along, distribution, strength, group, dimming, .. } = file;
+    let numbers = strength.as_ref().map_or(span, |strength| strength.numbers().span());
     let strength = match strength {
-        StrengthFile::Flux(flux) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
-        StrengthFile::Intensity(intensity) => {
+        Some(StrengthFile::Flux(flux)) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
+        Some(StrengthFile::Intensity(intensity)) => {
             Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
         }
+        None => Strength::AsMeasured(bands),
     };
-    let own = Luminaire::new(name, *position, distribution.value.clone(), strength);
+    let distribution = match distribution {
+        DistributionFile::Formula(distribution) => distribution.clone(),
+        DistributionFile::Table(file) => Distribution::Table(tables.named(file)?),
+    };
+    let own = Luminaire::new(name, *position, distribution, strength);
     let mut own = own.map_err(|fault| Located::at(numbers, fault))?;
     if let Some(aim) = aim {
         own = own.aimed(aim.value).map_err(|fault| Located::at(&aim.span, fault))?;
+    }
+    if let Some(along) = along {
+        own = own.turned(along.value).map_err(|fault| Located::at(&along.span, fault))?;
     }
     if let Some(dimming) = dimming {
         own = own.at_factor(dimming.value).map_err(|fault| Located::at(&dimming.span, fault))?;
@@ -235,7 +247,32 @@ fn luminaire(
     if let Some(group) = group {
         own = own.in_group(&group.value).map_err(|fault| Located::at(&group.span, fault))?;
     }
-    Ok(Luminaire { place: Some(source.place(span)), ..own.moved(motion) })
+    Ok(Luminaire { place: Some(tables.source.place(span)), ..own.moved(motion) })
+}
+
+/// The photometric files of a scene, each read once.
+struct Tables<'a> {
+    source: &'a Source,
+    known: BTreeMap<String, Arc<Photometry>>,
+}
+
+impl Tables<'_> {
+    /// The table in the file of that name.
+    fn named(&mut self, name: &At<String>) -> Result<Arc<Photometry>, Located> {
+        let path = include::beside(self.source.origin_at(name.span.start), &name.value);
+        if let Some(known) = self.known.get(&path) {
+            return Ok(Arc::clone(known));
+        }
+        let text = self.source.included_text(&path);
+        let (text, _) = text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
+        let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
+            let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
+            Located::at(&name.span, fault)
+        })?;
+        let table = Arc::new(table);
+        self.known.insert(path, Arc::clone(&table));
+        Ok(table)
+    }
 }
 
 fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Located> {

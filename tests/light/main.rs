@@ -10,6 +10,7 @@ mod footings;
 mod gather;
 mod groups;
 mod hard_cases;
+mod luminaires;
 mod masks;
 mod models;
 mod occlusion;

@@ -18,10 +18,20 @@ pub(in crate::scene) struct LuminaireFile {
     pub span: Span,
     pub position: DVec3,
     pub aim: Option<At<DVec3>>,
-    pub distribution: At<Distribution>,
-    pub strength: StrengthFile,
+    pub along: Option<At<DVec3>>,
+    pub distribution: DistributionFile,
+    /// None where a photometric file states it.
+    pub strength: Option<StrengthFile>,
     pub group: Option<At<String>>,
     pub dimming: Option<At<f64>>,
+}
+
+/// How its light is spread.
+#[derive(Debug)]
+pub(in crate::scene) enum DistributionFile {
+    Formula(Distribution),
+    /// The path of a photometric file.
+    Table(At<String>),
 }
 
 /// How much light it sends.
@@ -40,8 +50,12 @@ impl StrengthFile {
     }
 }
 
-const LUMINAIRE_KEYS: [&str; 9] =
-    ["name", "position", "aim", "flux", "intensity", "group", "dimming", "point", "spot"];
+/// The key of a photometric file.
+pub(in crate::scene) const PHOTOMETRY: &str = "photometry";
+
+const LUMINAIRE_KEYS: [&str; 11] = [
+    "name", "position", "aim", "along", "flux", "intensity", "group", "dimming", "point", "spot", PHOTOMETRY,
+];
 
 /// The list of luminaires; `prefix` stands before the names of those that are given none.
 pub(in crate::scene) fn read_luminaires(node: &Node, prefix: &str) -> Result<Vec<LuminaireFile>, Located> {
@@ -62,34 +76,42 @@ fn given(node: &Node) -> Option<String> {
 /// A luminaire, called `unnamed` if it is given no name.
 fn read_luminaire(node: &Node, unnamed: &str) -> Result<LuminaireFile, Located> {
     let fields = Fields::new(node, &LUMINAIRE_KEYS)?;
+    let distribution = read_distribution(&fields)?;
     Ok(LuminaireFile {
         name: fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span())),
         span: fields.span().clone(),
         position: fields.require("position", point)?,
-        aim: fields.optional("aim", |node| Ok(At::new(point(node)?, &node.span)))?,
-        distribution: read_distribution(&fields)?,
-        strength: read_strength(&fields)?,
+        aim: fields.optional("aim", direction)?,
+        along: fields.optional("along", direction)?,
+        strength: read_strength(&fields, matches!(distribution, DistributionFile::Table(_)))?,
+        distribution,
         group: fields.optional("group", text)?,
         dimming: fields.optional("dimming", number)?,
     })
 }
 
+fn direction(node: &Node) -> Result<At<DVec3>, Located> {
+    Ok(At::new(point(node)?, &node.span))
+}
+
 /// Exactly one of the keys that say how its light is spread.
-fn read_distribution(fields: &Fields<'_>) -> Result<At<Distribution>, Located> {
-    let (node, distribution) = match (fields.get("point"), fields.get("spot")) {
-        (Some(_), Some(second)) => {
-            let fault = Fault::Exclusive { first: "point", second: "spot" };
-            return Err(Located::at(&second.span, fault));
+fn read_distribution(fields: &Fields<'_>) -> Result<DistributionFile, Located> {
+    let given = ["point", "spot", PHOTOMETRY].into_iter().filter_map(|key| Some((key, fields.get(key)?)));
+    let given: Vec<(&'static str, &Node)> = given.collect();
+    let (key, node) = match given[..] {
+        [] => return Err(Located::at(fields.span(), Fault::NoDistribution)),
+        [one] => one,
+        [(first, _), (second, node), ..] => {
+            return Err(Located::at(&node.span, Fault::Exclusive { first, second }));
         }
-        (None, None) => return Err(Located::at(fields.span(), Fault::NoDistribution)),
-        (Some(node), None) => {
-            Fields::new(node, &[])?;
-            (node, Distribution::Point)
-        }
-        (None, Some(node)) => (node, read_spot(node)?),
+    };
+    let distribution = match key {
+        "point" => Fields::new(node, &[]).map(|_| Distribution::Point)?,
+        "spot" => read_spot(node)?,
+        _ => return Ok(DistributionFile::Table(text(node)?)),
     };
     distribution.check().map_err(|fault| Located::at(&node.span, fault))?;
-    Ok(At::new(distribution, &node.span))
+    Ok(DistributionFile::Formula(distribution))
 }
 
 /// `{ angle = 40, edge = 5 }` or `{ exponent = 2 }`.
@@ -112,14 +134,16 @@ fn read_spot(node: &Node) -> Result<Distribution, Located> {
     }
 }
 
-fn read_strength(fields: &Fields<'_>) -> Result<StrengthFile, Located> {
+/// The flux or the intensity, which may be left out where it `is_measured`.
+fn read_strength(fields: &Fields<'_>, is_measured: bool) -> Result<Option<StrengthFile>, Located> {
     match (fields.get("flux"), fields.get("intensity")) {
         (Some(_), Some(second)) => {
             let fault = Fault::Exclusive { first: "flux", second: "intensity" };
             Err(Located::at(&second.span, fault))
         }
-        (None, Some(node)) => Ok(StrengthFile::Intensity(per_band(node)?)),
-        (Some(node), None) => Ok(StrengthFile::Flux(per_band(node)?)),
+        (None, Some(node)) => Ok(Some(StrengthFile::Intensity(per_band(node)?))),
+        (Some(node), None) => Ok(Some(StrengthFile::Flux(per_band(node)?))),
+        (None, None) if is_measured => Ok(None),
         (None, None) => Err(Located::at(fields.span(), Fault::MissingKey { key: "flux" })),
     }
 }
