@@ -10,6 +10,7 @@ mod formats;
 mod heat;
 mod inspection;
 mod language;
+mod luminaires;
 mod pictures;
 mod planes;
 mod probe;
