@@ -168,6 +168,7 @@ fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> S
         let (reflectance, emission) = coat(role);
         surface.material = Material { reflectance: vec![reflectance], emission: vec![emission] };
         surface.flux = None;
+        surface.outlook = None;
         surface.group = match role {
             Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
             _ => None,

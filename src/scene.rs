@@ -25,6 +25,9 @@ mod stacked;
 mod light_group;
 mod distribution;
 mod luminaire;
+mod sky;
+mod glass;
+mod outlook;
 mod thermal;
 mod surface;
 mod draft;
@@ -66,15 +69,18 @@ pub use distribution::Distribution;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use fitted::{Fitted, Lying};
+pub use glass::Glass;
 pub use import::Import;
 pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};
 pub use material::Material;
+pub use outlook::{Opening, Outlook};
 pub use print::Notation;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use schema::schema;
 pub use sensor_plane::SensorPlane;
+pub use sky::{Sky, SkyModel, Sun};
 pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
@@ -431,8 +437,12 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
+    let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose()?;
     let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
-    let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, bands.len(), source)?;
+    let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
+    if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
+        return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
+    }
     let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {

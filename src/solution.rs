@@ -16,7 +16,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
-use crate::light::emitters::Emitters;
+use crate::light::emitters::{Emitters, Outlooks};
 use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 use crate::system::Coefficients;
@@ -41,8 +41,10 @@ pub struct Place {
 pub struct Solution {
     elements: Arc<Elements>,
     bands: Vec<Band>,
-    /// The luminaires, at their factors.
+    /// The luminaires and the sun, at their factors.
     points: PointLights,
+    /// What openings to a sky see.
+    outlooks: Outlooks,
     masked: Option<MaskedLight>,
     /// The light of each group, where the scene has any.
     groups: Arc<[GroupLight]>,
@@ -97,10 +99,10 @@ fn factors(scene: &Scene, groups: &[GroupLight]) -> Vec<f64> {
 }
 
 impl Solution {
-    /// The solution of all bands over `elements`, in a scene without luminaires.
+    /// The solution of all bands over `elements`, in a scene without luminaires and sky.
     pub fn new(elements: impl Into<Arc<Elements>>, bands: Vec<Band>) -> Self {
         let elements = elements.into();
-        Self { elements, bands, points: PointLights::default(), masked: None, groups: Arc::default(), powers: None }
+        Self { elements, bands, points: PointLights::default(), outlooks: Outlooks::default(), masked: None, groups: Arc::default(), powers: None }
     }
 
     /// Other light over the same elements.
@@ -134,7 +136,8 @@ impl Solution {
         let powers = powers.reduce(|sum, part| sum + part);
         let is_apart = groups.iter().any(|group| group.group.is_some());
         let groups = if is_apart { groups } else { Arc::default() };
-        Self { elements, bands, points: PointLights::of(scene), masked, groups, powers }
+        let (points, outlooks) = (PointLights::of(scene), Outlooks::of(scene));
+        Self { elements, bands, points, outlooks, masked, groups, powers }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
@@ -177,7 +180,7 @@ impl Solution {
 
     /// What emits: the elements with their coatings, and the luminaires.
     pub fn emitters(&self) -> Emitters<'_> {
-        Emitters { elements: self.elements.list(), coatings: self.coatings(), points: &self.points }
+        Emitters { elements: self.elements.list(), coatings: self.coatings(), outlooks: &self.outlooks, points: &self.points }
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.

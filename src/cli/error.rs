@@ -174,7 +174,8 @@ impl CliError {
                 Failure::Elements(_)
                 | Failure::NoChart { .. }
                 | Failure::Unmasked { .. }
-                | Failure::Hierarchy(HierarchyError::Luminaire { .. })
+                | Failure::NotDiffuse { .. }
+                | Failure::Hierarchy(HierarchyError::Luminaire { .. } | HierarchyError::Opening { .. })
                 | Failure::Memory { .. },
             ) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,

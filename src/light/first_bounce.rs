@@ -66,7 +66,7 @@ pub enum Entry {
 
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
 pub(crate) fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> {
-    let Emitters { elements, ref coatings, points } = *sources;
+    let Emitters { elements, ref coatings, points, .. } = *sources;
     let peaks: Vec<DVec3> = points.positions().collect();
     let bands = coatings.len();
     let of_element = |index: usize| {
@@ -114,7 +114,7 @@ impl CoatedBounce {
 
     /// The first bounce of any direct light `lit`; `sources` tell where it peaks.
     pub(crate) fn of(sources: &Emitters<'_>, visibility: &Visibility, lit: Lit<'_>, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, points } = *sources;
+        let Emitters { elements, ref coatings, points, .. } = *sources;
         let peaks: Vec<DVec3> = points.positions().collect();
         let bands = coatings.len();
         let of_element =

@@ -10,7 +10,8 @@
 //! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. For a
 //! curved emitter σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
 //!
-//! The light of luminaires is exact ([`super::point_lights`]) and comes on top.
+//! For openings to a sky κ holds the light towards x over that of a diffuse emitter, and U_l is a mean as for curved ones. The
+//! light of luminaires is exact ([`super::point_lights`]) and comes on top.
 //!
 //! Few rays may miss something small. So each point tells which emitters it sees ([`Shade`]); where points beside each
 //! other differ in that, rays are doubled until one of them is worth no more than the error allowed.
@@ -18,7 +19,7 @@
 use smallvec::SmallVec;
 
 use crate::elements::Element;
-use crate::light::emitters::Emitters;
+use crate::light::emitters::{Emitters, Outlooks};
 use crate::light::lamp_cells::LampCells;
 use crate::light::lamps::{Lamp, Lamps};
 use crate::light::point_lights::PointLights;
@@ -57,6 +58,7 @@ pub(crate) struct Penumbra<'a> {
     elements: &'a [Element],
     visibility: &'a Visibility,
     lamps: Lamps,
+    outlooks: &'a Outlooks,
     points: &'a PointLights,
     bands: usize,
     /// Accuracy relative to the light that arrives.
@@ -116,10 +118,10 @@ struct Beam<'a> {
 impl<'a> Penumbra<'a> {
     /// The direct light of `sources`, to the accuracy `eps` of what arrives.
     pub(crate) fn new(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, points } = *sources;
+        let Emitters { elements, ref coatings, outlooks, points } = *sources;
         let bands = coatings.len();
         let lamps = Lamps::new(elements, coatings, &vec![1.0; bands]);
-        Self { elements, visibility, lamps, points, bands, eps }
+        Self { elements, visibility, lamps, outlooks, points, bands, eps }
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
@@ -177,10 +179,13 @@ impl<'a> Penumbra<'a> {
         }
     }
 
-    /// U_l of a flat emitter.
+    /// U_l of a flat diffuse emitter.
     fn without_shadows(&self, vantage: &ReceiverPoint, lamp: &Lamp) -> Option<f64> {
         let element = &self.elements[lamp.element];
         element.plane?;
+        if self.outlooks.of_surface(element.surface).is_some() {
+            return None;
+        }
         let nothing = || [].iter();
         Some(element.patches.iter().map(|patch| vantage.factor(&patch.polygon(), nothing())).sum())
     }
@@ -190,7 +195,9 @@ impl<'a> Penumbra<'a> {
         for index in beam.sent..beam.sent + count {
             let target = beam.cells.target(index, &beam.offset);
             let Some(kernel) = vantage.kernel_to(&target.node) else { continue };
-            let value = target.weight * kernel;
+            let into = (vantage.position - target.node.position).normalize_or_zero();
+            let surface = self.elements[beam.lamp.element].surface;
+            let value = target.weight * kernel * self.outlooks.relative(surface, into);
             beam.all += value;
             if self.visibility.is_free(vantage.surface, vantage.position, target.node.position) {
                 beam.seen += value;

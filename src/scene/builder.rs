@@ -94,6 +94,7 @@ impl SceneBuilder {
             material_name: Some(material_name),
             group: None,
             flux: None,
+            opening: None,
             thermal: Thermal::default(),
             order: None,
             subdivide: None,

@@ -41,6 +41,7 @@ impl Fault {
                 format!("give the scene itself with --set {name}=…, not a solution of it")
             }
             Fault::UnknownFunction { name, known } => choose(name, known.iter().copied(), "functions"),
+            Fault::UnknownSky { name, known } => choose(name, known.iter().copied(), "models of the sky"),
             Fault::UnknownFace { name, known } => choose(name, known.iter().copied(), "faces of a box"),
             Fault::UnknownPart { name, known } if known.is_empty() => {
                 format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]")
@@ -150,6 +151,14 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NoDistribution => {
             "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\""
         }
+        Fault::SunBelow => "give an elevation from 0 to 90 degrees, or leave the sun out",
+        Fault::BadOpening { problem: "there is no sky" } => {
+            "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out"
+        }
+        Fault::BadOpening { problem: "it is curved" } => "make it of flat surfaces",
+        Fault::BadOpening { problem: "it has two sides" } => "leave two_sided out: its front faces the room",
+        Fault::BadOpening { .. } => "leave the flux out, and give it a material without emission: the sky is its light",
+        Fault::NoOpening => "give a window opening = true, its front to the room, or leave the sky out",
         Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
         Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
@@ -189,6 +198,10 @@ fn example(key: &str) -> &'static str {
         "spacing" => ", a length, or one along each edge",
         "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",
+        "sun" => ", where the sun is: { elevation = 40, azimuth = 180 }",
+        "illuminance" => ", of level ground under the sky, in lx",
+        "elevation" | "azimuth" => ", in degrees",
+        "model" => ": uniform, overcast or clear",
         "flux" => ", in W or lm, all of it together; or its peak, `intensity = …`, in W/sr or cd",
         "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
         "patches" => ", a list of patches, each 16 indices of points, counted from 0",

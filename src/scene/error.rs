@@ -296,6 +296,26 @@ pub enum Fault {
         /// The key of the vector.
         what: &'static str,
     },
+    /// A model of the sky that there is not.
+    #[error("there is no sky {name:?}")]
+    UnknownSky {
+        /// What was typed.
+        name: String,
+        /// The models there are.
+        known: Vec<&'static str>,
+    },
+    /// A sun below the horizon.
+    #[error("the sun is not above the horizon")]
+    SunBelow,
+    /// An opening that sends no light of a sky.
+    #[error("the surface is no opening to a sky: {problem}")]
+    BadOpening {
+        /// Why.
+        problem: &'static str,
+    },
+    /// A sky without an opening.
+    #[error("no surface is an opening to the sky")]
+    NoOpening,
     /// A light group that was set, but of which nothing emits.
     #[error("no light comes from a group {name:?}")]
     UnknownGroup {

@@ -4,6 +4,7 @@ mod per_band;
 mod thermal;
 mod surface;
 mod luminaire;
+mod sky;
 mod part;
 
 use radiosity_geom::DVec3;
@@ -21,11 +22,13 @@ use crate::scene::{
 };
 use part::{read_content, read_parts};
 use per_band::per_band;
+use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
 pub(super) use luminaire::{DistributionFile, LuminaireFile, PHOTOMETRY, StrengthFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
+pub(super) use sky::{GlassFile, SkyFile, SunFile};
 pub(super) use surface::SurfaceFile;
 
 /// A scene file.
@@ -35,6 +38,7 @@ pub(super) struct SceneFile {
     pub bands: Option<At<Vec<At<String>>>>,
     pub unit: Option<At<String>>,
     pub camera: Option<CameraFile>,
+    pub sky: Option<SkyFile>,
     pub planes: Vec<PlaneFile>,
     pub materials: Vec<MaterialFile>,
     pub parts: Vec<PartFile>,
@@ -75,13 +79,14 @@ pub(super) struct MaterialFile {
 
 const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
 
-const SCENE_KEYS: [&str; 12] = [
+const SCENE_KEYS: [&str; 13] = [
     INCLUDE,
     "title",
     "bands",
     "unit",
     VARIABLES,
     "camera",
+    "sky",
     "planes",
     "materials",
     "parts",
@@ -101,7 +106,10 @@ impl SceneFile {
             let luminaires = luminaires.map(|strength| strength.map(StrengthFile::numbers));
             content.surfaces.iter().map(|surface| surface.flux.as_ref()).chain(luminaires)
         });
-        per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
+        let skies = self.sky.iter().flat_map(|sky| {
+            [Some(&sky.illuminance), sky.sun.as_ref().and_then(|sun| sun.illuminance.as_ref())]
+        });
+        per_band.chain(fluxes).chain(skies).flatten().all(PerBand::is_one_number)
     }
 
     /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given none.
@@ -113,6 +121,7 @@ impl SceneFile {
             unit: fields.optional("unit", text)?,
             camera: fields
                 .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
+            sky: fields.optional("sky", |node| read_sky(node).map_err(|e| e.within(|| "sky".into())))?,
             planes: fields.optional("planes", read_planes)?.unwrap_or_default(),
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             parts: fields.optional("parts", read_parts)?.unwrap_or_default(),

@@ -50,6 +50,7 @@ fn scene_keys() -> Vec<(&'static str, Value)> {
         ("unit", or(json!("W/m²"), unit)),
         ("variables", variables),
         ("camera", reference("camera")),
+        ("sky", reference("sky")),
         ("planes", by_name("Planes of sensors by name", "plane")),
         ("materials", by_name("Materials by name", "material")),
         ("parts", by_name("Parts by name, to be put in many places", "part")),
@@ -70,6 +71,7 @@ fn definitions() -> Vec<(&'static str, Value)> {
         ("point", exactly(3, "number", "x, y, z")),
         ("vector", exactly(3, "number", "x, y, z")),
         ("camera", camera()),
+        ("sky", sky()),
         ("plane", plane()),
         ("material", material()),
         ("transform", transform()),
@@ -96,6 +98,39 @@ fn camera() -> Value {
         ("height", pixels("Height")),
     ];
     table("A pinhole camera", &["eye", "target"], keys)
+}
+
+fn sky() -> Value {
+    let models = json!({
+        "description": "How bright the sky is where", "type": "string", "enum": ["uniform", "overcast", "clear"],
+    });
+    let ground = json!({ "minimum": 0, "exclusiveMaximum": 1 });
+    let elevation = json!({ "exclusiveMinimum": 0, "maximum": 90 });
+    let sun = vec![
+        ("elevation", ranged(elevation, "Above the horizon, degrees")),
+        ("azimuth", of("number", "From north over east, degrees")),
+        ("illuminance", or(json!(0), per_band(at_least_zero(), "Across its beam"))),
+    ];
+    let keys = vec![
+        ("model", models),
+        ("illuminance", per_band(at_least_zero(), "Of level ground under the sky, the sun left out")),
+        ("ground", or(json!(0.2), ranged(ground, "Reflectance of the ground"))),
+        ("up", or(json!([0, 0, 1]), of("vector", "Where the zenith is"))),
+        ("north", or(json!([0, 1, 0]), of("vector", "Where north is"))),
+        ("sun", table("Where the sun is, and how bright", &["elevation", "azimuth"], sun)),
+    ];
+    table("The sky behind openings", &["model", "illuminance"], keys)
+}
+
+fn glass() -> Value {
+    let index = json!({ "minimum": 1, "maximum": 3 });
+    let transmittance = json!({ "exclusiveMinimum": 0, "maximum": 1 });
+    let keys = vec![
+        ("panes", or(json!(1), whole(1, 4, "Panes"))),
+        ("index", or(json!(1.52), ranged(index, "Index of refraction"))),
+        ("transmittance", ranged(transmittance, "Part of the light along the normal that is let through")),
+    ];
+    table("Glass in an opening to the sky", &[], keys)
 }
 
 fn plane() -> Value {
@@ -166,6 +201,8 @@ fn surface() -> Value {
             "flux",
             per_band(at_least_zero(), "Flux that it emits, W or lm, instead of its material's emission"),
         ),
+        ("opening", truth("It sends the light of the sky behind it")),
+        ("glass", glass()),
         ("order", whole(0, MAX_ORDER, "Degree of the polynomials")),
         ("subdivide", parts),
         ("two_sided", truth("The back emits and receives as well")),

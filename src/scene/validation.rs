@@ -3,25 +3,35 @@
 use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_formats::{luminaire as photometry, photometry::Photometry};
-use radiosity_geom::Surface;
+use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
     distribution::Distribution,
-    file::{CameraFile, DistributionFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, StrengthFile},
+    file::{
+        CameraFile, DistributionFile, GlassFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, SkyFile, StrengthFile,
+        SunFile, SurfaceFile,
+    },
+    glass::Glass,
     include,
     instances::{PlacedLuminaire, PlacedSurface},
     luminaire::{Luminaire, Strength, check_intensity},
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
+    outlook::Opening,
     sensor_plane::SensorPlane,
+    sky::{Sky, Sun, check_irradiance},
     source::{At, Line, Source},
     surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
     unit::{self, check_unit},
 };
+
+/// Index of refraction of window glass, and reflectance of the ground about it, where none is stated.
+const USUAL_INDEX: f64 = 1.52;
+const USUAL_GROUND: f64 = 0.2;
 
 /// Materials by name.
 pub(super) type Materials = BTreeMap<String, GroupedMaterial>;
@@ -153,12 +163,14 @@ pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
 pub(super) fn surfaces(
     files: &[PlacedSurface<'_>],
     materials: &Materials,
+    sky: Option<&Arc<Sky>>,
     bands: usize,
     source: &Source,
 ) -> Result<Surfaces, Located> {
     let drafts = files.iter().map(|placed| {
         let error = |error: Located| error.within(|| surface_title(&placed.name));
-        draft(placed, materials, bands, source).map_err(error)
+        let draft = draft(placed, materials, bands, source);
+        draft.and_then(|draft| opened(draft, placed.file, sky)).map_err(error)
     });
     fitted_surfaces(drafts, source.tolerance)
 }
@@ -177,6 +189,7 @@ fn draft(
     Ok(SurfaceDraft {
         kind: file.shape.kind,
         flux: flux(file.flux.as_ref(), bands)?,
+        opening: None,
         thermal: Thermal { condition: file.condition.or(thermal.condition), ..thermal },
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
@@ -193,8 +206,51 @@ fn draft(
             name_line: source.line(name_span.start),
             shape: file.shape.span.clone(),
             flux: file.flux.as_ref().map(|flux| flux.span().clone()),
+            opening: file.opening.clone(),
         }),
     })
+}
+
+/// The draft as an opening to the sky, if it is one.
+fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Result<SurfaceDraft, Located> {
+    let Some(span) = &file.opening else { return Ok(draft) };
+    let no_sky = || Located::at(span, Fault::BadOpening { problem: "there is no sky" });
+    let sky = Arc::clone(sky.ok_or_else(no_sky)?);
+    let glass = |own: &GlassFile| {
+        let glass = Glass::new(own.panes.unwrap_or(1), own.index.unwrap_or(USUAL_INDEX), own.transmittance);
+        glass.map_err(|fault| Located::at(&own.span, fault))
+    };
+    let glass = file.glass.as_ref().map(glass).transpose()?;
+    Ok(SurfaceDraft { opening: Some(Opening { sky, glass }), ..draft })
+}
+
+/// The sky. Azimuths are counted from north over east.
+pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
+    let located = |fault| Located::at(&file.span, fault).within(|| "sky".into());
+    let (up, north) = (file.up.unwrap_or(DVec3::Z), file.north.unwrap_or(DVec3::Y));
+    let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
+    let sun = file.sun.as_ref().map(|sun| {
+        let direction = sun_direction(sun, up, north);
+        let direction =
+            direction.map_err(|fault| Located::at(&sun.span, fault).within(|| "sky".into()))?;
+        let given = sun.illuminance.as_ref();
+        let given = given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;
+        Ok(Sun { direction, irradiance: given.unwrap_or_else(|| vec![0.0; bands]) })
+    });
+    let sun = sun.transpose()?;
+    let ground = file.ground.as_ref().map_or(USUAL_GROUND, |ground| ground.value);
+    Sky::new(file.model, up, irradiance, ground, sun).map(Arc::new).map_err(located)
+}
+
+fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
+    let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
+    let north = north.reject_from_normalized(up).try_normalize().ok_or(Fault::NoDirection { what: "north" })?;
+    let elevation = sun.elevation.value;
+    if !(elevation > 0.0 && elevation <= 90.0) {
+        return Err(Fault::SunBelow);
+    }
+    let (height, around) = (elevation.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
+    Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
 }
 
 /// Every luminaire, each of a name of its own.

@@ -18,7 +18,8 @@ const LARGE: f64 = 0.25;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split where luminaires or small flat emitters cast shadows of flat surfaces, else projected.
+    /// Split where there are openings to a sky, and where luminaires or small flat emitters cast shadows of flat surfaces; else
+    /// projected.
     Auto,
     /// An exact source at every point, with its shadows.
     Split,
@@ -33,6 +34,7 @@ impl Direct {
         match self {
             Self::Split => true,
             Self::Projected => false,
+            Self::Auto if emitters.iter().any(Emitters::have_outlooks) => true,
             Self::Auto => plain && (luminaires_cast_flat_shadows(emitters, visibility) || casts_flat_shadows(emitters, visibility)),
         }
     }

@@ -2,7 +2,7 @@
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
-use crate::light::emitters::Emitters;
+use crate::light::emitters::{Emitters, Outlooks};
 use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 
@@ -15,6 +15,8 @@ pub(super) struct Emission {
     pub coatings: Vec<Coating>,
     /// The luminaires of the group.
     pub points: PointLights,
+    /// What openings see, of all groups.
+    pub outlooks: Outlooks,
 }
 
 impl Emission {
@@ -33,6 +35,7 @@ impl Emission {
                 .map(|band| Coating::of_group(scene, elements, band, group))
                 .collect(),
             points: PointLights::of_group(scene, group),
+            outlooks: Outlooks::of(scene),
         };
         groups.into_iter().map(of).collect()
     }
@@ -44,7 +47,7 @@ impl Emission {
 
     /// What emits, of which `elements` are.
     pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
-        Emitters { elements, coatings: self.list(), points: &self.points }
+        Emitters { elements, coatings: self.list(), outlooks: &self.outlooks, points: &self.points }
     }
 
     /// Whether the same elements and luminaires emit as much in `other`.

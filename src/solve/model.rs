@@ -25,6 +25,7 @@ use super::allowance::{require_memory, require_memory_of_mesh};
 use super::assembly::{carried, discretization};
 use super::band::{Effort, solve_band};
 use super::choice::Choice;
+use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{FirstLight, Reflected, Stage};
@@ -99,7 +100,7 @@ impl Model {
         mesh: Option<&Mesh>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
-        require_masks(scene, options)?;
+        require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let (visibility, how) = timed(&mut seconds.visibility, || {
@@ -164,7 +165,7 @@ impl Model {
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
     fn check(&self, scene: &Scene) -> Result<(), Failure> {
-        require_masks(scene, &self.options)?;
+        require_diffuse(scene, &self.options)?;
         let (own, given) = (&self.scene.surfaces, &scene.surfaces);
         let names = || given.iter().chain(own).map(|surface| surface.name.clone());
         if own.len() != given.len() || self.scene.bands != scene.bands {
@@ -273,7 +274,7 @@ impl Model {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
         let group = |((emission, first), light): ((Emission, Reflected), Vec<_>)| {
-            let Emission { group, coatings, points } = emission;
+            let Emission { group, coatings, points, .. } = emission;
             let own: Vec<Lit<'_>> = coatings
                 .iter()
                 .zip(&light)
@@ -288,11 +289,21 @@ impl Model {
     }
 }
 
-/// Refuses shadow masks where luminaires shine.
-fn require_masks(scene: &Scene, options: &Options) -> Result<(), Failure> {
-    match scene.luminaires.iter().find(|own| own.emits()) {
-        Some(own) if options.masks.is_some() => Err(Failure::Unmasked { luminaire: own.name.clone() }),
-        _ => Ok(()),
+/// Refuses what cannot carry the light of luminaires or of a sky.
+fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
+    if let Some(own) = shines {
+        return Err(Failure::Unmasked { luminaire: own.name.clone() });
+    }
+    let what = match options {
+        Options { masks: Some(_), .. } => "--shadows mask",
+        Options { direct: Direct::Projected, .. } => "--direct projected",
+        Options { kernel: Some(_), .. } => "--kernel with the rules of 1993",
+        _ => return Ok(()),
+    };
+    match scene.surfaces.iter().find(|own| own.outlook.is_some()) {
+        Some(own) => Err(Failure::NotDiffuse { surface: own.name.clone(), what }),
+        None => Ok(()),
     }
 }
 

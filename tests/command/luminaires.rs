@@ -107,7 +107,7 @@ fn photometric_files_are_read_and_kept() {
 #[test]
 fn what_cannot_carry_their_light_is_refused() {
     for (option, parts) in [
-        (&["--algorithm", "hierarchical"][..], ["luminaire 'lamp'", "hierarchical radiosity"]),
+        (&["--method", "hierarchical"][..], ["luminaire 'lamp'", "hierarchical radiosity"]),
         (&["--shadows", "mask"][..], ["luminaire 'lamp'", "shadow masks"]),
     ] {
         let folder = tempfile::tempdir().unwrap();

@@ -15,5 +15,6 @@ mod masks;
 mod models;
 mod occlusion;
 mod shapes;
+mod skies;
 mod slits;
 mod split;

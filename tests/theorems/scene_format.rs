@@ -26,6 +26,7 @@ const TABLES: [(&str, &str); 9] = [
         "[[surfaces]]\ntriangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }\ntransform = { none = 1 }",
     ),
     ("## Luminaires", "[[luminaires]]\nnone = 1"),
+    ("## Sky and sun", "[sky]\nnone = 1"),
     ("## Parts and instances", "[parts.chair]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\npart = \"chair\"\narray = { none = 1 }"),

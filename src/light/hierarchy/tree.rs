@@ -2,12 +2,15 @@
 //!
 //! A tree is as fine as the radiosity varies, and at least so fine that its points see every polynomial.
 
+use std::sync::Arc;
+
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::smallvec;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::cell::{Cell, POINTS};
+use crate::scene::Outlook;
 
 /// Most levels of quarters below the patches of an element. Chosen; not tuned.
 const DEEPEST: usize = 4;
@@ -27,6 +30,8 @@ pub struct Tree {
     pub plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
     pub bounds: Aabb,
+    /// What it sees, if it is an opening to a sky: the field is then multiplied by the light towards the receiver.
+    pub outlook: Option<Arc<Outlook>>,
 }
 
 /// A field over an element: writes the value of each channel at a node of a patch.
@@ -38,6 +43,11 @@ impl Tree {
         Self::grown(element, &[1.0 / brightness], |bare, scale| {
             with_field(bare, scale, &|_, out| out.fill(1.0))
         })
+    }
+
+    /// The tree of an opening that sees this, if it is one.
+    pub fn seeing(self, outlook: Option<Arc<Outlook>>) -> Self {
+        Self { outlook, ..self }
     }
 
     /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
@@ -58,6 +68,7 @@ impl Tree {
             surface: element.surface,
             plane: element.plane,
             bounds: element.bounds(),
+            outlook: None,
         }
     }
 
