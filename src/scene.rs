@@ -296,6 +296,9 @@ impl Scene {
         placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
         let mut model = export.finish()?;
         model.title = self.title.clone();
+        if self.surfaces.iter().any(|surface| surface.outlook.is_some()) {
+            model.note("openings to the sky become diffuse emitters, and the sun is left out", None);
+        }
         if !self.luminaires.is_empty() {
             model.note("luminaires are left out", None);
         }
@@ -439,7 +442,8 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let materials = validation::materials(file.materials, bands.len())?;
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose()?;
     let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
-    let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
+    let Surfaces { list, middle, fitted } =
+        validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
     if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
         return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
     }

@@ -102,7 +102,15 @@ impl Solution {
     /// The solution of all bands over `elements`, in a scene without luminaires and sky.
     pub fn new(elements: impl Into<Arc<Elements>>, bands: Vec<Band>) -> Self {
         let elements = elements.into();
-        Self { elements, bands, points: PointLights::default(), outlooks: Outlooks::default(), masked: None, groups: Arc::default(), powers: None }
+        Self {
+            elements,
+            bands,
+            points: PointLights::default(),
+            outlooks: Outlooks::default(),
+            masked: None,
+            groups: Arc::default(),
+            powers: None,
+        }
     }
 
     /// Other light over the same elements.
@@ -180,7 +188,12 @@ impl Solution {
 
     /// What emits: the elements with their coatings, and the luminaires.
     pub fn emitters(&self) -> Emitters<'_> {
-        Emitters { elements: self.elements.list(), coatings: self.coatings(), outlooks: &self.outlooks, points: &self.points }
+        Emitters {
+            elements: self.elements.list(),
+            coatings: self.coatings(),
+            outlooks: &self.outlooks,
+            points: &self.points,
+        }
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.

@@ -94,6 +94,11 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     for shell in &inspection.shells {
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
     }
+    let openings = scene.surfaces.iter().filter(|surface| surface.outlook.is_some());
+    let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
+    if !openings.is_empty() {
+        writeln!(text, "openings to the sky: {}", listed(&openings))?;
+    }
     if !scene.luminaires.is_empty() {
         writeln!(text, "{}", luminaire_table(scene))?;
     }
@@ -252,7 +257,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+            "emission": surface.material.emission, "opening": surface.outlook.is_some(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {

@@ -366,7 +366,13 @@ impl<'a> RayGather<'a> {
 
     /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
     fn add_direct(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.points.add_one(vantage, self.visibility, 1.0, number_of([f64::from_bits(chance), 1.0]), irradiance);
+        self.points.add_one(
+            vantage,
+            self.visibility,
+            1.0,
+            number_of([f64::from_bits(chance), 1.0]),
+            irradiance,
+        );
         let shares = self.lamps.seen_from(vantage);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
@@ -376,7 +382,13 @@ impl<'a> RayGather<'a> {
 
     /// Adds an estimate of the irradiance by one ray of each kind.
     fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.points.add_one(vantage, self.visibility, 1.0, number_of([f64::from_bits(chance), 1.0]), irradiance);
+        self.points.add_one(
+            vantage,
+            self.visibility,
+            1.0,
+            number_of([f64::from_bits(chance), 1.0]),
+            irradiance,
+        );
         let shares = self.lamps.seen_from(vantage);
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));

@@ -51,7 +51,8 @@ fn direction(index: u32) -> DVec3 {
 /// What its table says of itself.
 fn remarks(own: &Luminaire) -> Vec<Warning> {
     let Distribution::Table(table) = &own.distribution else { return Vec::new() };
-    let remark = |text: &str| Warning::of_luminaire("photometry", &own.name, &format!("has an odd table: {text}"));
+    let remark =
+        |text: &str| Warning::of_luminaire("photometry", &own.name, &format!("has an odd table: {text}"));
     table.notes.iter().map(|note| remark(&note.text)).collect()
 }
 

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
+use crate::elements::patch::Node;
 use crate::light::area_light::AreaLight;
 use crate::light::emitters::Emitters;
 use crate::light::hierarchy::tree::Tree;
@@ -121,6 +122,12 @@ impl<'a> DirectLight<'a> {
         self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
+    /// Irradiance (W m⁻²) per band at a node of element `receiver`, from elements alone.
+    pub(crate) fn of_elements_at(&self, receiver: usize, node: &Node) -> Vec<f64> {
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, node.position, node.normal);
+        self.add_elements(&vantage, &self.surroundings[receiver], vec![0.0; self.bands], 0.0)
+    }
+
     /// Possible occluders between the emitters and a site.
     pub fn around(&self, site: &Site) -> Occluders {
         let surroundings = Occluders::new(self.visibility, &self.trees, site);
@@ -140,7 +147,9 @@ impl<'a> DirectLight<'a> {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
             apart.max(DVec3::ZERO).length()
         };
-        self.points.is_empty() && surroundings.is_clear() && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
+        self.points.is_empty()
+            && surroundings.is_clear()
+            && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
@@ -157,6 +166,17 @@ impl<'a> DirectLight<'a> {
         let mut sums = vec![0.0; self.bands];
         self.points.add(vantage, self.visibility, &mut sums);
         let other = other.iter().chain(&sums).map(|other| other.max(0.0)).sum();
+        self.add_elements(vantage, surroundings, sums, other)
+    }
+
+    /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands together.
+    fn add_elements(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        mut sums: Vec<f64>,
+        other: f64,
+    ) -> Vec<f64> {
         for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }

@@ -32,6 +32,9 @@ use crate::visibility::Visibility;
 const DIRECT_HALVINGS: usize = 2;
 const REFLECTED_HALVINGS: usize = 1;
 
+/// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray for each point. Chosen.
+const SUNNY_HALVINGS: usize = 5;
+
 /// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
 /// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.
 const PEAKED: f64 = 0.15;
@@ -67,7 +70,10 @@ pub enum Entry {
 /// The coefficients of the irradiance from luminaires on `elements`, per band (W m⁻² times scene length).
 pub(crate) fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
-    let peaks: Vec<DVec3> = points.positions().collect();
+    let peaks = Peaks {
+        points: &points.positions().collect::<Vec<_>>(),
+        halvings: if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS },
+    };
     let bands = coatings.len();
     let of_element = |index: usize| {
         let lit = |node: &Node| {
@@ -79,6 +85,23 @@ pub(crate) fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec
         of_direct(&elements[index], &peaks, bands, &lit)
     };
     projected(elements.len(), bands, &of_element)
+}
+
+/// The coefficients of the irradiance `lit`, from elements, per band (W m⁻² times scene length).
+fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>) -> Vec<Vec<f64>> {
+    let Emitters { elements, ref coatings, .. } = *sources;
+    let bands = coatings.len();
+    let peaks = Peaks { points: &[], halvings: DIRECT_HALVINGS };
+    let of_element = |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
+    projected(elements.len(), bands, &of_element)
+}
+
+/// Where direct light wants small cells.
+struct Peaks<'a> {
+    /// Points before which it peaks.
+    points: &'a [DVec3],
+    /// Halvings of all patches in each direction.
+    halvings: usize,
 }
 
 /// For each channel the coefficients that `project` finds, element by element.
@@ -109,17 +132,31 @@ impl CoatedBounce {
         let eps = eps.min(LOOSEST);
         let direct = DirectLight::within(sources, visibility, eps);
         let lit = |element: usize, node: &Node| direct.at(element, node.position, node.normal);
-        Self::of(sources, visibility, &lit, eps)
+        let of_elements = |element: usize, node: &Node| direct.of_elements_at(element, node);
+        let mut d = coefficients(sources, &of_elements);
+        if !sources.points.is_empty() {
+            let of_points = lit_by(sources, visibility);
+            let pairs = d.iter_mut().flatten().zip(of_points.iter().flatten());
+            pairs.for_each(|(sum, own)| *sum += own);
+        }
+        Self::reflected(sources, visibility, &lit, d, eps)
     }
 
-    /// The first bounce of any direct light `lit`; `sources` tell where it peaks.
+    /// The first bounce of any direct light `lit`, from elements alone.
     pub(crate) fn of(sources: &Emitters<'_>, visibility: &Visibility, lit: Lit<'_>, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, points, .. } = *sources;
-        let peaks: Vec<DVec3> = points.positions().collect();
+        Self::reflected(sources, visibility, lit, coefficients(sources, lit), eps)
+    }
+
+    /// The first bounce of the direct light `lit` with the coefficients d.
+    fn reflected(
+        sources: &Emitters<'_>,
+        visibility: &Visibility,
+        lit: Lit<'_>,
+        d: Vec<Vec<f64>>,
+        eps: f64,
+    ) -> Self {
+        let Emitters { elements, ref coatings, .. } = *sources;
         let bands = coatings.len();
-        let of_element =
-            |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
-        let d = projected(elements.len(), bands, &of_element);
         let scale = scales(elements, coatings, &d);
         let reflection = Reflection::new(elements, coatings, visibility, lit, scale, eps);
         let coats = Coats::of(coatings);
@@ -157,19 +194,19 @@ fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> V
     coatings.iter().zip(direct).map(mean).collect()
 }
 
-/// The coefficients d of an element, per band, of light that peaks before the points `peaks`.
+/// The coefficients d of an element, per band.
 fn of_direct(
     element: &Element,
-    peaks: &[DVec3],
+    peaks: &Peaks<'_>,
     bands: usize,
     lit: &dyn Fn(&Node) -> Vec<f64>,
 ) -> Vec<Vec<f64>> {
     let mut sums = Sums::new(element, bands);
-    let points = (element.basis.order() >> DIRECT_HALVINGS) + 2;
-    let mut open: Vec<(Patch, usize)> =
-        element.patches.iter().flat_map(|patch| cells(patch, DIRECT_HALVINGS)).map(|cell| (cell, 0)).collect();
+    let points = (element.basis.order() >> peaks.halvings) + 2;
+    let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
+    let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
     while let Some((cell, depth)) = open.pop() {
-        if depth < DEEPEST && is_peaked(&cell, peaks) {
+        if depth < DEEPEST && is_peaked(&cell, peaks.points) {
             open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
         } else {
             sums.add(&cell, points, lit);

@@ -41,7 +41,8 @@ impl Beam {
         let mut beam: Option<Self> = None;
         for (index, surface, factor) in surfaces {
             let outlook = surface.outlook.as_ref().filter(|_| factor > 0.0);
-            let Some((outlook, (direction, strength))) = outlook.and_then(|own| Some((own, own.beam()?))) else {
+            let Some((outlook, (direction, strength))) = outlook.and_then(|own| Some((own, own.beam()?)))
+            else {
                 continue;
             };
             let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
@@ -146,6 +147,11 @@ impl PointLights {
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.list.is_empty() && self.sun.is_none()
+    }
+
+    /// Whether the sun is among them.
+    pub(crate) fn has_sun(&self) -> bool {
+        self.sun.is_some()
     }
 
     /// Where the luminaires are.

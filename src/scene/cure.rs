@@ -157,7 +157,9 @@ fn plain_cure(fault: &Fault) -> &'static str {
         }
         Fault::BadOpening { problem: "it is curved" } => "make it of flat surfaces",
         Fault::BadOpening { problem: "it has two sides" } => "leave two_sided out: its front faces the room",
-        Fault::BadOpening { .. } => "leave the flux out, and give it a material without emission: the sky is its light",
+        Fault::BadOpening { .. } => {
+            "leave the flux out, and give it a material without emission: the sky is its light"
+        }
         Fault::NoOpening => "give a window opening = true, its front to the room, or leave the sky out",
         Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
         Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
@@ -188,8 +190,8 @@ fn example(key: &str) -> &'static str {
         "reflectance" => {
             ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
         }
-        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
-        | "direction" => ", three numbers in brackets",
+        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal"
+        | "axis" | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
         "part" => ", the name of one of [parts.…]",

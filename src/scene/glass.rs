@@ -40,7 +40,8 @@ impl Glass {
         let clear = Self { panes, index, clear: 1.0 };
         let Some(transmittance) = transmittance else { return Ok(clear) };
         let share = transmittance / clear.transmittance(1.0);
-        let range = "0 < transmittance ≤ what is not reflected: 0.918 of one pane, 0.849 of two, of index 1.52";
+        let range =
+            "0 < transmittance ≤ what is not reflected: 0.918 of one pane, 0.849 of two, of index 1.52";
         check(transmittance, share > 0.0 && share <= 1.0, "the transmittance", range)?;
         Ok(Self { clear: share, ..clear })
     }

@@ -231,7 +231,10 @@ fn luminaire() -> Value {
         ("aim", or(json!([0, 0, -1]), of("vector", "Where it aims"))),
         ("along", of("vector", "The direction of the plane C = 0 of its photometric file")),
         ("flux", per_band(at_least_zero(), "All its light, W or lm")),
-        ("intensity", per_band(at_least_zero(), "The peak of its intensity, W/sr or cd, instead of the flux")),
+        (
+            "intensity",
+            per_band(at_least_zero(), "The peak of its intensity, W/sr or cd, instead of the flux"),
+        ),
         ("dimming", or(json!(1), ranged(at_least_zero(), "Factor on its light"))),
         ("group", text("Its light group")),
         ("point", table("The same intensity all around", &[], Vec::new())),

@@ -171,7 +171,9 @@ pub(crate) fn over_hemisphere(normal: DVec3, f: impl Fn(DVec3, f64) -> f64) -> f
 pub(super) fn check_irradiance(value: f64) -> Result<(), Fault> {
     match (value.is_finite(), value >= 0.0) {
         (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what: "the illuminance", value, range: "illuminance ≥ 0" }),
+        (true, false) => {
+            Err(Fault::OutOfRange { what: "the illuminance", value, range: "illuminance ≥ 0" })
+        }
         (true, true) => Ok(()),
     }
 }
@@ -189,7 +191,8 @@ mod tests {
     fn level_ground_gets_what_was_asked_for() {
         let direction = DVec3::new(0.5, -0.3, 0.7).normalize();
         let sun = Sun { direction, irradiance: vec![0.0] };
-        let skies = [sky(SkyModel::Uniform, None), sky(SkyModel::Overcast, None), sky(SkyModel::Clear, Some(sun))];
+        let skies =
+            [sky(SkyModel::Uniform, None), sky(SkyModel::Overcast, None), sky(SkyModel::Clear, Some(sun))];
         for sky in skies {
             let found = over_hemisphere(DVec3::Z, |from, _| sky.radiance(from));
             assert!((found - 1.0).abs() < 1e-5, "{:?}: {found}", sky.model);

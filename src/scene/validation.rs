@@ -7,12 +7,12 @@ use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
+    distribution::Distribution,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
-    distribution::Distribution,
     file::{
-        CameraFile, DistributionFile, GlassFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, SkyFile, StrengthFile,
-        SunFile, SurfaceFile,
+        CameraFile, DistributionFile, GlassFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, SkyFile,
+        StrengthFile, SunFile, SurfaceFile,
     },
     glass::Glass,
     include,
@@ -231,10 +231,10 @@ pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
     let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
     let sun = file.sun.as_ref().map(|sun| {
         let direction = sun_direction(sun, up, north);
-        let direction =
-            direction.map_err(|fault| Located::at(&sun.span, fault).within(|| "sky".into()))?;
+        let direction = direction.map_err(|fault| Located::at(&sun.span, fault).within(|| "sky".into()))?;
         let given = sun.illuminance.as_ref();
-        let given = given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;
+        let given =
+            given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;
         Ok(Sun { direction, irradiance: given.unwrap_or_else(|| vec![0.0; bands]) })
     });
     let sun = sun.transpose()?;
@@ -244,7 +244,8 @@ pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
 
 fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
     let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
-    let north = north.reject_from_normalized(up).try_normalize().ok_or(Fault::NoDirection { what: "north" })?;
+    let north =
+        north.reject_from_normalized(up).try_normalize().ok_or(Fault::NoDirection { what: "north" })?;
     let elevation = sun.elevation.value;
     if !(elevation > 0.0 && elevation <= 90.0) {
         return Err(Fault::SunBelow);
@@ -320,7 +321,8 @@ impl Tables<'_> {
             return Ok(Arc::clone(known));
         }
         let text = self.source.included_text(&path);
-        let (text, _) = text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
+        let (text, _) =
+            text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
         let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
             let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
             Located::at(&name.span, fault)

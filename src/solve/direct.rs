@@ -35,7 +35,11 @@ impl Direct {
             Self::Split => true,
             Self::Projected => false,
             Self::Auto if emitters.iter().any(Emitters::have_outlooks) => true,
-            Self::Auto => plain && (luminaires_cast_flat_shadows(emitters, visibility) || casts_flat_shadows(emitters, visibility)),
+            Self::Auto => {
+                plain
+                    && (luminaires_cast_flat_shadows(emitters, visibility)
+                        || casts_flat_shadows(emitters, visibility))
+            }
         }
     }
 }
@@ -43,7 +47,8 @@ impl Direct {
 /// Whether all possible blockers between luminaires and elements are flat, and there is one.
 fn luminaires_cast_flat_shadows(sources: &[Emitters<'_>], visibility: &Visibility) -> bool {
     let mut shadows = false;
-    let pairs = sources.iter().flat_map(|own| own.points.positions().map(|position| (own.elements, position)));
+    let pairs =
+        sources.iter().flat_map(|own| own.points.positions().map(|position| (own.elements, position)));
     for (elements, position) in pairs {
         for element in elements.iter().filter(|element| element.contact.is_none()) {
             let blockers = visibility.candidates(&element.hull, &[position], [element.surface; 2]);

@@ -241,8 +241,9 @@ impl Subject<'_> {
         let mut all = Vec::new();
         for (band, coatings) in self.bands.iter().enumerate() {
             let groups = coatings.iter().zip(self.entries);
-            let systems: Vec<System> =
-                groups.map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry)).collect();
+            let systems: Vec<System> = groups
+                .map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry))
+                .collect();
             all.extend(solve_band(&systems, &rough, &mut |_| ())?.0);
         }
         Ok(all)

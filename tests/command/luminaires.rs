@@ -20,7 +20,8 @@ point = {}
 "#;
 
 /// 100 cd straight down, 50 cd at 90°, nothing above.
-const TABLE: &str = "IESNA:LM-63-2002\n[TEST] 1\n[MANUFAC] none\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 50\n";
+const TABLE: &str =
+    "IESNA:LM-63-2002\n[TEST] 1\n[MANUFAC] none\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 90\n0\n100 50\n";
 
 /// Runs a command on the scene; exit code, what it prints, what it complains of.
 fn run(folder: &Path, scene: &str, args: &[&str]) -> (Option<i32>, String, String) {
@@ -36,7 +37,8 @@ fn run(folder: &Path, scene: &str, args: &[&str]) -> (Option<i32>, String, Strin
 fn refused(old: &str, new: &str, parts: &[&str]) {
     assert!(ROOM.contains(old), "{old}");
     let folder = tempfile::tempdir().unwrap();
-    let (code, _, error) = run(folder.path(), &ROOM.replace(old, new), &["solve", "room.toml", "-o", "out.json"]);
+    let (code, _, error) =
+        run(folder.path(), &ROOM.replace(old, new), &["solve", "room.toml", "-o", "out.json"]);
     assert_eq!(code, Some(2), "{error}");
     parts.iter().for_each(|part| assert!(error.contains(part), "{part:?} is not in:\n{error}"));
     assert!(!folder.path().join("out.json").exists());
@@ -47,23 +49,55 @@ fn wrong_luminaires_are_refused_at_their_place() {
     let lamp = "luminaire \"lamp\": ";
     refused("flux = 1000", "flux = -1", &["room.toml:14:8: ", lamp, "the flux is -1, outside flux ≥ 0"]);
     refused("flux = 1000\n", "", &[lamp, "the key \"flux\" is missing", "intensity"]);
-    refused("flux = 1000", "flux = 1\nintensity = 2", &["room.toml:15:13", "\"flux\" and \"intensity\" are both given"]);
-    refused("aim = [0, 0, -1]", "aim = [0, 0, 0]", &["room.toml:13:7: ", lamp, "`aim` gives no direction", "help: give a direction"]);
-    refused("aim = [0, 0, -1]", "along = [0, 0, 2]", &["room.toml:13:9: ", "`along` gives no direction", "across the aim"]);
-    refused("point = {}\n", "", &["room.toml:10:1: ", lamp, "nothing says how the light is spread", "help: add point = {}"]);
-    refused("point = {}", "point = {}\nspot = { angle = 3 }", &["room.toml:16:8: ", "\"point\" and \"spot\" are both given"]);
-    refused("point = {}", "spot = { angle = 400 }", &["room.toml:15:8: ", lamp, "the angle is 400, outside 0 < angle < 360"]);
+    refused(
+        "flux = 1000",
+        "flux = 1\nintensity = 2",
+        &["room.toml:15:13", "\"flux\" and \"intensity\" are both given"],
+    );
+    refused(
+        "aim = [0, 0, -1]",
+        "aim = [0, 0, 0]",
+        &["room.toml:13:7: ", lamp, "`aim` gives no direction", "help: give a direction"],
+    );
+    refused(
+        "aim = [0, 0, -1]",
+        "along = [0, 0, 2]",
+        &["room.toml:13:9: ", "`along` gives no direction", "across the aim"],
+    );
+    refused(
+        "point = {}\n",
+        "",
+        &["room.toml:10:1: ", lamp, "nothing says how the light is spread", "help: add point = {}"],
+    );
+    refused(
+        "point = {}",
+        "point = {}\nspot = { angle = 3 }",
+        &["room.toml:16:8: ", "\"point\" and \"spot\" are both given"],
+    );
+    refused(
+        "point = {}",
+        "spot = { angle = 400 }",
+        &["room.toml:15:8: ", lamp, "the angle is 400, outside 0 < angle < 360"],
+    );
     refused("point = {}", "spot = { angle = 30, edge = 40 }", &["the edge is 40"]);
     refused("point = {}", "point = {}\ndimming = -1", &["room.toml:16:11: ", "the dimming is -1"]);
     refused("position = [2, 2, 2.5]\n", "", &["the key \"position\" is missing", "three numbers"]);
-    refused("flux = 1000", "flux = [1, 2, 3]", &["the flux takes one number for all bands or 1, one per band"]);
+    refused(
+        "flux = 1000",
+        "flux = [1, 2, 3]",
+        &["the flux takes one number for all bands or 1, one per band"],
+    );
     let twin = "point = {}\n[[luminaires]]\nname = \"lamp\"\nposition = [1, 1, 1]\nflux = 1\npoint = {}";
     refused("point = {}", twin, &["room.toml:17:8: ", "the name \"lamp\" is given twice", "line 11"]);
 }
 
 #[test]
 fn wrong_photometric_files_are_refused() {
-    refused("point = {}", "photometry = \"none.ies\"", &["room.toml:15:14: ", "\"none.ies\" cannot be read", "help: check the path"]);
+    refused(
+        "point = {}",
+        "photometry = \"none.ies\"",
+        &["room.toml:15:14: ", "\"none.ies\" cannot be read", "help: check the path"],
+    );
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("lamp.ies"), TABLE.replace("100 50", "100 x")).unwrap();
     let scene = ROOM.replace("point = {}", "photometry = \"lamp.ies\"");
@@ -129,4 +163,85 @@ fn check_warns_of_luminaires_that_light_nothing() {
     fs::write(folder.path().join("lamp.ies"), TABLE).unwrap();
     let table = ROOM.replace("point = {}", "photometry = \"lamp.ies\"").replace("unit = \"lx\"\n", "");
     assert!(warned(&table).contains("state unit = \"lx\""), "{}", warned(&table));
+}
+
+/// A sky and an opening in the place of the lamp.
+const SKY: &str = r#"bands = ["lm"]
+[sky]
+model = "overcast"
+illuminance = 10000
+[materials.glass]
+reflectance = 0.1
+[[surfaces]]
+name = "window"
+material = "glass"
+opening = true
+quad = { vertices = [[0, 1, 1], [0, 2, 1], [0, 2, 2], [0, 1, 2]] }
+"#;
+
+#[test]
+fn wrong_skies_are_refused_at_their_place() {
+    let refused = |old: &str, new: &str, parts: &[&str]| {
+        assert!(SKY.contains(old), "{old}");
+        let folder = tempfile::tempdir().unwrap();
+        let (code, _, error) = run(folder.path(), &SKY.replace(old, new), &["check", "room.toml"]);
+        assert_eq!(code, Some(2), "{error}");
+        parts.iter().for_each(|part| assert!(error.contains(part), "{part:?} is not in:\n{error}"));
+    };
+    refused("opening = true\n", "", &["room.toml:2:1: sky: no surface is an opening", "help: give a window"]);
+    let (sky, window) = ("[sky]\nmodel = \"overcast\"\nilluminance = 10000\n", "surface \"window\": ");
+    refused(sky, "", &["room.toml:7:11: ", window, "there is no sky", "help: add [sky]"]);
+    refused(
+        "overcast",
+        "cloudy",
+        &["room.toml:3:9: sky: there is no sky \"cloudy\"", "uniform, overcast, clear"],
+    );
+    refused("overcast", "clear", &["sky: the key \"sun\" is missing", "elevation"]);
+    refused("10000", "-1", &["room.toml:4:15: sky: the illuminance is -1"]);
+    refused("10000", "0", &["sky: the illuminance of the sky is 0"]);
+    let sun = |elevation: &str| format!("10000\nsun = {{ elevation = {elevation}, azimuth = 180 }}");
+    refused(
+        "10000",
+        &sun("-5"),
+        &["room.toml:5:7: sky: the sun is not above the horizon", "help: give an elevation"],
+    );
+    refused("10000", "10000\nground = 1", &["the reflectance is 1"]);
+    refused(
+        "opening = true",
+        "glass = { panes = 9 }",
+        &["room.toml:10:9: ", window, "the number of panes is 9"],
+    );
+    refused(
+        "opening = true",
+        "glass = { transmittance = 0.95 }",
+        &[window, "the transmittance is", "0.918 of one pane"],
+    );
+    refused(
+        "opening = true",
+        "opening = true\ntwo_sided = true",
+        &["room.toml:10:11: ", window, "it has two sides"],
+    );
+    refused("reflectance = 0.1", "reflectance = 0.1\nemission = 1", &[window, "its material emits"]);
+    let quad = "quad = { vertices = [[0, 1, 1], [0, 2, 1], [0, 2, 2], [0, 1, 2]] }";
+    refused(
+        quad,
+        "sphere = { center = [0, 0, 0], radius = 1 }",
+        &[window, "it is curved", "help: make it of flat"],
+    );
+}
+
+#[test]
+fn what_takes_light_for_diffuse_refuses_a_sky() {
+    for option in [
+        ["--method", "hierarchical"],
+        ["--direct", "projected"],
+        ["--shadows", "mask"],
+        ["--kernel", "zatz1993"],
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let args = [&["solve", "room.toml", "-o", "out.json"], &option[..]].concat();
+        let (code, _, error) = run(folder.path(), SKY, &args);
+        assert_eq!(code, Some(2), "{error}");
+        assert!(error.contains("surface 'window' is an opening to a sky"), "{option:?}: {error}");
+    }
 }

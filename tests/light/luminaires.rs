@@ -71,7 +71,10 @@ fn a_sensor_that_faces_another_way_takes_its_own_cosine() {
     let square = (2.0 * DVec3::Z - x).length_squared();
     let found = direct(&scene, &[(x, towards), (x, tilted), (x, -towards)]);
     let exact = [100.0 / square, 100.0 / square * tilted.dot(towards), 0.0];
-    assert!(found.iter().zip(exact).all(|(found, exact)| (found - exact).abs() < 1e-12 * square), "{found:?}");
+    assert!(
+        found.iter().zip(exact).all(|(found, exact)| (found - exact).abs() < 1e-12 * square),
+        "{found:?}"
+    );
 }
 
 /// On a disk of radius R below a downlight arrives 2π I₀ / (n + 1) · (1 − cosⁿ⁺¹ γ_R).
@@ -110,14 +113,18 @@ fn means_over_cells_are_those_of_the_closed_form() {
         for cell in grid(&reader, [8, 8], Rates::default(), &|_, _| {}) {
             // The mean by a Gauss rule of 3 × 3 points on 4 × 4 parts.
             let side = 2.0 * half / 8.0;
-            let (nodes, weights) = ([-(0.6_f64.sqrt()), 0.0, 0.6_f64.sqrt()], [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0]);
+            let (nodes, weights) =
+                ([-(0.6_f64.sqrt()), 0.0, 0.6_f64.sqrt()], [5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0]);
             let place = |k: usize| {
                 let part = (k / 3) as f64;
                 (side * ((part + 0.5 + 0.5 * nodes[k % 3]) / 4.0 - 0.5), weights[k % 3] / 4.0)
             };
             let mut exact = 0.0;
-            for ((x, wx), (y, wy)) in (0..12).flat_map(|i| (0..12).map(move |j| (i, j))).map(|(i, j)| (place(i), place(j))) {
-                exact += wx * wy * downlight(peak, 1.0, h, f64::hypot(cell.position.x + x, cell.position.y + y));
+            for ((x, wx), (y, wy)) in
+                (0..12).flat_map(|i| (0..12).map(move |j| (i, j))).map(|(i, j)| (place(i), place(j)))
+            {
+                exact +=
+                    wx * wy * downlight(peak, 1.0, h, f64::hypot(cell.position.x + x, cell.position.y + y));
             }
             let found = cell.irradiance[0];
             assert!((found - exact).abs() < error * exact, "{read:?} {:?}: {found}, not {exact}", cell.index);
@@ -219,7 +226,8 @@ fn a_cosine_spot_is_the_limit_of_a_small_diffuse_emitter() {
     let panel = "[[surfaces]]\nmaterial = \"lamp\"\nflux = 1000\n\
         parallelogram = { origin = [1.995, 1.995, 2.2], edge1 = [0, 0.01, 0], edge2 = [0.01, 0, 0] }\n";
     let options = Options { shadow_eps: 3e-4, direct: Direct::Split, ..Options::default() };
-    let [spot, panel] = [spot, panel].map(|more| readings(&room(0.5, more), &options, Read::GatherTwice, By::Cells, 1e-4));
+    let [spot, panel] =
+        [spot, panel].map(|more| readings(&room(0.5, more), &options, Read::GatherTwice, By::Cells, 1e-4));
     for (spot, panel) in spot.iter().zip(&panel) {
         assert!((spot - panel).abs() < 2e-3 * panel, "{spot} {panel}");
     }
@@ -294,7 +302,8 @@ fn a_lambertian_table_is_a_lambertian_emitter() {
         let flux = scene.luminaires[0].flux(0);
         assert!((flux - 1000.0).abs() < 1e-6 * flux, "{flux}");
     }
-    let [table, spot] = scenes.each_ref().map(|scene| readings(scene, &options, Read::Gather, By::Cells, 1e-3));
+    let [table, spot] =
+        scenes.each_ref().map(|scene| readings(scene, &options, Read::Gather, By::Cells, 1e-3));
     for (table, spot) in table.iter().zip(&spot) {
         assert!((table - spot).abs() < 1e-6 * spot, "{table} {spot}");
     }

@@ -171,8 +171,7 @@ fn direct_light_is_exact_at_a_point() {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct =
-        DirectLight::new(&outcome.solution.emitters(), &visibility);
+    let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
     let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
     let lit: f64 = direct.at(floor, jet.position, jet.normal)[0];

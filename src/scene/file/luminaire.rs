@@ -54,7 +54,17 @@ impl StrengthFile {
 pub(in crate::scene) const PHOTOMETRY: &str = "photometry";
 
 const LUMINAIRE_KEYS: [&str; 11] = [
-    "name", "position", "aim", "along", "flux", "intensity", "group", "dimming", "point", "spot", PHOTOMETRY,
+    "name",
+    "position",
+    "aim",
+    "along",
+    "flux",
+    "intensity",
+    "group",
+    "dimming",
+    "point",
+    "spot",
+    PHOTOMETRY,
 ];
 
 /// The list of luminaires; `prefix` stands before the names of those that are given none.

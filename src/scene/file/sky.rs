@@ -56,7 +56,8 @@ pub(in crate::scene) fn read_sky(node: &Node) -> Result<SkyFile, Located> {
 
 fn model(node: &Node) -> Result<SkyModel, Located> {
     let name = text(node)?;
-    let models = [("uniform", SkyModel::Uniform), ("overcast", SkyModel::Overcast), ("clear", SkyModel::Clear)];
+    let models =
+        [("uniform", SkyModel::Uniform), ("overcast", SkyModel::Overcast), ("clear", SkyModel::Clear)];
     let found = models.iter().find(|(own, _)| *own == name.value);
     found.map(|(_, model)| *model).ok_or_else(|| {
         let known = models.iter().map(|(own, _)| *own).collect();

@@ -52,7 +52,17 @@ fn given(node: &Node) -> Option<String> {
 }
 
 const SURFACE_KEYS: [&str; 11] = [
-    "name", "material", "group", "flux", "opening", "glass", "order", "subdivide", "two_sided", "flip", "transform",
+    "name",
+    "material",
+    "group",
+    "flux",
+    "opening",
+    "glass",
+    "order",
+    "subdivide",
+    "two_sided",
+    "flip",
+    "transform",
 ];
 
 /// A surface, called `unnamed` if it is given no name.
