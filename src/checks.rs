@@ -12,8 +12,11 @@
 //! reflected at least once, and the lost power is
 //!
 //! ```text
-//! ∫(E₀ − D) dA + ∫(ρD − g) dA + ⟨ρS, c − G c⟩ .
+//! Φ + ∫(E₀ − D) dA + ∫(ρD − g) dA + ⟨ρS, c − G c⟩ ,
 //! ```
+//!
+//! with the flux Φ of the luminaires. Where luminaires shine and nothing is split off it is ⟨b, c − G c⟩ + Φ − ∫ L dA, with their
+//! irradiance L.
 //!
 //! Either way the lost power in a closed room shows how well the integrals agree.
 
@@ -24,7 +27,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
-use crate::light::first_bounce::Bounce;
+use crate::light::first_bounce::Entry;
 use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
 use crate::transport::Carrier;
@@ -64,10 +67,12 @@ pub struct Checks {
 }
 
 impl Checks {
-    /// The checks of a solution computed with `blocks`, and with `bounce` where direct light was split off.
-    pub fn of(solution: &Solution, blocks: &dyn Carrier, bounce: Option<&Bounce>) -> Self {
-        let light: Vec<Lit<'_>> = solution.bands().iter().map(lit).collect();
-        let powers = Balance::of(solution.elements(), blocks).powers(&light, bounce);
+    /// The checks of a solution computed with `blocks`, into which direct light entered by `entry`.
+    pub fn of(solution: &Solution, blocks: &dyn Carrier, entry: &Entry) -> Self {
+        let points = solution.emitters().points;
+        let bands = solution.bands().iter().enumerate();
+        let light: Vec<Lit<'_>> = bands.map(|(index, band)| lit(band, points.flux(index))).collect();
+        let powers = Balance::of(solution.elements(), blocks).powers(&light, entry);
         Self::with_powers(solution, blocks, powers)
     }
 
@@ -114,8 +119,8 @@ impl Checks {
     }
 }
 
-fn lit(band: &Band) -> Lit<'_> {
-    Lit { coating: &band.coating, coefficients: &band.coefficients }
+fn lit(band: &Band, flux: f64) -> Lit<'_> {
+    Lit { coating: &band.coating, flux, coefficients: &band.coefficients }
 }
 
 fn closure(which: &[usize], starts: &[usize], ones: &[f64], open: &[f64]) -> f64 {
@@ -242,7 +247,7 @@ mod tests {
             let scaled: Vec<f64> = values.iter().map(|value| factor(row, column) * value).collect();
             blocks.push(row, column, &scaled);
         }
-        Checks::of(&outcome.solution, &blocks, None)
+        Checks::of(&outcome.solution, &blocks, &Entry::Carried)
     }
 
     #[test]

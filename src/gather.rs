@@ -49,7 +49,7 @@ impl<'a> Gather<'a> {
     /// The light of `solution`, gathered to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
         let (list, coatings) = (solution.elements().list(), solution.coatings());
-        let direct = DirectLight::within(list, &coatings, visibility, eps);
+        let direct = DirectLight::within(&solution.emitters(), visibility, eps);
         let lit = |element: usize, node: &Node| {
             let mut lit = direct.at(element, node.position, node.normal);
             add_indirect(solution, element, node, &mut lit);

@@ -10,6 +10,7 @@ pub mod warning;
 pub mod contact;
 mod front;
 mod gap;
+mod luminaires;
 
 pub use contact::Contact;
 pub use shell::{Fronts, Shell};
@@ -51,6 +52,7 @@ impl Inspection {
         let shells: Vec<Shell> = groups.iter().filter_map(|group| shell::shell(&sheets, group)).collect();
         let mut warnings = light(scene);
         warnings.extend(scene.surfaces.iter().filter_map(material));
+        warnings.extend(luminaires::odd(scene));
         warnings.extend(contacts.iter().filter_map(|found| contact::intrusion(scene, &lying, found)));
         warnings.extend(gap::gaps(scene, &sheets, &rims, &contacts));
         warnings.extend(front::turned(&sheets, &groups));
@@ -62,10 +64,9 @@ impl Inspection {
 }
 
 fn light(scene: &Scene) -> Vec<Warning> {
-    let emits = scene.surfaces.iter().any(|surface| surface.material.emits());
-    let dark = "no surface emits light: give a material an emission above 0";
+    let dark = "nothing emits light: give a material an emission above 0, or add luminaires";
     let unseen = "there is no camera for a picture: add a [camera] with eye and target";
-    let dark = (!emits).then(|| Warning::general("no-emitter", dark));
+    let dark = (!scene.emits()).then(|| Warning::general("no-emitter", dark));
     let unseen = scene.camera.is_none().then(|| Warning::general("no-camera", unseen));
     dark.into_iter().chain(unseen).collect()
 }

@@ -5,7 +5,8 @@
 //! E(x) = ∫ κ(x, y) V(x, y) B(y) dA_y ≈ Σ_cells F_c B̄_c ,     B̄_c = Σ_a w_a κ_a V_a B_a / Σ_a w_a κ_a V_a
 //! ```
 //!
-//! Every element is a tree of `cell`s that hold B at 2 × 2 Gauss points each. Each receiver point x traverses the trees
+//! Luminaires are points: their irradiance has a closed form, and one ray tells whether it arrives (`point_lights`). The
+//! rest is about elements. Every element is a tree of `cell`s that hold B at 2 × 2 Gauss points each. Each receiver point x traverses the trees
 //! (`traversal`). The form factor F_c of a cell depends on the cell and its blockers:
 //!
 //! * no blocker, far from x: the Gauss rule, F_c B̄_c = Σ_a w_a κ_a B_a;
@@ -29,6 +30,8 @@ pub(crate) mod occluders;
 pub mod receiver_point;
 pub(crate) mod lamps;
 pub(crate) mod lines;
+pub mod point_lights;
+pub mod emitters;
 pub(crate) mod area_light;
 pub(crate) mod blockers;
 pub(crate) mod traversal;
@@ -37,4 +40,4 @@ mod lamp_cells;
 pub(crate) mod penumbra;
 pub(crate) mod coats;
 pub(crate) mod reflected;
-pub(crate) mod first_bounce;
+pub mod first_bounce;

@@ -23,6 +23,11 @@ mod sensor_plane;
 mod camera;
 mod stacked;
 mod light_group;
+mod distribution;
+mod luminaire;
+mod sky;
+mod glass;
+mod outlook;
 mod thermal;
 mod surface;
 mod draft;
@@ -60,17 +65,22 @@ use radiosity_geom::DVec3;
 pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
+pub use distribution::Distribution;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
 pub use fitted::{Fitted, Lying};
+pub use glass::Glass;
 pub use import::Import;
 pub use imported::Imported;
 pub use light_group::LightGroup;
+pub use luminaire::{Luminaire, Strength};
 pub use material::Material;
+pub use outlook::{Opening, Outlook};
 pub use print::Notation;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use schema::schema;
 pub use sensor_plane::SensorPlane;
+pub use sky::{Sky, SkyModel, Sun};
 pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
@@ -105,6 +115,8 @@ pub struct Scene {
     pub fitted: Fitted,
     /// The surfaces in the order they are given; the back of a two-sided one follows its front.
     pub surfaces: Vec<SceneSurface>,
+    /// The luminaires in the order they are given.
+    pub luminaires: Vec<Luminaire>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
     /// Variables of the text with their values, in its order.
@@ -281,9 +293,15 @@ impl Scene {
             export.camera(camera, self.middle);
         }
         let placed = instances::placed(&file.content, &file.parts, source)?;
-        placed.iter().try_for_each(|placed| export.add(placed))?;
+        placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
         let mut model = export.finish()?;
         model.title = self.title.clone();
+        if self.surfaces.iter().any(|surface| surface.outlook.is_some()) {
+            model.note("openings to the sky become diffuse emitters, and the sun is left out", None);
+        }
+        if !self.luminaires.is_empty() {
+            model.note("luminaires are left out", None);
+        }
         if !self.planes.is_empty() {
             model.note("planes of sensors are left out", None);
         }
@@ -343,7 +361,13 @@ impl Scene {
         builtin::ALL.iter().map(|scene| scene.name)
     }
 
-    /// Checks what only light needs: a material on every surface, and one that emits.
+    /// Whether anything in it sends light of its own: a surface or a luminaire.
+    pub fn emits(&self) -> bool {
+        self.surfaces.iter().any(|surface| surface.material.emits())
+            || self.luminaires.iter().any(Luminaire::emits)
+    }
+
+    /// Checks what only light needs: a material on every surface, and something that emits.
     ///
     /// # Errors
     /// [`Fault::MissingKey`] for a surface without material, [`Fault::NoMaterials`] if there cannot be any,
@@ -363,7 +387,7 @@ impl Scene {
                 fault: Fault::MissingKey { key: "material" },
             });
         }
-        match self.surfaces.iter().any(|surface| surface.material.emits()) {
+        match self.emits() {
             true => Ok(()),
             false => Err(whole_file(&self.origin, Fault::NoEmitter)),
         }
@@ -416,8 +440,14 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
-    let surfaces = instances::placed(&file.content, &file.parts, source)?;
-    let Surfaces { list, middle, fitted } = validation::surfaces(&surfaces, &materials, bands.len(), source)?;
+    let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose()?;
+    let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
+    let Surfaces { list, middle, fitted } =
+        validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
+    if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
+        return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
+    }
+    let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
         name: stem(&source.origin),
@@ -425,6 +455,7 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
         middle,
         fitted,
         surfaces: list,
+        luminaires: luminaires.into_iter().map(|own| own.about(middle)).collect(),
         bands,
         unit,
         variables,

@@ -16,6 +16,8 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
+use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 use crate::system::Coefficients;
 use crate::zatz1993::masked_light::MaskedLight;
@@ -39,6 +41,10 @@ pub struct Place {
 pub struct Solution {
     elements: Arc<Elements>,
     bands: Vec<Band>,
+    /// The luminaires and the sun, at their factors.
+    points: PointLights,
+    /// What openings to a sky see.
+    outlooks: Outlooks,
     masked: Option<MaskedLight>,
     /// The light of each group, where the scene has any.
     groups: Arc<[GroupLight]>,
@@ -93,10 +99,18 @@ fn factors(scene: &Scene, groups: &[GroupLight]) -> Vec<f64> {
 }
 
 impl Solution {
-    /// The solution of all bands over `elements`.
+    /// The solution of all bands over `elements`, in a scene without luminaires and sky.
     pub fn new(elements: impl Into<Arc<Elements>>, bands: Vec<Band>) -> Self {
         let elements = elements.into();
-        Self { elements, bands, masked: None, groups: Arc::default(), powers: None }
+        Self {
+            elements,
+            bands,
+            points: PointLights::default(),
+            outlooks: Outlooks::default(),
+            masked: None,
+            groups: Arc::default(),
+            powers: None,
+        }
     }
 
     /// Other light over the same elements.
@@ -115,24 +129,25 @@ impl Solution {
         let factors = factors(scene, &groups);
         let coating = |band: usize| Coating::of(scene, elements.list(), band);
         let lit: Vec<(f64, &GroupLight)> = factors.into_iter().zip(groups.iter()).collect();
-        let whole = Self::together(Arc::clone(&elements), scene, &lit, &coating);
+        let whole = Self::together(Arc::clone(&elements), scene, &lit, (&coating, PointLights::of(scene)));
         let is_apart = groups.iter().any(|group| group.group.is_some());
         Self { groups: if is_apart { groups } else { Arc::default() }, ..whole }
     }
 
     /// The light of one of its groups alone ([`Solution::groups`]), not dimmed, in the scene of this solution.
     pub fn of_group(&self, scene: &Scene, group: &GroupLight) -> Self {
-        let coating =
-            |band: usize| Coating::of_group(scene, self.elements.list(), band, group.group.as_deref());
-        Self::together(Arc::clone(&self.elements), scene, &[(1.0, group)], &coating)
+        let name = group.group.as_deref();
+        let coating = |band: usize| Coating::of_group(scene, self.elements.list(), band, name);
+        let points = PointLights::of_group(scene, name);
+        Self::together(Arc::clone(&self.elements), scene, &[(1.0, group)], (&coating, points))
     }
 
-    /// The light of groups at these factors, with the coating of each band.
+    /// The light of groups at these factors, with the coating of each band and the luminaires.
     fn together(
         elements: Arc<Elements>,
         scene: &Scene,
         lit: &[(f64, &GroupLight)],
-        coating: &dyn Fn(usize) -> Coating,
+        (coating, points): (&dyn Fn(usize) -> Coating, PointLights),
     ) -> Self {
         let factors: Vec<f64> = lit.iter().map(|(factor, _)| *factor).collect();
         let bands: Vec<Band> = (0..scene.bands.len())
@@ -149,7 +164,8 @@ impl Solution {
         let masked = MaskedLight::together(masks);
         let powers = lit.iter().map(|(factor, group)| *factor * group.powers);
         let powers = powers.reduce(|sum, part| sum + part);
-        Self { elements, bands, masked, groups: Arc::default(), powers }
+        let outlooks = Outlooks::of(scene);
+        Self { elements, bands, points, outlooks, masked, groups: Arc::default(), powers }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
@@ -188,6 +204,16 @@ impl Solution {
     /// Reflectance and exitance per element, band after band.
     pub fn coatings(&self) -> Vec<&Coating> {
         self.bands.iter().map(|band| &band.coating).collect()
+    }
+
+    /// What emits: the elements with their coatings, and the luminaires.
+    pub fn emitters(&self) -> Emitters<'_> {
+        Emitters {
+            elements: self.elements.list(),
+            coatings: self.coatings(),
+            outlooks: &self.outlooks,
+            points: &self.points,
+        }
     }
 
     /// Irradiance (W m⁻²) of one band on element `element`, at a place of its surface.

@@ -20,8 +20,15 @@
 //! (I − √ρ G √ρ) z = √ρ g ,     h = d + s ,     b = e + ρ h .
 //! ```
 //!
-//! Both are one system: the radiosity is a known part, e (or e + ρ d), plus the unknown √ρ y (or √ρ z); the irradiance
-//! is a known part, 0 (or d), plus that of the first transport, G e (or g), plus G times the unknown radiosity.
+//! Where luminaires shine and nothing is split off, the coefficients l of their irradiance are known, and
+//!
+//! ```text
+//! (I − √ρ G √ρ) y = √ρ G (e + ρ l) ,     b = e + ρ l + √ρ y ,     h = l + G b .
+//! ```
+//!
+//! All are one system: the radiosity is a known part, e (or e + ρ l, or e + ρ d), plus the unknown √ρ y (or √ρ z); the
+//! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
+//! the unknown radiosity.
 
 use std::borrow::Cow;
 use std::collections::HashMap;
@@ -32,6 +39,7 @@ use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, Spa
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
+use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
 
 /// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
@@ -47,11 +55,13 @@ pub struct System<'a> {
     /// Elements with ρ > 0, ascending: the blocks of unknowns.
     reflecting: Vec<usize>,
     emitted: Vec<f64>,
-    /// Known radiosity: e, or e + ρ d.
+    /// Known radiosity: e, e + ρ l, or e + ρ d.
     known: Vec<f64>,
-    /// Irradiance that does not come from the radiosity of this system: d if direct light is split off.
-    split: Option<Vec<f64>>,
-    /// Irradiance of the first transport: G e, or g.
+    /// Irradiance that G does not carry: l of luminaires, or d if direct light is split off.
+    apart: Option<Vec<f64>>,
+    /// Irradiance that comes straight from emitters: G e, l + G e, or d.
+    direct: Vec<f64>,
+    /// Irradiance of the first transport: G e, G (e + ρ l), or g.
     first: Vec<f64>,
 }
 
@@ -60,11 +70,13 @@ pub struct System<'a> {
 pub struct Coefficients {
     /// h of the irradiance.
     pub irradiance: Vec<f64>,
-    /// The part of h that comes straight from the emitters: G e, or d where direct light was split off.
+    /// The part of h that comes straight from the emitters: G e, l + G e where luminaires shine, or d where direct light
+    /// was split off.
     pub direct: Vec<f64>,
     /// b of the radiosity, b = e + ρ h.
     pub radiosity: Vec<f64>,
-    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; 0 if nothing emits.
+    /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the known
+    /// radiosity where only luminaires shine; 0 if nothing does.
     pub residual: f64,
 }
 
@@ -88,11 +100,37 @@ impl<'a> System<'a> {
         let emitted = emitted(elements, coating);
         let (known, first) = (emitted.clone(), blocks.apply(&emitted));
         let reflecting = reflecting(coating);
-        Self { elements, blocks, coating, reflecting, emitted, known, split: None, first }
+        let direct = first.clone();
+        Self { elements, blocks, coating, reflecting, emitted, known, apart: None, direct, first }
+    }
+
+    /// The system of band number `band`, into which direct light enters in this way.
+    pub fn entered(
+        elements: &'a [Element],
+        blocks: &'a Blocks,
+        (band, coating): (usize, &'a Coating),
+        entry: &Entry,
+    ) -> Self {
+        match entry {
+            Entry::Carried => Self::new(elements, blocks, coating),
+            Entry::Lit(lit) => Self::lit(elements, blocks, coating, lit[band].clone()),
+            Entry::Split(Bounce { direct, reflected }) => {
+                Self::split(elements, blocks, coating, direct[band].clone(), reflected[band].clone())
+            }
+        }
+    }
+
+    /// The system with luminaires, whose irradiance has the coefficients `lit`.
+    fn lit(elements: &'a [Element], blocks: &'a Blocks, coating: &'a Coating, lit: Vec<f64>) -> Self {
+        let emitted = emitted(elements, coating);
+        let known = radiosity(elements, coating, &lit);
+        let (direct, first) = (sum(&lit, &blocks.apply(&emitted)), blocks.apply(&known));
+        let (reflecting, apart) = (reflecting(coating), Some(lit));
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first }
     }
 
     /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
-    pub fn split(
+    fn split(
         elements: &'a [Element],
         blocks: &'a Blocks,
         coating: &'a Coating,
@@ -101,8 +139,8 @@ impl<'a> System<'a> {
     ) -> Self {
         let emitted = emitted(elements, coating);
         let known = radiosity(elements, coating, &direct);
-        let reflecting = reflecting(coating);
-        Self { elements, blocks, coating, reflecting, emitted, known, split: Some(direct), first: once }
+        let (reflecting, apart) = (reflecting(coating), Some(direct.clone()));
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first: once }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -175,7 +213,7 @@ impl<'a> System<'a> {
         BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 
-    /// √ρ G e, or √ρ g, on the reflecting elements.
+    /// √ρ times the irradiance of the first transport, on the reflecting elements.
     pub fn right_hand_side(&self) -> Vec<f64> {
         self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.first[offset])
     }
@@ -187,7 +225,8 @@ impl<'a> System<'a> {
         self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * absolute[offset])
     }
 
-    /// Radiosity and irradiance from the unknowns: h = G (e + √ρ y), or h = d + g + G √ρ z; then b = e + ρ h.
+    /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times the unknown
+    /// radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let mut unknown = vec![0.0; self.known.len()];
         let mut next = unknowns.iter();
@@ -196,17 +235,19 @@ impl<'a> System<'a> {
             unknown[self.range(*i)].iter_mut().zip(&mut next).for_each(|(b, y)| *b = root * y);
         }
         let solved = sum(&self.known, &unknown);
-        let (irradiance, direct) = match &self.split {
-            None => (self.blocks.apply(&solved), &self.first),
-            Some(direct) => {
-                let reflected = sum(&self.first, &self.blocks.apply(&unknown));
-                (sum(direct, &reflected), direct)
+        let irradiance = match &self.apart {
+            None => self.blocks.apply(&solved),
+            Some(apart) => {
+                let carried = sum(&self.first, &self.blocks.apply(&unknown));
+                sum(apart, &carried)
             }
         };
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
-        let (difference, scale) = (distance(&solved, &radiosity), norm(&self.emitted));
+        let emits = self.emitted.iter().any(|e| *e != 0.0);
+        let scale = norm(if emits { &self.emitted } else { &self.known });
+        let difference = distance(&solved, &radiosity);
         let residual = if scale > 0.0 { difference / scale } else { 0.0 };
-        Coefficients { irradiance, direct: direct.clone(), radiosity, residual }
+        Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
     }
 
     /// Coefficients e of the emitted exitance.

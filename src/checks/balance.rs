@@ -2,7 +2,7 @@
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
-use crate::light::first_bounce::Bounce;
+use crate::light::first_bounce::{Bounce, Entry};
 use crate::solution::powers::Powers;
 use crate::system::Coefficients;
 use crate::transport::Carrier;
@@ -22,6 +22,8 @@ pub struct Balance {
 pub struct Lit<'a> {
     /// Reflectance and exitance.
     pub coating: &'a Coating,
+    /// Flux of the luminaires (W).
+    pub flux: f64,
     /// The solution.
     pub coefficients: &'a Coefficients,
 }
@@ -35,26 +37,34 @@ impl Balance {
         Self { starts: blocks.starts().to_vec(), ones, lost }
     }
 
-    /// Powers, summed over the bands of `light` with compensation, since their balance is a check; `bounce` where direct
-    /// light was split off.
-    pub fn powers(&self, light: &[Lit<'_>], bounce: Option<&Bounce>) -> Powers {
+    /// Powers, summed over the bands of `light` with compensation, since their balance is a check; direct light entered
+    /// by `entry`.
+    pub fn powers(&self, light: &[Lit<'_>], entry: &Entry) -> Powers {
         let mut sums = [Compensated::default(); 3];
-        for (index, Lit { coating, coefficients }) in light.iter().enumerate() {
+        for (index, Lit { coating, flux, coefficients }) in light.iter().enumerate() {
             let Coefficients { irradiance, radiosity, .. } = coefficients;
-            let split = bounce.map(|bounce| (&bounce.direct[index], &bounce.reflected[index]));
+            sums[0].add(*flux);
+            // What of it arrives is taken off below.
+            sums[2].add(*flux);
             for (i, range) in self.starts.windows(2).enumerate() {
                 let (exitance, reflectance) = (coating.exitance[i], coating.reflectance[i]);
                 for k in range[0]..range[1] {
                     let (one, lost) = (self.ones[k], self.lost[k]);
                     sums[0].add(exitance * one * one);
                     sums[1].add((1.0 - reflectance) * one * irradiance[k]);
-                    let Some((direct, once)) = split else {
-                        sums[2].add(radiosity[k] * lost);
-                        continue;
-                    };
-                    sums[2].add(one * (exitance * one - direct[k]));
-                    sums[2].add(one * (reflectance * direct[k] - once[k]));
-                    sums[2].add(reflectance * (irradiance[k] - direct[k]) * lost);
+                    match entry {
+                        Entry::Carried => sums[2].add(radiosity[k] * lost),
+                        Entry::Lit(lit) => {
+                            sums[2].add(radiosity[k] * lost);
+                            sums[2].add(-one * lit[index][k]);
+                        }
+                        Entry::Split(Bounce { direct, reflected }) => {
+                            let (direct, once) = (direct[index][k], reflected[index][k]);
+                            sums[2].add(one * (exitance * one - direct));
+                            sums[2].add(one * (reflectance * direct - once));
+                            sums[2].add(reflectance * (irradiance[k] - direct) * lost);
+                        }
+                    }
                 }
             }
         }

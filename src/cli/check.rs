@@ -10,7 +10,7 @@ use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
 use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Warning};
-use radiosity::scene::{Camera, Imported, Lying, Scene, SceneSurface, SensorPlane};
+use radiosity::scene::{Camera, Distribution, Imported, Luminaire, Lying, Scene, SceneSurface, SensorPlane};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
@@ -94,6 +94,14 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     for shell in &inspection.shells {
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
     }
+    let openings = scene.surfaces.iter().filter(|surface| surface.outlook.is_some());
+    let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
+    if !openings.is_empty() {
+        writeln!(text, "openings to the sky: {}", listed(&openings))?;
+    }
+    if !scene.luminaires.is_empty() {
+        writeln!(text, "{}", luminaire_table(scene))?;
+    }
     match &scene.camera {
         Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
         None => writeln!(text, "camera: none")?,
@@ -137,6 +145,46 @@ fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
         ]);
     }
     table
+}
+
+fn luminaire_table(scene: &Scene) -> Table {
+    let mut table = Table::new(["luminaire", "light", "position", "aim", "flux"]);
+    for own in &scene.luminaires {
+        let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
+        table.row([
+            own.name.clone(),
+            distribution(&own.distribution),
+            vector((own.position + scene.middle).to_array()),
+            vector(own.aim.to_array()),
+            numbers(&flux),
+        ]);
+    }
+    table
+}
+
+fn distribution(distribution: &Distribution) -> String {
+    match distribution {
+        Distribution::Point => "point".to_owned(),
+        Distribution::Power { exponent } => format!("spot, exponent {exponent}"),
+        Distribution::Cone { angle, edge } => format!("spot, {angle}°, edge {edge}°"),
+        Distribution::Table(table) if table.name.is_empty() => "table".to_owned(),
+        Distribution::Table(table) => format!("table of {}", table.name),
+    }
+}
+
+/// Six digits.
+fn rounded(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
+
+fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
+    json!({
+        "name": own.name, "light": distribution(&own.distribution), "position": (own.position + scene.middle).to_array(),
+        "aim": own.aim.to_array(), "along": own.along.to_array(),
+        "flux": (0..scene.bands.len()).map(|band| own.flux(band)).collect::<Vec<f64>>(),
+        "intensity": own.strength.iter().map(|strength| strength * own.distribution.peak()).collect::<Vec<f64>>(),
+        "group": own.group.as_ref().map(|group| &group.name),
+    })
 }
 
 /// One row for each surface and way of touching, each contact named once.
@@ -209,7 +257,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+            "emission": surface.material.emission, "opening": surface.outlook.is_some(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {
@@ -242,6 +290,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
         "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
+        "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
     })
 }

@@ -4,6 +4,7 @@ use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
 use radiosity::elements::ElementError;
 use radiosity::heat::HeatError;
+use radiosity::hierarchy::HierarchyError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::output::vtu::VtuError;
@@ -182,9 +183,14 @@ impl CliError {
             | CliError::Heat(_)
             | CliError::Vtu { .. }
             | CliError::Refused { .. } => ExitCode::from(2),
-            CliError::Solve(Failure::Elements(_) | Failure::NoChart { .. } | Failure::Memory { .. }) => {
-                ExitCode::from(2)
-            }
+            CliError::Solve(
+                Failure::Elements(_)
+                | Failure::NoChart { .. }
+                | Failure::Unmasked { .. }
+                | Failure::NotDiffuse { .. }
+                | Failure::Hierarchy(HierarchyError::Luminaire { .. } | HierarchyError::Opening { .. })
+                | Failure::Memory { .. },
+            ) => ExitCode::from(2),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Missed { .. } => ExitCode::from(3),
             CliError::LooksWrong { .. }

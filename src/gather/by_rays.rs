@@ -17,6 +17,8 @@
 //! standard deviation s of their mean; rays are doubled until s is below the accuracy asked for, or many times the usual
 //! number are sent.
 //!
+//! The light of luminaires at x is exact ([`crate::light::point_lights`]); E₁(y) has that of one of them, by a ray.
+//!
 //! Gathered twice, E₁(y) is itself estimated so, by one ray of either kind.
 //!
 //! References: P. Shirley, C. Wang, K. Zimmerman, *Monte Carlo techniques for direct lighting calculations*, ACM TOG 15
@@ -30,7 +32,9 @@ use radiosity_geom::{DVec3, Encounter, Ray};
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::gather::scale::scales;
+use crate::light::emitters::Outlooks;
 use crate::light::lamps::{Lamps, Shares, Target};
+use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
 use crate::sampling::lambert::lambert;
@@ -119,6 +123,8 @@ pub struct RayGather<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
     lamps: Lamps,
+    outlooks: &'a Outlooks,
+    points: &'a PointLights,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
     eps: f64,
@@ -169,7 +175,8 @@ impl<'a> RayGather<'a> {
         let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COVERED * visibility.bounds().diagonal();
-        Self { solution, visibility, lamps, scale, eps, touching, twice }
+        let (outlooks, points) = (solution.emitters().outlooks, solution.emitters().points);
+        Self { solution, visibility, lamps, outlooks, points, scale, eps, touching, twice }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
@@ -216,11 +223,15 @@ impl<'a> RayGather<'a> {
         let number = number_of(position.into_iter().chain(normal));
         let bands = self.scale.len();
         let mut sums = vec![0.0; BATCHES * bands];
+        let lit = shares.and(self.lit(start));
         let (mut sent, mut now) = (0, first);
         loop {
             for (batch, sums) in sums.chunks_exact_mut(bands).enumerate() {
                 let own = number.wrapping_add(batch as u64);
                 self.send_around(start, shares, own, sent..sent + now, sums);
+                if shares.is_some() {
+                    self.add_points(start, lit.as_deref(), own, sent..sent + now, sums);
+                }
                 if let Some(shares) = shares.filter(|shares| !shares.is_empty()) {
                     let [first, end] = [sent, sent + now].map(|count| (count as f64 * TO_LAMPS) as u64);
                     self.send_to_lamps(start, shares, own, first..end, sums);
@@ -326,6 +337,7 @@ impl<'a> RayGather<'a> {
             }
             Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
         }
+        let weight = weight * self.outlooks.relative(surface, -direction);
         for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
             let coating = &band.coating;
             *out += coating.reflectance[element] * irradiance + weight * coating.exitance[element];
@@ -352,8 +364,15 @@ impl<'a> RayGather<'a> {
         irradiance.iter_mut().zip(held).for_each(|(sum, held)| *sum += factor * held.max(0.0));
     }
 
-    /// Adds an estimate of the direct light by one ray.
+    /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
     fn add_direct(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.points.add_one(
+            vantage,
+            self.visibility,
+            1.0,
+            number_of([f64::from_bits(chance), 1.0]),
+            irradiance,
+        );
         let shares = self.lamps.seen_from(vantage);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
@@ -361,8 +380,15 @@ impl<'a> RayGather<'a> {
         }
     }
 
-    /// Adds an estimate of the irradiance by one ray of either kind.
+    /// Adds an estimate of the irradiance by one ray of each kind.
     fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        self.points.add_one(
+            vantage,
+            self.visibility,
+            1.0,
+            number_of([f64::from_bits(chance), 1.0]),
+            irradiance,
+        );
         let shares = self.lamps.seen_from(vantage);
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
@@ -371,6 +397,37 @@ impl<'a> RayGather<'a> {
         if !shares.is_empty() {
             let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(vantage, &shares.target([choice, s, t]), balance, 1.0, irradiance);
+        }
+    }
+
+    /// The light of the luminaires at a receiver that is a point.
+    fn lit(&self, start: &Start) -> Option<Vec<f64>> {
+        let Start::Point(vantage) = start else { return None };
+        let mut lit = vec![0.0; self.scale.len()];
+        self.points.add(vantage, self.visibility, &mut lit);
+        Some(lit)
+    }
+
+    /// Adds the light of the luminaires for the cosine-distributed rays of these numbers: `lit` at a point; over a patch that
+    /// of a ray from each point where one of those starts.
+    fn add_points(
+        &self,
+        start: &Start,
+        lit: Option<&[f64]>,
+        number: u64,
+        rays: Range<u64>,
+        sums: &mut [f64],
+    ) {
+        if let Some(lit) = lit {
+            let count = (rays.end - rays.start) as f64;
+            sums.iter_mut().zip(lit).for_each(|(sum, lit)| *sum += count * lit);
+            return;
+        }
+        let [s, t] = shift(number);
+        for index in rays {
+            let (vantage, weight) = start.at(shifted(kronecker::point(index), &[s, t]));
+            let chance = number_of([f64::from_bits(number), index as f64, 1.0]);
+            self.points.add_one(&vantage, self.visibility, weight, chance, sums);
         }
     }
 
@@ -400,6 +457,9 @@ impl<'a> RayGather<'a> {
             return;
         }
         let share = scale * weight * kernel / (balance.cosine * kernel + balance.to_lamps * target.density);
+        let surface = self.solution.elements().list()[target.element].surface;
+        let into = (vantage.position - node.position).normalize_or_zero();
+        let share = share * self.outlooks.relative(surface, into);
         for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
             *sum += share * band.coating.exitance[target.element];
         }

@@ -25,15 +25,17 @@ pub(super) fn all_emit(scene: &Scene, roles: &Roles) -> Scene {
     scene
 }
 
-/// The scene in the single band `heat` with this reflectance and emission for each role.
+/// The scene in the single band `heat`, without its luminaires and its sky, with this reflectance and emission for each role.
 pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64, f64)) -> Scene {
     let mut scene = scene.clone();
+    scene.luminaires.clear();
     scene.bands = vec!["heat".to_owned()];
     "W/m²".clone_into(&mut scene.unit);
     for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
         let (reflectance, emission) = coat(role);
         surface.material = Material { reflectance: vec![reflectance], emission: vec![emission] };
         surface.flux = None;
+        surface.outlook = None;
         surface.group = match role {
             Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
             _ => None,

@@ -42,6 +42,12 @@ pub fn solve_hierarchically(
     progress: &dyn Fn(Round),
 ) -> Result<Hierarchical, HierarchyError> {
     check(options)?;
+    if let Some(own) = scene.luminaires.iter().find(|own| own.emits()) {
+        return Err(HierarchyError::Luminaire { luminaire: own.name.clone() });
+    }
+    if let Some(own) = scene.surfaces.iter().find(|own| own.outlook.is_some()) {
+        return Err(HierarchyError::Opening { surface: own.name.clone() });
+    }
     let shapes = bare_shapes(scene);
     let whole = scene.surfaces.iter().map(|surface| surface.shape.clone()).collect();
     let mut work = Work { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };

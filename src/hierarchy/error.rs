@@ -13,6 +13,24 @@ pub enum HierarchyError {
         /// The range.
         wanted: &'static str,
     },
+    /// Light of luminaires, which links do not carry.
+    #[error(
+        "luminaire '{luminaire}': hierarchical radiosity carries the light of surfaces only: solve by the usual \
+         method, --method galerkin"
+    )]
+    Luminaire {
+        /// Name of the first luminaire that shines.
+        luminaire: String,
+    },
+    /// Light of a sky, which links do not carry.
+    #[error(
+        "surface '{surface}' is an opening to a sky: hierarchical radiosity carries diffuse light only: solve by the usual \
+         method, --method galerkin"
+    )]
+    Opening {
+        /// Name of the first opening.
+        surface: String,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {

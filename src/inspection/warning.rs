@@ -25,6 +25,11 @@ impl Warning {
         Warning { code, message: format!("surface {name:?} {message}"), surface: Some(name.to_owned()) }
     }
 
+    /// A warning about the luminaire `name`.
+    pub(super) fn of_luminaire(code: &'static str, name: &str, message: &str) -> Self {
+        Warning { code, message: format!("luminaire {name:?} {message}"), surface: None }
+    }
+
     /// A warning about the scene.
     pub(super) fn general(code: &'static str, message: &str) -> Self {
         Warning { code, message: message.to_owned(), surface: None }

@@ -1,9 +1,11 @@
 //! Direct light at a point, computed there instead of read from polynomials.
 //!
 //! ```text
-//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y        W m⁻²
+//! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y + Σ_l I_l cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
+//! from elements of the exitance E₀, times what openings to a sky send towards x over what a diffuse emitter would
+//! ([`crate::scene::Outlook`]), and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
 //! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
 //! ([`crate::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate::light`] are
 //! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
@@ -14,10 +16,12 @@ use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
-use crate::elements::coating::Coating;
+use crate::elements::patch::Node;
 use crate::light::area_light::AreaLight;
+use crate::light::emitters::Emitters;
 use crate::light::hierarchy::tree::Tree;
 use crate::light::occluders::{Occluders, Site};
+use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::light::traversal::Traversal;
 use crate::visibility::Visibility;
@@ -39,6 +43,7 @@ const FEW: usize = 40;
 #[derive(Debug)]
 pub struct DirectLight<'a> {
     elements: &'a [Element],
+    points: &'a PointLights,
     visibility: &'a Visibility,
     emitters: Vec<Emitter>,
     trees: Vec<Tree>,
@@ -59,35 +64,36 @@ struct Emitter {
 }
 
 impl<'a> DirectLight<'a> {
-    /// The direct light of `elements` with one coating per band, accurate to [`ACCURACY`] where it is not exact.
-    pub fn new(elements: &'a [Element], coatings: &[&Coating], visibility: &'a Visibility) -> Self {
-        Self::within(elements, coatings, visibility, ACCURACY)
+    /// The direct light of `sources`, accurate to [`ACCURACY`] where it is not exact.
+    pub fn new(sources: &Emitters<'a>, visibility: &'a Visibility) -> Self {
+        Self::within(sources, visibility, ACCURACY)
     }
 
     /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
-    pub fn within(
-        elements: &'a [Element],
-        coatings: &[&Coating],
-        visibility: &'a Visibility,
-        eps: f64,
-    ) -> Self {
+    pub fn within(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
+        let Emitters { elements, ref coatings, outlooks, points } = *sources;
         let emitter = |element: usize| {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[element]).collect();
             exitance.iter().any(|exitance| *exitance > 0.0).then_some(Emitter { element, exitance })
         };
         let emitters: Vec<Emitter> = (0..elements.len()).filter_map(emitter).collect();
-        let tree =
-            |emitter: &Emitter| Tree::uniform(&elements[emitter.element], emitter.exitance.iter().sum());
+        let tree = |emitter: &Emitter| {
+            let element = &elements[emitter.element];
+            let outlook = outlooks.of_surface(element.surface).cloned();
+            Tree::uniform(element, emitter.exitance.iter().sum()).seeing(outlook)
+        };
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
         let is_whole = |element: &Element| element.rect == Rect::FULL && element.contact.is_none();
         let lamp = |Emitter { element, .. }: &Emitter| {
             let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
+            outlooks.of_surface(element.surface).is_none().then_some(())?;
             AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
+        let surroundings = Vec::new();
         let mut light =
-            Self { elements, visibility, emitters, trees, lamps, surroundings: Vec::new(), bands, eps };
+            Self { elements, points, visibility, emitters, trees, lamps, surroundings, bands, eps };
         light.surroundings = elements.par_iter().map(|element| light.around(&Site::of(element))).collect();
         light
     }
@@ -116,6 +122,12 @@ impl<'a> DirectLight<'a> {
         self.irradiance_beside(&vantage, &self.surroundings[receiver], other)
     }
 
+    /// Irradiance (W m⁻²) per band at a node of element `receiver`, from elements alone.
+    pub(crate) fn of_elements_at(&self, receiver: usize, node: &Node) -> Vec<f64> {
+        let vantage = ReceiverPoint::on(self.elements[receiver].surface, node.position, node.normal);
+        self.add_elements(&vantage, &self.surroundings[receiver], vec![0.0; self.bands], 0.0)
+    }
+
     /// Possible occluders between the emitters and a site.
     pub fn around(&self, site: &Site) -> Occluders {
         let surroundings = Occluders::new(self.visibility, &self.trees, site);
@@ -127,14 +139,17 @@ impl<'a> DirectLight<'a> {
         surroundings.narrowed(self.visibility, &hulls, site)
     }
 
-    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far.
+    /// Whether direct light at a site has no shadows and varies little more than linearly, since all emitters are far;
+    /// never said where luminaires shine.
     pub fn is_smooth(&self, site: &Site, surroundings: &Occluders) -> bool {
         let own = Aabb::around(site.points.iter().copied());
         let gap = |tree: &Tree| {
             let apart = (own.min - tree.bounds.max).max(tree.bounds.min - own.max);
             apart.max(DVec3::ZERO).length()
         };
-        surroundings.is_clear() && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
+        self.points.is_empty()
+            && surroundings.is_clear()
+            && self.trees.iter().all(|tree| own.diagonal() < SMALL * gap(tree))
     }
 
     /// Irradiance (W m⁻²) per band straight from the emitters, at the point `vantage` of a site.
@@ -148,8 +163,20 @@ impl<'a> DirectLight<'a> {
         surroundings: &Occluders,
         other: &[f64],
     ) -> Vec<f64> {
-        let other = other.iter().map(|other| other.max(0.0)).sum();
         let mut sums = vec![0.0; self.bands];
+        self.points.add(vantage, self.visibility, &mut sums);
+        let other = other.iter().chain(&sums).map(|other| other.max(0.0)).sum();
+        self.add_elements(vantage, surroundings, sums, other)
+    }
+
+    /// `sums` and the irradiance from elements per band; `other` is known further irradiance, all bands together.
+    fn add_elements(
+        &self,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        mut sums: Vec<f64>,
+        other: f64,
+    ) -> Vec<f64> {
         for (emitter, factor) in self.emitters.iter().zip(self.from(vantage, surroundings, other)) {
             sums.iter_mut().zip(&emitter.exitance).for_each(|(sum, exitance)| *sum += factor * exitance);
         }
@@ -167,7 +194,7 @@ impl<'a> DirectLight<'a> {
                 None => walk.add(index, tree, tolerance, factor),
             }
         };
-        if self.trees.iter().all(|tree| tree.plane.is_some()) && walk.is_flat() {
+        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.outlook.is_none()) && walk.is_flat() {
             let mut factors = smallvec![0.0; self.trees.len()];
             let each = factors.chunks_exact_mut(1).enumerate();
             each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));

@@ -10,15 +10,19 @@
 //! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. For a
 //! curved emitter σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
 //!
+//! For openings to a sky κ holds the light towards x over that of a diffuse emitter, and U_l is a mean as for curved ones. The
+//! light of luminaires is exact ([`super::point_lights`]) and comes on top.
+//!
 //! Few rays may miss something small. So each point tells which emitters it sees ([`Shade`]); where points beside each
 //! other differ in that, rays are doubled until one of them is worth no more than the error allowed.
 
 use smallvec::SmallVec;
 
 use crate::elements::Element;
-use crate::elements::coating::Coating;
+use crate::light::emitters::{Emitters, Outlooks};
 use crate::light::lamp_cells::LampCells;
 use crate::light::lamps::{Lamp, Lamps};
+use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::shift::{number_of, shift};
 use crate::visibility::Visibility;
@@ -54,6 +58,9 @@ pub(crate) struct Penumbra<'a> {
     elements: &'a [Element],
     visibility: &'a Visibility,
     lamps: Lamps,
+    outlooks: &'a Outlooks,
+    points: &'a PointLights,
+    bands: usize,
     /// Accuracy relative to the light that arrives.
     eps: f64,
 }
@@ -72,6 +79,8 @@ pub(crate) struct Care {
 pub(crate) struct Sight {
     /// The emitting elements that may send light to it, and the irradiance from each over its exitance.
     pub factors: Vec<Factor>,
+    /// Irradiance from luminaires, per band (W m⁻²).
+    pub points: Vec<f64>,
     /// Which of them it sees.
     pub shade: Shade,
 }
@@ -107,19 +116,19 @@ struct Beam<'a> {
 }
 
 impl<'a> Penumbra<'a> {
-    /// The direct light of `elements` with one coating per band, to the accuracy `eps` of what arrives.
-    pub(crate) fn new(
-        elements: &'a [Element],
-        coatings: &[&Coating],
-        visibility: &'a Visibility,
-        eps: f64,
-    ) -> Self {
-        let lamps = Lamps::new(elements, coatings, &vec![1.0; coatings.len()]);
-        Self { elements, visibility, lamps, eps }
+    /// The direct light of `sources`, to the accuracy `eps` of what arrives.
+    pub(crate) fn new(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
+        let Emitters { elements, ref coatings, outlooks, points } = *sources;
+        let bands = coatings.len();
+        let lamps = Lamps::new(elements, coatings, &vec![1.0; bands]);
+        Self { elements, visibility, lamps, outlooks, points, bands, eps }
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
     pub(crate) fn sight(&self, vantage: &ReceiverPoint, beside: f64, care: Care) -> Sight {
+        let mut points = vec![0.0; self.bands];
+        self.points.add(vantage, self.visibility, &mut points);
+        let beside = beside + points.iter().sum::<f64>() / self.bands as f64;
         let bounds: Vec<f64> = self.lamps.list().iter().map(|lamp| lamp.bound(vantage)).collect();
         let all: f64 = bounds.iter().sum();
         let some = self.lamps.list().iter().zip(bounds).filter(|(_, bound)| *bound > 0.0);
@@ -129,7 +138,7 @@ impl<'a> Penumbra<'a> {
         let tolerance = care.rough * self.eps * (beside + arrives).max(DARK * all);
         self.refine(vantage, &mut beams, tolerance, care.sure);
         let factor = |beam: &Beam| Factor { element: beam.lamp.element, value: beam.factor() };
-        Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect() }
+        Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
     }
 
     /// The first rays to an emitter that sends about the part `share` of all light without shadows.
@@ -170,10 +179,13 @@ impl<'a> Penumbra<'a> {
         }
     }
 
-    /// U_l of a flat emitter.
+    /// U_l of a flat diffuse emitter.
     fn without_shadows(&self, vantage: &ReceiverPoint, lamp: &Lamp) -> Option<f64> {
         let element = &self.elements[lamp.element];
         element.plane?;
+        if self.outlooks.of_surface(element.surface).is_some() {
+            return None;
+        }
         let nothing = || [].iter();
         Some(element.patches.iter().map(|patch| vantage.factor(&patch.polygon(), nothing())).sum())
     }
@@ -183,7 +195,9 @@ impl<'a> Penumbra<'a> {
         for index in beam.sent..beam.sent + count {
             let target = beam.cells.target(index, &beam.offset);
             let Some(kernel) = vantage.kernel_to(&target.node) else { continue };
-            let value = target.weight * kernel;
+            let into = (vantage.position - target.node.position).normalize_or_zero();
+            let surface = self.elements[beam.lamp.element].surface;
+            let value = target.weight * kernel * self.outlooks.relative(surface, into);
             beam.all += value;
             if self.visibility.is_free(vantage.surface, vantage.position, target.node.position) {
                 beam.seen += value;

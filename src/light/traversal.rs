@@ -204,6 +204,11 @@ impl<'a> Traversal<'a> {
             return;
         }
         let Some(before) = self.shadows.narrow(above, cell) else { return };
+        let whole = cell;
+        let position = self.vantage.position;
+        let outlook = pass.tree.outlook.as_deref();
+        let seen = outlook.map(|outlook| cell.seen(outlook, position, pass.tree.scale()[0]));
+        let cell = seen.as_ref().unwrap_or(cell);
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
@@ -218,7 +223,7 @@ impl<'a> Traversal<'a> {
             pass.take(cell, &weights);
             return;
         }
-        for quarter in cell.quarters(pass.tree.scale()).iter() {
+        for quarter in whole.quarters(pass.tree.scale()).iter() {
             self.visit(pass, quarter, before, depth + 1);
         }
     }

@@ -192,7 +192,9 @@ fn parts(scene: &Scene, solution: &Solution) -> Vec<(Part, Solution)> {
     let known = scene.light_groups();
     let part = |light: &GroupLight| {
         let alone = solution.of_group(scene, light);
-        let emits = alone.coatings().iter().any(|coating| coating.exitance.iter().any(|e| *e > 0.0));
+        let shines = |exitance: &f64| *exitance > 0.0;
+        let emits = !alone.emitters().points.is_empty()
+            || alone.coatings().iter().any(|coating| coating.exitance.iter().any(shines));
         let own = known.iter().find(|own| Some(own.name.as_str()) == light.group.as_deref());
         let factor = own.map_or(1.0, |own| own.factor);
         emits.then(|| (Part { group: light.group.clone(), factor }, alone))

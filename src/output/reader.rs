@@ -81,10 +81,7 @@ impl<'a> Reader<'a> {
                 Light::Rays(RayGather::new(solution, visibility, eps, read == Read::GatherTwice))
             }
             Read::Basis => Light::Basis,
-            Read::Direct => {
-                let list = solution.elements().list();
-                Light::Direct(DirectLight::within(list, &solution.coatings(), visibility, eps))
-            }
+            Read::Direct => Light::Direct(DirectLight::within(&solution.emitters(), visibility, eps)),
             Read::Gather => Light::Gather(Gather::new(solution, visibility, eps)),
             Read::GatherTwice => Light::Gather(Gather::twice(solution, visibility, eps)),
         };

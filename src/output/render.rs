@@ -275,7 +275,8 @@ pub fn white_balance(solution: &Solution) -> [f64; 3] {
     let list = solution.elements().list();
     let power = |band: usize| -> f64 {
         let exitance = &solution.bands()[band].coating.exitance;
-        list.iter().zip(exitance).map(|(element, e)| element.area * e).sum()
+        let elements: f64 = list.iter().zip(exitance).map(|(element, e)| element.area * e).sum();
+        elements + solution.emitters().points.flux(band)
     };
     let powers = [power(0), power(1), power(2)];
     if powers.contains(&0.0) {

@@ -8,7 +8,8 @@ use crate::scene::{
     Scene,
     camera::Camera,
     draft::SurfaceDraft,
-    error::{Located, SceneError, material_title, plane_title},
+    error::{Located, SceneError, luminaire_title, material_title, plane_title},
+    luminaire::Luminaire,
     material::Material,
     names::UniqueNames,
     sensor_plane::SensorPlane,
@@ -41,6 +42,7 @@ pub struct SceneBuilder {
     tolerance: Option<f64>,
     materials: Vec<NamedMaterial>,
     surfaces: Vec<SurfaceDraft>,
+    luminaires: Vec<Luminaire>,
 }
 
 /// A material of a scene in the making, given to its surfaces.
@@ -59,6 +61,7 @@ impl SceneBuilder {
             tolerance: None,
             materials: Vec::new(),
             surfaces: Vec::new(),
+            luminaires: Vec::new(),
         }
     }
 
@@ -91,6 +94,7 @@ impl SceneBuilder {
             material_name: Some(material_name),
             group: None,
             flux: None,
+            opening: None,
             thermal: Thermal::default(),
             order: None,
             subdivide: None,
@@ -101,6 +105,12 @@ impl SceneBuilder {
         let index = self.surfaces.len();
         self.surfaces.push(draft);
         &mut self.surfaces[index]
+    }
+
+    /// Adds a luminaire.
+    pub fn luminaire(&mut self, luminaire: Luminaire) -> &mut Self {
+        self.luminaires.push(luminaire);
+        self
     }
 
     /// Gives the scene a camera, instead of one given before.
@@ -131,7 +141,7 @@ impl SceneBuilder {
     /// The scene, if everything in it is right.
     ///
     /// # Errors
-    /// The first thing wrong with bands, unit, planes, materials, camera or surfaces, in this order: a [`SceneError`] that names the
+    /// The first thing wrong with bands, unit, planes, materials, luminaires, camera or surfaces, in this order: a [`SceneError`] that names the
     /// part and has no place in a text.
     pub fn build(self) -> Result<Scene, SceneError> {
         let name = self.name.clone();
@@ -144,6 +154,7 @@ impl SceneBuilder {
         check_unit(&self.unit).map_err(|fault| Located::nowhere(fault).within(|| "unit".into()))?;
         check_planes(&self.planes)?;
         check_materials(&self.materials, self.bands.len())?;
+        check_luminaires(&self.luminaires, self.bands.len())?;
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
         let drafts = self.surfaces.into_iter().map(SurfaceDraft::checked);
@@ -152,6 +163,7 @@ impl SceneBuilder {
             middle,
             fitted,
             surfaces: list,
+            luminaires: self.luminaires.into_iter().map(|own| own.about(middle)).collect(),
             bands: self.bands,
             unit: self.unit,
             planes: self.planes,
@@ -171,6 +183,15 @@ fn check_planes(planes: &[SensorPlane]) -> Result<(), Located> {
     planes.iter().try_for_each(|plane| {
         let added = names.add(plane.name(), None);
         added.map_err(|fault| Located::nowhere(fault).within(|| plane_title(plane.name())))
+    })
+}
+
+/// Checks that each luminaire has a name of its own and a strength for each band.
+fn check_luminaires(luminaires: &[Luminaire], bands: usize) -> Result<(), Located> {
+    let mut names = UniqueNames::default();
+    luminaires.iter().try_for_each(|own| {
+        let checked = names.add(&own.name, None).and_then(|()| own.check(bands));
+        checked.map_err(|fault| Located::nowhere(fault).within(|| luminaire_title(&own.name)))
     })
 }
 

@@ -41,6 +41,7 @@ impl Fault {
                 format!("give the scene itself with --set {name}=…, not a solution of it")
             }
             Fault::UnknownFunction { name, known } => choose(name, known.iter().copied(), "functions"),
+            Fault::UnknownSky { name, known } => choose(name, known.iter().copied(), "models of the sky"),
             Fault::UnknownFace { name, known } => choose(name, known.iter().copied(), "faces of a box"),
             Fault::UnknownPart { name, known } if known.is_empty() => {
                 format!("define it: [parts.{name}] with a list of surfaces, [[parts.{name}.surfaces]]")
@@ -147,11 +148,26 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::BadPlane { .. } => {
             "give two edges, vectors along two sides of the plane, each with a length and not parallel to the other"
         }
+        Fault::NoDistribution => {
+            "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\""
+        }
+        Fault::SunBelow => "give an elevation from 0 to 90 degrees, or leave the sun out",
+        Fault::BadOpening { problem: "there is no sky" } => {
+            "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out"
+        }
+        Fault::BadOpening { problem: "it is curved" } => "make it of flat surfaces",
+        Fault::BadOpening { problem: "it has two sides" } => "leave two_sided out: its front faces the room",
+        Fault::BadOpening { .. } => {
+            "leave the flux out, and give it a material without emission: the sky is its light"
+        }
+        Fault::NoOpening => "give a window opening = true, its front to the room, or leave the sky out",
+        Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
+        Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
-            "give a material an emission above 0, e.g. emission = 10, and use it on a surface; for a file of another \
-             program, in a file for --materials; `radiosity heat` takes temperatures instead"
+            "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add [[luminaires]]; for a \
+             file of another program, in a file for --materials; `radiosity heat` takes temperatures instead"
         }
         _ => "",
     }
@@ -174,8 +190,8 @@ fn example(key: &str) -> &'static str {
         "reflectance" => {
             ", a number or one per band, 0 ≤ ρ < 1; 0 is black; or, for heat alone, `emissivity = …`, 0 < ε ≤ 1"
         }
-        "eye" | "target" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal" | "axis"
-        | "direction" => ", three numbers in brackets",
+        "eye" | "target" | "position" | "origin" | "edge1" | "edge2" | "center" | "base" | "normal"
+        | "axis" | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
         "part" => ", the name of one of [parts.…]",
@@ -184,6 +200,11 @@ fn example(key: &str) -> &'static str {
         "spacing" => ", a length, or one along each edge",
         "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",
+        "sun" => ", where the sun is: { elevation = 40, azimuth = 180 }",
+        "illuminance" => ", of level ground under the sky, in lx",
+        "elevation" | "azimuth" => ", in degrees",
+        "model" => ": uniform, overcast or clear",
+        "flux" => ", in W or lm, all of it together; or its peak, `intensity = …`, in W/sr or cd",
         "radius" | "radius1" | "radius2" | "major" | "minor" => ", a length",
         "patches" => ", a list of patches, each 16 indices of points, counted from 0",
         "weights" => ", four rows of four numbers above 0",

@@ -1,4 +1,4 @@
-//! Dimming: the groups whose surfaces emit, and the same scene with factors on their emission.
+//! Dimming: the groups of what emits, and the same scene with factors on their emission.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -9,11 +9,13 @@ use crate::scene::{
 };
 
 impl Scene {
-    /// The light groups whose surfaces emit, in the order of the surfaces.
+    /// The light groups of what emits, in the order of the surfaces, then of the luminaires.
     pub fn light_groups(&self) -> Vec<&LightGroup> {
         let mut seen = BTreeSet::new();
         let emitting = self.surfaces.iter().filter(|surface| surface.material.emits());
+        let luminaires = self.luminaires.iter().filter(|luminaire| luminaire.emits());
         let groups = emitting.filter_map(|surface| surface.group.as_ref());
+        let groups = groups.chain(luminaires.filter_map(|luminaire| luminaire.group.as_ref()));
         groups.filter(|group| seen.insert(group.name.as_str())).collect()
     }
 
@@ -26,7 +28,9 @@ impl Scene {
     pub fn dimmed(&self, settings: &[(&str, f64)]) -> Result<Self, SceneError> {
         let factors = self.factors(settings).map_err(|located| located.in_code(&self.origin))?;
         let mut dimmed = self.clone();
-        for group in dimmed.surfaces.iter_mut().filter_map(|surface| surface.group.as_mut()) {
+        let groups = dimmed.surfaces.iter_mut().filter_map(|surface| surface.group.as_mut());
+        let luminaires = dimmed.luminaires.iter_mut().filter_map(|luminaire| luminaire.group.as_mut());
+        for group in groups.chain(luminaires) {
             group.factor = factors.get(group.name.as_str()).copied().unwrap_or(group.factor);
         }
         Ok(dimmed)

@@ -12,6 +12,7 @@ use crate::scene::{
     light_group::LightGroup,
     material::{Material, check_count, check_flux},
     names::check_text,
+    outlook::{Opening, Outlook},
     ranges::{check_number, check_order, check_parts},
     source::{Line, Place, Span},
     surface::SceneSurface,
@@ -28,6 +29,7 @@ pub struct SurfaceDraft {
     pub(super) material_name: Option<String>,
     pub(super) group: Option<String>,
     pub(super) flux: Option<Vec<f64>>,
+    pub(super) opening: Option<Opening>,
     pub(super) thermal: Thermal,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
@@ -47,6 +49,7 @@ pub(super) struct Typed {
     pub name_line: Line,
     pub shape: Span,
     pub flux: Option<Span>,
+    pub opening: Option<Span>,
 }
 
 impl SurfaceDraft {
@@ -73,6 +76,12 @@ impl SurfaceDraft {
     /// its material, which has to be 0: its exitance is the flux over its area.
     pub fn flux(&mut self, flux: Vec<f64>) -> &mut Self {
         self.flux = Some(flux);
+        self
+    }
+
+    /// Makes it an opening to a sky, whose light it sends. It is flat, its front faces the room, and its material emits nothing.
+    pub fn opening(&mut self, opening: Opening) -> &mut Self {
+        self.opening = Some(opening);
         self
     }
 
@@ -112,8 +121,9 @@ impl SurfaceDraft {
         }
     }
 
-    /// Turns its flux into the emission of its material.
+    /// Turns its flux into the emission of its material; checks an opening.
     pub(super) fn lit(mut self) -> Result<Self, Located> {
+        self.check_opening()?;
         let span = self.typed.as_ref().and_then(|typed| typed.flux.clone());
         match self.flux.as_deref().map(|flux| self.emission(flux)).transpose() {
             Ok(emission) => {
@@ -139,6 +149,34 @@ impl SurfaceDraft {
         Ok(emission)
     }
 
+    /// Refuses openings that are not flat, or emit.
+    fn check_opening(&self) -> Result<(), Located> {
+        let Some(opening) = &self.opening else { return Ok(()) };
+        let span = self.typed.as_ref().and_then(|typed| typed.opening.clone());
+        let is_flat = self.shapes.iter().all(|(_, shape)| shape.region().is_some());
+        let bands = self.material.reflectance.len();
+        let fault = match () {
+            () if !is_flat => Fault::BadOpening { problem: "it is curved" },
+            () if self.two_sided => Fault::BadOpening { problem: "it has two sides" },
+            () if self.flux.is_some() => Fault::BadOpening { problem: "it has a flux" },
+            () if self.material.emits() => Fault::BadOpening { problem: "its material emits" },
+            () => match check_count("the illuminance of the sky", opening.sky.irradiance(), bands) {
+                Ok(()) => return Ok(()),
+                Err(fault) => fault,
+            },
+        };
+        Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+    }
+
+    /// What one of its shapes sees of the sky, and its material with the light that comes in.
+    fn outlook(&self, shape: &dyn Surface) -> (Option<Arc<Outlook>>, Material) {
+        let Some(opening) = &self.opening else { return (None, self.material.clone()) };
+        let normal = shape.jet(0.0, 0.0).normal;
+        let outlook = Outlook::new(opening.clone(), if self.flip { -normal } else { normal });
+        let material = Material { emission: outlook.exitance(), ..self.material.clone() };
+        (Some(Arc::new(outlook)), material)
+    }
+
     /// A fault at `span` if the draft comes from a file, else one of the surface.
     pub(super) fn located(&self, span: Option<&Span>, fault: Fault) -> Located {
         match span {
@@ -158,11 +196,13 @@ impl SurfaceDraft {
 
     /// The surface of one of its shapes, and its back if it is two-sided.
     pub(super) fn sides(&self, (name, shape): &NamedShape) -> Vec<SceneSurface> {
+        let (outlook, material) = self.outlook(shape);
         let side = |name: String, flip: bool| SceneSurface {
             name,
             kind: self.kind,
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
-            material: self.material.clone(),
+            material: material.clone(),
+            outlook: outlook.clone(),
             material_name: self.material_name.clone(),
             group: self.group.as_ref().map(LightGroup::new),
             flux: self

@@ -287,7 +287,36 @@ pub enum Fault {
         /// The surfaces of the scene.
         known: Vec<String>,
     },
-    /// A light group that was set, but of which no surface emits.
+    /// A luminaire that does not say how its light is spread.
+    #[error("nothing says how the light is spread over directions")]
+    NoDistribution,
+    /// A vector without a length, or along the wrong line, where a direction is needed.
+    #[error("the vector `{what}` gives no direction")]
+    NoDirection {
+        /// The key of the vector.
+        what: &'static str,
+    },
+    /// A model of the sky that there is not.
+    #[error("there is no sky {name:?}")]
+    UnknownSky {
+        /// What was typed.
+        name: String,
+        /// The models there are.
+        known: Vec<&'static str>,
+    },
+    /// A sun below the horizon.
+    #[error("the sun is not above the horizon")]
+    SunBelow,
+    /// An opening that sends no light of a sky.
+    #[error("the surface is no opening to a sky: {problem}")]
+    BadOpening {
+        /// Why.
+        problem: &'static str,
+    },
+    /// A sky without an opening.
+    #[error("no surface is an opening to the sky")]
+    NoOpening,
+    /// A light group that was set, but of which nothing emits.
     #[error("no light comes from a group {name:?}")]
     UnknownGroup {
         /// What was typed.
@@ -393,7 +422,7 @@ pub enum Fault {
     #[error("the scene has no surface")]
     EmptyScene,
     /// A scene in which nothing emits, where light is asked for.
-    #[error("no surface emits light")]
+    #[error("nothing emits light")]
     NoEmitter,
 }
 
@@ -405,6 +434,11 @@ pub(super) fn material_title(name: &str) -> String {
 /// How messages call a light group.
 pub(super) fn group_title(name: &str) -> String {
     format!("light group {name:?}")
+}
+
+/// How messages call a luminaire.
+pub(super) fn luminaire_title(name: &str) -> String {
+    format!("luminaire {name:?}")
 }
 
 /// How messages call a plane of sensors.

@@ -3,6 +3,8 @@
 mod per_band;
 mod thermal;
 mod surface;
+mod luminaire;
+mod sky;
 mod part;
 
 use radiosity_geom::DVec3;
@@ -20,10 +22,13 @@ use crate::scene::{
 };
 use part::{read_content, read_parts};
 use per_band::per_band;
+use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
+pub(super) use luminaire::{DistributionFile, LuminaireFile, PHOTOMETRY, StrengthFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
+pub(super) use sky::{GlassFile, SkyFile, SunFile};
 pub(super) use surface::SurfaceFile;
 
 /// A scene file.
@@ -33,6 +38,7 @@ pub(super) struct SceneFile {
     pub bands: Option<At<Vec<At<String>>>>,
     pub unit: Option<At<String>>,
     pub camera: Option<CameraFile>,
+    pub sky: Option<SkyFile>,
     pub planes: Vec<PlaneFile>,
     pub materials: Vec<MaterialFile>,
     pub parts: Vec<PartFile>,
@@ -73,28 +79,37 @@ pub(super) struct MaterialFile {
 
 const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
 
-const SCENE_KEYS: [&str; 11] = [
+const SCENE_KEYS: [&str; 13] = [
     INCLUDE,
     "title",
     "bands",
     "unit",
     VARIABLES,
     "camera",
+    "sky",
     "planes",
     "materials",
     "parts",
     "surfaces",
+    "luminaires",
     "instances",
 ];
 
 impl SceneFile {
-    /// Whether every reflectance, emission and flux is a single number.
+    /// Whether every reflectance, emission, flux and intensity is a single number.
     pub(super) fn is_grey(&self) -> bool {
         let materials = self.materials.iter();
         let per_band = materials.flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
         let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
-        let fluxes = contents.flat_map(|content| &content.surfaces).map(|surface| surface.flux.as_ref());
-        per_band.chain(fluxes).flatten().all(PerBand::is_one_number)
+        let fluxes = contents.flat_map(|content| {
+            let luminaires = content.luminaires.iter().map(|own| own.strength.as_ref());
+            let luminaires = luminaires.map(|strength| strength.map(StrengthFile::numbers));
+            content.surfaces.iter().map(|surface| surface.flux.as_ref()).chain(luminaires)
+        });
+        let skies = self.sky.iter().flat_map(|sky| {
+            [Some(&sky.illuminance), sky.sun.as_ref().and_then(|sun| sun.illuminance.as_ref())]
+        });
+        per_band.chain(fluxes).chain(skies).flatten().all(PerBand::is_one_number)
     }
 
     /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given none.
@@ -106,6 +121,7 @@ impl SceneFile {
             unit: fields.optional("unit", text)?,
             camera: fields
                 .optional("camera", |node| read_camera(node).map_err(|e| e.within(|| "camera".into())))?,
+            sky: fields.optional("sky", |node| read_sky(node).map_err(|e| e.within(|| "sky".into())))?,
             planes: fields.optional("planes", read_planes)?.unwrap_or_default(),
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             parts: fields.optional("parts", read_parts)?.unwrap_or_default(),

@@ -1,16 +1,20 @@
 //! Scenes of several files: `include = ["lamps.toml"]`.
 //!
+//! Photometric files of luminaires are read with them.
+//!
 //! Each file is taken in once, however often it is included, and before the file that includes it. The texts are added to
 //! the [`Source`], so that a scene can be read again without its files.
 
 use std::{
+    io,
     path::{Component, Path, PathBuf},
     sync::Arc,
 };
 
 use crate::scene::{
     error::{Fault, Located},
-    fields::{list, text},
+    fields::{list, table, text},
+    file::PHOTOMETRY,
     input, json_text,
     language::Language,
     polygon_list,
@@ -68,6 +72,10 @@ impl Files<'_> {
         for name in names(&tree)? {
             self.include(&name, path)?;
         }
+        for name in photometric_files(&tree) {
+            let file = beside(path.last().map_or("", String::as_str), &name.value);
+            self.text(&file, input::western).map_err(|fault| Located::at(&name.span, fault))?;
+        }
         self.trees.push(FileTree { tree, prefix });
         Ok(())
     }
@@ -86,7 +94,7 @@ impl Files<'_> {
             return Err(at_name(Fault::TooDeep { what: "files", most: DEEPEST }));
         }
         self.done.push(file.clone());
-        let (text, base) = self.text(&file).map_err(at_name)?;
+        let (text, base) = self.text(&file, input::file).map_err(at_name)?;
         let mut tree =
             parsed(&text, Language::of_text(&file, &text)).map_err(|located| located.shifted(base))?;
         tree.shift(base);
@@ -98,15 +106,15 @@ impl Files<'_> {
         Ok(())
     }
 
-    /// The text of an included file, and its first byte in places of the whole.
-    fn text(&mut self, file: &str) -> Result<(Arc<str>, usize), Fault> {
+    /// The text of an included file, as `read` reads it, and its first byte in places of the whole.
+    fn text(&mut self, file: &str, read: fn(&str) -> io::Result<String>) -> Result<(Arc<str>, usize), Fault> {
         if let Some(known) = self.source.included_text(file) {
             return Ok(known);
         }
         if !self.source.reads_files() {
             return Err(Fault::NoIncludes { file: file.to_owned() });
         }
-        let text = input::file(file)
+        let text = read(file)
             .map_err(|error| Fault::UnreadableInclude { file: file.to_owned(), reason: error.to_string() })?;
         self.source.include(file, &text);
         self.source.included_text(file).ok_or_else(|| Fault::NoIncludes { file: file.to_owned() })
@@ -123,8 +131,18 @@ fn names(tree: &Node) -> Result<Vec<At<String>>, Located> {
     }
 }
 
+/// The photometric files of the luminaires of a tree, and of its parts, as far as they are given rightly.
+fn photometric_files(tree: &Node) -> Vec<At<String>> {
+    let Ok(entries) = table(tree) else { return Vec::new() };
+    let parts = entry(entries, "parts").and_then(|parts| table(parts).ok()).unwrap_or_default();
+    let contents = parts.iter().map(|(_, part)| part).chain([tree]).filter_map(|content| table(content).ok());
+    let lists = contents.filter_map(|content| list(entry(content, "luminaires")?).ok());
+    let luminaires = lists.flatten().filter_map(|luminaire| table(luminaire).ok());
+    luminaires.filter_map(|luminaire| text(entry(luminaire, PHOTOMETRY)?).ok()).collect()
+}
+
 /// The path of `name`, which starts from the folder of `file`, without detours.
-fn beside(file: &str, name: &str) -> String {
+pub(super) fn beside(file: &str, name: &str) -> String {
     let mut path = PathBuf::new();
     for part in Path::new(file).parent().unwrap_or(Path::new("")).join(name).components() {
         match part {

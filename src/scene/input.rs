@@ -3,6 +3,8 @@
 use std::fs::File;
 use std::io::{self, Read};
 
+use radiosity_formats::text::decode_western;
+
 /// Most bytes that are read: some million surfaces. An endless input ends here.
 const MOST: u64 = 1 << 30;
 
@@ -35,6 +37,15 @@ pub(super) fn file(path: &str) -> io::Result<String> {
         "-" => text("./-"),
         path => text(path),
     }
+}
+
+/// The same, where what is not UTF-8 is Latin-1.
+///
+/// # Errors
+/// As [`bytes`], and zero bytes.
+pub(super) fn western(path: &str) -> io::Result<String> {
+    let bytes = bytes(if path == "-" { "./-" } else { path })?;
+    decode_western(&bytes).map_err(|fault| io::Error::new(io::ErrorKind::InvalidData, fault.cause))
 }
 
 fn all(input: impl Read, most: u64) -> io::Result<Vec<u8>> {

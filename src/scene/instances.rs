@@ -1,4 +1,4 @@
-//! Instances of parts → surfaces, each with a name and a place of its own.
+//! Instances of parts → surfaces and luminaires, each with a name and a place of its own.
 //!
 //! The surface `seat` of the instance `chair` is `chair.seat`; in an array it is `chair[1,0].seat`.
 
@@ -8,7 +8,7 @@ use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
     error::{Fault, Located},
-    file::{ContentFile, InstanceFile, PartFile, SurfaceFile},
+    file::{ContentFile, InstanceFile, LuminaireFile, PartFile, SurfaceFile},
     names::UniqueNames,
     source::Source,
 };
@@ -16,30 +16,43 @@ use crate::scene::{
 /// Parts within parts. Chosen; not tuned.
 const DEEPEST: usize = 32;
 
-/// Most entries of surfaces, and most copies of parts: each takes about a kilobyte. Chosen; not tuned.
+/// Most entries of surfaces and luminaires, and most copies of parts: each takes about a kilobyte. Chosen; not tuned.
 const MOST: usize = 1_000_000;
 
 /// An entry of a file where it is put.
 #[derive(Debug)]
-pub(super) struct PlacedSurface<'a> {
-    pub file: &'a SurfaceFile,
+pub(super) struct PlacedEntry<'a, T> {
+    pub file: &'a T,
     pub name: String,
     pub motion: Motion,
 }
 
-/// The surfaces of the scene, then those of its instances.
+/// An entry of `[[surfaces]]`, moved as its instance and its own transform say.
+pub(super) type PlacedSurface<'a> = PlacedEntry<'a, SurfaceFile>;
+
+/// An entry of `[[luminaires]]`, moved as its instance says.
+pub(super) type PlacedLuminaire<'a> = PlacedEntry<'a, LuminaireFile>;
+
+/// What is put somewhere.
+#[derive(Debug, Default)]
+pub(super) struct Placed<'a> {
+    pub surfaces: Vec<PlacedSurface<'a>>,
+    pub luminaires: Vec<PlacedLuminaire<'a>>,
+}
+
+/// The content of the scene, then that of its instances.
 pub(super) fn placed<'a>(
     content: &'a ContentFile,
     parts: &'a [PartFile],
     source: &Source,
-) -> Result<Vec<PlacedSurface<'a>>, Located> {
+) -> Result<Placed<'a>, Located> {
     let contents = parts.iter().map(|part| &part.content).chain([content]);
     contents.into_iter().try_for_each(|content| check_names(&content.instances, source))?;
     let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part)).collect();
     check_sizes(content, &parts)?;
-    let mut surfaces = Vec::new();
-    place(content, "", &Motion::IDENTITY, &parts, &mut surfaces)?;
-    Ok(surfaces)
+    let mut placed = Placed::default();
+    place(content, "", &Motion::IDENTITY, &parts, &mut placed)?;
+    Ok(placed)
 }
 
 /// Parts by name.
@@ -54,24 +67,28 @@ fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Locate
     })
 }
 
-/// Adds all surfaces of `content` to `list`, moved, with `prefix` before their names.
+/// Adds all surfaces and luminaires of `content` to `all`, moved, with `prefix` before their names.
 fn place<'a>(
     content: &'a ContentFile,
     prefix: &str,
     motion: &Motion,
     parts: &Parts<'a>,
-    list: &mut Vec<PlacedSurface<'a>>,
+    all: &mut Placed<'a>,
 ) -> Result<(), Located> {
     for file in &content.surfaces {
         let name = format!("{prefix}{}", file.name.value);
-        list.push(PlacedSurface { file, name, motion: file.motion.then(motion) });
+        all.surfaces.push(PlacedSurface { file, name, motion: file.motion.then(motion) });
+    }
+    for file in &content.luminaires {
+        let name = format!("{prefix}{}", file.name.value);
+        all.luminaires.push(PlacedLuminaire { file, name, motion: *motion });
     }
     for instance in &content.instances {
         let part = part_of(instance, parts)?;
         for (index, offset) in copies(instance)? {
             let own = instance.motion.then(&offset).then(motion);
             let prefix = format!("{prefix}{}{index}.", instance.name.value);
-            place(&part.content, &prefix, &own, parts, list)?;
+            place(&part.content, &prefix, &own, parts, all)?;
         }
     }
     Ok(())
@@ -107,7 +124,7 @@ fn copies(instance: &InstanceFile) -> Result<Vec<(String, Motion)>, Located> {
 /// How much a part makes.
 #[derive(Clone, Copy)]
 struct Size {
-    /// Entries of surfaces and copies of parts.
+    /// Entries of surfaces and luminaires, and copies of parts.
     count: usize,
     /// Parts within it.
     depth: usize,
@@ -145,7 +162,7 @@ fn size_of<'a>(
     known: &mut BTreeMap<&'a str, Size>,
     path: &mut Vec<&'a str>,
 ) -> Result<Size, Located> {
-    let mut all = Size { count: content.surfaces.len(), depth: 0 };
+    let mut all = Size { count: content.surfaces.len() + content.luminaires.len(), depth: 0 };
     for instance in &content.instances {
         let refused = |fault| Err(Located::at(&instance.part.span, fault));
         let part = part_of(instance, parts)?;

@@ -7,17 +7,20 @@ use crate::scene::{
     source::{At, Source},
 };
 
-/// All files in one. Title and camera are those of the last, which includes the others.
+/// All files in one. Title and camera are those of the last, which includes the others; so is the
+/// sky, if it has one.
 pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile, Located> {
     let mut files = files.into_iter().rev();
     let mut whole = files.next().unwrap_or_default();
     for file in files {
         whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
         whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
+        whole.sky = whole.sky.take().or(file.sky);
         put_before(&mut whole.planes, file.planes);
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);
         put_before(&mut whole.content.surfaces, file.content.surfaces);
+        put_before(&mut whole.content.luminaires, file.content.luminaires);
         put_before(&mut whole.content.instances, file.content.instances);
     }
     once(whole.planes.iter().map(|plane| &plane.name), plane_title, source)?;

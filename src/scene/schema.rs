@@ -50,10 +50,12 @@ fn scene_keys() -> Vec<(&'static str, Value)> {
         ("unit", or(json!("W/m²"), unit)),
         ("variables", variables),
         ("camera", reference("camera")),
+        ("sky", reference("sky")),
         ("planes", by_name("Planes of sensors by name", "plane")),
         ("materials", by_name("Materials by name", "material")),
         ("parts", by_name("Parts by name, to be put in many places", "part")),
         ("surfaces", list("surface", "The surfaces", 0)),
+        ("luminaires", list("luminaire", "Lamps of no size", 0)),
         ("instances", list("instance", "Instances of parts", 0)),
     ]
 }
@@ -69,10 +71,12 @@ fn definitions() -> Vec<(&'static str, Value)> {
         ("point", exactly(3, "number", "x, y, z")),
         ("vector", exactly(3, "number", "x, y, z")),
         ("camera", camera()),
+        ("sky", sky()),
         ("plane", plane()),
         ("material", material()),
         ("transform", transform()),
         ("surface", surface()),
+        ("luminaire", luminaire()),
         ("part", part()),
         ("instance", instance()),
         ("array", array()),
@@ -94,6 +98,39 @@ fn camera() -> Value {
         ("height", pixels("Height")),
     ];
     table("A pinhole camera", &["eye", "target"], keys)
+}
+
+fn sky() -> Value {
+    let models = json!({
+        "description": "How bright the sky is where", "type": "string", "enum": ["uniform", "overcast", "clear"],
+    });
+    let ground = json!({ "minimum": 0, "exclusiveMaximum": 1 });
+    let elevation = json!({ "exclusiveMinimum": 0, "maximum": 90 });
+    let sun = vec![
+        ("elevation", ranged(elevation, "Above the horizon, degrees")),
+        ("azimuth", of("number", "From north over east, degrees")),
+        ("illuminance", or(json!(0), per_band(at_least_zero(), "Across its beam"))),
+    ];
+    let keys = vec![
+        ("model", models),
+        ("illuminance", per_band(at_least_zero(), "Of level ground under the sky, the sun left out")),
+        ("ground", or(json!(0.2), ranged(ground, "Reflectance of the ground"))),
+        ("up", or(json!([0, 0, 1]), of("vector", "Where the zenith is"))),
+        ("north", or(json!([0, 1, 0]), of("vector", "Where north is"))),
+        ("sun", table("Where the sun is, and how bright", &["elevation", "azimuth"], sun)),
+    ];
+    table("The sky behind openings", &["model", "illuminance"], keys)
+}
+
+fn glass() -> Value {
+    let index = json!({ "minimum": 1, "maximum": 3 });
+    let transmittance = json!({ "exclusiveMinimum": 0, "maximum": 1 });
+    let keys = vec![
+        ("panes", or(json!(1), whole(1, 4, "Panes"))),
+        ("index", or(json!(1.52), ranged(index, "Index of refraction"))),
+        ("transmittance", ranged(transmittance, "Part of the light along the normal that is let through")),
+    ];
+    table("Glass in an opening to the sky", &[], keys)
 }
 
 fn plane() -> Value {
@@ -164,6 +201,8 @@ fn surface() -> Value {
             "flux",
             per_band(at_least_zero(), "Flux that it emits, W or lm, instead of its material's emission"),
         ),
+        ("opening", truth("It sends the light of the sky behind it")),
+        ("glass", glass()),
         ("order", whole(0, MAX_ORDER, "Degree of the polynomials")),
         ("subdivide", parts),
         ("two_sided", truth("The back emits and receives as well")),
@@ -177,12 +216,44 @@ fn surface() -> Value {
     with(table("A surface, with exactly one shape", &[], keys), "oneOf", one.into())
 }
 
+fn luminaire() -> Value {
+    let angle = json!({ "exclusiveMinimum": 0, "exclusiveMaximum": 360 });
+    let edge = json!({ "minimum": 0, "maximum": 179 });
+    let exponent = json!({ "minimum": 0, "maximum": 10000 });
+    let spot = vec![
+        ("angle", ranged(angle, "Angle across the cone, to half the peak, degrees")),
+        ("edge", or(json!(0), ranged(edge, "Angle over which the peak falls to nothing, degrees"))),
+        ("exponent", ranged(exponent, "Exponent n of the cosine, instead of angle and edge")),
+    ];
+    let keys = vec![
+        ("name", text("Its name, given once in its list")),
+        ("position", of("point", "Where it is")),
+        ("aim", or(json!([0, 0, -1]), of("vector", "Where it aims"))),
+        ("along", of("vector", "The direction of the plane C = 0 of its photometric file")),
+        ("flux", per_band(at_least_zero(), "All its light, W or lm")),
+        (
+            "intensity",
+            per_band(at_least_zero(), "The peak of its intensity, W/sr or cd, instead of the flux"),
+        ),
+        ("dimming", or(json!(1), ranged(at_least_zero(), "Factor on its light"))),
+        ("group", text("Its light group")),
+        ("point", table("The same intensity all around", &[], Vec::new())),
+        ("spot", table("A cone of light, or a power of the cosine", &[], spot)),
+        ("photometry", text("Path of a photometric file, .ies or .ldt, from the folder of this one")),
+    ];
+    let one = json!([
+        { "required": ["point"] }, { "required": ["spot"] }, { "required": ["photometry"] },
+    ]);
+    with(table("A lamp of no size", &["position"], keys), "oneOf", one)
+}
+
 fn part() -> Value {
     let keys = vec![
         ("surfaces", list("surface", "Its surfaces", 0)),
+        ("luminaires", list("luminaire", "Its luminaires", 0)),
         ("instances", list("instance", "Instances of other parts in it", 0)),
     ];
-    table("A group of surfaces that instances put somewhere", &[], keys)
+    table("A group of surfaces and luminaires that instances put somewhere", &[], keys)
 }
 
 fn instance() -> Value {

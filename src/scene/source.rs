@@ -175,6 +175,11 @@ impl Source {
         self.included[..count].last()
     }
 
+    /// The name of the text in which `index` stands.
+    pub(super) fn origin_at(&self, index: usize) -> &str {
+        self.included_at(index).map_or(&*self.origin, |own| &*own.origin)
+    }
+
     /// The line on which `index` stands.
     pub(super) fn line(&self, index: usize) -> Line {
         match self.included_at(index) {

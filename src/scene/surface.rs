@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use radiosity_geom::Surface;
 
-use crate::scene::{light_group::LightGroup, material::Material, source::Place, thermal::Thermal};
+use crate::scene::{
+    light_group::LightGroup, material::Material, outlook::Outlook, source::Place, thermal::Thermal,
+};
 
 /// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.
 #[derive(Clone, Debug)]
@@ -24,6 +26,8 @@ pub struct SceneSurface {
     pub group: Option<LightGroup>,
     /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.
     pub flux: Option<Vec<f64>>,
+    /// What it sees of a sky, if it is an opening: the light of its material is spread so.
+    pub outlook: Option<Arc<Outlook>>,
     /// What is known of its heat.
     pub thermal: Thermal,
     /// Order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.

@@ -1,23 +1,37 @@
-//! Scene file → valid scene: bands, materials, camera and surfaces.
+//! Scene file → valid scene: bands, materials, camera, surfaces and luminaires.
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_geom::Surface;
+use radiosity_formats::{luminaire as photometry, photometry::Photometry};
+use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
+    distribution::Distribution,
     draft::{NamedShape, SurfaceDraft, Typed},
-    error::{Fault, Located, material_title, plane_title, surface_title},
-    file::{CameraFile, MaterialFile, PerBand, PlaneFile},
-    instances::PlacedSurface,
+    error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
+    file::{
+        CameraFile, DistributionFile, GlassFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, SkyFile,
+        StrengthFile, SunFile, SurfaceFile,
+    },
+    glass::Glass,
+    include,
+    instances::{PlacedLuminaire, PlacedSurface},
+    luminaire::{Luminaire, Strength, check_intensity},
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
+    outlook::Opening,
     sensor_plane::SensorPlane,
+    sky::{Sky, Sun, check_irradiance},
     source::{At, Line, Source},
     surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
     unit::{self, check_unit},
 };
+
+/// Index of refraction of window glass, and reflectance of the ground about it, where none is stated.
+const USUAL_INDEX: f64 = 1.52;
+const USUAL_GROUND: f64 = 0.2;
 
 /// Materials by name.
 pub(super) type Materials = BTreeMap<String, GroupedMaterial>;
@@ -149,12 +163,14 @@ pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
 pub(super) fn surfaces(
     files: &[PlacedSurface<'_>],
     materials: &Materials,
+    sky: Option<&Arc<Sky>>,
     bands: usize,
     source: &Source,
 ) -> Result<Surfaces, Located> {
     let drafts = files.iter().map(|placed| {
         let error = |error: Located| error.within(|| surface_title(&placed.name));
-        draft(placed, materials, bands, source).map_err(error)
+        let draft = draft(placed, materials, bands, source);
+        draft.and_then(|draft| opened(draft, placed.file, sky)).map_err(error)
     });
     fitted_surfaces(drafts, source.tolerance)
 }
@@ -173,6 +189,7 @@ fn draft(
     Ok(SurfaceDraft {
         kind: file.shape.kind,
         flux: flux(file.flux.as_ref(), bands)?,
+        opening: None,
         thermal: Thermal { condition: file.condition.or(thermal.condition), ..thermal },
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
@@ -189,8 +206,131 @@ fn draft(
             name_line: source.line(name_span.start),
             shape: file.shape.span.clone(),
             flux: file.flux.as_ref().map(|flux| flux.span().clone()),
+            opening: file.opening.clone(),
         }),
     })
+}
+
+/// The draft as an opening to the sky, if it is one.
+fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Result<SurfaceDraft, Located> {
+    let Some(span) = &file.opening else { return Ok(draft) };
+    let no_sky = || Located::at(span, Fault::BadOpening { problem: "there is no sky" });
+    let sky = Arc::clone(sky.ok_or_else(no_sky)?);
+    let glass = |own: &GlassFile| {
+        let glass = Glass::new(own.panes.unwrap_or(1), own.index.unwrap_or(USUAL_INDEX), own.transmittance);
+        glass.map_err(|fault| Located::at(&own.span, fault))
+    };
+    let glass = file.glass.as_ref().map(glass).transpose()?;
+    Ok(SurfaceDraft { opening: Some(Opening { sky, glass }), ..draft })
+}
+
+/// The sky. Azimuths are counted from north over east.
+pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
+    let located = |fault| Located::at(&file.span, fault).within(|| "sky".into());
+    let (up, north) = (file.up.unwrap_or(DVec3::Z), file.north.unwrap_or(DVec3::Y));
+    let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
+    let sun = file.sun.as_ref().map(|sun| {
+        let direction = sun_direction(sun, up, north);
+        let direction = direction.map_err(|fault| Located::at(&sun.span, fault).within(|| "sky".into()))?;
+        let given = sun.illuminance.as_ref();
+        let given =
+            given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;
+        Ok(Sun { direction, irradiance: given.unwrap_or_else(|| vec![0.0; bands]) })
+    });
+    let sun = sun.transpose()?;
+    let ground = file.ground.as_ref().map_or(USUAL_GROUND, |ground| ground.value);
+    Sky::new(file.model, up, irradiance, ground, sun).map(Arc::new).map_err(located)
+}
+
+fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
+    let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
+    let north =
+        north.reject_from_normalized(up).try_normalize().ok_or(Fault::NoDirection { what: "north" })?;
+    let elevation = sun.elevation.value;
+    if !(elevation > 0.0 && elevation <= 90.0) {
+        return Err(Fault::SunBelow);
+    }
+    let (height, around) = (elevation.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
+    Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
+}
+
+/// Every luminaire, each of a name of its own.
+pub(super) fn luminaires(
+    files: &[PlacedLuminaire<'_>],
+    bands: usize,
+    source: &Source,
+) -> Result<Vec<Luminaire>, Located> {
+    let mut names = UniqueNames::default();
+    let mut tables = Tables { source, known: BTreeMap::new() };
+    let mut luminaire = |placed: &PlacedLuminaire<'_>| {
+        let span = &placed.file.name.span;
+        let added = names.add(&placed.name, Some(source.line(span.start)));
+        let own = added.map_err(|fault| Located::at(span, fault));
+        let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
+        own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
+    };
+    files.iter().map(&mut luminaire).collect()
+}
+
+fn luminaire(
+    PlacedLuminaire { file, name, motion }: &PlacedLuminaire<'_>,
+    bands: usize,
+    tables: &mut Tables<'_>,
+) -> Result<Luminaire, Located> {
+    let LuminaireFile { span, position, aim, along, distribution, strength, group, dimming, .. } = file;
+    let numbers = strength.as_ref().map_or(span, |strength| strength.numbers().span());
+    let strength = match strength {
+        Some(StrengthFile::Flux(flux)) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
+        Some(StrengthFile::Intensity(intensity)) => {
+            Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
+        }
+        None => Strength::AsMeasured(bands),
+    };
+    let distribution = match distribution {
+        DistributionFile::Formula(distribution) => distribution.clone(),
+        DistributionFile::Table(file) => Distribution::Table(tables.named(file)?),
+    };
+    let own = Luminaire::new(name, *position, distribution, strength);
+    let mut own = own.map_err(|fault| Located::at(numbers, fault))?;
+    if let Some(aim) = aim {
+        own = own.aimed(aim.value).map_err(|fault| Located::at(&aim.span, fault))?;
+    }
+    if let Some(along) = along {
+        own = own.turned(along.value).map_err(|fault| Located::at(&along.span, fault))?;
+    }
+    if let Some(dimming) = dimming {
+        own = own.at_factor(dimming.value).map_err(|fault| Located::at(&dimming.span, fault))?;
+    }
+    if let Some(group) = group {
+        own = own.in_group(&group.value).map_err(|fault| Located::at(&group.span, fault))?;
+    }
+    Ok(Luminaire { place: Some(tables.source.place(span)), ..own.moved(motion) })
+}
+
+/// The photometric files of a scene, each read once.
+struct Tables<'a> {
+    source: &'a Source,
+    known: BTreeMap<String, Arc<Photometry>>,
+}
+
+impl Tables<'_> {
+    /// The table in the file of that name.
+    fn named(&mut self, name: &At<String>) -> Result<Arc<Photometry>, Located> {
+        let path = include::beside(self.source.origin_at(name.span.start), &name.value);
+        if let Some(known) = self.known.get(&path) {
+            return Ok(Arc::clone(known));
+        }
+        let text = self.source.included_text(&path);
+        let (text, _) =
+            text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
+        let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
+            let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
+            Located::at(&name.span, fault)
+        })?;
+        let table = Arc::new(table);
+        self.known.insert(path, Arc::clone(&table));
+        Ok(table)
+    }
 }
 
 fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Located> {

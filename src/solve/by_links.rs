@@ -19,6 +19,7 @@ use crate::elements::coating::Coating;
 use crate::hierarchy::{
     BandSystem, Hierarchy, HierarchyOptions, LinkedElements, Round, leaf_elements, solve_hierarchically,
 };
+use crate::light::first_bounce::Entry;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
@@ -119,7 +120,7 @@ impl Run<'_> {
     fn groups(&self) -> Result<(Vec<GroupLight>, Vec<Effort>), Failure> {
         let balance = Balance::of(self.elements, self.links);
         let (mut groups, mut efforts) = (Vec::new(), Vec::new());
-        for Emission { group, coatings } in Emission::all(self.scene, self.elements.list()) {
+        for Emission { group, coatings, .. } in Emission::all(self.scene, self.elements.list()) {
             let mut light = Vec::with_capacity(coatings.len());
             for (band, coating) in coatings.iter().enumerate() {
                 let (coefficients, effort) = self.band(band, coating)?;
@@ -129,9 +130,9 @@ impl Run<'_> {
             let lit: Vec<Lit<'_>> = coatings
                 .iter()
                 .zip(&light)
-                .map(|(coating, coefficients)| Lit { coating, coefficients })
+                .map(|(coating, coefficients)| Lit { coating, flux: 0.0, coefficients })
                 .collect();
-            let powers = balance.powers(&lit, None);
+            let powers = balance.powers(&lit, &Entry::Carried);
             let bands = light.into_iter().map(Coefficients::into).collect();
             groups.push(GroupLight { group, bands, powers, masked: None });
         }

@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
+use crate::light::emitters::Emitters;
 use crate::visibility::Visibility;
 
 /// Emitting part of the scene's area above which direct light counts as smooth. Chosen; not tuned.
@@ -17,7 +18,8 @@ const LARGE: f64 = 0.25;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split where flat emitters cast shadows of flat surfaces, else projected.
+    /// Split where there are openings to a sky, and where luminaires or small flat emitters cast shadows of flat surfaces; else
+    /// projected.
     Auto,
     /// An exact source at every point, with its shadows.
     Split,
@@ -26,25 +28,43 @@ pub enum Direct {
 }
 
 impl Direct {
-    /// Whether direct light is split off; there is one coating per band. `plain`: the transfers are those of the
+    /// Whether the direct light of all `emitters`, of one scene, is split off. `plain`: the transfers are those of the
     /// default kernel without changes.
-    pub(super) fn splits(
-        self,
-        elements: &[Element],
-        coatings: &[&Coating],
-        visibility: &Visibility,
-        plain: bool,
-    ) -> bool {
+    pub(super) fn splits(self, emitters: &[Emitters<'_>], visibility: &Visibility, plain: bool) -> bool {
         match self {
             Self::Split => true,
             Self::Projected => false,
-            Self::Auto => plain && casts_flat_shadows(elements, coatings, visibility),
+            Self::Auto if emitters.iter().any(Emitters::have_outlooks) => true,
+            Self::Auto => {
+                plain
+                    && (luminaires_cast_flat_shadows(emitters, visibility)
+                        || casts_flat_shadows(emitters, visibility))
+            }
         }
     }
 }
 
+/// Whether all possible blockers between luminaires and elements are flat, and there is one.
+fn luminaires_cast_flat_shadows(sources: &[Emitters<'_>], visibility: &Visibility) -> bool {
+    let mut shadows = false;
+    let pairs =
+        sources.iter().flat_map(|own| own.points.positions().map(|position| (own.elements, position)));
+    for (elements, position) in pairs {
+        for element in elements.iter().filter(|element| element.contact.is_none()) {
+            let blockers = visibility.candidates(&element.hull, &[position], [element.surface; 2]);
+            if !visibility.are_planar(&blockers) {
+                return false;
+            }
+            shadows |= !blockers.is_empty();
+        }
+    }
+    shadows
+}
+
 /// Whether all emitters and all possible blockers are flat, there is a blocker, and emitters are small.
-fn casts_flat_shadows(elements: &[Element], coatings: &[&Coating], visibility: &Visibility) -> bool {
+fn casts_flat_shadows(sources: &[Emitters<'_>], visibility: &Visibility) -> bool {
+    let elements = sources.first().map_or(&[][..], |own| own.elements);
+    let coatings: Vec<&Coating> = sources.iter().flat_map(|own| own.coatings.iter().copied()).collect();
     // A covered element exchanges light only with what covers it.
     let is_open = |element: &&Element| element.contact.is_none();
     let emits =

@@ -1,16 +1,22 @@
-//! Emission: what a scene's surfaces emit, one light group after the other.
+//! Emission: what surfaces and luminaires of a scene emit, one light group after the other.
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
+use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 
 /// The emission of one light group, not dimmed.
 #[derive(Debug)]
 pub(super) struct Emission {
-    /// Its name; None for surfaces without a group.
+    /// Its name; None for what has no group.
     pub group: Option<String>,
     /// Reflectance of all elements and exitance of those of the group, per band.
     pub coatings: Vec<Coating>,
+    /// The luminaires of the group.
+    pub points: PointLights,
+    /// What openings see, of all groups.
+    pub outlooks: Outlooks,
 }
 
 impl Emission {
@@ -18,7 +24,9 @@ impl Emission {
     pub(super) fn all(scene: &Scene, elements: &[Element]) -> Vec<Self> {
         let mut groups: Vec<Option<&str>> =
             scene.light_groups().iter().map(|group| Some(group.name.as_str())).collect();
-        if groups.is_empty() || scene.surfaces.iter().any(|own| own.is_in(None) && own.material.emits()) {
+        let surfaces = || scene.surfaces.iter().any(|own| own.is_in(None) && own.material.emits());
+        let luminaires = || scene.luminaires.iter().any(|own| own.is_in(None) && own.emits());
+        if groups.is_empty() || surfaces() || luminaires() {
             groups.push(None);
         }
         let of = |group: Option<&str>| Self {
@@ -26,6 +34,8 @@ impl Emission {
             coatings: (0..scene.bands.len())
                 .map(|band| Coating::of_group(scene, elements, band, group))
                 .collect(),
+            points: PointLights::of_group(scene, group),
+            outlooks: Outlooks::of(scene),
         };
         groups.into_iter().map(of).collect()
     }
@@ -35,10 +45,16 @@ impl Emission {
         self.coatings.iter().collect()
     }
 
-    /// Whether the same elements emit as much in `other`.
+    /// What emits, of which `elements` are.
+    pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
+        Emitters { elements, coatings: self.list(), outlooks: &self.outlooks, points: &self.points }
+    }
+
+    /// Whether the same elements and luminaires emit as much in `other`.
     pub(super) fn emits_as(&self, other: &Self) -> bool {
         let mut coatings = self.coatings.iter().zip(&other.coatings);
-        self.group == other.group && coatings.all(|(own, other)| own.exitance == other.exitance)
+        let is_same = self.group == other.group && self.points == other.points;
+        is_same && coatings.all(|(own, other)| own.exitance == other.exitance)
     }
 
     /// For each band the coatings of all `emissions`.

@@ -24,6 +24,26 @@ pub enum Failure {
         /// Name of the surface.
         surface: String,
     },
+    /// The light of a sky was to be carried as diffuse light is.
+    #[error(
+        "surface '{surface}' is an opening to a sky: {what} takes all emitted light for diffuse: leave it out, the light of the \
+         sky is then exact at every point"
+    )]
+    NotDiffuse {
+        /// Name of the first opening.
+        surface: String,
+        /// What was asked for.
+        what: &'static str,
+    },
+    /// Shadow masks were asked for, but they know no light of luminaires.
+    #[error(
+        "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: choose another kind of --shadows, \
+         direct light is then exact at every point"
+    )]
+    Unmasked {
+        /// Name of the first luminaire that shines.
+        luminaire: String,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {

@@ -5,7 +5,8 @@ use std::sync::Arc;
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
-use crate::light::first_bounce::{Bounce, CoatedBounce};
+use crate::light::emitters::Emitters;
+use crate::light::first_bounce::{CoatedBounce, Entry, lit_by};
 use crate::scene::Scene;
 use crate::visibility::{Shadows, Visibility};
 use crate::zatz1993::masked_light::{MaskedLight, Setting};
@@ -38,23 +39,36 @@ pub(super) struct FirstLight {
 #[derive(Debug)]
 struct Source {
     masked: Option<Arc<MaskedLight>>,
-    bounce: Option<CoatedBounce>,
+    direct: Direct,
+}
+
+/// How its direct light enters the system, whatever reflects it.
+#[derive(Debug)]
+enum Direct {
+    Carried,
+    /// As in [`Entry::Lit`].
+    Lit(Vec<Vec<f64>>),
+    Split(CoatedBounce),
 }
 
 /// The first light of one emission for certain reflectances.
 #[derive(Debug)]
 pub(super) struct Reflected {
     pub masked: Option<Arc<MaskedLight>>,
-    pub bounce: Option<Bounce>,
+    pub entry: Entry,
 }
 
 impl FirstLight {
+    /// The emissions.
+    pub(super) fn emissions(&self) -> &[Emission] {
+        &self.emissions
+    }
+
     /// That of `emissions`; `by_rules` says whether the transfers are those of the default kernel without changes.
     pub(super) fn of(stage: &Stage<'_>, emissions: Vec<Emission>, by_rules: bool) -> Self {
         let Stage { elements, visibility, options, .. } = *stage;
-        let all: Vec<&Coating> = emissions.iter().flat_map(|emission| &emission.coatings).collect();
-        let is_split =
-            options.masks.is_some() || options.direct.splits(elements.list(), &all, visibility, by_rules);
+        let all: Vec<Emitters<'_>> = emissions.iter().map(|own| own.emitters(elements.list())).collect();
+        let is_split = options.masks.is_some() || options.direct.splits(&all, visibility, by_rules);
         Self::as_split(stage, emissions, is_split)
     }
 
@@ -79,16 +93,18 @@ impl Source {
     /// That of an emission; `is_split` says whether direct light is masked or split off.
     fn of(stage: &Stage<'_>, emission: &Emission, is_split: bool) -> Self {
         let Stage { scene, elements, visibility, options } = *stage;
-        let coatings = emission.list();
-        let masked = masked_light(scene, elements, &coatings, visibility, options);
-        let bounce = match &masked {
-            Some(masked) => Some(through_masks(stage, &coatings, masked)),
-            None => is_split.then(|| {
+        let sources = emission.emitters(elements.list());
+        let masked = masked_light(scene, elements, &sources.coatings, visibility, options);
+        let direct = match &masked {
+            Some(masked) => Direct::Split(through_masks(stage, &sources, masked)),
+            None if is_split => {
                 let eps = AT_A_POINT * options.shadow_eps;
-                CoatedBounce::new(elements.list(), &coatings, visibility, eps)
-            }),
+                Direct::Split(CoatedBounce::new(&sources, visibility, eps))
+            }
+            None if sources.points.is_empty() => Direct::Carried,
+            None => Direct::Lit(lit_by(&sources, visibility)),
         };
-        Self { masked: masked.map(Arc::new), bounce }
+        Self { masked: masked.map(Arc::new), direct }
     }
 
     /// For the reflectances of the emission `new`, where it is that of `old` in all else.
@@ -96,22 +112,23 @@ impl Source {
         if !old.emits_as(new) {
             return None;
         }
-        let bounce = match &self.bounce {
-            None => None,
-            Some(bounce) => Some(bounce.repainted(&old.list(), &new.list())?),
+        let entry = match &self.direct {
+            Direct::Carried => Entry::Carried,
+            Direct::Lit(lit) => Entry::Lit(lit.clone()),
+            Direct::Split(bounce) => Entry::Split(bounce.repainted(&old.list(), &new.list())?),
         };
-        Some(Reflected { masked: self.masked.clone(), bounce })
+        Some(Reflected { masked: self.masked.clone(), entry })
     }
 }
 
-fn through_masks(stage: &Stage<'_>, coatings: &[&Coating], masked: &MaskedLight) -> CoatedBounce {
-    let list = stage.elements.list();
+fn through_masks(stage: &Stage<'_>, sources: &Emitters<'_>, masked: &MaskedLight) -> CoatedBounce {
+    let list = sources.elements;
     let lit = |element: usize, node: &Node| {
         let parameters = node.parameters.to_array();
         let at = |band| masked.at(band, list, element, node.position, parameters);
-        (0..coatings.len()).map(at).collect()
+        (0..sources.coatings.len()).map(at).collect()
     };
-    CoatedBounce::of(list, coatings, stage.visibility, &lit, stage.options.shadow_eps)
+    CoatedBounce::of(sources, stage.visibility, &lit, stage.options.shadow_eps)
 }
 
 /// The masked direct light, where masks are asked for.

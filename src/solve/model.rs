@@ -14,7 +14,6 @@ use crate::checks::{Balance, Checks, Lit};
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::elements::mesh::Mesh;
-use crate::light::first_bounce::Bounce;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
@@ -26,6 +25,7 @@ use super::allowance::{require_memory, require_memory_of_mesh};
 use super::assembly::{carried, discretization};
 use super::band::{Effort, solve_band};
 use super::choice::Choice;
+use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{FirstLight, Reflected, Stage};
@@ -100,6 +100,7 @@ impl Model {
         mesh: Option<&Mesh>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
+        require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let (visibility, how) = timed(&mut seconds.visibility, || {
@@ -115,16 +116,18 @@ impl Model {
         let elements = timed(&mut seconds.elements, || options.elements(scene, &how, mesh))?;
         progress(Progress::Finished("elements", seconds.elements));
         let emissions = Emission::all(scene, elements.list());
-        let bands = &Emission::by_band(&emissions);
-        let subject = Subject { elements: &elements, bands, visibility: &visibility, options };
-        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
-        progress(Progress::Finished("blocks", seconds.blocks));
         let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
         let by_rules = options.kernel.is_none() && !choice.sampled;
         let first = timed(&mut seconds.direct, || FirstLight::of(&stage, emissions, by_rules));
         if first.is_split {
             progress(Progress::Finished("direct", seconds.direct));
         }
+        let bands = &Emission::by_band(first.emissions());
+        let entries = first.reflected(first.emissions()).expect("the emission is the same");
+        let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
+        let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options };
+        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
+        progress(Progress::Finished("blocks", seconds.blocks));
         Ok(Self {
             scene: scene.clone(),
             options: *options,
@@ -162,6 +165,7 @@ impl Model {
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.
     fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        require_diffuse(scene, &self.options)?;
         let (own, given) = (&self.scene.surfaces, &scene.surfaces);
         let names = || given.iter().chain(own).map(|surface| surface.name.clone());
         if own.len() != given.len() || self.scene.bands != scene.bands {
@@ -257,13 +261,7 @@ impl Model {
     }
 
     fn system<'a>(&'a self, band: usize, coating: &'a Coating, first: &Reflected) -> System<'a> {
-        let list = self.elements.list();
-        match &first.bounce {
-            None => System::new(list, &self.blocks, coating),
-            Some(Bounce { direct, reflected }) => {
-                System::split(list, &self.blocks, coating, direct[band].clone(), reflected[band].clone())
-            }
-        }
+        System::entered(self.elements.list(), &self.blocks, (band, coating), &first.entry)
     }
 
     /// The light of each emission with its balance of power.
@@ -275,17 +273,37 @@ impl Model {
     ) -> Vec<GroupLight> {
         let balance = Balance::of(&self.elements, &self.blocks);
         let lit = emissions.into_iter().zip(first).zip(light);
-        let group = |((Emission { group, coatings }, first), light): ((Emission, Reflected), Vec<_>)| {
+        let group = |((emission, first), light): ((Emission, Reflected), Vec<_>)| {
+            let Emission { group, coatings, points, .. } = emission;
             let own: Vec<Lit<'_>> = coatings
                 .iter()
                 .zip(&light)
-                .map(|(coating, coefficients)| Lit { coating, coefficients })
+                .enumerate()
+                .map(|(band, (coating, coefficients))| Lit { coating, flux: points.flux(band), coefficients })
                 .collect();
-            let powers = balance.powers(&own, first.bounce.as_ref());
+            let powers = balance.powers(&own, &first.entry);
             let bands = light.into_iter().map(Coefficients::into).collect();
             GroupLight { group, bands, powers, masked: first.masked }
         };
         lit.map(group).collect()
+    }
+}
+
+/// Refuses what cannot carry the light of luminaires or of a sky.
+fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
+    if let Some(own) = shines {
+        return Err(Failure::Unmasked { luminaire: own.name.clone() });
+    }
+    let what = match options {
+        Options { masks: Some(_), .. } => "--shadows mask",
+        Options { direct: Direct::Projected, .. } => "--direct projected",
+        Options { kernel: Some(_), .. } => "--kernel with the rules of 1993",
+        _ => return Ok(()),
+    };
+    match scene.surfaces.iter().find(|own| own.outlook.is_some()) {
+        Some(own) => Err(Failure::NotDiffuse { surface: own.name.clone(), what }),
+        None => Ok(()),
     }
 }
 

@@ -17,6 +17,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::elements::coating::Coating;
 use crate::elements::{Element, Elements};
+use crate::light::first_bounce::Entry;
 use crate::system::{Coefficients, System};
 use crate::transport::{Accuracy, Blocks, Rays, SampledTransport};
 use crate::visibility::Visibility;
@@ -70,6 +71,8 @@ pub(super) struct Subject<'a> {
     pub elements: &'a Elements,
     /// For each band a coating of each light group: how rays are spread, and their error, do not depend on factors.
     pub bands: &'a [Vec<&'a Coating>],
+    /// How the direct light of each light group enters.
+    pub entries: &'a [Entry],
     pub visibility: &'a Visibility,
     pub options: &'a Options,
 }
@@ -236,9 +239,11 @@ impl Subject<'_> {
         let rough = Options { tolerance, method, keep_partial: false, ..*self.options };
         let list = self.elements.list();
         let mut all = Vec::new();
-        for coatings in self.bands {
-            let systems: Vec<System> =
-                coatings.iter().map(|coating| System::new(list, blocks, coating)).collect();
+        for (band, coatings) in self.bands.iter().enumerate() {
+            let groups = coatings.iter().zip(self.entries);
+            let systems: Vec<System> = groups
+                .map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry))
+                .collect();
             all.extend(solve_band(&systems, &rough, &mut |_| ())?.0);
         }
         Ok(all)

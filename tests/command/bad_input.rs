@@ -308,12 +308,12 @@ fn no_surface() {
 #[test]
 fn no_emitter_is_wrong_only_where_light_is_asked_for() {
     let dark = room("emission = 1", "emission = 0");
-    refused(&dark, &["room.toml: no surface emits light", "help: give a material an emission"]);
+    refused(&dark, &["room.toml: nothing emits light", "help: give a material an emission"]);
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("room.toml"), dark).unwrap();
     let output = radiosity(folder.path(), &["check", "room.toml"]);
     assert_eq!(output.status.code(), Some(0));
-    assert!(String::from_utf8_lossy(&output.stdout).contains("warning: no surface emits light"));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("warning: nothing emits light"));
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod heat;
 mod imports;
 mod inspection;
 mod language;
+mod luminaires;
 mod matrices;
 mod pictures;
 mod planes;

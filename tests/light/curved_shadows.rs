@@ -61,7 +61,7 @@ fn lit_by(scene: &Scene, lamp: usize, x: DVec3, n: DVec3) -> Vec<(DVec3, f64)> {
 fn errors(scene: &Scene, places: &[(usize, f64, f64)]) -> Vec<f64> {
     let solution = dark(scene);
     let visibility = Visibility::new(scene, Shadows::Rays(1e-3));
-    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
+    let direct = DirectLight::new(&solution.emitters(), &visibility);
     let emits = |surface: &usize| scene.surfaces[*surface].material.emission[0] > 0.0;
     let lamps: Vec<usize> = (0..scene.surfaces.len()).filter(emits).collect();
     let error = |(surface, u, v): &(usize, f64, f64)| {
@@ -136,7 +136,7 @@ fn a_ball_shines_as_its_cone() {
     let scene = scene(vec![floor, Arc::new(ball)], |index| index == 1);
     let solution = dark(&scene);
     let visibility = Visibility::new(&scene, Shadows::Rays(1e-3));
-    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
+    let direct = DirectLight::new(&solution.emitters(), &visibility);
     for (_, u, v) in scattered(0, 20) {
         let jet = scene.surfaces[0].shape.jet(u, v);
         let found = direct.factors(0, jet.position, jet.normal)[0].1;

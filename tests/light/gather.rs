@@ -71,7 +71,7 @@ fn lit_at_origin(shapes: Shapes) -> f64 {
     let scene = scene(shapes);
     let solution = solution(&scene, 0.0, 0.0);
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct = DirectLight::new(solution.elements().list(), &solution.coatings(), &visibility);
+    let direct = DirectLight::new(&solution.emitters(), &visibility);
     let vantage = ReceiverPoint::free(DVec3::ZERO, DVec3::Z);
     direct.irradiance(&vantage, &direct.around(&vantage.site()))[0]
 }

@@ -74,7 +74,7 @@ fn nodes_carry_the_share_that_is_seen() {
     let list = solution.elements().list();
     let [visibility, open] = [Hiding::Auto, Hiding::Off]
         .map(|shadows| Visibility::new(&scene, (&Options { shadows, ..Options::default() }).into()));
-    let [seen, free] = [&visibility, &open].map(|v| DirectLight::new(list, &solution.coatings(), v));
+    let [seen, free] = [&visibility, &open].map(|v| DirectLight::new(&solution.emitters(), v));
     let floor = scene.surface_named("floor").expect("there is a floor");
     let element = solution.elements().of_surface(floor).start;
     let (_, normal) = list[element].plane.expect("it is flat");

@@ -15,7 +15,7 @@ const LANGUAGES: [(&str, Reader); 3] =
     [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
-const TABLES: [(&str, &str); 9] = [
+const TABLES: [(&str, &str); 11] = [
     ("## The file", "none = 1"),
     ("## Materials", "[materials.wall]\nnone = 1"),
     ("## Camera", "[camera]\nnone = 1"),
@@ -25,6 +25,8 @@ const TABLES: [(&str, &str); 9] = [
         "## Placement",
         "[[surfaces]]\ntriangle = { vertices = [[0,0,0],[1,0,0],[0,1,0]] }\ntransform = { none = 1 }",
     ),
+    ("## Luminaires", "[[luminaires]]\nnone = 1"),
+    ("## Sky and sun", "[sky]\nnone = 1"),
     ("## Parts and instances", "[parts.chair]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\npart = \"chair\"\narray = { none = 1 }"),

@@ -98,6 +98,8 @@ fn the_schema_tells_of_every_key_and_no_other() {
             "transform",
             "[[surfaces]]\ndisk = { center = [0,0,0], normal = [0,0,1], radius = 1 }\ntransform = { none = 1 }",
         ),
+        ("sky", "[sky]\nnone = 1"),
+        ("luminaire", "[[luminaires]]\nnone = 1"),
         ("part", "[parts.chair]\nnone = 1"),
         ("instance", "[[instances]]\nnone = 1"),
         ("array", "[[instances]]\npart = \"chair\"\narray = { none = 1 }"),

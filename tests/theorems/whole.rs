@@ -6,6 +6,7 @@ use radiosity::elements::coating::Coating;
 use radiosity::elements::space::Space;
 use radiosity::elements::{Discretization, Elements, Subdivide};
 use radiosity::light::direct::DirectLight;
+use radiosity::light::first_bounce::Entry;
 use radiosity::output::grid::{Rates, grid};
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
@@ -65,7 +66,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
         let residual = coefficients.residual;
         let band = Band::new("grey".into(), &elements, coating.clone(), coefficients);
         let solution = Solution::new(elements, vec![band]);
-        let checks = Checks::of(&solution, &blocks, None);
+        let checks = Checks::of(&solution, &blocks, &Entry::Carried);
         (method.name, solution, checks, residual)
     };
     Method::ALL.iter().map(solve_with).collect()
@@ -170,8 +171,7 @@ fn direct_light_is_exact_at_a_point() {
     let scene = Scene::builtin("empty-box").expect("the scene is built in");
     let outcome = solved("empty-box", &Options { eps: 1e-6, ..options(8, "auto") });
     let visibility = Visibility::new(&scene, Shadows::Rays(3e-3));
-    let direct =
-        DirectLight::new(outcome.solution.elements().list(), &outcome.solution.coatings(), &visibility);
+    let direct = DirectLight::new(&outcome.solution.emitters(), &visibility);
     let floor = scene.surfaces.iter().position(|surface| surface.name == "floor").expect("there is a floor");
     let jet = scene.surfaces[floor].shape.jet(0.0, 0.0);
     let lit: f64 = direct.at(floor, jet.position, jet.normal)[0];

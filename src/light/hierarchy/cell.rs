@@ -15,6 +15,7 @@ use smallvec::SmallVec;
 
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::scene::Outlook;
 use crate::visibility::shadow_volume::Quad;
 
 /// A curved cell longer than this multiple of its breadth is cut across its length only. Chosen; not tuned.
@@ -130,6 +131,36 @@ impl Cell {
             self.spread = self.spread.max(spread / scale);
         }
         self
+    }
+
+    /// The cell of an opening of the exitance 1, in one channel of this scale, as a point sees it that the sky behind sends light
+    /// to.
+    pub fn seen(&self, outlook: &Outlook, point: DVec3, scale: f64) -> Self {
+        let towards = |y: DVec3| outlook.relative((point - y).normalize_or_zero());
+        let values = self.nodes.iter().map(|node| towards(node.position)).collect();
+        let bare = Self {
+            patch: self.patch.clone(),
+            quarters: OnceLock::new(),
+            hull: self.hull.clone(),
+            facets: self.facets.clone(),
+            values: SmallVec::new(),
+            brightness: 0.0,
+            spread: 0.0,
+            detail: 0.0,
+            quad: self.quad.clone(),
+            ..*self
+        };
+        let mut cell = bare.with_values(values, &[scale]);
+        let mean = cell.mean(0);
+        // Second differences: the rule errs by about their square.
+        let bend = (towards(self.center) - mean).abs();
+        cell.detail = bend * (bend / mean.max(f64::MIN_POSITIVE)).min(1.0) / scale;
+        let heights = || self.hull.iter().map(|y| outlook.height(y - point));
+        if heights().any(|height| height > 0.0) && heights().any(|height| height < 0.0) {
+            // The horizon crosses it, where radiance jumps.
+            cell.detail += cell.spread;
+        }
+        cell
     }
 
     /// Value of a channel at a Gauss point.

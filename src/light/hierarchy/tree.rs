@@ -15,6 +15,8 @@
 //! edges end at the width that the accuracy asks for; corners of three surfaces, in which light depends on the direction to
 //! the corner alone, have cells down to [`DEEPEST`], few of them.
 
+use std::sync::Arc;
+
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::smallvec;
 
@@ -22,6 +24,7 @@ use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::border::Border;
 use crate::light::hierarchy::cell::{Cell, POINTS};
+use crate::scene::Outlook;
 
 /// Levels of quarters below the patches of an element that are all made where the field varies, so that no small shadow is
 /// overlooked. Chosen; not tuned.
@@ -51,6 +54,8 @@ pub struct Tree {
     pub plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
     pub bounds: Aabb,
+    /// What it sees, if it is an opening to a sky: the field is then multiplied by the light towards the receiver.
+    pub outlook: Option<Arc<Outlook>>,
 }
 
 /// A field over an element: writes the value of each channel at a node of a patch.
@@ -62,6 +67,11 @@ impl Tree {
         Self::grown(element, &[1.0 / brightness], |bare, scale| {
             with_field(bare, scale, &|_, out| out.fill(1.0))
         })
+    }
+
+    /// The tree of an opening that sees this, if it is one.
+    pub fn seeing(self, outlook: Option<Arc<Outlook>>) -> Self {
+        Self { outlook, ..self }
     }
 
     /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
@@ -82,6 +92,7 @@ impl Tree {
             surface: element.surface,
             plane: element.plane,
             bounds: element.bounds(),
+            outlook: None,
         }
     }
 

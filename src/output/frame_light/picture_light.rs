@@ -69,13 +69,13 @@ impl<'a> PictureLight<'a> {
             _ if twice => Rest::Cells(Gather::twice(solution, visibility, eps)),
             _ => Rest::Cells(Gather::new(solution, visibility, eps)),
         };
-        let (list, coatings) = (solution.elements().list(), solution.coatings());
+        let emitters = solution.emitters();
         let direct = match read {
             Read::Basis => Direct::None,
             _ if is_exact(solution, visibility) => {
-                Direct::Exact(DirectLight::within(list, &coatings, visibility, eps))
+                Direct::Exact(DirectLight::within(&emitters, visibility, eps))
             }
-            _ => Direct::Rays(Penumbra::new(list, &coatings, visibility, IN_PENUMBRA * eps)),
+            _ => Direct::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
         Self { solution, shown: Shown::default(), direct, rest }
     }
@@ -104,6 +104,7 @@ impl<'a> PictureLight<'a> {
                 let rest = self.polynomials(seen);
                 let beside = rest.iter().sum::<f64>() / rest.len() as f64;
                 let sight = light.sight(&seen.vantage(), beside, care);
+                bands = sight.points;
                 for Factor { element, value } in sight.factors {
                     for (sum, band) in bands.iter_mut().zip(self.solution.bands()) {
                         *sum += value * band.coating.exitance[element];

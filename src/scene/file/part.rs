@@ -5,6 +5,7 @@ use radiosity_geom::{DVec3, Motion};
 use crate::scene::{
     error::{Fault, Located, instance_title, part_title},
     fields::{Fields, counted, list, point, points, table, text},
+    file::luminaire::{LuminaireFile, read_luminaires},
     file::surface::{SurfaceFile, read_motion, read_surfaces},
     names::check_text,
     ranges::check_copies,
@@ -23,6 +24,7 @@ pub(in crate::scene) struct PartFile {
 #[derive(Debug, Default)]
 pub(in crate::scene) struct ContentFile {
     pub surfaces: Vec<SurfaceFile>,
+    pub luminaires: Vec<LuminaireFile>,
     pub instances: Vec<InstanceFile>,
 }
 
@@ -52,14 +54,15 @@ pub(in crate::scene) fn read_parts(node: &Node) -> Result<Vec<PartFile>, Located
 }
 
 fn read_part(name: &At<String>, node: &Node) -> Result<PartFile, Located> {
-    let fields = Fields::new(node, &["surfaces", "instances"])?;
+    let fields = Fields::new(node, &["surfaces", "luminaires", "instances"])?;
     Ok(PartFile { name: name.clone(), content: read_content(&fields, "")? })
 }
 
-/// The lists of surfaces and instances; `prefix` stands before the names of those that are given none.
+/// The lists of surfaces, luminaires and instances; `prefix` stands before the names of those that are given none.
 pub(in crate::scene) fn read_content(fields: &Fields<'_>, prefix: &str) -> Result<ContentFile, Located> {
     Ok(ContentFile {
         surfaces: fields.get("surfaces").map_or(Ok(Vec::new()), |node| read_surfaces(node, prefix))?,
+        luminaires: fields.get("luminaires").map_or(Ok(Vec::new()), |node| read_luminaires(node, prefix))?,
         instances: fields.get("instances").map_or(Ok(Vec::new()), |node| read_instances(node, prefix))?,
     })
 }

@@ -6,6 +6,7 @@ use crate::scene::{
     error::{Fault, Located, surface_title},
     fields::{Fields, counted, exactly, list, point, real, table, text, truth},
     file::per_band::{PerBand, per_band},
+    file::sky::{GlassFile, read_glass},
     file::thermal::{CONDITION_KEYS, read_condition},
     ranges::{check_order, check_parts},
     shape::{ShapeFile, keys},
@@ -22,6 +23,9 @@ pub(in crate::scene) struct SurfaceFile {
     pub material: Option<At<String>>,
     pub group: Option<At<String>>,
     pub flux: Option<PerBand>,
+    /// Where it is said that it is an opening to the sky.
+    pub opening: Option<Span>,
+    pub glass: Option<GlassFile>,
     pub condition: Option<Condition>,
     pub shape: ShapeFile,
     pub motion: Motion,
@@ -47,8 +51,19 @@ fn given(node: &Node) -> Option<String> {
     Some(name.value)
 }
 
-const SURFACE_KEYS: [&str; 9] =
-    ["name", "material", "group", "flux", "order", "subdivide", "two_sided", "flip", "transform"];
+const SURFACE_KEYS: [&str; 11] = [
+    "name",
+    "material",
+    "group",
+    "flux",
+    "opening",
+    "glass",
+    "order",
+    "subdivide",
+    "two_sided",
+    "flip",
+    "transform",
+];
 
 /// A surface, called `unnamed` if it is given no name.
 fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
@@ -60,6 +75,8 @@ fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
         material: fields.optional("material", text)?,
         group: fields.optional("group", text)?,
         flux: fields.optional("flux", per_band)?,
+        opening: read_opening(&fields)?,
+        glass: fields.optional("glass", read_glass)?,
         condition: read_condition(&fields)?,
         shape: ShapeFile::read(&fields)?,
         motion: fields.optional("transform", read_motion)?.unwrap_or(Motion::IDENTITY),
@@ -68,6 +85,14 @@ fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
         two_sided: fields.optional("two_sided", truth)?.unwrap_or(false),
         flip: fields.optional("flip", truth)?.unwrap_or(false),
     })
+}
+
+/// Where `opening = true` stands; `glass` fills an opening.
+fn read_opening(fields: &Fields<'_>) -> Result<Option<Span>, Located> {
+    match fields.get("opening") {
+        Some(node) => Ok(truth(node)?.then(|| node.span.clone())),
+        None => Ok(fields.get("glass").map(|node| node.span.clone())),
+    }
 }
 
 fn order(node: &Node) -> Result<usize, Located> {

@@ -1,0 +1,213 @@
+//! Luminaires and the sun as sources of direct light: points that send an intensity in each direction, near or at infinity.
+//!
+//! ```text
+//! D(x) = Σ_l s_l d_l(ω) cos θ V(x, p_l) / |p_l − x|²        W m⁻²
+//! ```
+//!
+//! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
+//! ([`crate::scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact. The sun
+//! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that.
+
+use std::collections::BTreeMap;
+
+use crate::light::receiver_point::ReceiverPoint;
+use crate::sampling::shift::shift;
+use crate::scene::{Luminaire, Scene, SceneSurface};
+use crate::visibility::Visibility;
+
+use radiosity_geom::{DVec3, Encounter, Ray};
+
+/// The luminaires that shine, and the sun.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PointLights {
+    list: Vec<PointLight>,
+    sun: Option<Beam>,
+}
+
+/// The sun as it shines through openings.
+#[derive(Clone, Debug, PartialEq)]
+struct Beam {
+    /// Unit vector to it.
+    direction: DVec3,
+    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces.
+    strengths: BTreeMap<usize, Vec<f64>>,
+    /// Flux per band (W) through all of them.
+    flux: Vec<f64>,
+}
+
+impl Beam {
+    /// That of a scene, through the surfaces with these factors.
+    fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Option<Self> {
+        let mut beam: Option<Self> = None;
+        for (index, surface, factor) in surfaces {
+            let outlook = surface.outlook.as_ref().filter(|_| factor > 0.0);
+            let Some((outlook, (direction, strength))) = outlook.and_then(|own| Some((own, own.beam()?)))
+            else {
+                continue;
+            };
+            let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
+            let area = surface.shape.area() * outlook.incidence(direction);
+            let dark = || Self { direction, strengths: BTreeMap::new(), flux: vec![0.0; strength.len()] };
+            let beam = beam.get_or_insert_with(dark);
+            beam.flux.iter_mut().zip(&strength).for_each(|(flux, strength)| *flux += area * strength);
+            beam.strengths.insert(index, strength);
+        }
+        beam
+    }
+
+    /// Adds `scale` times its irradiance at a point.
+    fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, scale: f64, sums: &mut [f64]) {
+        let cosine = vantage.normal.dot(self.direction);
+        if cosine <= 0.0 || vantage.ground.is_some_and(|ground| ground.dot(self.direction) <= 0.0) {
+            return;
+        }
+        let met = match vantage.surface {
+            Some(surface) => visibility.nearest_from(surface, vantage.position, self.direction),
+            None => visibility.nearest(&Ray::new(vantage.position, self.direction)),
+        };
+        let Some(Encounter { surface, front: true, .. }) = met else { return };
+        if let Some(strength) = self.strengths.get(&surface) {
+            let factor = scale * cosine;
+            sums.iter_mut().zip(strength).for_each(|(sum, strength)| *sum += factor * strength);
+        }
+    }
+}
+
+/// A luminaire at its factor.
+#[derive(Clone, Debug)]
+struct PointLight {
+    luminaire: Luminaire,
+    /// Strength per band (W/sr), dimmed.
+    strength: Vec<f64>,
+}
+
+impl PartialEq for PointLight {
+    /// Whether both send the same light, whatever they are called.
+    fn eq(&self, other: &Self) -> bool {
+        let [own, others] = [self, other].map(|light| &light.luminaire);
+        let is_there = own.position == others.position && own.aim == others.aim && own.along == others.along;
+        is_there && own.distribution == others.distribution && self.strength == other.strength
+    }
+}
+
+impl PointLight {
+    /// Irradiance at a point without shadows over its strength; None where it is 0.
+    fn factor(&self, vantage: &ReceiverPoint) -> Option<f64> {
+        let step = self.luminaire.position - vantage.position;
+        let square = step.length_squared();
+        let direction = step / square.sqrt();
+        let cosine = vantage.normal.dot(direction);
+        let is_below = vantage.ground.is_some_and(|ground| ground.dot(direction) <= 0.0);
+        if is_below || !(cosine > 0.0 && square > 0.0) {
+            return None;
+        }
+        let factor = self.luminaire.relative(-direction) * cosine / square;
+        (factor > 0.0).then_some(factor)
+    }
+
+    /// Whether nothing stands between it and a point.
+    fn is_seen(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> bool {
+        let position = self.luminaire.position;
+        !visibility.casts() || visibility.is_free(vantage.surface, vantage.position, position)
+    }
+
+    /// Strength, summed over the bands.
+    fn brightness(&self) -> f64 {
+        self.strength.iter().sum()
+    }
+
+    fn add(&self, factor: f64, sums: &mut [f64]) {
+        sums.iter_mut().zip(&self.strength).for_each(|(sum, strength)| *sum += factor * strength);
+    }
+}
+
+impl PointLights {
+    /// The luminaires of a scene, and the sun behind its openings, at the factors of their groups.
+    pub fn of(scene: &Scene) -> Self {
+        let surfaces = scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, own.factor()));
+        Self::some(scene.luminaires.iter().map(|own| (own, own.factor())), Beam::through(surfaces))
+    }
+
+    /// The members of a light group, or of no group for None, not dimmed.
+    pub fn of_group(scene: &Scene, group: Option<&str>) -> Self {
+        let surfaces = scene.surfaces.iter().enumerate().filter(|(_, own)| own.is_in(group));
+        let sun = Beam::through(surfaces.map(|(index, own)| (index, own, 1.0)));
+        Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), sun)
+    }
+
+    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, sun: Option<Beam>) -> Self {
+        let light = |(own, factor): (&Luminaire, f64)| PointLight {
+            luminaire: own.clone(),
+            strength: own.strength.iter().map(|strength| factor * strength).collect(),
+        };
+        let list = luminaires.filter(|(own, factor)| own.emits() && *factor > 0.0).map(light).collect();
+        Self { list, sun }
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.list.is_empty() && self.sun.is_none()
+    }
+
+    /// Whether the sun is among them.
+    pub(crate) fn has_sun(&self) -> bool {
+        self.sun.is_some()
+    }
+
+    /// Where the luminaires are.
+    pub(crate) fn positions(&self) -> impl Iterator<Item = DVec3> {
+        self.list.iter().map(|light| light.luminaire.position)
+    }
+
+    /// Their flux in a band (W).
+    pub fn flux(&self, band: usize) -> f64 {
+        let factor = |light: &PointLight| light.luminaire.distribution.flux_factor();
+        let luminaires: f64 = self.list.iter().map(|light| factor(light) * light.strength[band]).sum();
+        luminaires + self.sun.as_ref().map_or(0.0, |sun| sun.flux[band])
+    }
+
+    /// Adds their irradiance (W m⁻²) per band at a point to `sums`.
+    pub fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, sums: &mut [f64]) {
+        for light in &self.list {
+            if let Some(factor) = light.factor(vantage)
+                && light.is_seen(vantage, visibility)
+            {
+                light.add(factor, sums);
+            }
+        }
+        if let Some(sun) = &self.sun {
+            sun.add(vantage, visibility, 1.0, sums);
+        }
+    }
+
+    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire that `chance` chooses in
+    /// proportion to the light without shadows.
+    pub(crate) fn add_one(
+        &self,
+        vantage: &ReceiverPoint,
+        visibility: &Visibility,
+        scale: f64,
+        chance: u64,
+        sums: &mut [f64],
+    ) {
+        if let Some(sun) = &self.sun {
+            sun.add(vantage, visibility, scale, sums);
+        }
+        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage)?)));
+        let all: f64 = factors().map(|(light, factor)| factor * light.brightness()).sum();
+        let [choice] = shift(chance);
+        let mut rest = choice * all;
+        let mut chosen = None;
+        for (light, factor) in factors() {
+            let own = factor * light.brightness();
+            chosen = Some((light, factor * all / own));
+            if rest < own {
+                break;
+            }
+            rest -= own;
+        }
+        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(vantage, visibility)) {
+            light.add(scale * factor, sums);
+        }
+    }
+}

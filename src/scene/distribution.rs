@@ -1,0 +1,154 @@
+//! Distributions of intensity: how much of its light a luminaire sends in which direction.
+//!
+//! With the angle γ from the aim of the luminaire, the relative intensity d and the flux factor Ω = ∫ d dω are
+//!
+//! ```text
+//! point             d = 1                                            Ω = 4π
+//! spot, exponent n  d = cosⁿ γ for γ < 90°, else 0                   Ω = 2π / (n + 1)
+//! spot, angle       d = 1 for γ ≤ γ₀, 0 for γ ≥ γ₁, between them     Ω = 2π (1 − (c₀ + c₁)/2 · (1 − 1/(1 − k²)))
+//!                   d = (1 + cos k(γ − γ₀))/2, k = π/(γ₁ − γ₀)
+//! table             d = I in cd, as a photometric file states it      Ω = ∫ I dω = its flux in lm
+//! ```
+//!
+//! with c = cos γ, γ₀ and γ₁ half the angle less and plus half the edge, so that d = ½ at half the angle. The intensity is
+//! I = s d with the strength s of each band (W/sr, or cd where exitance is in lm/m²; without a unit for tables), the flux Φ = s Ω.
+//!
+//! The frame of a luminaire is that of photometric files ([`radiosity_formats::photometry`]): it aims along −z, the plane
+//! C = 0 contains x.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use radiosity_formats::photometry::Photometry;
+use radiosity_geom::DVec3;
+
+use crate::scene::error::Fault;
+
+/// Largest exponent: half of the peak is left at 0.7°. Chosen.
+const STEEPEST: f64 = 1e4;
+
+/// A distribution of relative intensity over directions.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Distribution {
+    /// The same in all directions.
+    Point,
+    /// A power of the cosine.
+    Power {
+        /// n ≥ 0; 1 is that of a small flat diffuse emitter.
+        exponent: f64,
+    },
+    /// A cone with an edge.
+    Cone {
+        /// Angle across the cone within which more than half the peak is sent, degrees.
+        angle: f64,
+        /// Angle over which the peak falls to nothing, degrees.
+        edge: f64,
+    },
+    /// A table of luminous intensities.
+    Table(Arc<Photometry>),
+}
+
+impl Distribution {
+    /// Checks the ranges.
+    ///
+    /// # Errors
+    /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number.
+    pub(super) fn check(&self) -> Result<(), Fault> {
+        match *self {
+            Self::Point | Self::Table(_) => Ok(()),
+            Self::Power { exponent } => {
+                check(exponent, (0.0..=STEEPEST).contains(&exponent), "the exponent", "0 ≤ exponent ≤ 10000")
+            }
+            Self::Cone { angle, edge } => {
+                check(angle, angle > 0.0 && angle < 360.0, "the angle", "0 < angle < 360 degrees")?;
+                let widest = angle.min(360.0 - angle).min(179.0);
+                let range = "0 ≤ edge ≤ angle, 360 − angle and 179 degrees";
+                check(edge, (0.0..=widest).contains(&edge), "the edge", range)
+            }
+        }
+    }
+
+    /// d in a unit direction of the frame of the luminaire.
+    pub fn relative(&self, direction: DVec3) -> f64 {
+        let cosine = -direction.z;
+        match *self {
+            Self::Point => 1.0,
+            Self::Power { exponent } if cosine > 0.0 => cosine.powf(exponent),
+            Self::Power { .. } => 0.0,
+            Self::Cone { angle, edge } => {
+                let [inner, outer] = ends(angle, edge);
+                match direction.truncate().length().atan2(cosine) {
+                    gamma if gamma <= inner => 1.0,
+                    gamma if gamma >= outer => 0.0,
+                    gamma => 0.5 * (1.0 + (PI * (gamma - inner) / (outer - inner)).cos()),
+                }
+            }
+            Self::Table(ref table) => table.intensity(direction),
+        }
+    }
+
+    /// The largest d.
+    pub fn peak(&self) -> f64 {
+        match self {
+            Self::Table(table) => table.largest(),
+            _ => 1.0,
+        }
+    }
+
+    /// Ω (sr; lm for a table).
+    pub fn flux_factor(&self) -> f64 {
+        match *self {
+            Self::Table(ref table) => table.flux(),
+            Self::Point => 4.0 * PI,
+            Self::Power { exponent } => 2.0 * PI / (exponent + 1.0),
+            Self::Cone { angle, edge } => {
+                let [inner, outer] = ends(angle, edge);
+                let beyond = match outer - inner {
+                    0.0 => 0.0,
+                    width => 1.0 / (1.0 - (PI / width).powi(2)),
+                };
+                2.0 * PI * (1.0 - 0.5 * (inner.cos() + outer.cos()) * (1.0 - beyond))
+            }
+        }
+    }
+}
+
+/// γ₀ and γ₁ (radians) of angles in degrees.
+fn ends(angle: f64, edge: f64) -> [f64; 2] {
+    [0.5 * (angle - edge), 0.5 * (angle + edge)].map(f64::to_radians)
+}
+
+fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {
+    match (value.is_finite(), inside) {
+        (false, _) => Err(Fault::NotFinite { value }),
+        (true, false) => Err(Fault::OutOfRange { what, value, range }),
+        (true, true) => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 2π ∫ d sin γ dγ by the midpoint rule of so many steps.
+    fn integral(distribution: &Distribution, steps: usize) -> f64 {
+        let step = PI / steps as f64;
+        let at = |k: usize| {
+            let gamma = (k as f64 + 0.5) * step;
+            distribution.relative(DVec3::new(gamma.sin(), 0.0, -gamma.cos())) * gamma.sin()
+        };
+        2.0 * PI * step * (0..steps).map(at).sum::<f64>()
+    }
+
+    #[test]
+    fn the_flux_is_the_integral_of_the_intensity() {
+        let powers = [0.0, 1.0, 2.5, 40.0].map(|exponent| Distribution::Power { exponent });
+        let cones = [(40.0, 0.0), (40.0, 5.0), (40.0, 40.0), (200.0, 60.0), (180.0, 179.0), (300.0, 60.0)];
+        let cones = cones.map(|(angle, edge)| Distribution::Cone { angle, edge });
+        for distribution in powers.into_iter().chain(cones).chain([Distribution::Point]) {
+            distribution.check().expect("a distribution");
+            let (closed, numeric) = (distribution.flux_factor(), integral(&distribution, 1 << 20));
+            assert!((closed - numeric).abs() < 1e-5 * closed, "{distribution:?}: {closed} {numeric}");
+        }
+    }
+}
