@@ -40,4 +40,4 @@ mod lamp_cells;
 pub(crate) mod penumbra;
 pub(crate) mod coats;
 pub(crate) mod reflected;
-pub(crate) mod first_bounce;
+pub mod first_bounce;

@@ -15,7 +15,7 @@ const LANGUAGES: [(&str, Reader); 3] =
     [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
-const TABLES: [(&str, &str); 9] = [
+const TABLES: [(&str, &str); 11] = [
     ("## The file", "none = 1"),
     ("## Materials", "[materials.wall]\nnone = 1"),
     ("## Camera", "[camera]\nnone = 1"),
@@ -67,8 +67,10 @@ fn known(text: &str) -> Option<Vec<&'static str>> {
 /// The shape keys of the language, each with its fields.
 fn shapes() -> Vec<(&'static str, Vec<&'static str>)> {
     let keys = known("[[surfaces]]\nnone = 1").expect("surfaces have keys");
+    // Glass is a table, but no shape.
+    let keys = keys.into_iter().filter(|key| *key != "glass");
     let fields = |key: &'static str| Some((key, known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
-    keys.into_iter().filter_map(fields).collect()
+    keys.filter_map(fields).collect()
 }
 
 #[test]
