@@ -440,7 +440,8 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let unit = validation::unit(file.unit)?;
     let planes = file.planes.into_iter().map(validation::plane).collect::<Result<_, _>>()?;
     let materials = validation::materials(file.materials, bands.len())?;
-    let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose()?;
+    let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
+    let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
     let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
     let Surfaces { list, middle, fitted } =
         validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;

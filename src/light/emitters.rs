@@ -23,7 +23,7 @@ pub struct Emitters<'a> {
 }
 
 /// What openings to a sky see, by surfaces.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Outlooks(Vec<Option<Arc<Outlook>>>);
 
 impl Outlooks {

@@ -21,7 +21,8 @@ use radiosity_geom::{DVec3, Encounter, Ray};
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointLights {
     list: Vec<PointLight>,
-    sun: Option<Beam>,
+    /// The sun, once for each sky that openings see.
+    suns: Vec<Beam>,
 }
 
 /// The sun as it shines through openings.
@@ -36,23 +37,24 @@ struct Beam {
 }
 
 impl Beam {
-    /// That of a scene, through the surfaces with these factors.
-    fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Option<Self> {
-        let mut beam: Option<Self> = None;
+    /// Those of a scene, through the surfaces with these factors.
+    fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
+        let mut beams: Vec<Self> = Vec::new();
         for (index, surface, factor) in surfaces {
             let outlook = surface.outlook.as_ref().filter(|_| factor > 0.0);
-            let Some((outlook, (direction, strength))) = outlook.and_then(|own| Some((own, own.beam()?)))
-            else {
-                continue;
-            };
+            let beam = outlook.and_then(|own| Some((own, own.beam()?)));
+            let Some((outlook, (direction, strength))) = beam else { continue };
             let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
             let area = surface.shape.area() * outlook.incidence(direction);
-            let dark = || Self { direction, strengths: BTreeMap::new(), flux: vec![0.0; strength.len()] };
-            let beam = beam.get_or_insert_with(dark);
+            let place = beams.iter().position(|beam| beam.direction == direction).unwrap_or(beams.len());
+            if place == beams.len() {
+                beams.push(Self { direction, strengths: BTreeMap::new(), flux: vec![0.0; strength.len()] });
+            }
+            let beam = &mut beams[place];
             beam.flux.iter_mut().zip(&strength).for_each(|(flux, strength)| *flux += area * strength);
             beam.strengths.insert(index, strength);
         }
-        beam
+        beams
     }
 
     /// Adds `scale` times its irradiance at a point.
@@ -131,27 +133,27 @@ impl PointLights {
     /// The members of a light group, or of no group for None, not dimmed.
     pub fn of_group(scene: &Scene, group: Option<&str>) -> Self {
         let surfaces = scene.surfaces.iter().enumerate().filter(|(_, own)| own.is_in(group));
-        let sun = Beam::through(surfaces.map(|(index, own)| (index, own, 1.0)));
-        Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), sun)
+        let suns = Beam::through(surfaces.map(|(index, own)| (index, own, 1.0)));
+        Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), suns)
     }
 
-    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, sun: Option<Beam>) -> Self {
+    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<Beam>) -> Self {
         let light = |(own, factor): (&Luminaire, f64)| PointLight {
             luminaire: own.clone(),
             strength: own.strength.iter().map(|strength| factor * strength).collect(),
         };
         let list = luminaires.filter(|(own, factor)| own.emits() && *factor > 0.0).map(light).collect();
-        Self { list, sun }
+        Self { list, suns }
     }
 
     /// Whether there is none.
     pub fn is_empty(&self) -> bool {
-        self.list.is_empty() && self.sun.is_none()
+        self.list.is_empty() && self.suns.is_empty()
     }
 
     /// Whether the sun is among them.
     pub(crate) fn has_sun(&self) -> bool {
-        self.sun.is_some()
+        !self.suns.is_empty()
     }
 
     /// Where the luminaires are.
@@ -163,7 +165,7 @@ impl PointLights {
     pub fn flux(&self, band: usize) -> f64 {
         let factor = |light: &PointLight| light.luminaire.distribution.flux_factor();
         let luminaires: f64 = self.list.iter().map(|light| factor(light) * light.strength[band]).sum();
-        luminaires + self.sun.as_ref().map_or(0.0, |sun| sun.flux[band])
+        luminaires + self.suns.iter().map(|sun| sun.flux[band]).sum::<f64>()
     }
 
     /// Adds their irradiance (W m⁻²) per band at a point to `sums`.
@@ -175,9 +177,7 @@ impl PointLights {
                 light.add(factor, sums);
             }
         }
-        if let Some(sun) = &self.sun {
-            sun.add(vantage, visibility, 1.0, sums);
-        }
+        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, 1.0, sums));
     }
 
     /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire that `chance` chooses in
@@ -190,9 +190,7 @@ impl PointLights {
         chance: u64,
         sums: &mut [f64],
     ) {
-        if let Some(sun) = &self.sun {
-            sun.add(vantage, visibility, scale, sums);
-        }
+        self.suns.iter().for_each(|sun| sun.add(vantage, visibility, scale, sums));
         let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage)?)));
         let all: f64 = factors().map(|(light, factor)| factor * light.brightness()).sum();
         let [choice] = shift(chance);

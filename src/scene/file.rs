@@ -2,9 +2,9 @@
 
 mod per_band;
 mod thermal;
+mod sky;
 mod surface;
 mod luminaire;
-mod sky;
 mod part;
 
 use radiosity_geom::DVec3;
@@ -25,7 +25,7 @@ use per_band::per_band;
 use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
-pub(super) use luminaire::{DistributionFile, LuminaireFile, PHOTOMETRY, StrengthFile};
+pub(super) use luminaire::{DistributionFile, LuminaireFile, StrengthFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};

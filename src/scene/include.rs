@@ -14,7 +14,6 @@ use std::{
 use crate::scene::{
     error::{Fault, Located},
     fields::{list, table, text},
-    file::PHOTOMETRY,
     input, json_text,
     language::Language,
     polygon_list,
@@ -25,6 +24,9 @@ use crate::scene::{
 
 /// The key of the list of files.
 pub(super) const INCLUDE: &str = "include";
+
+/// The key of a photometric file of a luminaire.
+pub(super) const PHOTOMETRY: &str = "photometry";
 
 /// Files within files. Chosen; not tuned.
 const DEEPEST: usize = 32;

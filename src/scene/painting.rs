@@ -9,7 +9,7 @@ use crate::scene::{
 
 impl Scene {
     /// The same scene where the material `name` is `material`, with a number for each band. Surfaces of a given flux keep
-    /// it. It no longer has the text it was read from.
+    /// it, and openings the light of their sky. It no longer has the text it was read from.
     ///
     /// # Errors
     /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range.
@@ -36,8 +36,9 @@ impl Scene {
     }
 }
 
-/// Gives a surface the material; one of a given flux goes on emitting that.
+/// Gives a surface the material; one of a given flux, or an opening to a sky, goes on emitting that.
 fn paint(surface: &mut SceneSurface, material: &Material) {
-    let emission = if surface.flux.is_some() { &surface.material.emission } else { &material.emission };
+    let keeps = surface.flux.is_some() || surface.outlook.is_some();
+    let emission = if keeps { &surface.material.emission } else { &material.emission };
     surface.material = Material { reflectance: material.reflectance.clone(), emission: emission.clone() };
 }

@@ -226,12 +226,12 @@ fn opened(draft: SurfaceDraft, file: &SurfaceFile, sky: Option<&Arc<Sky>>) -> Re
 
 /// The sky. Azimuths are counted from north over east.
 pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
-    let located = |fault| Located::at(&file.span, fault).within(|| "sky".into());
+    let located = |fault| Located::at(&file.span, fault);
     let (up, north) = (file.up.unwrap_or(DVec3::Z), file.north.unwrap_or(DVec3::Y));
     let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
     let sun = file.sun.as_ref().map(|sun| {
         let direction = sun_direction(sun, up, north);
-        let direction = direction.map_err(|fault| Located::at(&sun.span, fault).within(|| "sky".into()))?;
+        let direction = direction.map_err(|fault| Located::at(&sun.span, fault))?;
         let given = sun.illuminance.as_ref();
         let given =
             given.map(|given| spread(given, bands, "the illuminance", check_irradiance)).transpose()?;

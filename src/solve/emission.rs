@@ -53,7 +53,8 @@ impl Emission {
     /// Whether the same elements and luminaires emit as much in `other`.
     pub(super) fn emits_as(&self, other: &Self) -> bool {
         let mut coatings = self.coatings.iter().zip(&other.coatings);
-        let is_same = self.group == other.group && self.points == other.points;
+        let is_same =
+            self.group == other.group && self.points == other.points && self.outlooks == other.outlooks;
         is_same && coatings.all(|(own, other)| own.exitance == other.exitance)
     }
 

@@ -236,7 +236,7 @@ fn what_takes_light_for_diffuse_refuses_a_sky() {
         ["--method", "hierarchical"],
         ["--direct", "projected"],
         ["--shadows", "mask"],
-        ["--kernel", "zatz1993"],
+        ["--kernel", "paper-hybrid"],
     ] {
         let folder = tempfile::tempdir().unwrap();
         let args = [&["solve", "room.toml", "-o", "out.json"], &option[..]].concat();

@@ -67,8 +67,10 @@ fn known(text: &str) -> Option<Vec<&'static str>> {
 /// The shape keys of the language, each with its fields.
 fn shapes() -> Vec<(&'static str, Vec<&'static str>)> {
     let keys = known("[[surfaces]]\nnone = 1").expect("surfaces have keys");
+    // Glass is a table, but no shape.
+    let keys = keys.into_iter().filter(|key| *key != "glass");
     let fields = |key: &'static str| Some((key, known(&format!("[[surfaces]]\n{key} = {{ none = 1 }}"))?));
-    keys.into_iter().filter_map(fields).collect()
+    keys.filter_map(fields).collect()
 }
 
 #[test]

@@ -7,6 +7,7 @@ use crate::scene::{
     error::{Fault, Located, luminaire_title},
     fields::{Fields, list, number, point, real, table, text},
     file::per_band::{PerBand, per_band},
+    include::PHOTOMETRY,
     source::{At, Span},
     tree::{Node, entry},
 };
@@ -49,9 +50,6 @@ impl StrengthFile {
         }
     }
 }
-
-/// The key of a photometric file.
-pub(in crate::scene) const PHOTOMETRY: &str = "photometry";
 
 const LUMINAIRE_KEYS: [&str; 11] = [
     "name",
