@@ -270,6 +270,7 @@ async function lamps() {
   told(`dimmed: ${await probed(page, "groups.json", normals, ["lamps=0.3", "spot=2"])}`);
   await page.call((viewer) => viewer.size(null));
   await page.call((viewer) => viewer.set({ quantity: "irradiance", falseColours: true, groups: { lamps: 1 } }));
+  await page.ask("Input.dispatchMouseEvent", { type: "mouseMoved", x: 430, y: 330 });
   await page.call((viewer) => viewer.picture());
   writeFileSync(join(pictures, "viewer.png"), await page.screenshot());
   assert.deepEqual(page.faults, []);
