@@ -15,9 +15,9 @@ use crate::cli::{
     run::{Loaded, Run},
 };
 
-/// Pixels of a picture whose light takes as long as that of a texel, at the most. Chosen: on small and curved surfaces few texels
-/// can be interpolated, and none is hidden by another.
-const PIXELS: u64 = 8;
+/// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and curved surfaces fewer texels
+/// can be interpolated.
+const PIXELS: u64 = 2;
 
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
