@@ -15,6 +15,10 @@ use crate::cli::{
     run::{Loaded, Run},
 };
 
+/// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and curved surfaces fewer texels
+/// can be interpolated.
+const PIXELS: u64 = 2;
+
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
     loaded: Loaded,
@@ -29,7 +33,8 @@ pub(crate) fn write(
     let solution = &run.solved.outcome.solution;
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
-    let usual = || usual_read(solution, run.solved.visibility(), (texels * parts) as u64, run.threads());
+    let pixels = PIXELS * (texels * parts) as u64;
+    let usual = || usual_read(solution, run.solved.visibility(), pixels, run.threads());
     let read_by = read.unwrap_or_else(usual);
     let tell = |done, all| progress.show("texels", done, all);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;

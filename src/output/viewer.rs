@@ -26,15 +26,17 @@ pub use start::{Start, StartColours};
 /// cannot be compressed.
 const VALUES: usize = 1_000_000;
 
-/// Fewest texels. Chosen: scenes of many groups and bands get larger pages instead of coarser light.
+/// Fewest texels, so that scenes of many groups and bands get larger pages instead of coarser light; most, so that those of one band
+/// take no longer. Both are chosen.
 const FEWEST: usize = 20_000;
+const MOST: usize = 400_000;
 
 /// How far triangles may lie from curved surfaces, over the diagonal of the scene. Chosen: a third of a pixel in a picture of 1000.
 const TOLERANCE: f64 = 2e-4;
 
 /// The texels of a page on a scene whose light is kept apart in so many parts and bands.
 pub fn texels(parts: usize, bands: usize) -> usize {
-    (VALUES / (parts * bands)).max(FEWEST)
+    (VALUES / (parts * bands)).clamp(FEWEST, MOST)
 }
 
 const PAGE: &str = include_str!("viewer/page.html");

@@ -26,14 +26,16 @@ const [FLOOR, WANTED] = [5, 30];
 const told = (text) => console.log(`ok: ${text}`);
 
 function write() {
+  const render = (solution, output, ...options) =>
+    command("render", file(solution), "--read", "gather", ...options, "-o", file(output));
   command("solve", "cornell-box", "-o", file("box.json"));
-  command("render", file("box.json"), "-o", file("box.html"));
-  command("render", file("box.json"), "-o", file("box.png"));
-  command("render", file("box.json"), "--exposure", "3", "-o", file("exposed.png"));
-  command("render", file("box.json"), "--false-colour", "--show", "irradiance", "-o", file("false.png"));
+  render("box.json", "box.html");
+  render("box.json", "box.png");
+  render("box.json", "exposed.png", "--exposure", "3");
+  render("box.json", "false.png", "--false-colour", "--show", "irradiance");
   command("solve", groups, "-o", file("groups.json"));
-  command("render", file("groups.json"), "-o", file("groups.html"));
-  command("render", file("groups.json"), "-o", file("groups.png"));
+  render("groups.json", "groups.html");
+  render("groups.json", "groups.png");
   command("solve", shapes, "-o", file("shapes.json"));
   for (const name of ["shapes.html", "shapes.png"]) {
     command("render", file("shapes.json"), "--read", "basis", "--size", "400x300", "-o", file(name));
@@ -270,6 +272,7 @@ async function lamps() {
   told(`dimmed: ${await probed(page, "groups.json", normals, ["lamps=0.3", "spot=2"])}`);
   await page.call((viewer) => viewer.size(null));
   await page.call((viewer) => viewer.set({ quantity: "irradiance", falseColours: true, groups: { lamps: 1 } }));
+  await page.ask("Input.dispatchMouseEvent", { type: "mouseMoved", x: 430, y: 330 });
   await page.call((viewer) => viewer.picture());
   writeFileSync(join(pictures, "viewer.png"), await page.screenshot());
   assert.deepEqual(page.faults, []);
