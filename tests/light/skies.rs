@@ -159,13 +159,14 @@ fn a_window_keeps_power_and_its_light_is_read_by_cells_and_by_rays() {
         "[[surfaces]]\nname = \"opening\"\nmaterial = \"glass\"\nglass = {{ panes = 2, transmittance = 0.78 }}\n{WINDOW}"
     );
     let scene = room(sky, &opening);
-    let (exact, [emitted, absorbed, lost]) =
-        readings(&scene, By::Cells, &Options { shadow_eps: 1e-3, ..Options::default() });
+    let options = Options::default();
+    let (exact, [emitted, absorbed, lost]) = readings(&scene, By::Cells, &options);
     close(absorbed + lost, emitted, 1e-9);
     assert!(lost.abs() < 0.01 * emitted, "{lost} of {emitted}");
-    for transport in [Transport::Exact, Transport::Sampled] {
-        let (found, _) = readings(&scene, By::Rays, &Options { transport, ..Options::default() });
-        found.iter().zip(&exact).for_each(|(found, exact)| close(*found, *exact, 0.02));
+    // Rays that carry the light err by themselves, where little arrives.
+    for (transport, error) in [(Transport::Exact, 0.01), (Transport::Sampled, 0.04)] {
+        let (found, _) = readings(&scene, By::Rays, &Options { transport, ..options });
+        found.iter().zip(&exact).for_each(|(found, exact)| close(*found, *exact, error));
     }
 }
 

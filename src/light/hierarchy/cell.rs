@@ -147,7 +147,6 @@ impl Cell {
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,
-            quad: self.quad.clone(),
             ..*self
         };
         let mut cell = bare.with_values(values, &[scale]);
