@@ -40,6 +40,9 @@ pub use figures::SurfaceHeat;
 use figures::{add_errors_of_blocks, add_errors_of_order, figures};
 use roles::Roles;
 
+/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
+const CLOSED: f64 = 1e-3;
+
 /// The balance of heat of a scene.
 #[derive(Debug)]
 pub struct Heat {
@@ -113,6 +116,12 @@ impl Heat {
         })
     }
 
+    /// Whether hardly any heat leaves the scene: less than a thousandth of what its surfaces exchange.
+    pub fn is_closed(&self) -> bool {
+        let exchanged = |own: &SurfaceHeat| own.area * own.radiosity.max(own.irradiance);
+        self.lost.abs() <= CLOSED * self.surfaces.iter().map(exchanged).sum::<f64>()
+    }
+
     /// σ T⁴ (W m⁻²) at all places, as the radiosity of a solution over the same elements: what a black surface of the
     /// temperature there would emit. It varies over surfaces of known flux.
     pub fn levels(&self) -> Solution {
@@ -156,7 +165,7 @@ fn solved(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<(Model, Outcome), HeatError> {
     let model = Model::assemble(&all_emit(scene, roles), options, progress)?;
-    levels::require(scene, roles, &model)?;
+    levels::require(scene, roles, &model, options)?;
     let radiant = radiant(scene, roles);
     let outcome = model.solve(&radiant, progress)?;
     if roles.shields.is_empty() {

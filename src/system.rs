@@ -76,7 +76,7 @@ pub struct Coefficients {
     /// b of the radiosity, b = e + ρ h.
     pub radiosity: Vec<f64>,
     /// ‖b − e − ρ h‖₂ / ‖e‖₂ with the solver's b before that substitution, black elements included; over the known
-    /// radiosity where only luminaires shine; 0 if nothing does.
+    /// radiosity ‖e + ρ d‖₂ where direct light d enters apart and that is more; 0 if nothing shines.
     pub residual: f64,
 }
 
@@ -243,8 +243,8 @@ impl<'a> System<'a> {
             }
         };
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
-        let emits = self.emitted.iter().any(|e| *e != 0.0);
-        let scale = norm(if emits { &self.emitted } else { &self.known });
+        // Of what luminaires light, surfaces reflect a part first.
+        let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
         let difference = distance(&solved, &radiosity);
         let residual = if scale > 0.0 { difference / scale } else { 0.0 };
         Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }

@@ -125,9 +125,6 @@ enum MatrixFormat {
 /// Digits of the table on standard output. Chosen.
 const DIGITS: usize = 6;
 
-/// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
-const CLOSED: f64 = 1e-3;
-
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
     let start = Instant::now();
@@ -145,7 +142,9 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
     let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
-    let picture = args.picture.wanted(&scene, reserve)?;
+    let others =
+        [(args.output.as_deref(), "the figures"), (args.conductances.as_deref(), "the conductances")];
+    let picture = args.picture.wanted(&scene, reserve, &others)?;
     let matrix = match (&args.output, matrix) {
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
         (_, matrix) => matrix,
@@ -212,7 +211,7 @@ impl HeatArgs {
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
-        let whole = if heat.lost.abs() > CLOSED * given.max(taken) {
+        let whole = if !heat.is_closed() {
             format!("{} W leave the scene, to surroundings at 0 K", significant(heat.lost, 6))
         } else {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)

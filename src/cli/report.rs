@@ -20,7 +20,7 @@ use light::Wanted;
 /// Solves the scene and writes the report.
 pub(crate) fn run(args: &ReportPageArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.html", loaded.scene.name).into());
-    let is_lit = loaded.scene.surfaces.iter().any(|surface| surface.material.emits());
+    let is_lit = loaded.scene.require_light().is_ok();
     if !is_lit && Heat::is_known(&loaded.scene) {
         return run_in_the_dark(args, &path, &loaded);
     }

@@ -345,9 +345,11 @@ impl<'a> RayGather<'a> {
     }
 
     /// Whether readings take all light at a point of an element from its polynomials, because it is near an emitter or smaller
-    /// than a square of this width.
+    /// than a square of this width. Never among luminaires: before one of them light peaks, which no polynomial follows.
     fn is_rough(&self, element: usize, there: &ReceiverPoint, width: f64) -> bool {
-        is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR)
+        let is_held =
+            is_small(&self.solution.elements().list()[element], width) || self.lamps.is_near(there, NEAR);
+        is_held && self.points.is_empty()
     }
 
     /// Adds the polynomials E_h ≥ 0 of all light.

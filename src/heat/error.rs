@@ -22,7 +22,7 @@ pub enum HeatError {
     },
     /// Surfaces that exchange heat with one another alone, all of known flux.
     #[error(
-        "no temperature sets the level of {}: nothing but fluxes of heat is given, and none can leave",
+        "no temperature sets the level of {}: nothing but fluxes of heat is given, and no more can leave than the transfers err by",
         listed(surfaces)
     )]
     NoLevel {
@@ -48,7 +48,9 @@ impl HeatError {
                 "give the surface or its material temperature = …, in kelvin, heat_flux = …, in W/m², or adiabatic = true",
             ),
             Self::NoEmissivity { .. } => Some("give the material emissivity = …, 0 < ε ≤ 1"),
-            Self::NoLevel { .. } => Some("give one of them a temperature"),
+            Self::NoLevel { .. } => Some(
+                "give one of them a temperature; heat that leaves by a small opening is found by a smaller --eps",
+            ),
             Self::TooCold { .. } => {
                 Some("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
             }

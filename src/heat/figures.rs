@@ -13,7 +13,7 @@ use super::roles::{Role, Roles};
 pub struct SurfaceHeat {
     /// Its name.
     pub name: String,
-    /// Area that exchanges heat, without footings (scene length², metres² for watts).
+    /// Area that exchanges heat (scene length², metres² for watts); where things touch they see each other.
     pub area: f64,
     /// Emissivity; None where none was given and none is needed.
     pub emissivity: Option<f64>,

@@ -7,16 +7,22 @@ use std::collections::BTreeMap;
 
 use crate::elements::Element;
 use crate::scene::Scene;
-use crate::solve::Model;
+use crate::solve::{Model, Options};
 
 use super::error::HeatError;
 use super::roles::{Role, Roles};
 
-/// Share of its heat that a part has to lose to count as open. Errors of the blocks are smaller. Chosen; not tuned.
-const OPEN: f64 = 1e-2;
+/// Share of its heat that a part has to lose to count as open, over the accuracy of the blocks. Chosen; not tuned.
+const OPEN: f64 = 10.0;
 
 /// Refuses a scene with a part that has neither a temperature nor an opening.
-pub(super) fn require(scene: &Scene, roles: &Roles, model: &Model) -> Result<(), HeatError> {
+pub(super) fn require(
+    scene: &Scene,
+    roles: &Roles,
+    model: &Model,
+    options: &Options,
+) -> Result<(), HeatError> {
+    let open = OPEN * options.eps.max(options.shadow_eps).max(model.blocks().accuracy_reached);
     let list = model.elements().list();
     let parts = parts(roles, model, scene.surfaces.len());
     let ones = model.elements().constant();
@@ -32,7 +38,7 @@ pub(super) fn require(scene: &Scene, roles: &Roles, model: &Model) -> Result<(),
         part.kept += kept(index, element);
         part.has_temperature |= matches!(roles.list[element.surface], Role::Temperature { .. });
     }
-    let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - OPEN) * part.area;
+    let floats = |part: &Part| !part.has_temperature && part.kept > (1.0 - open) * part.area;
     match sums.iter().find(|(_, part)| floats(part)) {
         None => Ok(()),
         Some((floating, _)) => {

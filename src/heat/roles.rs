@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use radiosity_geom::DVec3;
+
 use crate::scene::{Condition, Scene, SceneSurface};
 
 use super::error::HeatError;
@@ -84,15 +86,29 @@ fn emissivity(scene: &Scene, surface: &SceneSurface) -> Option<f64> {
     surface.thermal.emissivity.or_else(grey)
 }
 
-/// The two-sided surfaces of known flux.
+/// Whether two surfaces are sides of one sheet, to a millionth of its size.
+fn lie_together(a: &SceneSurface, b: &SceneSurface) -> bool {
+    let corners = [[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]];
+    let place = |surface: &SceneSurface, [u, v]: [f64; 2]| surface.shape.jet(u, v).position;
+    // The sides may be charted from different corners.
+    let [a_middle, b_middle] = [a, b].map(|surface| {
+        corners.iter().map(|corner| place(surface, *corner)).sum::<DVec3>() / corners.len() as f64
+    });
+    let [a_area, b_area] = [a, b].map(|surface| surface.shape.area());
+    let near = 1e-6 * a_area.sqrt();
+    a_middle.distance(b_middle) <= near && (a_area - b_area).abs() <= 1e-6 * a_area
+}
+
+/// The two-sided surfaces of known flux: two fronts back to back, of one condition, which two materials may have.
 fn shields(scene: &Scene) -> Vec<Shield> {
     let fronts: HashMap<&str, usize> =
         scene.surfaces.iter().enumerate().map(|(index, own)| (own.name.as_str(), index)).collect();
     let shield = |(back, surface): (usize, &SceneSurface)| {
         let Some(Condition::HeatFlux(flux)) = surface.thermal.condition else { return None };
         let front = *fronts.get(surface.name.strip_suffix(":back")?)?;
-        // A surface may be called so without being a back.
-        let is_sheet = front + 1 == back && scene.surfaces[front].thermal == surface.thermal;
+        // A surface may be called so without being a back. Sides of other conditions are insulated from each other.
+        let other = &scene.surfaces[front];
+        let is_sheet = other.thermal.condition == surface.thermal.condition && lie_together(other, surface);
         is_sheet.then_some(Shield { sides: [front, back], flux })
     };
     scene.surfaces.iter().enumerate().filter_map(shield).collect()

@@ -38,7 +38,7 @@ const SUNNY_HALVINGS: usize = 5;
 /// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
 /// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.
 const PEAKED: f64 = 0.15;
-const DEEPEST: usize = 6;
+const DEEPEST: usize = 14;
 
 /// A patch below this part of its element's area is small. Chosen; not tuned.
 const SMALL: f64 = 0.25;

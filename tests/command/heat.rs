@@ -73,6 +73,13 @@ fn conductances_of_a_surface_sum_to_what_it_emits() {
 }
 
 #[test]
+fn a_room_at_rest_is_told_to_be_closed() {
+    let folder = tempfile::tempdir().unwrap();
+    let (_, told) = done(&heat(folder.path(), &["oven", "--set", "heater=900", "--order", "1"]));
+    assert!(told.contains("the scene is closed"), "{told}");
+}
+
+#[test]
 fn a_picture_shows_temperatures_with_a_legend() {
     let folder = tempfile::tempdir().unwrap();
     let args = ["oven", "--picture", "oven.png", "--size", "64x48", "--range", "800,1500", "-q"];
@@ -113,6 +120,7 @@ fn wrong_use_is_refused_before_the_work() {
     refused(&run(&["oven", "--shadows", "mask"]), &["masks"]);
     refused(&run(&["oven", "--set", "heater=-5"]), &["heater"]);
     refused(&run(&["oven", "--order", "21"]), &["21"]);
+    refused(&run(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"]), &["x.png", "figures"]);
     refused(&run(&["oven", "--isolines"]), &["--isolines speaks of a picture", "--picture FILE.png"]);
     refused(&run(&["oven", "--picture", "a.jpg"]), &["a.jpg", ".png"]);
     refused(&run(&["oven", "--picture", "a.png", "--band", "grey"]), &["--band", "leave it out"]);

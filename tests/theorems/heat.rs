@@ -137,6 +137,50 @@ fn a_foil_between_spheres_is_a_shield() {
 }
 
 #[test]
+fn a_shield_may_have_two_materials() {
+    let sides = r#"
+        [materials.black]
+        emissivity = 0.9
+        adiabatic = true
+        [[surfaces]]
+        name = "foil"
+        material = "foil"
+        sphere = { center = [0, 0, 0], radius = 1.5 }
+        [[surfaces]]
+        name = "foil:back"
+        material = "black"
+        flip = true
+        sphere = { center = [0, 0, 0], radius = 1.5 }
+    "#;
+    let text = spheres("temperature = 500", sides);
+    let heat = lumped_and_curved(&text);
+    let [inner, foil, outer] = [1.0, 1.5, 2.0].map(sphere);
+    let before = surface_resistance(0.8, inner) + 1.0 / inner + surface_resistance(0.9, foil);
+    let after = surface_resistance(0.05, foil) + 1.0 / foil + surface_resistance(0.6, outer);
+    let flow = (level(500.0) - level(300.0)) / (before + after);
+    close(of(&heat, "inner").flow, flow, 5e-4);
+    for side in ["foil", "foil:back"] {
+        close(level(of(&heat, side).temperature), level(500.0) - flow * before, 5e-4);
+    }
+}
+
+#[test]
+fn a_small_opening_sets_the_level() {
+    // All of the heat leaves by a hole of 0.2 × 0.2 in a cube that is heated evenly.
+    let text = CUBE
+        .replace("temperature = 1000", "heat_flux = 10")
+        .replace("temperature = 500", "heat_flux = 10")
+        .replace("adiabatic = true", "heat_flux = 10")
+        .replace(
+            "[1,1,1],[1,0,1]] }",
+            "[1,1,1],[1,0,1]], holes = [[[0.4,0.4,1],[0.4,0.6,1],[0.6,0.6,1],[0.6,0.4,1]]] }",
+        );
+    let heat = at_order(0, &text).unwrap();
+    close(heat.lost, 10.0 * (6.0 - 0.04), 1e-9);
+    assert!(!heat.is_closed());
+}
+
+#[test]
 fn a_cylinder_in_a_black_room_sends_out_its_own_alone() {
     // A convex body in a black enclosure at one temperature: Q = ε A σ (T₁⁴ − T₂⁴), whatever their shapes.
     let heat = lumped_and_curved(
@@ -292,6 +336,7 @@ fn an_isothermal_room_is_at_rest_at_any_order() {
         CUBE.replace("temperature = 500", "temperature = 1000").replace("emissivity = 1", "emissivity = 0.4");
     for order in [0, 2, 3] {
         let heat = at_order(order, &text).unwrap();
+        assert!(heat.is_closed());
         for own in &heat.surfaces {
             assert!(own.flow.abs() <= 1e-9 * level(1000.0), "{}: {}", own.name, own.flow);
             close(own.temperature, 1000.0, 1e-9);

@@ -1,6 +1,6 @@
 //! Pictures of temperatures.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use radiosity::heat::{Heat, kelvin};
@@ -64,11 +64,12 @@ pub(crate) struct Wanted<'a> {
 }
 
 impl PictureArgs {
-    /// The picture, if one is wanted; `reserve` opens its file.
+    /// The picture, if one is wanted; `reserve` opens its file, which has to be none of the `others`, named by what they hold.
     pub(crate) fn wanted(
         &self,
         scene: &Scene,
-        reserve: impl FnOnce(&std::path::Path) -> Result<OutputFile, CliError>,
+        reserve: impl FnOnce(&Path) -> Result<OutputFile, CliError>,
+        others: &[(Option<&Path>, &str)],
     ) -> Result<Option<Wanted<'_>>, CliError> {
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
@@ -89,7 +90,10 @@ impl PictureArgs {
         self.colours.check()?;
         format::chosen(None, Some(path), Kind::Png)?;
         let camera = camera(self.size, scene)?;
-        Ok(Some(Wanted { args: self, camera, file: reserve(path)? }))
+        let known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
+        let file = reserve(path)?;
+        let file = known.fold(Ok(file), |file, (path, what)| file?.apart_from(path, what))?;
+        Ok(Some(Wanted { args: self, camera, file }))
     }
 }
 

@@ -45,6 +45,8 @@ pub struct Cell {
     pub lanes: [[f64; POINTS]; 3],
     /// Values of the field, point after point, channels fastest.
     values: SmallVec<[f64; 12]>,
+    /// Mean of each channel over the cell's area, by its finest parts.
+    means: SmallVec<[f64; 3]>,
     /// Positions and normals at the corners and the Gauss points of a curved cell.
     pub facets: Vec<(DVec3, DVec3)>,
     /// Mean of the points of the hull.
@@ -57,7 +59,7 @@ pub struct Cell {
     pub brightness: f64,
     /// Largest difference of a value from the mean, over the channel's scale.
     pub spread: f64,
-    /// Largest difference between the cell's mean and that of its quarters, over the channel's scale.
+    /// Largest difference between the mean by the cell's points and that by its finest parts, over the channel's scale.
     pub detail: f64,
     /// Whether the bilinear function of the four values may be continued beyond their range.
     is_smooth: bool,
@@ -107,6 +109,7 @@ impl Cell {
             lanes,
             facets,
             values: SmallVec::new(),
+            means: SmallVec::new(),
             center,
             radius,
             quad,
@@ -123,8 +126,9 @@ impl Cell {
     /// The cell with `values` of a field at its points; `scale` has one positive number per channel.
     pub fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
         self.values = values;
+        self.means = (0..scale.len()).map(|channel| self.mean(channel)).collect();
         for (channel, scale) in scale.iter().enumerate() {
-            let mean = self.mean(channel);
+            let mean = self.means[channel];
             let difference = |k: usize| (self.value(k, channel) - mean).abs();
             let spread = (0..POINTS).map(difference).fold(0.0, f64::max);
             self.brightness = self.brightness.max(mean.abs() / scale);
@@ -144,6 +148,7 @@ impl Cell {
             hull: self.hull.clone(),
             facets: self.facets.clone(),
             values: SmallVec::new(),
+            means: SmallVec::new(),
             brightness: 0.0,
             spread: 0.0,
             detail: 0.0,
@@ -167,8 +172,8 @@ impl Cell {
         self.values[point * (self.values.len() / POINTS) + channel]
     }
 
-    /// Mean of a channel over the cell's area.
-    pub fn mean(&self, channel: usize) -> f64 {
+    /// Mean of a channel over the cell's area, by its points.
+    fn mean(&self, channel: usize) -> f64 {
         let area = self.area();
         let sum: f64 = (0..POINTS).map(|k| self.nodes[k].area * self.value(k, channel)).sum();
         if area > 0.0 { sum / area } else { 0.0 }
@@ -225,17 +230,20 @@ impl Cell {
         self.is_smooth = false;
     }
 
-    /// Stores its quarters, which carry the same field, and updates spread and detail from them.
+    /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and brightness from them:
+    /// a cell whose points all miss a peak knows it so.
     pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
-            let parts = quarters.iter().map(|quarter| quarter.area() * quarter.mean(channel)).sum::<f64>();
+            let parts = quarters.iter().map(|quarter| quarter.area() * quarter.means[channel]).sum::<f64>();
             let points = quarters.iter().flat_map(|quarter| (0..POINTS).map(|k| quarter.value(k, channel)));
             let spread = points.map(|value| (value - mean).abs()).fold(0.0, f64::max);
             self.spread = self.spread.max(spread / scale);
             if whole > 0.0 {
-                self.detail = self.detail.max((parts / whole - mean).abs() / scale);
+                self.means[channel] = parts / whole;
+                self.detail = self.detail.max((self.means[channel] - mean).abs() / scale);
+                self.brightness = self.brightness.max(self.means[channel].abs() / scale);
             }
         }
         self.quarters = OnceLock::from(Box::new(quarters));

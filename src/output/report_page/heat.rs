@@ -8,6 +8,15 @@ use crate::output::round::significant;
 /// Digits of what was computed. Chosen: errors of a thousandth are usual.
 const DIGITS: usize = 4;
 
+/// Where the heat goes.
+fn whole(heat: &Heat) -> String {
+    let lost = significant(heat.lost, 2);
+    match heat.is_closed() {
+        true => format!("The scene is closed: the flows sum to {lost} W."),
+        false => format!("{lost} W leave the scene, to surroundings at 0 K."),
+    }
+}
+
 pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
     let heading = Block::Heading("Radiant heat".to_owned());
     match heat {
@@ -15,9 +24,8 @@ pub(super) fn blocks(heat: Result<&Heat, &HeatError>) -> Vec<Block> {
             heading,
             Block::Text(format!(
                 "Temperature T, net flux q and net flow Q that leave each surface as radiation, with their estimated errors, or \
-                 given. The flows sum to {} W, which leave the scene, to surroundings at 0 K. Conduction, convection and \
-                 stored heat are left out. Lengths are metres.",
-                significant(heat.lost, 2)
+                 given. {} Conduction, convection and stored heat are left out. Lengths are metres.",
+                whole(heat)
             )),
             Block::Table(table(&heat.surfaces, DIGITS)),
         ],
