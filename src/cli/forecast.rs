@@ -6,7 +6,8 @@ use crate::cli::error::CliError;
 use crate::cli::memory::usable;
 use crate::cli::options::MethodArgs;
 
-/// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured: 150 for three bands without groups.
+/// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured in textures: 150 for
+/// three bands without groups; pages take less.
 const TEXEL: u64 = 80;
 const BAND: u64 = 20;
 const OF_GROUP: u64 = 4;

@@ -100,7 +100,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
     let folder = folder_with_room();
     let path = folder.path();
     done(path, &["render", "room.toml", "-q", "--read", "basis", "--size", "64x64", "-o", "room.glb"]);
-    // +z is up in the scene, +y in glTF: (x, y, z) becomes (x, z, −y).
+    // +z is up in the scene, +y in glTF, which the reader turns back.
     let scene = radiosity::Scene::load(path.join("room.glb").to_str().expect("text")).expect("it is glTF");
     let flat = |axis: usize, place: f64| -> f64 {
         let on_it = scene.surfaces.iter().filter(|surface| {
@@ -110,7 +110,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
         on_it.map(|surface| surface.shape.area()).sum()
     };
     for (name, area, expected) in
-        [("floor", flat(1, 0.0), 11.5), ("wall", flat(2, -3.0), 10.0), ("lamp", flat(1, 4.0), 1.0)]
+        [("floor", flat(2, 0.0), 11.5), ("wall", flat(1, 3.0), 10.0), ("lamp", flat(2, 4.0), 1.0)]
     {
         assert!((area - expected).abs() < 1e-5, "{name}: {area}");
     }

@@ -64,7 +64,7 @@ fn scripts_of_a_page_do_not_end_in_a_name() {
     let render = |scene| ["render", scene, "--read", "basis", "--size", "16x12"];
     let page = text(folder.path(), &render("odd.json"), "odd.html");
     let plain = text(folder.path(), &render("furnace-cube"), "plain.html");
-    for tag in ["<script", "</script", "<!--", "<title>", "</title>", "{{"] {
+    for tag in ["<script", "</script", "<!--", "<title>", "</title>"] {
         assert_eq!(page.matches(tag).count(), plain.matches(tag).count(), "{tag}");
     }
     let (_, rest) = page.split_once("id=\"header\">").expect("a header");
@@ -96,7 +96,7 @@ fn reports_show_names_as_they_are() {
 #[test]
 fn grids_and_textures_keep_names_whole() {
     let folder = folder_with_solution();
-    let grid = text(folder.path(), &["relight", "odd.json"], "odd.vtu");
+    let grid = text(folder.path(), &["relight", "odd.json", "--set", &format!("{NAME}=1")], "odd.vtu");
     let document = roxmltree::Document::parse(&grid).expect("it is well-formed");
     let arrays = document.descendants().filter_map(|node| node.attribute("Name"));
     let expected = format!("irradiance {NAME}");
