@@ -52,7 +52,7 @@ fn row(name: &str) -> String {
     let solved = start.elapsed().as_secs_f64();
     let visibility = Visibility::new(&scene, (&options).into());
     let pixels = u64::from(camera.width) * u64::from(camera.height);
-    let read = usual_read(&solution, &visibility, pixels, options.threads);
+    let read = usual_read(&solution, &visibility, pixels);
     let start = Instant::now();
     let _ = render(&solution, &visibility, &camera, 3, read, Shown::Radiosity, &|_| {});
     let taken = start.elapsed().as_secs_f64();

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use radiosity::output::exr_file::write_exr;
-use radiosity::output::glb::Baked;
+use radiosity::output::glb::{Baked, texture_size};
 use radiosity::output::image::Image;
 use radiosity::output::lightmap::Lightmap;
 use radiosity::output::picture::Picture;
@@ -33,11 +33,6 @@ const SIZE: [u32; 2] = [1024, 1024];
 /// Distance of triangles from a curved surface, over the diagonal of the scene. Chosen: half a pixel of a picture of the whole.
 const NEAR: f64 = 5e-4;
 
-/// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured: 150 for three bands without groups.
-const TEXEL: u64 = 80;
-const BAND: u64 = 20;
-const OF_GROUP: u64 = 4;
-
 /// What is baked, and how.
 #[derive(Debug)]
 pub(crate) struct Bake<'a> {
@@ -60,11 +55,13 @@ impl Bake<'_> {
         let linear = loaded.reserve(&beside, self.report)?.apart_from(self.path, "the triangles")?;
         let [across, down] = self.size.map_or(SIZE, |Counts(size)| size);
         let texels = u64::from(across) * u64::from(down);
-        self.check_memory(texels, &loaded.scene)?;
+        let [width, height] = texture_size(Lightmap::sizes(&loaded.scene, texels as usize));
+        let less = "ask for fewer with --size";
+        forecast::require_texels(width * height, &loaded.scene, self.method, less)?;
         let progress = Progress::new(self.report.quiet);
         let run = Run::solve(loaded, self.method, self.report, &progress)?;
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
-        let usual = || usual_read(solution, run.solved.visibility(), texels, run.threads());
+        let usual = || usual_read(solution, run.solved.visibility(), texels);
         let read = self.read.unwrap_or_else(usual);
         let show = |done, all| progress.show("light map", done, all);
         let (triangles, lightmap) = run.in_threads(|| {
@@ -72,9 +69,11 @@ impl Bake<'_> {
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)
         })?;
         let baked = Baked::new(scene, &triangles, &lightmap, self.style.show);
-        linear.write(|writer| write_exr(baked.raster(), writer))?;
         let (picture, about) = self.coloured(&baked, &run.solved, &beside);
-        output.write(|writer| baked.write(&picture, &about, writer))?;
+        // Both are written before one is put in place: they belong together.
+        let linear = linear.filled(|writer| write_exr(baked.raster(), writer))?;
+        output.filled(|writer| baked.write(&picture, &about, writer))?.put()?;
+        linear.put()?;
         let [width, height] = baked.raster().size();
         let figures = format!("{} triangles, texture of {width} × {height}", baked.triangles());
         let note = if self.read.is_none() && read == Read::Direct { ROUGH } else { "" };
@@ -96,13 +95,6 @@ impl Bake<'_> {
             "linear": beside.file_name().map(|name| name.to_string_lossy()),
         });
         (image.exposed(exposure, tone), about)
-    }
-
-    /// Refuses more texels than there is room for.
-    fn check_memory(&self, texels: u64, scene: &Scene) -> Result<(), CliError> {
-        let parts = 1 + scene.light_groups().len() as u64;
-        let texel = TEXEL + scene.bands.len() as u64 * (BAND + parts * OF_GROUP);
-        forecast::require(texels * texel, self.method, ["the texels", "--size"])
     }
 }
 

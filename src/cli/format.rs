@@ -35,6 +35,17 @@ pub(crate) fn chosen<F: ValueEnum + PartialEq>(
     }
 }
 
+/// The form that `output` ends in, where no option asks for one.
+///
+/// # Errors
+/// An ending that names no form.
+pub(crate) fn of_file<F: ValueEnum>(output: &Path) -> Result<F, CliError> {
+    of_ending(output).ok_or_else(|| CliError::Refused {
+        message: format!("{}: the ending names no format", output.display()),
+        cure: format!("end the name in .{}", known::<F>().replace("or ", "or .")),
+    })
+}
+
 /// The form that `path` ends in, in capitals or not.
 pub(crate) fn of_ending<F: ValueEnum>(path: &Path) -> Option<F> {
     F::from_str(path.extension()?.to_str()?, true).ok()

@@ -64,7 +64,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let [cells, surfaces] =
         [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
     let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
-    forecast::require(needed, &args.method, ["the cells", "--cells"])?;
+    forecast::require(needed, &args.method, ["the cells", "ask for fewer with --cells"])?;
     args.read.check(&loaded.options(&args.method), &args.method)?;
     if args.read_samples.is_some() && args.read.read_by == Some(By::Rays) {
         return Err(CliError::Refused {

@@ -67,23 +67,62 @@ impl OutputFile {
         &self,
         write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
     ) -> Result<(), CliError> {
-        self.try_write(write).map_err(|reason| CliError::Unwritten { path: self.typed.clone(), reason })
+        self.filled(write)?.put()
     }
 
-    fn try_write(&self, write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>) -> io::Result<()> {
+    /// Has `write` write the whole output, which [`Filled::put`] puts in place: for files that belong together.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritten`] if anything fails; the old file at the path is then unchanged.
+    pub(crate) fn filled(
+        &self,
+        write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
+    ) -> Result<Filled<'_>, CliError> {
+        let temporary = self.try_fill(write).map_err(|reason| self.unwritten(reason))?;
+        Ok(Filled { output: self, temporary })
+    }
+
+    fn unwritten(&self, reason: io::Error) -> CliError {
+        CliError::Unwritten { path: self.typed.clone(), reason }
+    }
+
+    /// The temporary file; none where it needs none.
+    fn try_fill(
+        &self,
+        write: impl FnOnce(&mut BufWriter<&File>) -> io::Result<()>,
+    ) -> io::Result<Option<Temporary>> {
         let fill = |file: &File| {
             let mut writer = BufWriter::new(file);
             write(&mut writer)?;
             writer.flush()
         };
         match &self.target {
-            Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?),
+            Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?).map(|()| None),
             Target::Regular(path) => {
                 let temporary = Temporary::beside(path)?;
                 fill(temporary.file.as_file())?;
-                temporary.take_name(path)
+                Ok(Some(temporary))
             }
         }
+    }
+}
+
+/// An output that is written and not yet in place; nothing stays of it if it never is.
+pub(crate) struct Filled<'a> {
+    output: &'a OutputFile,
+    temporary: Option<Temporary>,
+}
+
+impl Filled<'_> {
+    /// Puts it in place.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritten`]; the old file at the path is then unchanged.
+    pub(crate) fn put(self) -> Result<(), CliError> {
+        let (Target::Regular(path), Some(temporary)) = (&self.output.target, self.temporary) else {
+            return Ok(());
+        };
+        temporary.take_name(path).map_err(|reason| self.output.unwritten(reason))
     }
 }
 
@@ -179,6 +218,19 @@ mod tests {
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
         output.write(|file| file.write_all(b"new")).unwrap();
         assert_eq!(fs::read_to_string(&path).unwrap(), "new");
+        assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn of_two_files_that_belong_together_none_is_new_where_one_fails() {
+        let folder = tempfile::tempdir().unwrap();
+        let [first, second] = ["a", "b"].map(|name| folder.path().join(name));
+        fs::write(&first, "old").unwrap();
+        let [one, other] = [&first, &second].map(|path| OutputFile::reserve(path).unwrap());
+        let filled = one.filled(|file| file.write_all(b"new")).unwrap();
+        assert!(other.filled(|_| Err(io::Error::other("no more"))).is_err());
+        drop(filled);
+        assert_eq!(fs::read_to_string(&first).unwrap(), "old");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
     }
 

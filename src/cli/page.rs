@@ -9,9 +9,11 @@ use radiosity::output::viewer::{Start, texels, write_viewer};
 
 use crate::cli::{
     error::CliError,
+    forecast,
     options::{MethodArgs, ReportArgs},
     output_file::OutputFile,
     progress::Progress,
+    read::ROUGH,
     run::{Loaded, Run},
 };
 
@@ -28,20 +30,24 @@ pub(crate) fn write(
     start: &Start,
     read: Option<Read>,
 ) -> Result<(), CliError> {
+    let scene = &loaded.scene;
+    let reckoned = Lightmap::sizes(scene, texels(scene.light_groups().len().max(1), scene.bands.len()));
+    let reckoned = reckoned.iter().map(|[across, down]| across * down).sum();
+    forecast::require_texels(reckoned, scene, method, "choose a file ending in .png")?;
     let progress = Progress::new(report.quiet);
     let run = Run::solve(loaded, method, report, &progress)?;
     let solution = &run.solved.outcome.solution;
     let parts = solution.groups().len().max(1);
     let texels = texels(parts, solution.bands().len());
     let pixels = PIXELS * (texels * parts) as u64;
-    let usual = || usual_read(solution, run.solved.visibility(), pixels, run.threads());
+    let usual = || usual_read(solution, run.solved.visibility(), pixels);
     let read_by = read.unwrap_or_else(usual);
     let tell = |done, all| progress.show("texels", done, all);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let mut written = path.display().to_string();
     if read.is_none() && read_by == Read::Direct {
-        written += " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
+        written += ROUGH;
     }
     run.finish(progress, Some(&written))
 }

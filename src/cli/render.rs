@@ -43,15 +43,16 @@ pub(crate) struct RenderArgs {
     #[arg(short, long, value_name = "FILE")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all [default: 1024x1024]
+    /// Pixels across and down [default: as the scene's camera says]; of a .glb about so many texels in all, more where
+    /// small surfaces are many: each has 2 × 2 at the least, a curved one 9 × 9 [default: 1024x1024]
     #[arg(long, value_name = "WxH")]
     pub(crate) size: Option<Counts>,
 
-    /// Camera rays along each side of a pixel: S × S in all
-    #[arg(long, value_name = "S", default_value = "3", value_parser = clap::value_parser!(u32).range(1..=64))]
-    pub(crate) samples: u32,
+    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
+    pub(crate) samples: Option<u32>,
 
-    /// What the picture is read from [default: gather, or direct where that would take more than some ten seconds]
+    /// What the picture is read from [default: gather, or direct where that would take two threads more than some ten seconds]
     #[arg(long, value_name = "MODE")]
     pub(crate) read: Option<Read>,
 
@@ -69,6 +70,9 @@ pub(crate) struct RenderArgs {
     #[command(flatten)]
     pub(crate) report: ReportArgs,
 }
+
+/// Camera rays along each side of a pixel unless told otherwise. Chosen.
+pub(crate) const SAMPLES: u32 = 3;
 
 /// Bytes of a pixel beside its bands, and of each band. Measured: 130 for three bands.
 const PIXEL: u64 = 60;
@@ -107,17 +111,18 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let (read, show) = match args.importance {
         true => (Read::Basis, Shown::Irradiance),
         false => {
-            let usual = || usual_read(solution, visibility, pixels(&camera), threads);
+            let usual = || usual_read(solution, visibility, pixels(&camera));
             (args.read.unwrap_or_else(usual), args.style.show)
         }
     };
+    let samples = args.samples();
     let take = |solution: &Solution, visibility: &Visibility| {
-        render(solution, visibility, &camera, args.samples, read, show, &observe)
+        render(solution, visibility, &camera, samples, read, show, &observe)
     };
     let (raster, borders, sights) = run.in_threads(|| {
         style.take_other(|other| take(&other.outcome.solution, other.visibility()));
-        let borders = || wireframe(solution.elements(), visibility, &camera, args.samples);
-        let sights = || Sights::through(&camera, args.samples, &run.solved.scene, visibility);
+        let borders = || wireframe(solution.elements(), visibility, &camera, samples);
+        let sights = || Sights::through(&camera, samples, &run.solved.scene, visibility);
         let (borders, sights) = (args.style.wireframe.then(borders), args.style.false_colour.then(sights));
         (take(solution, visibility), borders, sights)
     })?;
@@ -145,7 +150,7 @@ pub(crate) fn pixels(camera: &Camera) -> u64 {
 pub(crate) fn require_pixels(camera: &Camera, scene: &Scene, method: &MethodArgs) -> Result<(), CliError> {
     let pixels = pixels(camera);
     let needed = pixels * (PIXEL + BAND * scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
-    forecast::require(needed, method, ["the pixels", "--size"])
+    forecast::require(needed, method, ["the pixels", "ask for fewer with --size"])
 }
 
 /// Shows how far a picture is.
@@ -169,14 +174,25 @@ pub(crate) fn sized(camera: Camera, size: Option<Counts>) -> Camera {
 impl RenderArgs {
     /// The light in textures instead of a picture.
     fn bake<'a>(&'a self, path: &'a Path) -> Result<Bake<'a>, CliError> {
-        let Self { size, read, importance, style, method, report, .. } = self;
+        let Self { size, samples, read, importance, style, method, report, .. } = self;
+        let refuse = |reason: &str, option: &str| {
+            Err(CliError::Refused {
+                message: format!("{}: {reason}", path.display()),
+                cure: format!("leave out {option}, or choose a file ending in .png"),
+            })
+        };
         if *importance {
-            return Err(CliError::Refused {
-                message: format!("{}: textures hold light, not its importance", path.display()),
-                cure: "leave out --importance, or choose a file ending in .png".to_owned(),
-            });
+            return refuse("textures hold light, not its importance", "--importance");
+        }
+        if samples.is_some() {
+            return refuse("light is read at the middles of texels, and --samples counts rays", "--samples");
         }
         Ok(Bake { path, size: *size, read: *read, style, method, report })
+    }
+
+    /// Camera rays along each side of a pixel.
+    fn samples(&self) -> u32 {
+        self.samples.unwrap_or(SAMPLES)
     }
 
     /// The quantity that the picture shows and its unit.
@@ -195,7 +211,7 @@ impl RenderArgs {
                 cure: "leave out --importance, or choose a file ending in .png".to_owned(),
             });
         }
-        self.style.start(scene, camera, self.samples)
+        self.style.start(scene, camera, self.samples())
     }
 
     /// What light is to be worth something to, where its importance is shown.

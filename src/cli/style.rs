@@ -102,13 +102,18 @@ impl StyleArgs {
                 cure: "leave out the options of style, or choose a file ending in .png".to_owned(),
             }),
             Some("exr") => Ok(Kind::Exr),
-            Some("glb") if drawn => Err(CliError::Refused {
-                message: format!("{}: a .glb has light in textures, with nothing drawn on it", path.display()),
-                cure: "leave out --false-colour, --wireframe and --difference, or choose a file ending in .png"
-                    .to_owned(),
-            }),
-            Some("glb") => Ok(Kind::Glb),
-            Some("html") => self.check_page(path),
+            Some("glb") => {
+                let drawn = ["--false-colour", "--wireframe", "--difference"];
+                let of_colours = ["--range", "--band", "--log", "--isolines"];
+                let unfit = [&drawn[..], &of_colours].concat();
+                self.require_none(path, &unfit, "a .glb holds textures of light, for which there is")?;
+                Ok(Kind::Glb)
+            }
+            Some("html") => {
+                let unfit = ["--wireframe", "--difference", "--isolines"];
+                self.require_none(path, &unfit, "a page to walk through has")?;
+                Ok(Kind::Html)
+            }
             _ => Err(CliError::Refused {
                 message: format!("{}: the ending names no kind of picture", path.display()),
                 cure: "choose a file ending in .png (colours), .exr (values), .html (to walk through) or .glb (surfaces with \
@@ -118,19 +123,20 @@ impl StyleArgs {
         }
     }
 
-    /// Refuses what a page does not show.
-    fn check_page(&self, path: &Path) -> Result<Kind, CliError> {
+    /// Refuses the first of the options `unfit` that was typed, for a file of which `what` begins to say that it has none.
+    fn require_none(&self, path: &Path, unfit: &[&str], what: &str) -> Result<(), CliError> {
         let drawn = [
+            ("--false-colour", self.false_colour),
             ("--wireframe", self.wireframe),
             ("--difference", self.difference.is_some()),
-            ("--isolines", self.colours.isolines.is_some()),
         ];
-        match drawn.iter().find(|(_, typed)| *typed) {
-            Some((option, _)) => Err(CliError::Refused {
-                message: format!("{}: a page to walk through has no {option}", path.display()),
+        let drawn = drawn.into_iter().filter(|(_, typed)| *typed).map(|(option, _)| option);
+        match drawn.chain(self.colours.typed()).find(|option| unfit.contains(option)) {
+            Some(option) => Err(CliError::Refused {
+                message: format!("{}: {what} no {option}", path.display()),
                 cure: format!("leave out {option}, or choose a file ending in .png"),
             }),
-            None => Ok(Kind::Html),
+            None => Ok(()),
         }
     }
 

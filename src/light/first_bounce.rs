@@ -33,7 +33,7 @@ const DIRECT_HALVINGS: usize = 2;
 const REFLECTED_HALVINGS: usize = 1;
 
 /// The former for the light of the sun, whose patches have sharp borders, and of luminaires beside it: a ray for each point. Chosen.
-const SUNNY_HALVINGS: usize = 5;
+const SUNNY_HALVINGS: usize = 6;
 
 /// A cell whose radius exceeds this part of its distance from a luminaire is quartered for D, so many times at most. Two
 /// points each way then err by about 0.02 (2 · 0.15)⁴ = 2e-4 of what the cell receives. Chosen; not tuned.

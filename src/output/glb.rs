@@ -42,6 +42,11 @@ pub struct Baked<'a> {
     raster: Raster,
 }
 
+/// Texels across and down of the one texture that holds those of all surfaces, of these sizes.
+pub fn texture_size(sizes: Vec<[usize; 2]>) -> [usize; 2] {
+    Atlas::of(sizes).size()
+}
+
 impl<'a> Baked<'a> {
     /// The scene with what is `shown` of the light in `lightmap`, on its `triangulations`: both are of this scene, surface by
     /// surface.

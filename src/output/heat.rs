@@ -49,7 +49,7 @@ pub fn table(surfaces: &[SurfaceHeat], digits: usize) -> Table {
         table.row([
             own.name.clone(),
             significant(own.area, GIVEN),
-            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| emissivity.to_string()),
+            own.emissivity.map_or_else(|| "–".to_owned(), |emissivity| significant(emissivity, GIVEN)),
             figure(own.is_temperature_known, own.temperature),
             error(own.is_temperature_known, own.temperature_error),
             figure(own.is_flow_known, own.flux),

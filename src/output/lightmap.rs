@@ -86,7 +86,7 @@ impl Lightmap {
             .into_iter()
             .map(|solution| PictureLight::new(solution, solved.visibility(), read, GATHERED))
             .collect();
-        let sizes = sizes(solution.elements(), texels);
+        let sizes = sizes(&solved.scene, texels);
         let all = parts.len() * sizes.iter().map(|[w, h]| w * h).sum::<usize>();
         let done = AtomicUsize::new(0);
         let texture = |(surface, size): (usize, [usize; 2])| {
@@ -101,6 +101,12 @@ impl Lightmap {
         };
         let surfaces = sizes.into_par_iter().enumerate().with_max_len(1).map(texture).collect();
         Self { parts, surfaces }
+    }
+
+    /// The texels along u and along v that [`Lightmap::new`] gives each surface of `scene` of about `texels`: what is reckoned
+    /// before the work.
+    pub fn sizes(scene: &Scene, texels: usize) -> Vec<[usize; 2]> {
+        sizes(scene, texels)
     }
 
     /// The parts of the light: of groups, and of what has no group; one for all light where it is not kept apart.

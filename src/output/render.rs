@@ -38,6 +38,9 @@ const CONTRAST: f64 = 0.04;
 const PATIENCE: f64 = 10.0;
 const INTERPOLATED: f64 = 20.0;
 
+/// Threads that the time is reckoned with, whatever the number that works: what is read does not depend on it. Chosen.
+const THREADS: f64 = 2.0;
+
 /// Pixels that are worked on at once; rows of more before and after them, that neighbours agree: a pixel's value hangs on
 /// those two steps of the lattice away, of each of its spacings, and one beside it. The former is chosen.
 const AT_ONCE: usize = 1 << 20;
@@ -107,11 +110,11 @@ pub fn render(
     Raster::new([camera.width, camera.height], bands, values, coverage).with_samples(samples)
 }
 
-/// How a picture of so many pixels is read unless told otherwise: gathered, if `threads` do that within
+/// How a picture of so many pixels is read unless told otherwise: gathered, if two threads do that within
 /// some ten seconds, else with direct light alone recomputed. Direct light takes its time in both.
-pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64, threads: usize) -> Read {
+pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> Read {
     let seconds = seconds_to_gather(solution, visibility, AVERAGED * GATHERED);
-    let gathered = pixels as f64 / INTERPOLATED / threads as f64 * seconds;
+    let gathered = pixels as f64 / INTERPOLATED / THREADS * seconds;
     if gathered <= PATIENCE { Read::Gather } else { Read::Direct }
 }
 

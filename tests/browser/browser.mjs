@@ -14,29 +14,45 @@ const FLAGS = [
 
 /** A page in a browser of its own. */
 export class Page {
-  static async open(url, [width, height]) {
+  /** Opens an address, has `act` work on its page, and closes the browser whatever happens. */
+  static async within(url, size, act) {
     const page = new Page();
     page.profile = mkdtempSync(join(tmpdir(), "radiosity-browser-"));
-    const flags = [...FLAGS, `--user-data-dir=${page.profile}`, `--window-size=${width},${height}`];
-    page.process = spawn(process.env.CHROMIUM ?? "chromium", [...flags, "about:blank"], {
+    try {
+      await page.start(size);
+      await page.open(url);
+      await act(page);
+    } finally {
+      await page.close();
+      rmSync(page.profile, { recursive: true, force: true, maxRetries: 5 });
+    }
+  }
+
+  /** Starts the browser, with a window of so many pixels. */
+  async start([width, height]) {
+    Object.assign(this, { answers: new Map(), requests: [], faults: [], last: 0 });
+    const flags = [...FLAGS, `--user-data-dir=${this.profile}`, `--window-size=${width},${height}`];
+    this.process = spawn(process.env.CHROMIUM ?? "chromium", [...flags, "about:blank"], {
       stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
     });
-    page.answers = new Map();
-    page.requests = [];
-    page.faults = [];
-    page.last = 0;
+    this.ended = new Promise((done) => this.process.on("exit", done));
+    this.ended.then(() => this.answers.forEach(([, fail]) => fail(new Error("the browser has ended"))));
+    this.process.stdio[3].on("error", () => {});
+    await new Promise((done, fail) => this.process.on("spawn", done).on("error", fail));
     let text = "";
-    page.process.stdio[4].setEncoding("utf8").on("data", (piece) => {
+    this.process.stdio[4].setEncoding("utf8").on("data", (piece) => {
       const messages = (text + piece).split("\0");
       text = messages.pop();
-      messages.forEach((message) => page.hear(JSON.parse(message)));
+      messages.forEach((message) => this.hear(JSON.parse(message)));
     });
-    const { targetId } = await page.ask("Target.createTarget", { url: "about:blank" });
-    page.session = (await page.ask("Target.attachToTarget", { targetId, flatten: true })).sessionId;
-    for (const domain of ["Page", "Network", "Runtime"]) await page.ask(`${domain}.enable`);
-    await page.ask("Page.navigate", { url });
-    await page.run("new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))");
-    return page;
+  }
+
+  async open(url) {
+    const { targetId } = await this.ask("Target.createTarget", { url: "about:blank" });
+    this.session = (await this.ask("Target.attachToTarget", { targetId, flatten: true })).sessionId;
+    for (const domain of ["Page", "Network", "Runtime"]) await this.ask(`${domain}.enable`);
+    await this.ask("Page.navigate", { url });
+    await this.run("new Promise((done) => document.readyState === 'complete' ? done() : addEventListener('load', done))");
   }
 
   hear({ id, result, error, method, params }) {
@@ -75,10 +91,10 @@ export class Page {
     return Buffer.from((await this.ask("Page.captureScreenshot")).data, "base64");
   }
 
+  /** Ends the browser, if it was started. */
   async close() {
-    const ended = new Promise((done) => this.process.on("exit", done));
-    await this.ask("Browser.close").catch(() => this.process.kill());
-    await ended;
-    rmSync(this.profile, { recursive: true, force: true, maxRetries: 5 });
+    if (this.process?.pid === undefined) return;
+    this.ask("Browser.close").catch(() => this.process.kill());
+    await this.ended;
   }
 }

@@ -123,14 +123,13 @@ async function press(page, key, code, milliseconds = 0) {
   await page.ask("Input.dispatchKeyEvent", { type: "keyUp", key, code });
 }
 
-async function cornell() {
+async function cornell(page) {
   const size = statSync(file("box.html")).size;
   assert.ok(size <= LARGEST, `${size} bytes`);
   const text = readFileSync(file("box.html"), "utf8");
   assert.doesNotMatch(text, /https?:|\bsrc=|\bhref=|@import|url\(/, "the page names no address");
   told(`${size} bytes, no address`);
 
-  const page = await Page.open(pathToFileURL(file("box.html")).href, [900, 600]);
   await page.call((viewer) => viewer.size([512, 512]));
   const same = await difference(page, "box.png");
   assert.ok(same < 0.01, `the picture differs by ${same}`);
@@ -177,17 +176,14 @@ async function cornell() {
   await controls(page);
   assert.deepEqual(page.faults, []);
   assert.ok(page.requests.every((url) => /^(file|blob|data):/.test(url)), `requests: ${page.requests}`);
-  await page.close();
 }
 
-async function everyShape() {
-  const page = await Page.open(pathToFileURL(file("shapes.html")).href, [900, 600]);
+async function everyShape(page) {
   await page.call((viewer) => viewer.size([400, 300]));
   const same = await difference(page, "shapes.png");
   assert.ok(same < 0.02, `the picture differs by ${same}`);
   told(`every shape: the picture differs by ${(100 * same).toFixed(2)} %`);
   assert.deepEqual(page.faults, []);
-  await page.close();
 }
 
 async function controls(page) {
@@ -244,6 +240,9 @@ async function controls(page) {
   for (const [changes, message] of [
     ["{ band: 7 }", "index below 3"], ["{ exposure: -1 }", "above 0"], ["{ colour: 1 }", "known are mode"],
     ["{ range: [2, 1] }", "ascend"], ["{ groups: { moon: 1 } }", "known are none"],
+    ["{ band: 'length' }", "index below 3"], ["{ band: 0.5 }", "index below 3"], ["{ range: 5 }", "ascend"],
+    ["{ range: [1, 2, 3] }", "ascend"], ["{ toString: 1 }", "known are mode"], ["{ groups: { toString: 1 } }", "known are none"],
+    ["{ groups: null }", "names of groups"],
   ]) {
     const heard = await page.run(`window.radiosity.then((viewer) => { try { viewer.set(${changes}); return "taken"; } catch (error) { return error.message; } })`);
     assert.ok(heard.includes(message), `${changes}: ${heard}`);
@@ -254,8 +253,7 @@ async function controls(page) {
   told("every control of camera, picture, exposure and scale; the reading under the pointer");
 }
 
-async function lamps() {
-  const page = await Page.open(pathToFileURL(file("groups.html")).href, [900, 600]);
+async function lamps(page) {
   assert.equal(await page.call(() => document.title), "Two <lamps> & a window");
   await page.call((viewer) => viewer.size([320, 240]));
   const same = await difference(page, "groups.png");
@@ -276,10 +274,9 @@ async function lamps() {
   await page.call((viewer) => viewer.picture());
   writeFileSync(join(pictures, "viewer.png"), await page.screenshot());
   assert.deepEqual(page.faults, []);
-  await page.close();
 }
 
 write();
-await cornell();
-await lamps();
-await everyShape();
+for (const [name, act] of [["box.html", cornell], ["groups.html", lamps], ["shapes.html", everyShape]]) {
+  await Page.within(pathToFileURL(file(name)).href, [900, 600], act);
+}

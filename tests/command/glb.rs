@@ -7,6 +7,8 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use radiosity::output::exr_file::read_exr;
+use radiosity::output::glb::texture_size;
+use radiosity::output::lightmap::Lightmap;
 use radiosity::output::raster::Raster;
 use serde_json::Value;
 
@@ -98,7 +100,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
     let folder = folder_with_room();
     let path = folder.path();
     done(path, &["render", "room.toml", "-q", "--read", "basis", "--size", "64x64", "-o", "room.glb"]);
-    // +z is up in the scene, +y in glTF: it is turned there and back.
+    // +z is up in the scene, +y in glTF, which the reader turns back.
     let scene = radiosity::Scene::load(path.join("room.glb").to_str().expect("text")).expect("it is glTF");
     let flat = |axis: usize, place: f64| -> f64 {
         let on_it = scene.surfaces.iter().filter(|surface| {
@@ -132,6 +134,9 @@ fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
     assert_eq!(names, ["floor", "wall", "ball", "lamp"]);
     let raster = linear(&path.join("room.exr"));
     let [width, height] = raster.size();
+    let scene = radiosity::Scene::load(path.join("room.toml").to_str().expect("text")).expect("a scene");
+    let forecast = texture_size(Lightmap::sizes(&scene, 64 * 64));
+    assert_eq!(forecast, [width, height].map(|count| count as usize), "memory is reckoned for these");
     let texels: Vec<&[f64]> = raster.pixels().collect();
     let at = |place: &[f32]| {
         let texel = |x: f32, count: u32| ((x * count as f32) as usize).min(count as usize - 1);
@@ -197,6 +202,11 @@ fn what_is_drawn_on_pictures_has_no_place_in_textures() {
         (&["--false-colour"][..], "--false-colour"),
         (&["--wireframe"], "--wireframe"),
         (&["--importance"], "--importance"),
+        (&["--isolines"], "--isolines"),
+        (&["--band", "r"], "--band"),
+        (&["--range", "0,1"], "--range"),
+        (&["--log"], "--log"),
+        (&["--samples", "4"], "--samples"),
     ] {
         refused(path, &[&bake[..], more].concat(), &["room.glb", part, ".png"]);
     }

@@ -9,6 +9,7 @@ mod fitted;
 mod formats;
 mod glb;
 mod heat;
+mod hostile_names;
 mod imports;
 mod inspection;
 mod language;

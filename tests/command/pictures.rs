@@ -282,6 +282,10 @@ fn kinds_of_pictures_are_told_by_their_endings() {
     refused(&["render", "-o", "box.jpg"], &["box.jpg: the ending names no kind of picture", ".png", ".exr"]);
     refused(&["render", "-o", "box"], &["box: the ending names no kind of picture"]);
     refused(&["render", "-o", "box.exr", "--wireframe"], &["an .exr holds the values", ".png"]);
+    refused(
+        &["heat", "oven", "--picture", "x.pdf"],
+        &["x.pdf: the ending names no format", "help: end the name in .png\n"],
+    );
     refused(&["convergence", "-o", "box.pdf"], &["box.pdf: the ending names no kind of drawing", ".svg"]);
 }
 

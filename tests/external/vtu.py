@@ -1,4 +1,4 @@
-"""VTK reads the grids of `radiosity`, and its cells have the values of `probe --read basis` to 1e-6.
+"""VTK reads the grids of `radiosity`, and its cells have the values of `probe --read basis` to 1e-11.
 
 For every case: solve, convert, read by vtkXMLUnstructuredGridReader, evaluate 1000 random places by the cells' own
 interpolation, and compare with the command's polynomials at the same places of the true surfaces. A place of a curved
@@ -17,7 +17,7 @@ import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
 PLACES = 1000
-TOLERANCE = 1e-6
+TOLERANCE = 1e-11
 HERE = pathlib.Path(__file__).parent
 
 # Elements of the order that is asked for, quickly: what the light is does not matter here.

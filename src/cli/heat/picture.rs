@@ -14,12 +14,14 @@ use radiosity::scene::{Camera, Scene};
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile, render::camera,
+    colours::ColourArgs,
+    error::CliError,
+    format,
+    numbers::Counts,
+    output_file::OutputFile,
+    render::{SAMPLES, camera},
     style::with_legend,
 };
-
-/// Camera rays along each side of a pixel. Chosen, as for pictures of light.
-const SAMPLES: u32 = 3;
 
 /// `--picture` and how it looks.
 #[derive(Debug, Args)]
@@ -88,7 +90,7 @@ impl PictureArgs {
             return refuse("--band: heat is of all wavelengths together", "leave it out");
         }
         self.colours.check()?;
-        format::chosen(None, Some(path), Kind::Png)?;
+        format::of_file::<Kind>(path)?;
         let camera = camera(self.size, scene)?;
         let known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
         let file = reserve(path)?;

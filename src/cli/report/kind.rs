@@ -77,10 +77,12 @@ impl Files {
     /// What is written, for the summary.
     pub(super) fn written(&self) -> String {
         match &self.kind {
-            Kind::Markdown { figures, .. } if !figures.is_empty() => {
-                format!("{} and {} pictures beside it", self.path, figures.len())
-            }
-            _ => self.path.clone(),
+            Kind::Markdown { figures, .. } => match figures.len() {
+                0 => self.path.clone(),
+                1 => format!("{} and a picture beside it", self.path),
+                count => format!("{} and {count} pictures beside it", self.path),
+            },
+            Kind::Html => self.path.clone(),
         }
     }
 }

@@ -32,9 +32,6 @@ use crate::cli::{
 const SIDE: usize = 8;
 const MOST: usize = 20_000;
 
-/// Camera rays along each side of a pixel, as `render` takes them unless told otherwise.
-const SAMPLES: u32 = 3;
-
 /// What a report shows of light.
 #[derive(Debug)]
 pub(super) struct Wanted<'a> {
@@ -115,9 +112,9 @@ impl<'a> Wanted<'a> {
 /// The picture through the camera, as `radiosity render` takes it.
 fn picture(run: &Run, camera: &Camera, progress: &Progress) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
-    let read = usual_read(solution, visibility, render::pixels(camera), run.threads());
+    let read = usual_read(solution, visibility, render::pixels(camera));
     let observe = |stage| render::show(progress, stage);
-    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, &observe);
+    let take = || render(solution, visibility, camera, render::SAMPLES, read, Shown::Radiosity, &observe);
     let raster = run.in_threads(take)?;
     Ok(Image::new(&raster, white_balance(solution)).photograph())
 }

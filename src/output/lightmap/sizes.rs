@@ -5,7 +5,7 @@
 
 use radiosity_geom::Surface;
 
-use crate::elements::Elements;
+use crate::scene::Scene;
 
 /// Fewest texels along a parameter of a flat surface, and of a curved one, on which light varies with the normal; most of
 /// any. All are chosen.
@@ -21,9 +21,9 @@ const LINES: usize = 5;
 const HALVINGS: usize = 60;
 
 /// Texels along u and v of each surface, `texels` together.
-pub(super) fn sizes(elements: &Elements, texels: usize) -> Vec<[usize; 2]> {
+pub(super) fn sizes(scene: &Scene, texels: usize) -> Vec<[usize; 2]> {
     let extents: Vec<Extent> =
-        (0..elements.surfaces()).map(|surface| Extent::of(elements.shape(surface))).collect();
+        scene.surfaces.iter().map(|surface| Extent::of(surface.shape.as_ref())).collect();
     let longest = extents.iter().flat_map(|extent| extent.lengths).fold(0.0, f64::max);
     // At the finer end one surface alone is past the budget, unless it has its fewest.
     let (mut fine, mut coarse) = (longest / (texels + MOST) as f64, longest);

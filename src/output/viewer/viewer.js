@@ -131,15 +131,19 @@ function check({ state, header }, key, value) {
   };
   const isNumber = (x) => typeof x === "number" && Number.isFinite(x);
   const choices = { mode: ["orbit", "walk"], quantity: ["radiosity", "irradiance"], tone: ["shoulder", "linear"] };
-  if (!(key in state)) throw new Error(`${key}: known are ${Object.keys(state).join(", ")}`);
-  if (key in choices && !choices[key].includes(value)) refuse(choices[key].join(" or "));
+  if (!Object.hasOwn(state, key)) throw new Error(`${key}: known are ${Object.keys(state).join(", ")}`);
+  if (Object.hasOwn(choices, key) && !choices[key].includes(value)) refuse(choices[key].join(" or "));
   if (["backs", "falseColours", "log"].includes(key) && typeof value !== "boolean") refuse("true or false");
   if (key === "exposure" && !(isNumber(value) && value > 0)) refuse("a number above 0");
-  if (key === "band" && value !== null && !header.bands[value]) refuse(`null or an index below ${header.bands.length}`);
-  if (key === "range" && value !== null && !(value.every(isNumber) && value[0] < value[1])) refuse("two numbers that ascend");
+  const { bands } = header;
+  const isBand = Number.isInteger(value) && value >= 0 && value < bands.length;
+  if (key === "band" && value !== null && !isBand) refuse(`null or an index below ${bands.length}`);
+  const isRange = Array.isArray(value) && value.length === 2 && value.every(isNumber) && value[0] < value[1];
+  if (key === "range" && value !== null && !isRange) refuse("null or two numbers that ascend");
   if (key !== "groups") return;
+  if (typeof value !== "object" || value === null || Array.isArray(value)) refuse("factors by the names of groups");
   for (const [group, factor] of Object.entries(value)) {
-    if (!(group in state.groups)) throw new Error(`groups: known are ${Object.keys(state.groups).join(", ") || "none"}`);
+    if (!Object.hasOwn(state.groups, group)) throw new Error(`groups: known are ${Object.keys(state.groups).join(", ") || "none"}`);
     if (!(isNumber(factor) && factor >= 0)) refuse("factors of 0 or more");
   }
 }
