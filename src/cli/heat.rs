@@ -135,8 +135,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         });
     }
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
-    let matrix_format =
-        args.conductances.as_deref().map(|path| format::chosen(None, Some(path), MatrixFormat::Csv));
+    let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
     let matrix_format = matrix_format.transpose()?;
     let scene = args.scene.load_lit()?;
     let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);

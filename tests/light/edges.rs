@@ -84,11 +84,14 @@ fn on_floor(x: f64, y: f64) -> f64 {
     [x, 1.0 - x].iter().flat_map(|a| [y, 1.0 - y].map(|b| parallel(*a, b, 1.0))).sum()
 }
 
+/// The points of a unit square.
+type Chart<'a> = &'a dyn Fn(f64, f64) -> DVec3;
+
 /// ∫ κ D over a unit square of points `place(a, b)`, graded toward the receiver at `x` with the normal `n`.
 struct Graded<'a> {
     x: DVec3,
     n: DVec3,
-    place: &'a dyn Fn(f64, f64) -> DVec3,
+    place: Chart<'a>,
     normal: DVec3,
     light: &'a dyn Fn(f64, f64) -> f64,
 }
@@ -123,17 +126,16 @@ impl Graded<'_> {
 /// What the ceiling receives at (x, y).
 fn expected(x: f64, y: f64) -> f64 {
     let receiver = DVec3::new(x, y, 1.0);
-    let wall = |depth: f64, along: f64| on_wall(depth, along);
-    let sides: [(&dyn Fn(f64, f64) -> DVec3, DVec3); 4] = [
+    let sides: [(Chart<'_>, DVec3); 4] = [
         (&|a, b| DVec3::new(0.0, b, 1.0 - a), DVec3::X),
         (&|a, b| DVec3::new(1.0, b, 1.0 - a), DVec3::NEG_X),
         (&|a, b| DVec3::new(b, 0.0, 1.0 - a), DVec3::Y),
         (&|a, b| DVec3::new(b, 1.0, 1.0 - a), DVec3::NEG_Y),
     ];
-    let graded = |place: &dyn Fn(f64, f64) -> DVec3, normal: DVec3, light: &dyn Fn(f64, f64) -> f64| {
+    let graded = |place: Chart<'_>, normal: DVec3, light: &dyn Fn(f64, f64) -> f64| {
         Graded { x: receiver, n: DVec3::NEG_Z, place, normal, light }.sum([0.0, 0.0], 1.0)
     };
-    let walls: f64 = sides.into_iter().map(|(place, normal)| graded(place, normal, &wall)).sum();
+    let walls: f64 = sides.into_iter().map(|(place, normal)| graded(place, normal, &on_wall)).sum();
     REFLECTANCE * (walls + graded(&|a, b| DVec3::new(a, b, 0.0), DVec3::Z, &on_floor))
 }
 

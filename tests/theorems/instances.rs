@@ -129,7 +129,11 @@ fn wrong_instances_are_refused_where_they_stand() {
             "instance 1: unknown key \"surfaces\"",
             "part, name, transform, array",
         ),
-        ("[parts.chair]\nlegs = 4", "part \"chair\": unknown key \"legs\"", "surfaces, luminaires, instances"),
+        (
+            "[parts.chair]\nlegs = 4",
+            "part \"chair\": unknown key \"legs\"",
+            "surfaces, luminaires, instances",
+        ),
         (
             &format!("{leg}name = \"a\"\n{leg}name = \"a\""),
             "room.toml:26:8: the name \"a\" is given twice",

@@ -92,9 +92,9 @@ impl PictureArgs {
         self.colours.check()?;
         format::of_file::<Kind>(path)?;
         let camera = camera(self.size, scene)?;
-        let known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
+        let mut known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
         let file = reserve(path)?;
-        let file = known.fold(Ok(file), |file, (path, what)| file?.apart_from(path, what))?;
+        let file = known.try_fold(file, |file, (path, what)| file.apart_from(path, what))?;
         Ok(Some(Wanted { args: self, camera, file }))
     }
 }

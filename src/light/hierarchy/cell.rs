@@ -231,9 +231,11 @@ impl Cell {
     }
 
     /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and brightness from them:
-    /// a cell whose points all miss a peak knows it so.
+    /// a cell whose points all miss a peak knows it so. Its values are shifted to have their mean, so that a cell that is taken
+    /// undivided errs alike in both directions.
     pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
+        let channels = scale.len();
         for (channel, scale) in scale.iter().enumerate() {
             let mean = self.mean(channel);
             let parts = quarters.iter().map(|quarter| quarter.area() * quarter.means[channel]).sum::<f64>();
@@ -242,6 +244,9 @@ impl Cell {
             self.spread = self.spread.max(spread / scale);
             if whole > 0.0 {
                 self.means[channel] = parts / whole;
+                for k in 0..POINTS {
+                    self.values[k * channels + channel] += parts / whole - mean;
+                }
                 self.detail = self.detail.max((self.means[channel] - mean).abs() / scale);
                 self.brightness = self.brightness.max(self.means[channel].abs() / scale);
             }
