@@ -158,6 +158,10 @@ fn check_warns_of_luminaires_that_light_nothing() {
     let warned = |scene: &str| run(folder.path(), scene, &["check", "room.toml"]).1;
     let inside = warned(ROOM);
     assert!(inside.contains("nothing looks wrong") && inside.contains("1000"), "{inside}");
+    for mounted in ["[2, 2, 3]", "[0, 2, 2]", "[0, 0, 3]"] {
+        let mounted = warned(&ROOM.replace("[2, 2, 2.5]", mounted));
+        assert!(mounted.contains("nothing looks wrong"), "{mounted}");
+    }
     let above = warned(&ROOM.replace("[2, 2, 2.5]", "[2, 2, 3.5]"));
     assert!(above.contains("luminaire \"lamp\" lights no front"), "{above}");
     fs::write(folder.path().join("lamp.ies"), TABLE).unwrap();
