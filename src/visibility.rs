@@ -16,6 +16,7 @@ mod obstacle;
 mod whole;
 
 use std::cmp::Ordering;
+use std::iter;
 use std::sync::Arc;
 
 use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, Jet, Ray, RayTree, Rect, separated, touching};
@@ -290,6 +291,27 @@ impl Visibility {
     /// where it bends back.
     pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         self.rays.nearest_from(surface, origin, direction)
+    }
+
+    /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`, which is a unit vector.
+    pub(crate) fn met_along(
+        &self,
+        surface: Option<usize>,
+        x: DVec3,
+        direction: DVec3,
+    ) -> impl Iterator<Item = Encounter> {
+        let mut last = None;
+        iter::from_fn(move || {
+            let ray = Ray::new(x, direction);
+            let beyond = |t: f64| t + touching(self.bounds().diagonal(), t);
+            let met = match (last, surface) {
+                (Some(t), _) => self.nearest(&Ray { range: [beyond(t), f64::INFINITY], ..ray }),
+                (None, Some(surface)) => self.nearest_from(surface, x, direction),
+                (None, None) => self.nearest(&ray),
+            }?;
+            last = Some(met.hit.t);
+            Some(met)
+        })
     }
 
     /// Whether nothing stands between `x`, on `surface` if on any, and `y`, which may lie on another.

@@ -6,7 +6,7 @@ use radiosity_geom::{DVec3, Ray};
 
 use crate::inspection::warning::Warning;
 use crate::scene::{Distribution, Luminaire, Scene};
-use crate::visibility::{Shadows, Visibility};
+use crate::visibility::{OWN_END, Shadows, Visibility};
 
 /// Rays that look for a front that a luminaire lights. Chosen.
 const RAYS: u32 = 256;
@@ -31,12 +31,14 @@ pub(super) fn odd(scene: &Scene) -> Vec<Warning> {
     of_each.chain(unit(scene)).collect()
 }
 
-/// Whether a ray of its light meets a front.
+/// Whether a ray of its light meets a front, beyond the surface that it may be mounted on.
 fn lights_a_front(own: &Luminaire, visibility: &Visibility) -> bool {
     let around = (0..RAYS).map(direction);
     let mut lit = [own.aim].into_iter().chain(around).filter(|direction| own.relative(*direction) > 0.0);
+    let start = OWN_END * visibility.bounds().diagonal();
     lit.any(|direction: DVec3| {
-        visibility.nearest(&Ray::new(own.position, direction)).is_some_and(|met| met.front)
+        let ray = Ray { range: [start, f64::INFINITY], ..Ray::new(own.position, direction) };
+        visibility.nearest(&ray).is_some_and(|met| met.front)
     })
 }
 

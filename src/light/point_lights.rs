@@ -6,7 +6,8 @@
 //!
 //! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
 //! ([`crate::scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact. The sun
-//! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that.
+//! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
+//! shadows the first opening before it gives so, whatever else stands there.
 
 use std::collections::BTreeMap;
 
@@ -15,34 +16,33 @@ use crate::sampling::shift::shift;
 use crate::scene::{Luminaire, Scene, SceneSurface};
 use crate::visibility::Visibility;
 
-use radiosity_geom::{DVec3, Encounter, Ray};
+use radiosity_geom::{DVec3, Encounter};
 
 /// The luminaires that shine, and the sun.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointLights {
     list: Vec<PointLight>,
     /// The sun, once for each sky that openings see.
-    suns: Vec<Beam>,
+    suns: Vec<SunBeam>,
 }
 
 /// The sun as it shines through openings.
 #[derive(Clone, Debug, PartialEq)]
-struct Beam {
+struct SunBeam {
     /// Unit vector to it.
     direction: DVec3,
-    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces.
+    /// Irradiance per band (W m⁻²) across the beam behind openings, by their surfaces; 0 behind those that are dark.
     strengths: BTreeMap<usize, Vec<f64>>,
     /// Flux per band (W) through all of them.
     flux: Vec<f64>,
 }
 
-impl Beam {
-    /// Those of a scene, through the surfaces with these factors.
+impl SunBeam {
+    /// Those of a scene that are not dark, through the surfaces with these factors.
     fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
         let mut beams: Vec<Self> = Vec::new();
         for (index, surface, factor) in surfaces {
-            let outlook = surface.outlook.as_ref().filter(|_| factor > 0.0);
-            let beam = outlook.and_then(|own| Some((own, own.beam()?)));
+            let beam = surface.outlook.as_ref().and_then(|own| Some((own, own.beam()?)));
             let Some((outlook, (direction, strength))) = beam else { continue };
             let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
             let area = surface.shape.area() * outlook.incidence(direction);
@@ -54,6 +54,7 @@ impl Beam {
             beam.flux.iter_mut().zip(&strength).for_each(|(flux, strength)| *flux += area * strength);
             beam.strengths.insert(index, strength);
         }
+        beams.retain(|beam| beam.flux.iter().any(|flux| *flux > 0.0));
         beams
     }
 
@@ -63,15 +64,18 @@ impl Beam {
         if cosine <= 0.0 || vantage.ground.is_some_and(|ground| ground.dot(self.direction) <= 0.0) {
             return;
         }
-        let met = match vantage.surface {
-            Some(surface) => visibility.nearest_from(surface, vantage.position, self.direction),
-            None => visibility.nearest(&Ray::new(vantage.position, self.direction)),
-        };
-        let Some(Encounter { surface, front: true, .. }) = met else { return };
-        if let Some(strength) = self.strengths.get(&surface) {
+        if let Some(strength) = self.arriving(vantage, visibility) {
             let factor = scale * cosine;
             sums.iter_mut().zip(strength).for_each(|(sum, strength)| *sum += factor * strength);
         }
+    }
+
+    /// Irradiance per band (W m⁻²) across it at a point: what the first surface before the sun lets through, or the first opening
+    /// where there are no shadows.
+    fn arriving(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> Option<&Vec<f64>> {
+        let mut met = visibility.met_along(vantage.surface, vantage.position, self.direction);
+        let behind = |met: Encounter| self.strengths.get(&met.surface).filter(|_| met.front);
+        if visibility.casts() { behind(met.next()?) } else { met.find_map(behind) }
     }
 }
 
@@ -127,17 +131,18 @@ impl PointLights {
     /// The luminaires of a scene, and the sun behind its openings, at the factors of their groups.
     pub fn of(scene: &Scene) -> Self {
         let surfaces = scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, own.factor()));
-        Self::some(scene.luminaires.iter().map(|own| (own, own.factor())), Beam::through(surfaces))
+        Self::some(scene.luminaires.iter().map(|own| (own, own.factor())), SunBeam::through(surfaces))
     }
 
     /// The members of a light group, or of no group for None, not dimmed.
     pub fn of_group(scene: &Scene, group: Option<&str>) -> Self {
-        let surfaces = scene.surfaces.iter().enumerate().filter(|(_, own)| own.is_in(group));
-        let suns = Beam::through(surfaces.map(|(index, own)| (index, own, 1.0)));
+        let factor = |own: &SceneSurface| f64::from(own.is_in(group));
+        let suns =
+            SunBeam::through(scene.surfaces.iter().enumerate().map(|(index, own)| (index, own, factor(own))));
         Self::some(scene.luminaires.iter().filter(|own| own.is_in(group)).map(|own| (own, 1.0)), suns)
     }
 
-    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<Beam>) -> Self {
+    fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<SunBeam>) -> Self {
         let light = |(own, factor): (&Luminaire, f64)| PointLight {
             luminaire: own.clone(),
             strength: own.strength.iter().map(|strength| factor * strength).collect(),

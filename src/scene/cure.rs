@@ -151,7 +151,7 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NoDistribution => {
             "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\""
         }
-        Fault::SunBelow => "give an elevation from 0 to 90 degrees, or leave the sun out",
+        Fault::SunBelow => "give a direction above the horizon, or leave the sun out",
         Fault::BadOpening { problem: "there is no sky" } => {
             "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out"
         }
@@ -162,12 +162,16 @@ fn plain_cure(fault: &Fault) -> &'static str {
         }
         Fault::NoOpening => "give a window opening = true, its front to the room, or leave the sky out",
         Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
+        Fault::NoDirection { what: "north" } => {
+            "give a direction that is not along `up`, e.g. [0, 1, 0] where `up` is [0, 0, 1]"
+        }
+        Fault::NoDirection { what: "up" } => "give the direction to the zenith, e.g. [0, 0, 1]",
         Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
         Fault::NoEmitter => {
-            "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add [[luminaires]]; for a \
-             file of another program, in a file for --materials; `radiosity heat` takes temperatures instead"
+            "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add \
+             [[luminaires]], or a [sky] and a window with opening = true; for a file of another program, in a file for --materials; `radiosity heat` takes temperatures instead"
         }
         _ => "",
     }
@@ -225,6 +229,14 @@ fn out_of_range(what: &str, range: &str) -> String {
         }
         "the temperature" => {
             "write it in kelvin, which are degrees Celsius + 273.15: 20 °C is temperature = 293.15".to_owned()
+        }
+        "the elevation of the sun" => {
+            "choose a value in that range; a sun at or below the horizon sends no light: leave it out".to_owned()
+        }
+        "the illuminance of the sky" => {
+            "give what level ground gets from the sky without the sun, e.g. 10000 lx; at night leave the sky and its \
+             openings out"
+                .to_owned()
         }
         _ => format!("choose a value with {range}"),
     }

@@ -6,6 +6,7 @@ use crate::scene::{
     Scene,
     error::{Fault, Located, SceneError, group_title},
     light_group::LightGroup,
+    ranges::check_range,
 };
 
 impl Scene {
@@ -69,9 +70,5 @@ impl Scene {
 
 /// Refuses a factor that is not a number from 0 on.
 fn check_factor(value: f64) -> Result<(), Fault> {
-    match (value.is_finite(), value >= 0.0) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what: "the factor", value, range: "factor ≥ 0" }),
-        (true, true) => Ok(()),
-    }
+    check_range(value, value >= 0.0, "the factor", "factor ≥ 0")
 }

@@ -22,7 +22,7 @@ use std::sync::Arc;
 use radiosity_formats::photometry::Photometry;
 use radiosity_geom::DVec3;
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, ranges::check_range};
 
 /// Largest exponent: half of the peak is left at 0.7°. Chosen.
 const STEEPEST: f64 = 1e4;
@@ -56,14 +56,17 @@ impl Distribution {
     pub(super) fn check(&self) -> Result<(), Fault> {
         match *self {
             Self::Point | Self::Table(_) => Ok(()),
-            Self::Power { exponent } => {
-                check(exponent, (0.0..=STEEPEST).contains(&exponent), "the exponent", "0 ≤ exponent ≤ 10000")
-            }
+            Self::Power { exponent } => check_range(
+                exponent,
+                (0.0..=STEEPEST).contains(&exponent),
+                "the exponent",
+                "0 ≤ exponent ≤ 10000",
+            ),
             Self::Cone { angle, edge } => {
-                check(angle, angle > 0.0 && angle < 360.0, "the angle", "0 < angle < 360 degrees")?;
+                check_range(angle, angle > 0.0 && angle < 360.0, "the angle", "0 < angle < 360 degrees")?;
                 let widest = angle.min(360.0 - angle).min(179.0);
                 let range = "0 ≤ edge ≤ angle, 360 − angle and 179 degrees";
-                check(edge, (0.0..=widest).contains(&edge), "the edge", range)
+                check_range(edge, (0.0..=widest).contains(&edge), "the edge", range)
             }
         }
     }
@@ -116,14 +119,6 @@ impl Distribution {
 /// γ₀ and γ₁ (radians) of angles in degrees.
 fn ends(angle: f64, edge: f64) -> [f64; 2] {
     [0.5 * (angle - edge), 0.5 * (angle + edge)].map(f64::to_radians)
-}
-
-fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {
-    match (value.is_finite(), inside) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what, value, range }),
-        (true, true) => Ok(()),
-    }
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::scene::{
     light_group::LightGroup,
     material::{Material, check_count, check_flux},
     names::check_text,
-    outlook::{Opening, Outlook},
+    outlook::{KnownOutlooks, Opening, Outlook},
     ranges::{check_number, check_order, check_parts},
     source::{Line, Place, Span},
     surface::SceneSurface,
@@ -169,12 +169,12 @@ impl SurfaceDraft {
     }
 
     /// What one of its shapes sees of the sky, and its material with the light that comes in.
-    fn outlook(&self, shape: &dyn Surface) -> (Option<Arc<Outlook>>, Material) {
+    fn outlook(&self, shape: &dyn Surface, known: &mut KnownOutlooks) -> (Option<Arc<Outlook>>, Material) {
         let Some(opening) = &self.opening else { return (None, self.material.clone()) };
         let normal = shape.jet(0.0, 0.0).normal;
-        let outlook = Outlook::new(opening.clone(), if self.flip { -normal } else { normal });
+        let outlook = known.of(opening, if self.flip { -normal } else { normal });
         let material = Material { emission: outlook.exitance(), ..self.material.clone() };
-        (Some(Arc::new(outlook)), material)
+        (Some(outlook), material)
     }
 
     /// A fault at `span` if the draft comes from a file, else one of the surface.
@@ -194,9 +194,9 @@ impl SurfaceDraft {
         })
     }
 
-    /// The surface of one of its shapes, and its back if it is two-sided.
-    pub(super) fn sides(&self, (name, shape): &NamedShape) -> Vec<SceneSurface> {
-        let (outlook, material) = self.outlook(shape);
+    /// The surface of one of its shapes, and its back if it is two-sided; what openings see is shared with those `known`.
+    pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
+        let (outlook, material) = self.outlook(shape, known);
         let side = |name: String, flip: bool| SceneSurface {
             name,
             kind: self.kind,

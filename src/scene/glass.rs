@@ -17,7 +17,7 @@
 //!
 //! Reference: J. Duffie, W. Beckman, *Solar Engineering of Thermal Processes*, 4th ed., sections 5.1 to 5.3.
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, ranges::check_range};
 
 /// Panes of glass, one after the other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,14 +35,14 @@ impl Glass {
     /// # Errors
     /// [`Fault::OutOfRange`] or [`Fault::NotFinite`] for a number.
     pub fn new(panes: u32, index: f64, transmittance: Option<f64>) -> Result<Self, Fault> {
-        check(f64::from(panes), (1..=4).contains(&panes), "the number of panes", "1 ≤ panes ≤ 4")?;
-        check(index, (1.0..=3.0).contains(&index), "the index of refraction", "1 ≤ index ≤ 3")?;
+        check_range(f64::from(panes), (1..=4).contains(&panes), "the number of panes", "1 ≤ panes ≤ 4")?;
+        check_range(index, (1.0..=3.0).contains(&index), "the index of refraction", "1 ≤ index ≤ 3")?;
         let clear = Self { panes, index, clear: 1.0 };
         let Some(transmittance) = transmittance else { return Ok(clear) };
         let share = transmittance / clear.transmittance(1.0);
         let range =
             "0 < transmittance ≤ what is not reflected: 0.918 of one pane, 0.849 of two, of index 1.52";
-        check(transmittance, share > 0.0 && share <= 1.0, "the transmittance", range)?;
+        check_range(transmittance, share > 0.0 && share <= 1.0, "the transmittance", range)?;
         Ok(Self { clear: share, ..clear })
     }
 
@@ -58,14 +58,6 @@ impl Glass {
         let surfaces = f64::from(2 * self.panes - 1);
         let through = |r: f64| (1.0 - r) / (1.0 + surfaces * r);
         0.5 * (through(across) + through(along)) * self.clear.powf(1.0 / within)
-    }
-}
-
-fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {
-    match (value.is_finite(), inside) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what, value, range }),
-        (true, true) => Ok(()),
     }
 }
 

@@ -16,7 +16,7 @@ use crate::scene::{
     light_group::LightGroup,
     material::{check_count, check_flux},
     names::check_text,
-    ranges::check_number,
+    ranges::{check_number, check_range},
     source::Place,
 };
 
@@ -104,17 +104,7 @@ impl Luminaire {
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for the factor.
     pub fn at_factor(mut self, factor: f64) -> Result<Self, Fault> {
-        match (factor.is_finite(), factor >= 0.0) {
-            (false, _) => return Err(Fault::NotFinite { value: factor }),
-            (true, false) => {
-                return Err(Fault::OutOfRange {
-                    what: "the dimming",
-                    value: factor,
-                    range: "dimming ≥ 0; 1 is full",
-                });
-            }
-            (true, true) => {}
-        }
+        check_range(factor, factor >= 0.0, "the dimming", "dimming ≥ 0; 1 is full")?;
         self.strength.iter_mut().for_each(|strength| *strength *= factor);
         Ok(self)
     }
@@ -173,7 +163,7 @@ impl Luminaire {
 }
 
 /// The unit vector in the plane of two, at right angles to the second; None if both lie along one line.
-fn across(along: DVec3, aim: DVec3) -> Option<DVec3> {
+pub(super) fn across(along: DVec3, aim: DVec3) -> Option<DVec3> {
     let across = along.reject_from_normalized(aim);
     if across.length() > PARALLEL { across.try_normalize() } else { None }
 }
@@ -204,9 +194,5 @@ impl Strength {
 
 /// Intensity ≥ 0.
 pub(super) fn check_intensity(value: f64) -> Result<(), Fault> {
-    match (value.is_finite(), value >= 0.0) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what: "the intensity", value, range: "intensity ≥ 0" }),
-        (true, true) => Ok(()),
-    }
+    check_range(value, value >= 0.0, "the intensity", "intensity ≥ 0")
 }

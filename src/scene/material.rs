@@ -1,6 +1,6 @@
 //! Materials: reflectance ρ and emission, per band.
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, ranges::check_range};
 
 /// A Lambertian material. [`Material::new`] checks the ranges; scenes hold only checked ones.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,25 +64,17 @@ pub(super) fn check_count(what: &'static str, numbers: &[f64], bands: usize) -> 
 
 /// 0 ≤ ρ < 1.
 pub(super) fn check_reflectance(rho: f64) -> Result<(), Fault> {
-    check(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
+    check_range(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
 }
 
 /// Emission ≥ 0.
 pub(super) fn check_emission(exitance: f64) -> Result<(), Fault> {
-    check(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
+    check_range(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
 }
 
 /// Flux ≥ 0.
 pub(super) fn check_flux(flux: f64) -> Result<(), Fault> {
-    check(flux, flux >= 0.0, "the flux", "flux ≥ 0")
-}
-
-fn check(value: f64, inside: bool, what: &'static str, range: &'static str) -> Result<(), Fault> {
-    match (value.is_finite(), inside) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => Err(Fault::OutOfRange { what, value, range }),
-        (true, true) => Ok(()),
-    }
+    check_range(flux, flux >= 0.0, "the flux", "flux ≥ 0")
 }
 
 #[cfg(test)]

@@ -12,7 +12,7 @@
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ROUNDING};
 
 use crate::scene::{
     glass::Glass,
@@ -78,6 +78,24 @@ impl Outlook {
     /// The cosine of a direction to the sun at the opening; 0 from behind.
     pub(crate) fn incidence(&self, to_sun: DVec3) -> f64 {
         (-to_sun.dot(self.normal)).max(0.0)
+    }
+}
+
+/// What the openings of a scene see, computed once for all that look alike.
+#[derive(Debug, Default)]
+pub(super) struct KnownOutlooks(Vec<Arc<Outlook>>);
+
+impl KnownOutlooks {
+    /// That of an opening with this unit normal, which points into the room.
+    pub(super) fn of(&mut self, opening: &Opening, normal: DVec3) -> Arc<Outlook> {
+        let is_alike =
+            |own: &&Arc<Outlook>| own.opening == *opening && own.normal.distance(normal) <= ROUNDING;
+        if let Some(known) = self.0.iter().find(is_alike) {
+            return Arc::clone(known);
+        }
+        let outlook = Arc::new(Outlook::new(opening.clone(), normal));
+        self.0.push(Arc::clone(&outlook));
+        outlook
     }
 }
 

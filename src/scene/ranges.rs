@@ -17,6 +17,20 @@ pub(super) const MAX_COPIES: usize = 1_000_000;
 /// Largest number: areas and fourth powers of distances stay below the largest f64, since (1e30)⁴ = 1e120.
 const LARGEST: f64 = 1e30;
 
+/// A finite number that is `inside` the range of what it gives.
+pub(super) fn check_range(
+    value: f64,
+    inside: bool,
+    what: &'static str,
+    range: &'static str,
+) -> Result<(), Fault> {
+    match (value.is_finite(), inside) {
+        (false, _) => Err(Fault::NotFinite { value }),
+        (true, false) => Err(Fault::OutOfRange { what, value, range }),
+        (true, true) => Ok(()),
+    }
+}
+
 /// A finite number of a size that can be computed with.
 pub(super) fn check_number(value: f64) -> Result<(), Fault> {
     match value {

@@ -24,7 +24,7 @@ use radiosity_geom::DVec3;
 use crate::scene::{
     error::Fault,
     material::{check_count, check_reflectance},
-    ranges::check_number,
+    ranges::{check_number, check_range},
 };
 
 /// How radiance is spread over the sky.
@@ -92,7 +92,7 @@ impl Sky {
         }
         let all: f64 = irradiance.iter().sum();
         if all <= 0.0 {
-            let range = "illuminance > 0 in a band; a sun shines from a sky";
+            let range = "illuminance > 0 in a band";
             return Err(Fault::OutOfRange { what: "the illuminance of the sky", value: all, range });
         }
         let beam = sun.as_ref().map_or(0.0, |sun| sun.irradiance.iter().sum::<f64>() * sun.direction.dot(up));
@@ -168,13 +168,13 @@ pub(crate) fn over_hemisphere(normal: DVec3, f: impl Fn(DVec3, f64) -> f64) -> f
 
 /// Irradiance ≥ 0.
 pub(super) fn check_irradiance(value: f64) -> Result<(), Fault> {
-    match (value.is_finite(), value >= 0.0) {
-        (false, _) => Err(Fault::NotFinite { value }),
-        (true, false) => {
-            Err(Fault::OutOfRange { what: "the illuminance", value, range: "illuminance ≥ 0" })
-        }
-        (true, true) => Ok(()),
-    }
+    check_range(value, value >= 0.0, "the illuminance", "illuminance ≥ 0")
+}
+
+/// 0 < elevation ≤ 90 degrees.
+pub(super) fn check_elevation(value: f64) -> Result<(), Fault> {
+    let range = "0 < elevation ≤ 90 degrees";
+    check_range(value, value > 0.0 && value <= 90.0, "the elevation of the sun", range)
 }
 
 #[cfg(test)]

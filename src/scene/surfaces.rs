@@ -9,6 +9,7 @@ use crate::scene::{
     fitted::{self, Fitted},
     middle,
     names::UniqueNames,
+    outlook::KnownOutlooks,
     source::Span,
     surface::SceneSurface,
 };
@@ -46,9 +47,11 @@ fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
     let mut names = UniqueNames::default();
     let mut claims = Vec::new();
     let mut surfaces = Vec::new();
+    let mut outlooks = KnownOutlooks::default();
     for draft in drafts {
         let typed = draft.typed.as_ref();
-        let shapes: Vec<Vec<SceneSurface>> = draft.shapes.iter().map(|shape| draft.sides(shape)).collect();
+        let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
+        let shapes: Vec<Vec<SceneSurface>> = shapes.collect();
         for side in shapes.iter().flatten() {
             let name = names.add(&side.name, typed.map(|typed| typed.name_line.clone()));
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;

@@ -10,7 +10,7 @@
 //! Either T is known, or the net flux q that leaves the surface as radiation; the other one follows from the balance of
 //! the scene (`crate::heat`). Reference: Modest, Radiative Heat Transfer, chapter 5.
 
-use crate::scene::error::Fault;
+use crate::scene::{error::Fault, ranges::check_range};
 
 /// What is known of the heat of a surface. Bands have no part in it: it is of all wavelengths together.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -45,18 +45,10 @@ impl Thermal {
 
 /// 0 < ε ≤ 1.
 pub(super) fn check_emissivity(value: f64) -> Result<(), Fault> {
-    match value {
-        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
-        _ if value > 0.0 && value <= 1.0 => Ok(()),
-        _ => Err(Fault::OutOfRange { what: "the emissivity", value, range: "0 < ε ≤ 1" }),
-    }
+    check_range(value, value > 0.0 && value <= 1.0, "the emissivity", "0 < ε ≤ 1")
 }
 
 /// 0 ≤ T ≤ 1e6 K: its fourth power stays a number to compute with.
 pub(super) fn check_temperature(value: f64) -> Result<(), Fault> {
-    match value {
-        _ if !value.is_finite() => Err(Fault::NotFinite { value }),
-        _ if (0.0..=1e6).contains(&value) => Ok(()),
-        _ => Err(Fault::OutOfRange { what: "the temperature", value, range: "0 ≤ T ≤ 1e6 kelvin" }),
-    }
+    check_range(value, (0.0..=1e6).contains(&value), "the temperature", "0 ≤ T ≤ 1e6 kelvin")
 }

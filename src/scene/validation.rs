@@ -17,12 +17,12 @@ use crate::scene::{
     glass::Glass,
     include,
     instances::{PlacedLuminaire, PlacedSurface},
-    luminaire::{Luminaire, Strength, check_intensity},
+    luminaire::{Luminaire, Strength, across, check_intensity},
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     outlook::Opening,
     sensor_plane::SensorPlane,
-    sky::{Sky, Sun, check_irradiance},
+    sky::{Sky, Sun, check_elevation, check_irradiance},
     source::{At, Line, Source},
     surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
@@ -230,6 +230,8 @@ pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
     let (up, north) = (file.up.unwrap_or(DVec3::Z), file.north.unwrap_or(DVec3::Y));
     let irradiance = spread(&file.illuminance, bands, "the illuminance", check_irradiance)?;
     let sun = file.sun.as_ref().map(|sun| {
+        let elevation = &sun.elevation;
+        check_elevation(elevation.value).map_err(|fault| Located::at(&elevation.span, fault))?;
         let direction = sun_direction(sun, up, north);
         let direction = direction.map_err(|fault| Located::at(&sun.span, fault))?;
         let given = sun.illuminance.as_ref();
@@ -244,13 +246,9 @@ pub(super) fn sky(file: &SkyFile, bands: usize) -> Result<Arc<Sky>, Located> {
 
 fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault> {
     let up = up.try_normalize().ok_or(Fault::NoDirection { what: "up" })?;
-    let north =
-        north.reject_from_normalized(up).try_normalize().ok_or(Fault::NoDirection { what: "north" })?;
-    let elevation = sun.elevation.value;
-    if !(elevation > 0.0 && elevation <= 90.0) {
-        return Err(Fault::SunBelow);
-    }
-    let (height, around) = (elevation.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
+    let north = north.try_normalize().and_then(|north| across(north, up));
+    let north = north.ok_or(Fault::NoDirection { what: "north" })?;
+    let (height, around) = (sun.elevation.value.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
     Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
 }
 

@@ -141,8 +141,14 @@ fn photometric_files_are_read_and_kept() {
 #[test]
 fn what_cannot_carry_their_light_is_refused() {
     for (option, parts) in [
-        (&["--method", "hierarchical"][..], ["luminaire 'lamp'", "hierarchical radiosity"]),
-        (&["--shadows", "mask"][..], ["luminaire 'lamp'", "shadow masks"]),
+        (
+            &["--method", "hierarchical"][..],
+            ["luminaire 'lamp'", "hierarchical radiosity", "solve by the usual method, --method galerkin"],
+        ),
+        (
+            &["--shadows", "mask"][..],
+            ["luminaire 'lamp'", "shadow masks", "choose another kind of --shadows"],
+        ),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let args = [&["solve", "room.toml", "-o", "out.json"], option].concat();
@@ -158,6 +164,10 @@ fn check_warns_of_luminaires_that_light_nothing() {
     let warned = |scene: &str| run(folder.path(), scene, &["check", "room.toml"]).1;
     let inside = warned(ROOM);
     assert!(inside.contains("nothing looks wrong") && inside.contains("1000"), "{inside}");
+    for mounted in ["[2, 2, 3]", "[0, 2, 2]", "[0, 0, 3]"] {
+        let mounted = warned(&ROOM.replace("[2, 2, 2.5]", mounted));
+        assert!(mounted.contains("nothing looks wrong"), "{mounted}");
+    }
     let above = warned(&ROOM.replace("[2, 2, 2.5]", "[2, 2, 3.5]"));
     assert!(above.contains("luminaire \"lamp\" lights no front"), "{above}");
     fs::write(folder.path().join("lamp.ies"), TABLE).unwrap();
@@ -198,13 +208,23 @@ fn wrong_skies_are_refused_at_their_place() {
     );
     refused("overcast", "clear", &["sky: the key \"sun\" is missing", "elevation"]);
     refused("10000", "-1", &["room.toml:4:15: sky: the illuminance is -1"]);
-    refused("10000", "0", &["sky: the illuminance of the sky is 0"]);
+    refused("10000", "0", &["sky: the illuminance of the sky is 0", "without the sun"]);
     let sun = |elevation: &str| format!("10000\nsun = {{ elevation = {elevation}, azimuth = 180 }}");
     refused(
         "10000",
         &sun("-5"),
-        &["room.toml:5:7: sky: the sun is not above the horizon", "help: give an elevation"],
+        &["room.toml:5:21: sky: the elevation of the sun is -5, outside 0 < elevation", "help: choose"],
     );
+    refused("10000", &sun("0"), &["the elevation of the sun is 0,", "leave it out"]);
+    refused("10000", &sun("95"), &["the elevation of the sun is 95,", "≤ 90 degrees"]);
+    // Multiples of a vector round apart.
+    for north in ["[3, 6, 9]", "[7.7, 15.4, 23.1]", "[1e-12, 2e-12, 3e-12]", "[0, 0, 0]"] {
+        let sky = format!("{}\nup = [0.1, 0.2, 0.3]\nnorth = {north}", sun("40"));
+        let north = "room.toml:5:7: sky: the vector `north` gives no direction";
+        refused("10000", &sky, &[north, "help: give a direction that is not along `up`, e.g. [0, 1, 0]"]);
+    }
+    let sky = format!("{}\nup = [0, 0, 0]", sun("40"));
+    refused("10000", &sky, &["`up` gives no direction", "the zenith, e.g. [0, 0, 1]"]);
     refused("10000", "10000\nground = 1", &["the reflectance is 1"]);
     refused(
         "opening = true",
@@ -232,16 +252,17 @@ fn wrong_skies_are_refused_at_their_place() {
 
 #[test]
 fn what_takes_light_for_diffuse_refuses_a_sky() {
-    for option in [
-        ["--method", "hierarchical"],
-        ["--direct", "projected"],
-        ["--shadows", "mask"],
-        ["--kernel", "paper-hybrid"],
+    for (option, what) in [
+        (["--method", "hierarchical"], "hierarchical radiosity carries diffuse light only"),
+        (["--direct", "projected"], "--direct projected takes all emitted light for diffuse"),
+        (["--shadows", "mask"], "--shadows mask takes all emitted light for diffuse"),
+        (["--kernel", "paper-hybrid"], "--kernel with the rules of 1993 takes all emitted light for diffuse"),
     ] {
         let folder = tempfile::tempdir().unwrap();
         let args = [&["solve", "room.toml", "-o", "out.json"], &option[..]].concat();
         let (code, _, error) = run(folder.path(), SKY, &args);
         assert_eq!(code, Some(2), "{error}");
-        assert!(error.contains("surface 'window' is an opening to a sky"), "{option:?}: {error}");
+        let refusal = format!("surface 'window' is an opening to a sky: {what}");
+        assert!(error.contains(&refusal), "{option:?}: {error}");
     }
 }

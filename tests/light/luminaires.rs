@@ -308,3 +308,50 @@ fn a_lambertian_table_is_a_lambertian_emitter() {
         assert!((table - spot).abs() < 1e-6 * spot, "{table} {spot}");
     }
 }
+
+/// An IES file of 100, 200, 300 and 400 cd at C = 0, 90, 180 and 270, at all γ up to 90°.
+const QUARTERS: &str = "IESNA:LM-63-2002\n[TEST] none\n[MANUFAC] none\nTILT=NONE\n1 -1 1 3 5 1 2 0 0 0\n1 1 10\n0 45 90\n\
+    0 90 180 270 360\n100 100 100\n200 200 200\n300 300 300\n400 400 400\n100 100 100\n";
+
+/// E of the luminaire of the table at the distance d before p, and aside by d towards the planes C = 0, 90, 180 and 270 where
+/// `aim` and `along` are what the scene should make of its frame: γ = 45°, r² = 2d², E = I √½ / (2d²).
+#[track_caller]
+fn check_quarters(entry: &str, p: DVec3, aim: DVec3, along: DVec3) {
+    let text = format!(
+        "bands = [\"lm\"]\n[materials.black]\nreflectance = 0\n[[surfaces]]\nmaterial = \"black\"\n\
+         sphere = {{ center = [0, 0, -20], radius = 1 }}\n{entry}"
+    );
+    let scene = Scene::parse(&Source::new("web", &text).including("lamp.ies", QUARTERS)).expect("a scene");
+    let d = 1.5;
+    let c90 = along.cross(aim);
+    let points = [along, c90, -along, -c90].map(|side| (p + d * (aim + side), -aim));
+    for (found, candela) in direct(&scene, &points).into_iter().zip([100.0, 200.0, 300.0, 400.0]) {
+        let exact = candela * 0.5_f64.sqrt() / (2.0 * d * d);
+        assert!((found - exact).abs() < 1e-9 * exact, "{entry}: {found}, not {exact}");
+    }
+}
+
+/// Photometric webs keep their sense: seen from above a luminaire that aims down, C runs counter-clockwise from x to y.
+#[test]
+fn photometric_webs_are_turned_with_their_luminaires() {
+    let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z];
+    assert_eq!(x.cross(-z), y);
+    let lamp = |list: &str, more: &str| {
+        format!("[[{list}]]\nposition = [1, 2, 3]\nphotometry = \"lamp.ies\"\n{more}\n")
+    };
+    let p = DVec3::new(1.0, 2.0, 3.0);
+    check_quarters(&lamp("luminaires", ""), p, -z, x);
+    check_quarters(&lamp("luminaires", "along = [0, 5, 1]"), p, -z, y);
+    check_quarters(&lamp("luminaires", "aim = [0, 3, 0]\nalong = [0, 1, -1]"), p, y, -z);
+    // By 90° about x, y becomes z, and z becomes −y; then C = 90 is towards z.
+    let turned = |more: &str, rotate: &str| {
+        lamp("parts.lamp.luminaires", more)
+            + &format!(
+                "[[instances]]\npart = \"lamp\"\ntransform = {{ rotate = {rotate}, translate = [0, 0, 5] }}\n"
+            )
+    };
+    check_quarters(&turned("", "[1, 0, 0, 90]"), DVec3::new(1.0, -3.0, 7.0), y, x);
+    // By 90° about z, x becomes y, and y becomes −x.
+    check_quarters(&turned("", "[0, 0, 1, 90]"), DVec3::new(-2.0, 1.0, 8.0), -z, y);
+    check_quarters(&turned("along = [0, 1, 0]", "[0, 0, 1, 90]"), DVec3::new(-2.0, 1.0, 8.0), -z, -x);
+}

@@ -1,6 +1,7 @@
 //! The light of skies and the sun through openings, against closed forms.
 
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use radiosity::gather::choice::By;
 use radiosity::light::direct::DirectLight;
@@ -8,7 +9,7 @@ use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::output::reader::{Read, Reader};
 use radiosity::scene::Scene;
 use radiosity::solve::{Failure, Options, Transport, solve};
-use radiosity::visibility::Visibility;
+use radiosity::visibility::{Hiding, Visibility};
 use radiosity_geom::DVec3 as V;
 
 /// A point in the middle of a box of openings, under this sky. What the box has below is the ground.
@@ -22,9 +23,13 @@ fn open_air(sky: &str) -> Scene {
 
 /// Direct light at a point of the open for each normal, to this accuracy.
 fn direct(scene: &Scene, x: V, normals: &[V], eps: f64) -> Vec<f64> {
-    let options = Options::default();
-    let outcome = solve(scene, &options, &|_| {}).expect("a solution");
-    let visibility = Visibility::new(scene, (&options).into());
+    direct_by(scene, &Options::default(), x, normals, eps)
+}
+
+/// The same by other options.
+fn direct_by(scene: &Scene, options: &Options, x: V, normals: &[V], eps: f64) -> Vec<f64> {
+    let outcome = solve(scene, options, &|_| {}).expect("a solution");
+    let visibility = Visibility::new(scene, options.into());
     let direct = DirectLight::within(&outcome.solution.emitters(), &visibility, eps);
     let read = |n: &V| {
         let vantage = ReceiverPoint::free(x, n.normalize());
@@ -187,6 +192,62 @@ fn the_patch_of_the_sun_has_sharp_borders() {
         // The ground outside reflects the sun as well: it is seen from below the horizon only, and not from the floor.
         close(at(60000.0, x) - at(0.0, x), lit * 60000.0 * 0.5_f64.sqrt(), 1e-3);
     }
+}
+
+/// Without shadows the sun shines through the table, but through the window alone; of two windows in a row only the nearer
+/// counts, whichever is lit as a group of its own.
+#[test]
+fn without_shadows_the_sun_passes_all_but_openings() {
+    // The sky itself is next to dark.
+    let sky = "[sky]\nmodel = \"uniform\"\nilluminance = 1e-4\nground = 0\n\
+        sun = { elevation = 45, azimuth = 270, illuminance = 60000 }\n";
+    let opening = format!(
+        "[[surfaces]]\nname = \"opening\"\nmaterial = \"glass\"\nopening = true\n{WINDOW}[[surfaces]]\nname = \"outer\"\n\
+         material = \"glass\"\ngroup = \"outer\"\nopening = true\n\
+         quad = {{ vertices = [[-1, 0, 0], [-1, 5, 0], [-1, 5, 9], [-1, 0, 9]] }}\n"
+    );
+    let [shaded, unshaded] =
+        [Hiding::Auto, Hiding::Off].map(|shadows| Options { shadows, ..Options::default() });
+    let sunlight = |options: &Options, set: &[(&str, f64)], x: V| {
+        let scene = room(sky, &opening).dimmed(set).expect("the group is there");
+        direct_by(&scene, options, x, &[V::Z], 1e-3)[0]
+    };
+    let exact = 60000.0 * 0.5_f64.sqrt();
+    let [below, before] = [V::new(1.8, 1.5, 1e-3), V::new(0.5, 3.5, 1e-3)];
+    close(sunlight(&shaded, &[], below), 0.0, 1e-3);
+    close(sunlight(&unshaded, &[], below), exact, 1e-6);
+    close(sunlight(&unshaded, &[("outer", 0.0)], below), exact, 1e-6);
+    // Below the window the ray to the sun leaves through the wall, and meets the outer opening.
+    close(sunlight(&shaded, &[], before), 0.0, 1e-3);
+    close(sunlight(&unshaded, &[], before), exact, 1e-6);
+    close(sunlight(&unshaded, &[("outer", 0.0)], before), 0.0, 1e-3);
+}
+
+/// Openings of one sky, glass and normal share what they see.
+#[test]
+fn openings_that_look_alike_share_what_they_see() {
+    let pane = |name: &str, y: f64, more: &str| {
+        format!(
+            "[[surfaces]]\nname = \"{name}\"\nmaterial = \"air\"\n{more}\n\
+             parallelogram = {{ origin = [0, {y}, 3], edge1 = [0, 1, 0], edge2 = [1, 0, 0] }}\n"
+        )
+    };
+    let text = format!(
+        "bands = [\"lm\"]\n[sky]\nmodel = \"clear\"\nilluminance = 1000\nsun = {{ elevation = 40, azimuth = 10 }}\n\
+         [materials.air]\nreflectance = 0\n{}{}{}{}",
+        pane("a", 0.0, "opening = true"),
+        pane("b", 2.0, "opening = true"),
+        pane("glazed", 4.0, "glass = {}"),
+        pane("turned", 6.0, "opening = true\nflip = true"),
+    );
+    let scene = Scene::from_toml(&text, "panes").expect("a scene");
+    let [a, b, glazed, turned] =
+        [0, 1, 2, 3].map(|k| scene.surfaces[k].outlook.as_ref().expect("an opening"));
+    assert!(Arc::ptr_eq(a, b));
+    assert!(glazed.exitance()[0] < 0.95 * a.exitance()[0], "{glazed:?}");
+    // The ground sends 0.2 of the 1000 lx that it gets up.
+    close(a.exitance()[0], 1000.0, 1e-4);
+    close(turned.exitance()[0], 200.0, 1e-4);
 }
 
 #[test]
