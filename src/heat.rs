@@ -14,7 +14,7 @@
 //!
 //! A two-sided surface of known flux is a *shield*: both sides have one temperature, unknown and even over the sheet.
 //! Its level σ T⁴ follows from the net flow of both sides together: the light of each shield is solved for at the level
-//! 1, and the levels are those at which all flows are as given ([`shields`]).
+//! 1, and the levels are those at which all flows are as given (`heat/shields.rs`).
 //!
 //! What leaves the scene goes to surroundings at 0 K. Conduction, convection and heat that is stored have no part in it;
 //! where they are known, they are a `heat_flux`.
@@ -86,7 +86,7 @@ impl Heat {
         scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some())
     }
 
-    /// The temperatures and flows of `scene`, with errors from what lower orders find ([`error_orders`]).
+    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0).
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat

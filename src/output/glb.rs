@@ -5,7 +5,7 @@
 //! | root node | turns the scene's up to +y, and moves it to its place |
 //! | a node and a mesh for each surface, by its name | positions, normals, indices, and the places in the texture |
 //! | one material | the light as base colour, unlit (`KHR_materials_unlit`): viewers add none |
-//! | one image | the textures of all surfaces side by side ([`Atlas`]), exposed to sRGB |
+//! | one image | the textures of all surfaces side by side (`glb/atlas.rs`), exposed to sRGB |
 //! | a camera | that of the scene |
 //!
 //! The same texels as they are, linear and per band, are [`Baked::raster`], which goes to an OpenEXR file. Only fronts are

@@ -14,7 +14,7 @@
 //! | curved | Lagrange quadrilaterals over rectangles of the parameters | at least the order |
 //!
 //! E(ξ) is exact to rounding in both. So is x(ξ) on flat elements and on polynomial patches of that degree; other curved
-//! elements take a higher degree or several cells ([`bending`]), and the grid states how far x(ξ) is from the surface at
+//! elements take a higher degree or several cells (`vtu/bending.rs`), and the grid states how far x(ξ) is from the surface at
 //! equal parameters. Each cell has points of its own: light jumps between elements.
 //!
 //! Reference: VTK's XML formats, <https://docs.vtk.org/en/latest/design_documents/VTKFileFormats.html>.
