@@ -368,13 +368,7 @@ impl<'a> RayGather<'a> {
 
     /// Adds an estimate of the direct light by one ray to an emitter, and one to a luminaire.
     fn add_direct(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.points.add_one(
-            vantage,
-            self.visibility,
-            1.0,
-            number_of([f64::from_bits(chance), 1.0]),
-            irradiance,
-        );
+        self.add_point(vantage, chance, irradiance);
         let shares = self.lamps.seen_from(vantage);
         if !shares.is_empty() {
             let target = shares.target(shift(chance));
@@ -384,13 +378,7 @@ impl<'a> RayGather<'a> {
 
     /// Adds an estimate of the irradiance by one ray of each kind.
     fn add_estimate(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
-        self.points.add_one(
-            vantage,
-            self.visibility,
-            1.0,
-            number_of([f64::from_bits(chance), 1.0]),
-            irradiance,
-        );
+        self.add_point(vantage, chance, irradiance);
         let shares = self.lamps.seen_from(vantage);
         let [polar, turn, choice, s] = shift(chance);
         let [t] = shift(number_of([f64::from_bits(chance)]));
@@ -400,6 +388,12 @@ impl<'a> RayGather<'a> {
             let balance = Balance { cosine: 1.0, to_lamps: 1.0 };
             self.add_lamp(vantage, &shares.target([choice, s, t]), balance, 1.0, irradiance);
         }
+    }
+
+    /// Adds an estimate of the light of the luminaires by one ray, to one of them.
+    fn add_point(&self, vantage: &ReceiverPoint, chance: u64, irradiance: &mut [f64]) {
+        let own = number_of([f64::from_bits(chance), 1.0]);
+        self.points.add_one(vantage, self.visibility, 1.0, own, irradiance);
     }
 
     /// The light of the luminaires at a receiver that is a point.

@@ -97,7 +97,8 @@ impl Numbers {
 /// An estimated error of gathered light.
 #[derive(Debug)]
 pub(super) struct Estimate {
-    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; infinite without sensors, and where light is missed in the dark.
+    /// ‖e‖ / ‖E_g‖ over the sensors, all bands pooled; 0 without sensors, infinite where light is
+    /// missed and none is gathered.
     pub error: f64,
     /// Part of the square of `error` that each element is responsible for; noise makes some negative.
     pub shares: Vec<f64>,
