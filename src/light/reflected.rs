@@ -85,7 +85,18 @@ impl<'a> Reflection<'a> {
 
     /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.
     pub fn irradiance(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
-        self.sum(&self.parts(vantage, surroundings, other))
+        self.irradiance_within(self.eps, vantage, surroundings, other)
+    }
+
+    /// The same to another relative accuracy, which is no smaller.
+    pub(crate) fn irradiance_within(
+        &self,
+        eps: f64,
+        vantage: &ReceiverPoint,
+        surroundings: &Occluders,
+        other: &[f64],
+    ) -> Vec<f64> {
+        self.sum(&self.parts(eps, vantage, surroundings, other))
     }
 
     /// The same apart by the coats of the reflecting elements: all bands of one coat after those of another.
@@ -98,7 +109,7 @@ impl<'a> Reflection<'a> {
     ) -> Vec<f64> {
         let bands = self.scale.len();
         let mut sums = vec![0.0; coats.count() * bands];
-        let parts = self.parts(vantage, surroundings, other);
+        let parts = self.parts(self.eps, vantage, surroundings, other);
         for (part, element) in parts.chunks_exact(bands).zip(&self.elements) {
             let own = &mut sums[bands * coats.of_element(*element)..][..bands];
             own.iter_mut().zip(part).for_each(|(sum, part)| *sum += part);
@@ -106,13 +117,13 @@ impl<'a> Reflection<'a> {
         sums
     }
 
-    /// The irradiance from each reflecting element, band after band.
-    fn parts(&self, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
+    /// The irradiance from each reflecting element to the relative accuracy `eps`, band after band.
+    fn parts(&self, eps: f64, vantage: &ReceiverPoint, surroundings: &Occluders, other: &[f64]) -> Vec<f64> {
         let mut walk = Traversal::new(vantage, self.visibility, surroundings);
         let add = |walk: &mut Traversal, index: usize, tolerance: f64, out: &mut [f64]| {
             walk.add(index, &self.trees[index], tolerance, out);
         };
-        let share = self.eps * (self.eps / CANCELLING).min(1.0);
+        let share = eps * (eps / CANCELLING).min(1.0);
         let other = self.relative(other);
         let level = |parts: &[f64]| self.relative(&self.sum(parts));
         walk.within_share(&self.trees, share, other, add, level)
