@@ -33,6 +33,7 @@ mod style;
 mod bake;
 mod page;
 mod render;
+mod animate;
 mod table;
 mod convergence;
 mod check;
@@ -53,6 +54,7 @@ use run::Loaded;
 const EXAMPLES: &str = "\
 Examples:
   radiosity render                            a picture of the Cornell box: cornell-box.png
+  radiosity animate billiard -o frame-####.png   pictures of a scene in which things move
   radiosity render room.toml -o room.glb      the room with its light in textures, for Blender and viewers
   radiosity render room.toml -o room.html     one file to walk through in a browser
   radiosity solve room.toml --report r.json   coefficients and a report of your own scene
@@ -87,6 +89,7 @@ enum Verb {
     Solve(solve::SolveArgs),
     Relight(relight::RelightArgs),
     Render(render::RenderArgs),
+    Animate(animate::AnimateArgs),
     Probe(probe::ProbeArgs),
     Grid(grid::GridArgs),
     Convergence(convergence::ConvergenceArgs),
@@ -119,6 +122,7 @@ impl Cli {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
                 render::run(args, Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?)
             }
+            Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene)?),
             Verb::Probe(args) => {
                 let points = args.load_points()?;
                 probe::run(args, points, Loaded::readable(&args.scene, &self.fixing)?)

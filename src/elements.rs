@@ -90,6 +90,15 @@ impl Elements {
         Self::of_shapes(scene, how, None, whole, &[])
     }
 
+    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved.
+    ///
+    /// # Errors
+    /// As for [`Elements::new`].
+    pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
+        let moved = Self::of_mesh(scene, &self.how, self.mesh.clone())?;
+        Ok(Self { is_refined: self.is_refined, ..moved })
+    }
+
     fn of_shapes(
         scene: &Scene,
         how: &Discretization,

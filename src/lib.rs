@@ -65,6 +65,7 @@ pub mod checks;
 pub mod solve;
 pub mod studies;
 pub mod solved;
+pub mod animation;
 pub mod view_factors;
 pub mod heat;
 pub mod output;

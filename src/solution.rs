@@ -180,6 +180,20 @@ impl Solution {
         &self.groups
     }
 
+    /// The light of each group; of all together where the scene has none.
+    pub(crate) fn light(&self) -> Vec<GroupLight> {
+        if !self.groups.is_empty() {
+            return self.groups.to_vec();
+        }
+        let incident = |band: &Band| Incident::from(band.coefficients.clone());
+        vec![GroupLight {
+            group: None,
+            bands: self.bands.iter().map(incident).collect(),
+            powers: self.powers.unwrap_or_default(),
+            masked: self.masked.clone().map(Arc::new),
+        }]
+    }
+
     /// The balance of power of all groups together, at their factors; None if it was made of bands
     /// ([`Solution::new`]).
     pub fn powers(&self) -> Option<Powers> {
@@ -194,6 +208,11 @@ impl Solution {
     /// The elements that carry the polynomials.
     pub fn elements(&self) -> &Elements {
         &self.elements
+    }
+
+    /// The same, to be kept.
+    pub(crate) fn shared_elements(&self) -> Arc<Elements> {
+        Arc::clone(&self.elements)
     }
 
     /// The bands, in the scene's order.

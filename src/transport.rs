@@ -9,7 +9,7 @@
 //!
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
-//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `schedule` (all pairs),
+//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `memory` (blocks of an earlier scene), `schedule` (all pairs),
 //! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
 //! blocks) and `carrier` (blocks or links, as checks see them).
 
@@ -20,6 +20,7 @@ pub(crate) mod blocks;
 pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;
+pub(crate) mod memory;
 mod schedule;
 pub(crate) mod price;
 pub(crate) mod sampled;
@@ -27,6 +28,7 @@ pub(in crate::transport) mod unreached;
 mod assembly;
 mod carrier;
 
+pub(crate) use assembly::assemble_again;
 pub use assembly::{assemble, assemble_factors, assemble_pairs, assemble_senders};
 pub use blocks::Blocks;
 pub use blocks::block::{Accuracy, Kind};
@@ -34,6 +36,7 @@ pub use blocks::miss::Miss;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use carrier::Carrier;
+pub use memory::Memory;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use sampled::{Rays, SampledTransport};

@@ -73,6 +73,17 @@ impl ReadArgs {
         self.read_by.unwrap_or_default()
     }
 
+    /// As typed, the rest as the quality says.
+    pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
+        let usual = method.quality.reading();
+        Reading {
+            read: self.read.unwrap_or(usual.read),
+            by: self.by(),
+            eps: self.read_eps.or(method.eps).unwrap_or(usual.eps),
+            rates: usual.rates,
+        }
+    }
+
     /// As typed, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
     /// asked for.
     pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {

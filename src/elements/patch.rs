@@ -55,6 +55,22 @@ pub enum Direction {
     Across,
 }
 
+/// Equal to the last bit, of the same surface.
+impl PartialEq for Patch {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Flat { corners, normal }, Self::Flat { corners: others, normal: other }) => {
+                corners == others && normal == other
+            }
+            (
+                Self::Curved { surface, origin, along, across },
+                Self::Curved { surface: other, origin: from, along: forth, across: sideways },
+            ) => Arc::ptr_eq(surface, other) && [origin, along, across] == [from, forth, sideways],
+            _ => false,
+        }
+    }
+}
+
 impl Patch {
     /// The whole parameter rectangle `rect` of a curved surface.
     pub fn curved(surface: Arc<dyn Surface>, rect: &Rect) -> Self {

@@ -39,6 +39,11 @@ impl Picture {
         [self.width, self.height]
     }
 
+    /// Red, green and blue of all pixels, in row order.
+    pub fn codes(&self) -> &[u8] {
+        self.pixels.as_flattened()
+    }
+
     /// The colour of pixel (x, y), or None outside.
     pub fn at(&self, x: i32, y: i32) -> Option<Colour> {
         self.index(x, y).map(|index| self.pixels[index])
@@ -102,7 +107,7 @@ impl Picture {
         encoder.set_depth(png::BitDepth::Eight);
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
         let mut stream = encoder.write_header()?;
-        stream.write_image_data(self.pixels.as_flattened())?;
+        stream.write_image_data(self.codes())?;
         stream.finish()?;
         Ok(())
     }

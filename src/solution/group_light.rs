@@ -23,6 +23,23 @@ pub struct GroupLight {
     pub masked: Option<Arc<MaskedLight>>,
 }
 
+impl GroupLight {
+    /// Σ f x over the `parts` x with their `factors` f, all of one group and over the same functions, without masks.
+    pub(crate) fn together<'a>(factors: &[f64], parts: impl Iterator<Item = &'a Self> + Clone) -> Self {
+        let first = parts.clone().next();
+        let bands = 0..first.map_or(0, |part| part.bands.len());
+        let powers = factors.iter().zip(parts.clone()).map(|(factor, part)| *factor * part.powers);
+        Self {
+            group: first.and_then(|part| part.group.clone()),
+            bands: bands
+                .map(|band| Incident::together(factors, parts.clone().map(|part| &part.bands[band])))
+                .collect(),
+            powers: powers.fold(Powers::default(), |sum, part| sum + part),
+            masked: None,
+        }
+    }
+}
+
 /// Irradiance of one band, by coefficients in the orthonormal bases, element by element, in W m⁻² times scene length.
 #[derive(Clone, Debug)]
 pub struct Incident {

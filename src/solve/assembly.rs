@@ -1,9 +1,9 @@
 //! How a scene is cut into elements, and the blocks between them.
 
-use crate::elements::{Discretization, Elements, Subdivide};
+use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
 use crate::transport;
-use crate::transport::Blocks;
+use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 use crate::zatz1993::transfers;
 
@@ -26,11 +26,12 @@ pub(super) fn discretization(
     Discretization { order: options.order, space: options.space, subdivide, layers: options.layers }
 }
 
-/// The blocks, by that many rays or exactly.
+/// The blocks, by that many rays or exactly; exact ones from `memory`, as far as it holds them.
 pub(super) fn carried(
     scene: &Scene,
     subject: &Subject,
     rays: Option<u64>,
+    memory: Option<&mut Memory>,
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<(Blocks, Option<Sampling>), Failure> {
     if let Some(rays) = rays {
@@ -38,19 +39,25 @@ pub(super) fn carried(
         return Ok((blocks, Some(sampling)));
     }
     let report = |done, total| progress(Progress::Blocks(done, total));
-    Ok((blocks(scene, subject.elements, subject.visibility, subject.options, &report)?, None))
+    Ok((blocks(scene, subject, memory, &report)?, None))
 }
 
 fn blocks(
     scene: &Scene,
-    elements: &Elements,
-    visibility: &Visibility,
-    options: &Options,
+    subject: &Subject,
+    memory: Option<&mut Memory>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Blocks, Failure> {
+    let Subject { elements, visibility, options, .. } = *subject;
     let Some(rules) = options.kernel else {
         let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
-        return Ok(transport::assemble_senders(elements, &sends, visibility, options.accuracy(), progress));
+        let accuracy = options.accuracy();
+        return Ok(match memory {
+            Some(memory) => {
+                transport::assemble_again(elements, &sends, visibility, accuracy, memory, progress)
+            }
+            None => transport::assemble_senders(elements, &sends, visibility, accuracy, progress),
+        });
     };
     transfers::assemble(elements, visibility, rules, transfers::EXTRA_POINTS, progress)
         .map_err(|error| Failure::NoChart { surface: scene.surfaces[error.surface].name.clone() })

@@ -18,7 +18,7 @@ use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::{Coefficients, System};
-use crate::transport::Blocks;
+use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 
 use super::allowance::{require_memory, require_memory_of_mesh};
@@ -76,8 +76,23 @@ impl Model {
         options: &Options,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
+        let choice = Choice::of(scene, options);
+        in_threads(options.threads, || Self::assembled(scene, options, choice, None, None, progress))?
+    }
+
+    /// The same, to the bit, where blocks of earlier scenes are known that differ in the places of some surfaces.
+    ///
+    /// # Errors
+    /// As [`Model::assemble`].
+    pub fn assemble_again(
+        scene: &Scene,
+        options: &Options,
+        choice: &Choice,
+        memory: &mut Memory,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Self, Failure> {
         in_threads(options.threads, || {
-            Self::assembled(scene, options, Choice::of(scene, options), None, progress)
+            Self::assembled(scene, options, choice.clone(), None, Some(memory), progress)
         })?
     }
 
@@ -90,7 +105,7 @@ impl Model {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let choice = Choice { sampled: false, why: why.to_owned() };
-        in_threads(options.threads, || Self::assembled(scene, options, choice, mesh, progress))?
+        in_threads(options.threads, || Self::assembled(scene, options, choice, mesh, None, progress))?
     }
 
     fn assembled(
@@ -98,6 +113,7 @@ impl Model {
         options: &Options,
         choice: Choice,
         mesh: Option<&Mesh>,
+        mut memory: Option<&mut Memory>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
@@ -126,7 +142,11 @@ impl Model {
         let entries = first.reflected(first.emissions()).expect("the emission is the same");
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options };
-        let (blocks, sampling) = timed(&mut seconds.blocks, || carried(scene, &subject, rays, progress))?;
+        if let Some(memory) = &mut memory {
+            memory.turn_to(scene, &elements);
+        }
+        let (blocks, sampling) =
+            timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory, progress))?;
         progress(Progress::Finished("blocks", seconds.blocks));
         Ok(Self {
             scene: scene.clone(),

@@ -3,6 +3,7 @@
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::memory::Memory;
 use crate::transport::schedule::{Unreached, by_rules};
 use crate::transport::unreached;
 use crate::transport::unreached::Whole;
@@ -37,7 +38,20 @@ pub fn assemble_pairs(
     accuracy: Accuracy,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Element, accuracy), progress)
+    assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, progress)
+}
+
+/// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated again.
+pub(crate) fn assemble_again(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+    memory: &mut Memory,
+    progress: &(dyn Fn(usize, usize) + Sync),
+) -> Blocks {
+    let wanted = |a: usize, b: usize| sends(a) || sends(b);
+    assembled(elements, &wanted, visibility, (Whole::Element, accuracy), Some(memory), progress)
 }
 
 /// The same for elements that carry constants, accurate for the view factors of their surfaces.
@@ -48,7 +62,7 @@ pub fn assemble_factors(
     accuracy: Accuracy,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Blocks {
-    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), progress)
+    assembled(elements, wanted, visibility, (Whole::Surface, accuracy), None, progress)
 }
 
 fn assembled(
@@ -56,10 +70,11 @@ fn assembled(
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (whole, accuracy): (Whole, Accuracy),
+    memory: Option<&mut Memory>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Blocks {
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
-    let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), progress);
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), memory, progress);
     if !left.is_empty() {
         unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), progress);
     }

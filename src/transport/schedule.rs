@@ -13,6 +13,7 @@ mod goal;
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -30,6 +31,7 @@ use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
 use crate::transport::occlusion::outlines::occluded_block;
+use crate::transport::memory::{Answer, Memory, Request};
 use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
@@ -86,13 +88,14 @@ pub(in crate::transport) struct Left {
     pub partly_hidden: bool,
 }
 
-/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave. `progress` is called with (pairs
-/// done, pairs to do), from any thread.
+/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds, which was turned to this
+/// scene, is not integrated again. `progress` is called with (pairs done, pairs to do), from any thread.
 pub(in crate::transport) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (accuracy, unreached): (Accuracy, Unreached),
+    memory: Option<&mut Memory>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> (Blocks, Vec<Left>) {
     let list = elements.list();
@@ -113,12 +116,12 @@ pub(in crate::transport) fn by_rules(
     let tasks = sort(&scene, &mut blocks);
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let integrated = scene.integrate(&tasks, &goals, &sources, progress);
+    let integrated = scene.integrate(&tasks, &goals, &sources, memory.as_deref(), progress);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
-        let block = &integrated[*place];
+        let block = &integrated[*place].block;
         let error = scales.relative(task, block);
         if block.untried || (error > accuracy.eps && scene.is_left(task)) {
             debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
@@ -139,6 +142,9 @@ pub(in crate::transport) fn by_rules(
     let is_left: HashSet<[usize; 2]> = left.iter().map(|pair| [pair.row, pair.column]).collect();
     let is_stored = |task: &Task| !is_left.contains(&[task.row as usize, task.column as usize]);
     blocks.reciprocity = scene.reciprocity(&tasks, &is_stored, &goals, &sources, &integrated);
+    if let Some(memory) = memory {
+        memory.keep(scene.answers(&tasks, &goals, &sources, integrated));
+    }
     (blocks, left)
 }
 
@@ -148,11 +154,11 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &[Block]) -> Self {
+    fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &[Arc<Answer>]) -> Self {
         let mut rows = vec![0.0f64; elements];
         for (task, source) in tasks.iter().zip(sources) {
             let (Source::Own(place) | Source::Copy(_, place)) = source;
-            let most = largest(&integrated[*place]);
+            let most = largest(&integrated[*place].block);
             for element in [task.row, task.column] {
                 rows[element as usize] = rows[element as usize].max(most);
             }
@@ -291,9 +297,9 @@ impl Scene<'_> {
     }
 
     /// Stores the block of `task` and adds its cost.
-    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Block]) {
+    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Arc<Answer>]) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
-        let block = &integrated[*place];
+        let block = &integrated[*place].block;
         blocks.pairs.take(block);
         let (row, column) = (task.row as usize, task.column as usize);
         match source {
@@ -351,14 +357,15 @@ impl Scene<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// Integrates the tasks that are not copies, in their order.
+    /// Integrates the tasks that are not copies, in their order, as far as `memory` does not hold their blocks.
     fn integrate(
         &self,
         tasks: &[Task],
         goals: &[Goal],
         sources: &[Source],
+        memory: Option<&Memory>,
         progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Vec<Block> {
+    ) -> Vec<Arc<Answer>> {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
         let (done, total) = (AtomicUsize::new(0), own.len());
@@ -366,11 +373,25 @@ impl Scene<'_> {
         own.par_iter()
             .with_max_len(1)
             .map(|index| {
-                let block = self.block(&tasks[*index], goals[*index]);
+                let (task, goal) = (&tasks[*index], goals[*index]);
+                let known = memory.and_then(|memory| memory.recall(&task.request(&goal)).cloned());
+                let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
-                block
+                answer
             })
             .collect()
+    }
+
+    /// What was asked and found for the tasks that are not copies.
+    fn answers(
+        &self,
+        tasks: &[Task],
+        goals: &[Goal],
+        sources: &[Source],
+        integrated: Vec<Arc<Answer>>,
+    ) -> Vec<(Request, Arc<Answer>)> {
+        let own = tasks.iter().zip(goals).zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
+        own.map(|((task, goal), _)| task.request(goal)).zip(integrated).collect()
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
@@ -395,7 +416,7 @@ impl Scene<'_> {
         is_stored: &dyn Fn(&Task) -> bool,
         goals: &[Goal],
         sources: &[Source],
-        integrated: &[Block],
+        integrated: &[Arc<Answer>],
     ) -> Reciprocity {
         let own = |(index, source): (usize, &Source)| match source {
             Source::Own(place) if tasks[index].row != tasks[index].column && is_stored(&tasks[index]) => {
@@ -404,7 +425,7 @@ impl Scene<'_> {
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
-        let cost = |place: usize| integrated[place].samples + integrated[place].rays;
+        let cost = |place: usize| integrated[place].block.samples + integrated[place].block.rays;
         let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =
@@ -414,9 +435,12 @@ impl Scene<'_> {
             .map(|(index, place)| {
                 let task = &tasks[*index];
                 let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
-                let again = self.block_from(!self.is_turned(task), task, goals[*index]);
-                let apart = (again.values[0] - integrated[*place].values[0]).abs();
-                (!again.untried).then(|| apart * (a * b).sqrt() / a.min(b))
+                let answer = &integrated[*place];
+                let again = *answer.exchanged.get_or_init(|| {
+                    let again = self.block_from(!self.is_turned(task), task, goals[*index]);
+                    (!again.untried).then(|| again.values[0])
+                });
+                again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
             })
             .collect();
         let mut told = Reciprocity::default();

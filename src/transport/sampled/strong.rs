@@ -56,7 +56,7 @@ impl Strong {
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
         let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, progress);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, None, progress);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }

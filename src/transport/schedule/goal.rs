@@ -49,6 +49,17 @@ pub(super) struct Goal {
     pub(super) outlined: Option<Limit>,
 }
 
+impl Goal {
+    /// All its numbers, as bits.
+    pub(super) fn bits(&self) -> Vec<u64> {
+        let Self { accuracy, bent, least, row, unseen, flat, sampled, outlined } = *self;
+        let mut numbers =
+            vec![accuracy.eps, accuracy.shadow_eps, bent.eps, bent.shadow_eps, least, row, unseen, flat, sampled];
+        numbers.extend(outlined.iter().flat_map(|limit| [limit.error, limit.entry]));
+        numbers.into_iter().map(f64::to_bits).collect()
+    }
+}
+
 /// The largest entries in the row of each element.
 struct Largest {
     /// Lower bounds of the entries.

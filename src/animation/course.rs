@@ -1,0 +1,245 @@
+//! Light along a known path: solved at few moments, interpolated between them.
+//!
+//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes. On a segment of the path
+//! they are solved at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which are nested: at the points that come between m + 1 others, the
+//! interpolant h_m through these shows its error
+//!
+//! ```text
+//! d_m = max_t ‖h(t) − h_m(t)‖ / ‖h(t)‖ ,    r = d_m / d_{m/2} ,
+//! ```
+//!
+//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the interpolant through all 2 m + 1 points
+//! errs by about d_m r², of which d_m r is told. Where that is above what is wanted, and twice as many points are not expected to do (d_m r³), the segment is halved.
+//! A segment of few frames is solved frame by frame instead: these are then as they are alone.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use crate::elements::{ElementError, Elements};
+use crate::scene::Scene;
+use crate::solution::Solution;
+use crate::solution::group_light::GroupLight;
+use crate::solve::Progress;
+
+use super::chebyshev;
+use super::error::AnimationError;
+use super::frame::Frame;
+use super::sequence::Sequence;
+
+/// Numbers of intervals between the points of a segment.
+const LEVELS: [usize; 3] = [4, 8, 16];
+
+/// Most frames of a segment that are solved one by one rather than halved again. Chosen: down to 6, twenty frames of a shadow edge cost up to 30 solutions.
+const FEW: usize = 24;
+
+/// The light of frames along a known path.
+#[derive(Debug)]
+pub struct Course<'a> {
+    sequence: Sequence<'a>,
+    tolerance: f64,
+    /// First and last frames of what is not solved yet, the next one last.
+    ahead: Vec<[usize; 2]>,
+    segments: Vec<Segment>,
+    /// Light that was solved, by the bits of the moment, which is not negative.
+    nodes: BTreeMap<u64, Arc<Node>>,
+}
+
+/// A part of the path.
+#[derive(Debug)]
+struct Segment {
+    /// First and last moment.
+    ends: [f64; 2],
+    /// Light at its Chebyshev points; at its frames, where it is solved frame by frame.
+    nodes: Vec<Arc<Node>>,
+    /// Estimated relative error between the points; None where it is solved frame by frame.
+    error: Option<f64>,
+}
+
+/// The light at a moment.
+#[derive(Debug)]
+struct Node {
+    light: Vec<GroupLight>,
+    elements: Arc<Elements>,
+}
+
+impl<'a> Course<'a> {
+    /// The light of the frames `first` to `last` of a sequence, to be interpolated to the relative accuracy `tolerance`. Nothing is
+    /// solved yet.
+    pub fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
+        Self {
+            sequence,
+            tolerance,
+            ahead: vec![[first, last.max(first)]],
+            segments: Vec::new(),
+            nodes: BTreeMap::new(),
+        }
+    }
+
+    /// Number of moments that were solved so far.
+    pub fn solved(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Number of segments so far.
+    pub fn segments(&self) -> usize {
+        self.segments.len()
+    }
+
+    /// Largest error that is told of any segment so far.
+    pub fn error(&self) -> f64 {
+        self.segments.iter().filter_map(|segment| segment.error).fold(0.0, f64::max)
+    }
+
+    /// The light of a frame; segments up to it are solved where they are not yet. `progress` may be called from any thread, for each moment
+    /// that is solved. A frame outside of those that were asked for is solved by itself.
+    ///
+    /// # Errors
+    /// As [`Sequence::at`].
+    pub fn frame(
+        &mut self,
+        frame: usize,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Frame, AnimationError> {
+        let moment = frame as f64;
+        let holds = |segment: &Segment| (segment.ends[0]..=segment.ends[1]).contains(&moment);
+        while !self.segments.iter().any(holds) {
+            match self.ahead.pop() {
+                Some(next) => self.solve(next, progress)?,
+                None => self.solve([frame, frame], progress)?,
+            }
+        }
+        let segment = self.segments.iter().find(|segment| holds(segment)).expect("it was just found");
+        let scene = self.sequence.scene().at_moment(moment)?;
+        let elements = segment.elements(frame, &scene);
+        let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
+        let solution = Solution::of_groups(elements, &scene, segment.light(moment));
+        Ok(Frame { scene, solution, interpolated: segment.error })
+    }
+
+    /// Solves a segment, or halves it.
+    fn solve(
+        &mut self,
+        frames @ [first, last]: [usize; 2],
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<(), AnimationError> {
+        match self.segment(frames, progress)? {
+            Some(segment) => self.segments.push(segment),
+            None => {
+                let middle = first.midpoint(last);
+                self.ahead.extend([[middle, last], [first, middle]]);
+            }
+        }
+        Ok(())
+    }
+
+    /// The segment of these frames; None where it has to be halved.
+    fn segment(
+        &mut self,
+        [first, last]: [usize; 2],
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Option<Segment>, AnimationError> {
+        let ends = [first as f64, last as f64];
+        let frames = last - first + 1;
+        for intervals in LEVELS {
+            if intervals + 1 >= frames {
+                return self.frame_by_frame([first, last], progress).map(Some);
+            }
+            let point =
+                |k: usize| 0.5 * (ends[0] + ends[1] + (ends[1] - ends[0]) * chebyshev::point(k, intervals));
+            let nodes = (0..=intervals).map(|k| self.node(point(k), progress));
+            let nodes: Vec<Arc<Node>> = nodes.collect::<Result<_, _>>()?;
+            if !are_alike(&nodes) {
+                break;
+            }
+            let [missed, before] = [2, 4].map(|coarser| missed(&nodes, intervals / coarser));
+            let falls = if before > 0.0 { (missed / before).min(1.0) } else { 1.0 };
+            if missed * falls <= self.tolerance {
+                return Ok(Some(Segment { ends, nodes, error: Some(missed * falls) }));
+            }
+            if missed * falls.powi(3) > self.tolerance {
+                break;
+            }
+        }
+        if frames <= FEW { self.frame_by_frame([first, last], progress).map(Some) } else { Ok(None) }
+    }
+
+    fn frame_by_frame(
+        &mut self,
+        [first, last]: [usize; 2],
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Segment, AnimationError> {
+        let nodes = (first..=last).map(|frame| self.node(frame as f64, progress));
+        let nodes = nodes.collect::<Result<_, _>>()?;
+        Ok(Segment { ends: [first as f64, last as f64], nodes, error: None })
+    }
+
+    /// The light at a moment.
+    fn node(
+        &mut self,
+        moment: f64,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Arc<Node>, AnimationError> {
+        if let Some(known) = self.nodes.get(&moment.to_bits()) {
+            return Ok(Arc::clone(known));
+        }
+        let solution = self.sequence.at(moment, progress)?.outcome.solution;
+        let node = Arc::new(Node { light: solution.light(), elements: solution.shared_elements() });
+        self.nodes.insert(moment.to_bits(), Arc::clone(&node));
+        Ok(node)
+    }
+}
+
+impl Segment {
+    /// The light of each group at a moment, which is that of a frame.
+    fn light(&self, moment: f64) -> Vec<GroupLight> {
+        let [first, last] = self.ends;
+        if self.error.is_none() {
+            return self.nodes[(moment - first) as usize].light.clone();
+        }
+        let place = (2.0 * moment - first - last) / (last - first);
+        interpolated(&self.nodes, &chebyshev::factors(self.nodes.len() - 1, place))
+    }
+
+    /// The elements of a frame: those it was solved with, or those of the first point, where things are now.
+    fn elements(&self, frame: usize, scene: &Scene) -> Result<Arc<Elements>, ElementError> {
+        match self.error {
+            None => Ok(Arc::clone(&self.nodes[frame - self.ends[0] as usize].elements)),
+            Some(_) => self.nodes[0].elements.moved(scene).map(Arc::new),
+        }
+    }
+}
+
+/// The light of each group, as the sum of that of the `nodes` with `factors`.
+fn interpolated(nodes: &[Arc<Node>], factors: &[f64]) -> Vec<GroupLight> {
+    let groups = 0..nodes.first().map_or(0, |node| node.light.len());
+    groups.map(|group| GroupLight::together(factors, nodes.iter().map(|node| &node.light[group]))).collect()
+}
+
+/// Whether the same functions carry the light of all nodes, and nothing but these does.
+fn are_alike(nodes: &[Arc<Node>]) -> bool {
+    let groups = || nodes.iter().flat_map(|node| &node.light);
+    nodes.iter().all(|node| node.elements.starts() == nodes[0].elements.starts()) && groups().all(|group| group.masked.is_none())
+}
+
+/// d_m for m = `coarse` intervals: how far the light of those nodes between is from the interpolant through the others.
+fn missed(nodes: &[Arc<Node>], coarse: usize) -> f64 {
+    let step = (nodes.len() - 1) / (2 * coarse);
+    let known: Vec<Arc<Node>> = nodes.iter().step_by(2 * step).cloned().collect();
+    let between = (0..coarse).map(|k| {
+        let factors = chebyshev::factors(coarse, chebyshev::point(2 * k + 1, 2 * coarse));
+        apart(&interpolated(&known, &factors), &nodes[(2 * k + 1) * step].light)
+    });
+    between.fold(0.0, f64::max)
+}
+
+/// The largest relative difference of any group in any band.
+fn apart(light: &[GroupLight], right: &[GroupLight]) -> f64 {
+    let bands = light.iter().zip(right).flat_map(|(own, other)| own.bands.iter().zip(&other.bands));
+    let relative = bands.map(|(own, other)| {
+        let pairs = own.irradiance.iter().zip(&other.irradiance);
+        let difference = pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>();
+        let size = other.irradiance.iter().map(|h| h * h).sum::<f64>();
+        if size > 0.0 { (difference / size).sqrt() } else { 0.0 }
+    });
+    relative.fold(0.0, f64::max)
+}

@@ -1,0 +1,27 @@
+//! Why a frame could not be solved.
+
+use crate::scene::SceneError;
+use crate::solve::Failure;
+
+/// Why a frame could not be solved.
+#[derive(Debug, thiserror::Error)]
+pub enum AnimationError {
+    /// The scene of the frame cannot be.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// Its light was not found.
+    #[error("frame {moment}: {failure}")]
+    Unsolved {
+        /// The moment, in frames.
+        moment: f64,
+        /// Why.
+        failure: Box<Failure>,
+    },
+}
+
+impl AnimationError {
+    /// For a moment, in frames.
+    pub(super) fn of(moment: f64, failure: Failure) -> Self {
+        Self::Unsolved { moment, failure: Box::new(failure) }
+    }
+}

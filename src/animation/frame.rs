@@ -1,0 +1,15 @@
+//! The light of one frame.
+
+use crate::scene::Scene;
+use crate::solution::Solution;
+
+/// The light of a frame.
+#[derive(Debug)]
+pub struct Frame {
+    /// The still scene.
+    pub scene: Scene,
+    /// The polynomials of its light.
+    pub solution: Solution,
+    /// Estimated relative error of what was interpolated; None where the frame itself was solved.
+    pub interpolated: Option<f64>,
+}

@@ -1,0 +1,244 @@
+//! `radiosity animate`: the frames of a scene in which things move.
+
+mod film;
+mod frames;
+mod readings;
+
+use std::io::{Write, stderr};
+use std::path::PathBuf;
+use std::time::Instant;
+
+use clap::{Args, ValueEnum};
+use radiosity::animation::follower::{Follower, Way};
+use radiosity::animation::frame::Frame;
+use radiosity::output::image::Image;
+use radiosity::output::picture::Picture;
+use radiosity::output::raster::Raster;
+use radiosity::output::reader::Read;
+use radiosity::output::render::{render, usual_read, white_balance};
+use radiosity::output::shown::Shown;
+use radiosity::output::tone::Tone;
+use radiosity::solve::in_threads;
+use radiosity::visibility::Visibility;
+
+use crate::cli::{
+    error::CliError,
+    numbers::{Counts, fraction, positive},
+    options::{MethodArgs, SceneArg},
+    points::Points,
+    progress::Progress,
+    read::ReadArgs,
+    render::{SAMPLES, pixels, require_pixels},
+    run::{Loaded, options},
+};
+use film::Film;
+use frames::FrameRange;
+use readings::Readings;
+
+/// Solves the frames of a scene in which things move, and takes a picture of each
+#[derive(Debug, Args)]
+#[command(after_help = "\
+What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Light is found anew for every frame, shadows \
+and all; what has not changed is kept, to the bit. Where the path is known and light changes smoothly, it is solved at some moments \
+and interpolated between them, to --tolerance.
+
+Examples:
+  radiosity animate billiard -o out/billiard-####.png
+  radiosity animate billiard --frames 20..40 --size 320x240 -o swing.gif
+  radiosity animate room.toml --probe desk.csv > lux-over-time.csv")]
+pub(crate) struct AnimateArgs {
+    #[command(flatten)]
+    pub(crate) scene: SceneArg,
+
+    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film, .gif, or .mp4 where ffmpeg is
+    /// installed [default: SCENE-####.png, and none with --probe]
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    /// First and last frame, such as 0..99, or one [default: all]
+    #[arg(long, value_name = "A..B")]
+    frames: Option<FrameRange>,
+
+    /// Points whose irradiance over time is printed as CSV, a row for each frame and point: a file as that of probe --points
+    #[arg(long, value_name = "FILE.csv")]
+    probe: Option<String>,
+
+    /// Leaves alone the pictures that are there already, of a run that was stopped, and makes the others
+    #[arg(long)]
+    resume: bool,
+
+    /// How frames follow each other
+    #[arg(long = "animation", value_name = "WAY", default_value = "path")]
+    way: Follow,
+
+    /// Relative error that light interpolated along a path may have
+    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
+    tolerance: f64,
+
+    /// Pixels across and down [default: as the scene's camera says]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Counts>,
+
+    /// Camera rays along each side of a pixel: S × S in all [default: 3]
+    #[arg(long, value_name = "S", value_parser = clap::value_parser!(u32).range(1..=64))]
+    samples: Option<u32>,
+
+    /// Exposure of all pictures: the radiosity that is white is 1 over it [default: that of the first picture, as render would]
+    #[arg(long, value_name = "X", value_parser = positive)]
+    exposure: Option<f64>,
+
+    /// Pictures a second of a film [default: those of the scene's time, if it has any; else 25]
+    #[arg(long, value_name = "N", value_parser = positive)]
+    fps: Option<f64>,
+
+    #[command(flatten)]
+    read: ReadArgs,
+
+    #[command(flatten)]
+    method: MethodArgs,
+
+    /// Prints neither progress nor a summary
+    #[arg(short, long)]
+    quiet: bool,
+}
+
+/// How frames follow each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Follow {
+    /// Each frame by itself, with nothing kept.
+    Fresh,
+    /// One frame after the other; what has not changed is kept.
+    Selective,
+    /// Solved at some moments of the path, interpolated between them.
+    Path,
+}
+
+impl AnimateArgs {
+    fn way(&self) -> Way {
+        match self.way {
+            Follow::Fresh => Way::Fresh,
+            Follow::Selective => Way::Selective,
+            Follow::Path => Way::Path { tolerance: self.tolerance },
+        }
+    }
+
+    /// Refuses a wanted accuracy: elements that were refined for one frame would not do for another.
+    fn refuse_accuracy(&self) -> Result<(), CliError> {
+        match self.method.wanted_accuracy() {
+            Some(_) => Err(CliError::Refused {
+                message: "--accuracy: elements that one frame needs are not those of another".to_owned(),
+                cure: "leave it out and choose --quality, or --order and --eps, which hold for all frames".to_owned(),
+            }),
+            None => Ok(()),
+        }
+    }
+
+    /// Where pictures go; None where none were asked for.
+    fn film(&self, loaded: &Loaded, first: usize) -> Result<Option<Film>, CliError> {
+        let output = match (&self.output, &self.probe) {
+            (Some(output), _) => output.clone(),
+            (None, Some(_)) => return Ok(None),
+            (None, None) => format!("{}-####.png", loaded.scene.name).into(),
+        };
+        let film = Film::new(&output, self.fps, first, loaded)?;
+        if film.is_exr() && self.exposure.is_some() {
+            return Err(CliError::Refused {
+                message: "--exposure: an .exr holds the values and nothing else".to_owned(),
+                cure: "leave it out, or choose files ending in .png".to_owned(),
+            });
+        }
+        Ok(Some(film))
+    }
+}
+
+/// What takes pictures, all alike.
+struct Shutter<'a> {
+    args: &'a AnimateArgs,
+    /// The radiosity that is white is 1 over it; that of the first picture unless told.
+    exposure: Option<f64>,
+    /// What is read, as for the first picture unless told.
+    read: Option<Read>,
+}
+
+impl Shutter<'_> {
+    /// The picture of a frame, through its own camera.
+    fn take(&mut self, frame: &Frame, visibility: &Visibility) -> Result<Raster, CliError> {
+        let camera = super::render::camera(self.args.size, &frame.scene)?;
+        let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
+        let read = *self.read.get_or_insert_with(usual);
+        let samples = self.args.samples.unwrap_or(SAMPLES);
+        Ok(render(&frame.solution, visibility, &camera, samples, read, Shown::Radiosity, &|_| ()))
+    }
+
+    /// The same in colours. Without a typed exposure white is approached softly, as in a photograph.
+    fn developed(&mut self, raster: &Raster, frame: &Frame) -> Picture {
+        let image = Image::new(raster, white_balance(&frame.solution));
+        let exposure = *self.exposure.get_or_insert_with(|| image.automatic_exposure());
+        image.exposed(exposure, if self.args.exposure.is_some() { Tone::Linear } else { Tone::Shoulder })
+    }
+}
+
+/// Solves the frames and writes what was asked for.
+pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
+    let begun = Instant::now();
+    let scene = &loaded.scene;
+    args.method.check()?;
+    args.refuse_accuracy()?;
+    let range = FrameRange::within(args.frames, scene)?;
+    let points = args.probe.as_deref().map(Points::load).transpose()?;
+    let mut film = args.film(&loaded, range.ends()[0])?;
+    if film.is_some() {
+        require_pixels(&super::render::camera(args.size, scene)?, scene, &args.method)?;
+    }
+    let progress = Progress::new(args.quiet);
+    let asked = options(&args.method);
+    let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
+    let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
+    let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
+    for (done, number) in range.numbers().enumerate() {
+        progress.show("frames", done, range.count());
+        // The first picture exposes all others.
+        let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number));
+        let is_needed = readings.is_some() || !is_there || (done == 0 && shutter.exposure.is_none());
+        if !is_needed {
+            continue;
+        }
+        let frame = follower.frame(number, &|_| ())?;
+        let visibility = Visibility::new(&frame.scene, (&asked).into());
+        in_threads(asked.threads, || {
+            if let Some(readings) = &mut readings {
+                readings.read(number, &frame, &visibility)?;
+            }
+            let Some(film) = &mut film else { return Ok(()) };
+            if is_there && done > 0 {
+                return Ok(());
+            }
+            let raster = shutter.take(&frame, &visibility)?;
+            let picture = shutter.developed(&raster, &frame);
+            if is_there { Ok(()) } else { film.add(number, &raster, &picture) }
+        })??;
+    }
+    film.map_or(Ok(()), Film::finish)?;
+    readings.map_or(Ok(()), |readings| readings.write(&scene.bands))?;
+    drop(progress);
+    if !args.quiet {
+        tell(&follower, &range, begun);
+    }
+    Ok(())
+}
+
+/// A line on what it took, on stderr.
+fn tell(follower: &Follower<'_>, range: &FrameRange, begun: Instant) {
+    let seconds = begun.elapsed().as_secs_f64();
+    let (frames, solved) = (range.count(), follower.solved());
+    let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
+    line += &match follower.segments() {
+        Some(segments) => format!("light solved at {solved} moments, in {segments} segments of the path"),
+        None => format!("light solved {solved} times"),
+    };
+    if let Some(error) = follower.error() {
+        line += &format!(", interpolated to {error:.1e}");
+    }
+    // A closed stderr is no error: nobody would see the line.
+    drop(writeln!(stderr(), "{line}"));
+}
