@@ -180,18 +180,21 @@ impl Solution {
         &self.groups
     }
 
-    /// The light of each group; of all together where the scene has none.
-    pub(crate) fn light(&self) -> Vec<GroupLight> {
+    /// The light of each group; of all together where the scene has none. None where direct light goes through masks.
+    pub(crate) fn light(&self) -> Option<Vec<GroupLight>> {
+        if self.masked.is_some() {
+            return None;
+        }
         if !self.groups.is_empty() {
-            return self.groups.to_vec();
+            return Some(self.groups.to_vec());
         }
         let incident = |band: &Band| Incident::from(band.coefficients.clone());
-        vec![GroupLight {
+        Some(vec![GroupLight {
             group: None,
             bands: self.bands.iter().map(incident).collect(),
             powers: self.powers.unwrap_or_default(),
-            masked: self.masked.clone().map(Arc::new),
-        }]
+            masked: None,
+        }])
     }
 
     /// The balance of power of all groups together, at their factors; None if it was made of bands

@@ -183,7 +183,8 @@ impl<'a> Course<'a> {
             return Ok(Arc::clone(known));
         }
         let solution = self.sequence.at(moment, progress)?.outcome.solution;
-        let node = Arc::new(Node { light: solution.light(), elements: solution.shared_elements() });
+        let light = solution.light().ok_or(AnimationError::Masked)?;
+        let node = Arc::new(Node { light, elements: solution.shared_elements() });
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)
     }
@@ -215,10 +216,10 @@ fn interpolated(nodes: &[Arc<Node>], factors: &[f64]) -> Vec<GroupLight> {
     groups.map(|group| GroupLight::together(factors, nodes.iter().map(|node| &node.light[group]))).collect()
 }
 
-/// Whether the same functions carry the light of all nodes, and nothing but these does.
+/// Whether the same functions carry the light of all nodes.
 fn are_alike(nodes: &[Arc<Node>]) -> bool {
-    let groups = || nodes.iter().flat_map(|node| &node.light);
-    nodes.iter().all(|node| node.elements.starts() == nodes[0].elements.starts()) && groups().all(|group| group.masked.is_none())
+    let starts = nodes[0].elements.starts();
+    nodes[1..].iter().all(|node| node.elements.starts() == starts)
 }
 
 /// d_m for m = `coarse` intervals: how far the light of those nodes between is from the interpolant through the others.

@@ -3,6 +3,7 @@
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
 use radiosity::elements::ElementError;
+use radiosity::animation::error::AnimationError;
 use radiosity::heat::HeatError;
 use radiosity::hierarchy::HierarchyError;
 use radiosity::output::chart::ChartError;
@@ -70,6 +71,14 @@ pub(crate) enum CliError {
     /// The scene could not be solved.
     #[error(transparent)]
     Solve(#[from] Failure),
+    /// A frame could not be solved.
+    #[error("frame {moment}: {cause}")]
+    Frame {
+        /// The moment, in frames.
+        moment: f64,
+        /// Why.
+        cause: Box<CliError>,
+    },
     /// The heat of the scene has no balance.
     #[error(transparent)]
     Heat(HeatError),
@@ -164,6 +173,21 @@ impl From<HeatError> for CliError {
     }
 }
 
+impl From<AnimationError> for CliError {
+    fn from(error: AnimationError) -> Self {
+        match error {
+            AnimationError::Scene(error) => Self::Scene(error),
+            AnimationError::Unsolved { moment, failure } => {
+                Self::Frame { moment, cause: Box::new(Self::Solve(*failure)) }
+            }
+            AnimationError::Masked => Self::Refused {
+                message: error.to_string(),
+                cure: "add --animation selective, or choose other --shadows".to_owned(),
+            },
+        }
+    }
+}
+
 impl CliError {
     /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard output is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
@@ -191,6 +215,7 @@ impl CliError {
                 | Failure::Hierarchy(HierarchyError::Luminaire { .. } | HierarchyError::Opening { .. })
                 | Failure::Memory { .. },
             ) => ExitCode::from(2),
+            CliError::Frame { cause, .. } => cause.exit_code(),
             CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
             CliError::Missed { .. } => ExitCode::from(3),
             CliError::LooksWrong { .. }
@@ -223,6 +248,7 @@ impl CliError {
     fn cure(&self) -> Option<String> {
         match self {
             CliError::Scene(error) => error.cure(),
+            CliError::Frame { cause, .. } => cause.cure(),
             CliError::Solution(error) => Some(error.cure().into()),
             CliError::AlreadySolved { .. } => Some(
                 "give it to render, probe or grid; for anything else, give the scene it was made from".into(),

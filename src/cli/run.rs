@@ -129,7 +129,8 @@ impl Loaded {
         }
     }
 
-    fn apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
+    /// `output`, if it is not the file of the scene.
+    pub(crate) fn apart(&self, output: OutputFile) -> Result<OutputFile, CliError> {
         match &self.file {
             Some(file) => output.apart_from(file, "the scene"),
             None => Ok(output),
