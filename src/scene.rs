@@ -21,6 +21,11 @@ mod names;
 mod unit;
 mod sensor_plane;
 mod camera;
+mod pose;
+mod track;
+mod path;
+mod animation;
+mod movement;
 mod stacked;
 mod light_group;
 mod distribution;
@@ -47,6 +52,7 @@ mod shape;
 mod file;
 mod merging;
 mod instances;
+mod motions;
 mod export;
 mod weld;
 mod fitted;
@@ -55,13 +61,15 @@ mod validation;
 mod builder;
 mod dimming;
 mod painting;
+mod still;
 mod schema;
 
-use std::{collections::BTreeSet, io, path::Path};
+use std::{collections::BTreeSet, io, path::Path, sync::Arc};
 
 use radiosity_formats::model::Model;
 use radiosity_geom::DVec3;
 
+pub use animation::{Animation, Clock, Mover};
 pub use builder::{NamedMaterial, SceneBuilder};
 pub use builtin::{Builtin, Parameter};
 pub use camera::Camera;
@@ -75,7 +83,10 @@ pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};
 pub use material::Material;
+pub use movement::MoverDraft;
 pub use outlook::{Opening, Outlook};
+pub use path::{RigidPath, Turn};
+pub use pose::Pose;
 pub use print::Notation;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use schema::schema;
@@ -84,15 +95,18 @@ pub use sky::{Sky, SkyModel, Sun};
 pub use source::{Line, Place, Source};
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
+pub use track::{Curve, Mixed, Track};
 pub use weld::Welded;
 
 use error::{Located, surface_title};
 use export::Export;
 use file::SceneFile;
 use include::FileTree;
+use instances::{PlacedLuminaire, PlacedSurface};
 use language::Language;
 use merging::merged;
-use surfaces::Surfaces;
+use movement::{Handles, Movable};
+use surfaces::{Maker, Surfaces};
 use tree::{Node, Value, entry};
 use variables::{VARIABLES, Variables};
 
@@ -119,6 +133,8 @@ pub struct Scene {
     pub luminaires: Vec<Luminaire>,
     /// The camera, if one is given.
     pub camera: Option<Camera>,
+    /// What moves, and in how many frames, if anything does; the rest is as it is at rest.
+    pub animation: Option<Animation>,
     /// Variables of the text with their values, in its order.
     pub variables: Vec<(String, f64)>,
     /// Planes of sensors, in the coordinates that the scene was given in.
@@ -202,6 +218,7 @@ impl Scene {
         let (own, groups): (Vec<_>, Vec<_>) = settings.iter().partition(|(name, _)| names.contains(name));
         let source = source.set(own.iter().copied());
         let scene = built(files, &source).map_err(|located| located.in_source(&source))?;
+        let scene = scene.at_moment_of(&source)?;
         let refused = |fault| Err(whole_file(&source.origin, fault));
         let known: Vec<String> = scene.light_groups().iter().map(|group| group.name.clone()).collect();
         let has = |name: &str| known.iter().any(|known| known == name);
@@ -268,10 +285,18 @@ impl Scene {
 
     /// The text it was read from.
     fn written(&self) -> Result<&Source, SceneError> {
-        self.source.as_ref().ok_or_else(|| {
-            let cause = "a scene made in code has no text".to_owned();
-            whole_file(&self.origin, Fault::Foreign { cause, cure: String::new() })
-        })
+        let refused = |cause: &str, cure: &str| {
+            let (cause, cure) = (cause.to_owned(), cure.to_owned());
+            whole_file(&self.origin, Fault::Foreign { cause, cure })
+        };
+        let source = self.source.as_ref().ok_or_else(|| refused("a scene made in code has no text", ""))?;
+        match source.moment {
+            None => Ok(source),
+            Some(_) => Err(refused(
+                "a frame has no text of its own",
+                "write the whole scene, without a frame; `render -o frame.glb` writes what a frame shows",
+            )),
+        }
     }
 
     /// The scene as another program would hold it, shapes as they were typed.
@@ -301,6 +326,9 @@ impl Scene {
         }
         if !self.luminaires.is_empty() {
             model.note("luminaires are left out", None);
+        }
+        if self.animation.is_some() {
+            model.note("motions are left out: everything is at rest", None);
         }
         if !self.planes.is_empty() {
             model.note("planes of sensors are left out", None);
@@ -398,7 +426,9 @@ impl Scene {
 fn read(source: &Source, language: Language) -> Result<Scene, SceneError> {
     let mut source = source.clone();
     let trees = include::trees(&mut source, language);
-    trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))
+    let scene =
+        trees.and_then(|trees| built(trees, &source)).map_err(|located| located.in_source(&source))?;
+    scene.at_moment_of(&source)
 }
 
 /// The tables of variables in all files.
@@ -443,11 +473,13 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
     let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
     let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
-    let Surfaces { list, middle, fitted } =
+    let Surfaces { list, makers, middle, fitted } =
         validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
     if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
         return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
     }
+    let movable = movable(&surfaces, &makers, &luminaires, file.camera.is_some());
+    let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
     let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
@@ -462,9 +494,32 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
         variables,
         planes,
         camera: camera.map(|camera| camera.about(middle)),
+        animation: animation.map(|animation| animation.about(middle)),
         origin: source.origin.to_string(),
         source: Some(source.clone()),
     })
+}
+
+/// What can move, by the names of surfaces, entries and instances.
+fn movable(
+    surfaces: &[PlacedSurface<'_>],
+    makers: &[Maker],
+    luminaires: &[PlacedLuminaire<'_>],
+    camera: bool,
+) -> Movable {
+    let of_surface = |Maker { draft, front }: &Maker| {
+        let PlacedSurface { name, instances, .. } = &surfaces[*draft];
+        Handles { names: vec![front.clone(), name.clone()], instances: Arc::clone(instances) }
+    };
+    let of_luminaire = |own: &PlacedLuminaire<'_>| Handles {
+        names: vec![own.name.clone()],
+        instances: Arc::clone(&own.instances),
+    };
+    Movable {
+        surfaces: makers.iter().map(of_surface).collect(),
+        luminaires: luminaires.iter().map(of_luminaire).collect(),
+        camera,
+    }
 }
 
 /// `rooms/desk.toml` → `desk`, `<stdin>` → `stdin`.

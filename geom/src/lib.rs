@@ -56,7 +56,7 @@ pub use clip::{
     polygon_width, sides,
 };
 pub use flipped::Flipped;
-pub use glam::{DVec2, DVec3};
+pub use glam::{DQuat, DVec2, DVec3};
 pub use hull::extreme_points;
 pub use motion::Motion;
 pub use patch::{Border, Patch};

@@ -1,7 +1,7 @@
 //! Rigid motions with a uniform scale: x ↦ σ R x + τ.
 
 use crate::ShapeError;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 /// A uniform scale, a rotation about an axis through the origin, and a translation, in this order.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -40,6 +40,18 @@ impl Motion {
             None => return Err(ShapeError::ZeroLength { field: "rotate".into() }),
         };
         Ok(Motion { translation: translate, rotation, scale })
+    }
+
+    /// Turns by the unit quaternion `rotation`, then moves by `translation`: all distances stay.
+    pub fn rigid(rotation: DQuat, translation: DVec3) -> Motion {
+        Motion { translation, rotation: DMat3::from_quat(rotation), scale: 1.0 }
+    }
+
+    /// The motion that takes every image back.
+    #[must_use]
+    pub fn inverse(&self) -> Motion {
+        let (rotation, scale) = (self.rotation.transpose(), 1.0 / self.scale);
+        Motion { translation: -(scale * (rotation * self.translation)), rotation, scale }
     }
 
     /// This motion and then `next`.
@@ -106,6 +118,19 @@ mod tests {
         assert!(both.vector(x).distance(next.vector(first.vector(x))) < 1e-14);
         assert_eq!(first.then(&Motion::IDENTITY), first);
         assert_eq!(Motion::IDENTITY.then(&first), first);
+        let back = both.inverse();
+        assert!(back.point(both.point(x)).distance(x) < 1e-14);
+        assert!(back.point(x).distance(both.point_back(x)) < 1e-14);
+    }
+
+    #[test]
+    fn a_quaternion_and_an_axis_with_its_angle_turn_alike() {
+        let (axis, angle, by) = (DVec3::new(1.0, 2.0, -0.5), 0.8, DVec3::new(1.0, 2.0, 3.0));
+        let rigid = Motion::rigid(DQuat::from_axis_angle(axis.normalize(), angle), by);
+        let other = Motion::new(by, axis, angle, 1.0).unwrap();
+        let x = DVec3::new(0.3, -4.0, 2.0);
+        assert!(rigid.point(x).distance(other.point(x)) < 1e-14);
+        assert_eq!(Motion::rigid(DQuat::IDENTITY, DVec3::ZERO), Motion::IDENTITY);
     }
 
     #[test]

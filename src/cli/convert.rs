@@ -108,6 +108,9 @@ fn grid(args: &ConvertArgs) -> Result<(), CliError> {
             cure: format!("solve it: `radiosity solve {} -o {}`", text.origin, args.output.display()),
         });
     }
+    if args.scene.frame.is_some() {
+        return Err(CliError::Fixed { origin: text.origin.to_string(), option: "--frame".to_owned() });
+    }
     let solved = read(&text)?;
     let factors = args.scene.later();
     let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };

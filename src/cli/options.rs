@@ -45,6 +45,11 @@ pub(crate) struct SceneArg {
     #[arg(long = "set", value_name = "NAME=VALUE", value_parser = setting)]
     pub(crate) settings: Vec<(String, f64)>,
 
+    /// Takes this frame of a scene in which something moves, counted from 0, or what is between two: 12.5 [default: the scene at
+    /// rest]
+    #[arg(long, value_name = "K", allow_negative_numbers = true)]
+    pub(crate) frame: Option<f64>,
+
     /// Corners and planes nearer than this length are made to agree; 0 for none [default: the rounding of the
     /// coordinates]
     #[arg(long, value_name = "LENGTH", value_parser = not_negative, allow_negative_numbers = true)]
@@ -108,7 +113,11 @@ impl SceneArg {
     fn text_with(&self, settings: &[(String, f64)], strict: bool) -> Result<Source, CliError> {
         let import = self.import.import(&self.scene, strict, self.tolerance_length)?;
         let text = Scene::text_by(&self.scene, &borrowed(settings), &import)?;
-        Ok(text.within(self.tolerance_length))
+        let text = text.within(self.tolerance_length);
+        Ok(match self.frame {
+            Some(frame) => text.at(frame),
+            None => text,
+        })
     }
 
     /// The settings of variables and light groups, which a scene has that is not built in.

@@ -82,7 +82,8 @@ impl Loaded {
             return Ok(Self::new(source.path(), scene, None, started));
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
-        if let Some(option) = fixed.first().or(tolerance.as_ref()) {
+        let frame = source.frame.map(|_| "--frame".to_owned());
+        if let Some(option) = fixed.first().or(tolerance.as_ref()).or(frame.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
         Ok(Self::saved(source.path(), relit(read(&text)?, &source.later())?, started))

@@ -6,11 +6,13 @@ use radiosity_geom::Surface;
 
 use crate::scene::{
     Scene,
+    animation::{Animation, Clock},
     camera::Camera,
     draft::SurfaceDraft,
-    error::{Located, SceneError, luminaire_title, material_title, plane_title},
+    error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
     material::Material,
+    movement::{Handles, Movable, MoverDraft, movers},
     names::UniqueNames,
     sensor_plane::SensorPlane,
     surfaces::{Surfaces, fitted_surfaces},
@@ -43,6 +45,8 @@ pub struct SceneBuilder {
     materials: Vec<NamedMaterial>,
     surfaces: Vec<SurfaceDraft>,
     luminaires: Vec<Luminaire>,
+    clock: Option<Clock>,
+    movers: Vec<MoverDraft>,
 }
 
 /// A material of a scene in the making, given to its surfaces.
@@ -62,6 +66,8 @@ impl SceneBuilder {
             materials: Vec::new(),
             surfaces: Vec::new(),
             luminaires: Vec::new(),
+            clock: None,
+            movers: Vec::new(),
         }
     }
 
@@ -113,6 +119,18 @@ impl SceneBuilder {
         self
     }
 
+    /// Lets things move in the frames of `clock`, instead of one given before.
+    pub fn clock(&mut self, clock: Clock) -> &mut Self {
+        self.clock = Some(clock);
+        self
+    }
+
+    /// Adds what moves along one path; [`SceneBuilder::clock`] says in how many frames.
+    pub fn moves(&mut self, mover: MoverDraft) -> &mut Self {
+        self.movers.push(mover);
+        self
+    }
+
     /// Gives the scene a camera, instead of one given before.
     pub fn camera(&mut self, camera: Camera) -> &mut Self {
         self.camera = Some(camera);
@@ -158,7 +176,16 @@ impl SceneBuilder {
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
         let drafts = self.surfaces.into_iter().map(SurfaceDraft::checked);
-        let Surfaces { list, middle, fitted } = fitted_surfaces(drafts, self.tolerance)?;
+        let drafts = drafts.collect::<Result<Vec<_>, _>>()?;
+        let entries: Vec<String> = drafts.iter().map(|draft| draft.name.clone()).collect();
+        let Surfaces { list, makers, middle, fitted } =
+            fitted_surfaces(drafts.into_iter().map(Ok), self.tolerance)?;
+        let handles = |names| Handles { names, instances: Arc::default() };
+        let own = makers.iter().map(|own| handles(vec![own.front.clone(), entries[own.draft].clone()]));
+        let lamps = self.luminaires.iter().map(|own| handles(vec![own.name.clone()]));
+        let movable =
+            Movable { surfaces: own.collect(), luminaires: lamps.collect(), camera: camera.is_some() };
+        let animation = animation(self.clock, self.movers, &movable)?;
         Ok(Scene {
             middle,
             fitted,
@@ -169,11 +196,25 @@ impl SceneBuilder {
             planes: self.planes,
             variables: Vec::new(),
             camera: camera.map(|camera| camera.about(middle)),
+            animation: animation.map(|animation| animation.about(middle)),
             title: None,
             origin: self.name.clone(),
             name: self.name,
             source: None,
         })
+    }
+}
+
+/// The movers, in the frames of the clock; each needs the other.
+fn animation(
+    clock: Option<Clock>,
+    drafts: Vec<MoverDraft>,
+    movable: &Movable,
+) -> Result<Option<Animation>, Located> {
+    match clock {
+        Some(clock) => movers(drafts, clock, movable).map(Some),
+        None if drafts.is_empty() => Ok(None),
+        None => Err(Located::nowhere(Fault::MissingKey { key: "frames" })),
     }
 }
 

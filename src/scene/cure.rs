@@ -58,6 +58,24 @@ impl Fault {
             Fault::UnknownSurface { name, known } => {
                 choose(name, known.iter().map(String::as_str), "surfaces of this scene")
             }
+            Fault::UnknownInstance { known, .. } if known.is_empty() => {
+                "the scene has no instances: name its surfaces, surfaces = [\"lamp\"]".to_owned()
+            }
+            Fault::UnknownInstance { name, known } => {
+                choose(name, known.iter().map(String::as_str), "instances of this scene")
+            }
+            Fault::UnknownLuminaire { known, .. } if known.is_empty() => {
+                "the scene has no luminaires: lamps that are surfaces move by surfaces = [\"lamp\"]"
+                    .to_owned()
+            }
+            Fault::UnknownLuminaire { name, known } => {
+                choose(name, known.iter().map(String::as_str), "luminaires of this scene")
+            }
+            Fault::UnknownCurve { name } => choose(name, ["line", "spline"], "curves"),
+            Fault::NoSuchFrame { last, .. } => format!("choose one from 0 to {last}"),
+            Fault::MovesInto { other, .. } => format!(
+                "lead the path a millionth of its size or more past {other:?}, or start and end it elsewhere"
+            ),
             Fault::UnknownGroup { name, known } if known.is_empty() => format!(
                 "this scene has no light groups: give surfaces that emit, or their material, group = {name:?}, and \
                  solve it again"
@@ -161,6 +179,20 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "leave the flux out, and give it a material without emission: the sky is its light"
         }
         Fault::NoOpening => "give a window opening = true, its front to the room, or leave the sky out",
+        Fault::NothingMoves => {
+            "say what moves: [[motion]] with surfaces = [\"lamp\"], instances, luminaires or camera = true; or leave frames and \
+             motions out"
+        }
+        Fault::NoPath => {
+            "add translate = { points = [[0, 0, 0], [1, 0, 0]] }, rotate = { center = [0, 0, 2], axis = [0, 0, 1], angles = [0, 90] }, \
+             or both"
+        }
+        Fault::NotRigid => "leave scale out; what moves keeps its size and shape",
+        Fault::TimesFall { .. } => "give times of which each is larger than the one before",
+        Fault::NoCamera => "add [camera] with eye and target, or leave camera out",
+        Fault::MovesTwice { .. } => "take it out of one of the two; a path may turn and translate at once",
+        Fault::NoFrames => "leave the frame out, or add frames = 50 and [[motion]] to the scene",
+        Fault::NoDirection { what: "axis" } => "give the direction of the axis, e.g. [0, 0, 1]",
         Fault::NoDirection { what: "along" } => "give a direction across the aim, e.g. [1, 0, 0]",
         Fault::NoDirection { what: "north" } => {
             "give a direction that is not along `up`, e.g. [0, 1, 0] where `up` is [0, 0, 1]"
@@ -201,6 +233,11 @@ fn example(key: &str) -> &'static str {
         "part" => ", the name of one of [parts.…]",
         "count" => ", a number, or up to three in brackets",
         "step" => ", a vector, or one for each number of count",
+        "frames" => ", how many frames there are, e.g. 50; it stands above the first header in brackets",
+        "points" => {
+            ", how far it has moved from where it rests, at least two points, each three numbers in brackets"
+        }
+        "angles" => ", degrees, at least two numbers in brackets",
         "spacing" => ", a length, or one along each edge",
         "size" => ", three lengths in brackets; or give two corners",
         "curve" => ", four control points, each three numbers in brackets",

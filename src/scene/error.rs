@@ -287,6 +287,75 @@ pub enum Fault {
         /// The surfaces of the scene.
         known: Vec<String>,
     },
+    /// An instance that is to move and is not there.
+    #[error("unknown instance {name:?}")]
+    UnknownInstance {
+        /// What was typed.
+        name: String,
+        /// The instances of the scene.
+        known: Vec<String>,
+    },
+    /// A luminaire that is to move and is not there.
+    #[error("unknown luminaire {name:?}")]
+    UnknownLuminaire {
+        /// What was typed.
+        name: String,
+        /// The luminaires of the scene.
+        known: Vec<String>,
+    },
+    /// A curve of a path that there is not.
+    #[error("there is no curve {name:?}")]
+    UnknownCurve {
+        /// What was typed.
+        name: String,
+    },
+    /// A motion that moves nothing, or frames without a motion.
+    #[error("nothing moves")]
+    NothingMoves,
+    /// A motion along no path.
+    #[error("nothing says how it moves")]
+    NoPath,
+    /// A motion that scales.
+    #[error("a motion keeps all sizes")]
+    NotRigid,
+    /// Times of a path that do not ascend.
+    #[error("the times do not ascend: {} follows {}", shown(*after), shown(*before))]
+    TimesFall {
+        /// A time.
+        before: f64,
+        /// The next one.
+        after: f64,
+    },
+    /// A motion of the camera of a scene that has none.
+    #[error("the scene has no camera to move")]
+    NoCamera,
+    /// Something in two motions.
+    #[error("{what} moves already: with the motion {first:?}")]
+    MovesTwice {
+        /// What moves, e.g. `surface "lamp"`.
+        what: String,
+        /// The other motion.
+        first: String,
+    },
+    /// A frame of a scene without motions.
+    #[error("a frame is asked for, yet nothing moves in the scene")]
+    NoFrames,
+    /// A frame before the first or behind the last.
+    #[error("there is no frame {}: frames are counted from 0 to {last}", shown(*moment))]
+    NoSuchFrame {
+        /// What was asked for, a real number of frames.
+        moment: f64,
+        /// The last frame.
+        last: usize,
+    },
+    /// A surface that moves into the place of another one.
+    #[error("in frame {} it coincides with surface {other:?}", shown(*moment))]
+    MovesInto {
+        /// Name of the other surface.
+        other: String,
+        /// The moment, a real number of frames.
+        moment: f64,
+    },
     /// A luminaire that does not say how its light is spread.
     #[error("nothing says how the light is spread over directions")]
     NoDistribution,
@@ -439,6 +508,11 @@ pub(super) fn group_title(name: &str) -> String {
 /// How messages call a luminaire.
 pub(super) fn luminaire_title(name: &str) -> String {
     format!("luminaire {name:?}")
+}
+
+/// How messages call a motion.
+pub(super) fn motion_title(name: &str) -> String {
+    format!("motion {name:?}")
 }
 
 /// How messages call a plane of sensors.

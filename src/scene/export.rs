@@ -51,7 +51,7 @@ impl<'a> Export<'a> {
 
     /// Adds the surfaces of an entry of the scene.
     pub(super) fn add(&mut self, placed: &PlacedSurface<'_>) -> Result<(), Located> {
-        let PlacedSurface { file, name, motion } = placed;
+        let PlacedSurface { file, name, motion, .. } = placed;
         let shapes = file.shape.models(motion).map_err(|error| {
             Located::at(&file.shape.span, Fault::Shape(error)).within(|| surface_title(name))
         })?;

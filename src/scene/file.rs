@@ -6,10 +6,12 @@ mod sky;
 mod surface;
 mod luminaire;
 mod part;
+mod motion;
 
 use radiosity_geom::DVec3;
 
 use crate::scene::{
+    animation::{check_frames, check_rate},
     error::{Located, material_title, plane_title},
     fields::{Fields, counted, exactly, list, number, point, real, table, text},
     include::INCLUDE,
@@ -20,12 +22,14 @@ use crate::scene::{
     tree::{Node, Value},
     variables::VARIABLES,
 };
+use motion::read_motions;
 use part::{read_content, read_parts};
 use per_band::per_band;
 use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
 pub(super) use luminaire::{DistributionFile, LuminaireFile, StrengthFile};
+pub(super) use motion::{MOTION, MotionFile, RotateFile, TranslateFile, TurnsFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};
@@ -43,6 +47,15 @@ pub(super) struct SceneFile {
     pub materials: Vec<MaterialFile>,
     pub parts: Vec<PartFile>,
     pub content: ContentFile,
+    pub frames: FramesFile,
+    pub motions: Vec<MotionFile>,
+}
+
+/// `frames` and `fps`.
+#[derive(Debug, Default)]
+pub(super) struct FramesFile {
+    pub count: Option<At<usize>>,
+    pub rate: Option<At<f64>>,
 }
 
 /// `[camera]`.
@@ -79,11 +92,13 @@ pub(super) struct MaterialFile {
 
 const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
 
-const SCENE_KEYS: [&str; 13] = [
+const SCENE_KEYS: [&str; 16] = [
     INCLUDE,
     "title",
     "bands",
     "unit",
+    "frames",
+    "fps",
     VARIABLES,
     "camera",
     "sky",
@@ -93,6 +108,7 @@ const SCENE_KEYS: [&str; 13] = [
     "surfaces",
     "luminaires",
     "instances",
+    MOTION,
 ];
 
 impl SceneFile {
@@ -126,8 +142,21 @@ impl SceneFile {
             materials: fields.optional("materials", read_materials)?.unwrap_or_default(),
             parts: fields.optional("parts", read_parts)?.unwrap_or_default(),
             content: read_content(&fields, prefix)?,
+            frames: FramesFile {
+                count: fields
+                    .optional("frames", |node| Ok(At::new(counted(node, check_frames)?, &node.span)))?,
+                rate: fields.optional("fps", rate)?,
+            },
+            motions: fields.get(MOTION).map_or(Ok(Vec::new()), |node| read_motions(node, prefix))?,
         })
     }
+}
+
+/// Frames in a unit of time.
+fn rate(node: &Node) -> Result<At<f64>, Located> {
+    let rate = number(node)?;
+    check_rate(rate.value).map_err(|fault| Located::at(&rate.span, fault))?;
+    Ok(rate)
 }
 
 fn read_bands(node: &Node) -> Result<At<Vec<At<String>>>, Located> {

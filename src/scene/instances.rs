@@ -2,7 +2,7 @@
 //!
 //! The surface `seat` of the instance `chair` is `chair.seat`; in an array it is `chair[1,0].seat`.
 
-use std::collections::BTreeMap;
+use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::{DVec3, Motion};
 
@@ -25,6 +25,8 @@ pub(super) struct PlacedEntry<'a, T> {
     pub file: &'a T,
     pub name: String,
     pub motion: Motion,
+    /// The instances that it is in, those of an array with and without the place in it.
+    pub instances: Arc<[String]>,
 }
 
 /// An entry of `[[surfaces]]`, moved as its instance and its own transform say.
@@ -51,7 +53,8 @@ pub(super) fn placed<'a>(
     let parts: Parts<'_> = parts.iter().map(|part| (part.name.value.as_str(), part)).collect();
     check_sizes(content, &parts)?;
     let mut placed = Placed::default();
-    place(content, "", &Motion::IDENTITY, &parts, &mut placed)?;
+    let scene = Within { prefix: String::new(), motion: Motion::IDENTITY, instances: Arc::default() };
+    place(content, &scene, &parts, &mut placed)?;
     Ok(placed)
 }
 
@@ -67,28 +70,50 @@ fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Locate
     })
 }
 
-/// Adds all surfaces and luminaires of `content` to `all`, moved, with `prefix` before their names.
+/// The instance that something is in, or the scene.
+struct Within {
+    /// What stands before names in it.
+    prefix: String,
+    motion: Motion,
+    /// See [`PlacedEntry::instances`].
+    instances: Arc<[String]>,
+}
+
+impl Within {
+    fn entry<'a, T>(&self, file: &'a T, name: &str, motion: Motion) -> PlacedEntry<'a, T> {
+        let name = format!("{}{name}", self.prefix);
+        PlacedEntry { file, name, motion, instances: Arc::clone(&self.instances) }
+    }
+
+    /// The copy at `index`, moved by `offset`, of an instance in it.
+    fn copy(&self, instance: &InstanceFile, index: &str, offset: &Motion) -> Self {
+        let plain = format!("{}{}", self.prefix, instance.name.value);
+        let own = format!("{plain}{index}");
+        let mut instances = self.instances.to_vec();
+        instances.extend((!index.is_empty()).then_some(plain));
+        instances.push(own.clone());
+        let motion = instance.motion.then(offset).then(&self.motion);
+        Self { prefix: own + ".", motion, instances: instances.into() }
+    }
+}
+
+/// Adds all surfaces and luminaires of `content` to `all`, where they are in what it is `within`.
 fn place<'a>(
     content: &'a ContentFile,
-    prefix: &str,
-    motion: &Motion,
+    within: &Within,
     parts: &Parts<'a>,
     all: &mut Placed<'a>,
 ) -> Result<(), Located> {
     for file in &content.surfaces {
-        let name = format!("{prefix}{}", file.name.value);
-        all.surfaces.push(PlacedSurface { file, name, motion: file.motion.then(motion) });
+        all.surfaces.push(within.entry(file, &file.name.value, file.motion.then(&within.motion)));
     }
     for file in &content.luminaires {
-        let name = format!("{prefix}{}", file.name.value);
-        all.luminaires.push(PlacedLuminaire { file, name, motion: *motion });
+        all.luminaires.push(within.entry(file, &file.name.value, within.motion));
     }
     for instance in &content.instances {
         let part = part_of(instance, parts)?;
         for (index, offset) in copies(instance)? {
-            let own = instance.motion.then(&offset).then(motion);
-            let prefix = format!("{prefix}{}{index}.", instance.name.value);
-            place(&part.content, &prefix, &own, parts, all)?;
+            place(&part.content, &within.copy(instance, &index, &offset), parts, all)?;
         }
     }
     Ok(())

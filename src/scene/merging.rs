@@ -8,7 +8,7 @@ use crate::scene::{
 };
 
 /// All files in one. Title and camera are those of the last, which includes the others; so is the
-/// sky, if it has one.
+/// sky, and so are frames and their rate, if it has them.
 pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile, Located> {
     let mut files = files.into_iter().rev();
     let mut whole = files.next().unwrap_or_default();
@@ -16,6 +16,9 @@ pub(super) fn merged(files: Vec<SceneFile>, source: &Source) -> Result<SceneFile
         whole.bands = stated(whole.bands.take(), file.bands, "bands", names_of)?;
         whole.unit = stated(whole.unit.take(), file.unit, "units", |unit| vec![unit.value.as_str()])?;
         whole.sky = whole.sky.take().or(file.sky);
+        whole.frames.count = whole.frames.count.take().or(file.frames.count);
+        whole.frames.rate = whole.frames.rate.take().or(file.frames.rate);
+        put_before(&mut whole.motions, file.motions);
         put_before(&mut whole.planes, file.planes);
         put_before(&mut whole.materials, file.materials);
         put_before(&mut whole.parts, file.parts);

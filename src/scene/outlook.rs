@@ -46,6 +46,15 @@ impl Outlook {
         Self { share, opening, normal }
     }
 
+    /// That of the same opening with its normal turned.
+    pub(super) fn turned(&self, turn: impl FnOnce(DVec3) -> DVec3) -> Self {
+        let normal = turn(self.normal);
+        match normal.distance(self.normal) <= ROUNDING {
+            true => self.clone(),
+            false => Self::new(self.opening.clone(), normal),
+        }
+    }
+
     /// M of each band (W m⁻²).
     pub fn exitance(&self) -> Vec<f64> {
         self.opening.sky.irradiance().iter().map(|own| own * self.share).collect()

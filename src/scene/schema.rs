@@ -5,9 +5,11 @@
 
 mod terms;
 mod shapes;
+mod motions;
 
 use serde_json::{Map, Value, json};
 
+use crate::scene::animation::MOST_FRAMES;
 use crate::scene::ranges::{MAX_COPIES, MAX_ORDER, MAX_PARTS, MAX_PIXELS};
 use terms::{
     by_name, exactly, list, of, or, per_band, positive, ranged, reference, table, text, truth, whole, with,
@@ -57,6 +59,9 @@ fn scene_keys() -> Vec<(&'static str, Value)> {
         ("surfaces", list("surface", "The surfaces", 0)),
         ("luminaires", list("luminaire", "Lamps of no size", 0)),
         ("instances", list("instance", "Instances of parts", 0)),
+        ("frames", whole(1, MOST_FRAMES, "How many frames there are")),
+        ("fps", or(json!(1), ranged(json!({ "minimum": 1e-6, "maximum": 1e6 }), "Frames in a unit of time"))),
+        ("motion", list("motion", "What moves, each along a path", 0)),
     ]
 }
 
@@ -80,6 +85,7 @@ fn definitions() -> Vec<(&'static str, Value)> {
         ("part", part()),
         ("instance", instance()),
         ("array", array()),
+        ("motion", motions::motion()),
     ];
     all.extend(shapes::parts());
     all.extend(shapes::all());

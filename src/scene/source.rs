@@ -43,6 +43,8 @@ pub struct Source {
     pub tolerance: Option<f64>,
     /// Values of its variables, by name, instead of those that the text gives them.
     pub settings: Arc<BTreeMap<String, f64>>,
+    /// The moment, a real number of frames, of which the still scene is read; none where all of its motions are.
+    pub moment: Option<f64>,
     /// What was done to the file of another program that it was made from.
     pub imported: Option<Arc<Imported>>,
     /// The texts that it includes, or may include.
@@ -104,6 +106,7 @@ impl Source {
             text: text.into(),
             tolerance: None,
             settings: Arc::default(),
+            moment: None,
             imported: None,
             included: Arc::default(),
             reads_files: false,
@@ -123,6 +126,12 @@ impl Source {
         let settings = settings.into_iter().map(|(name, value)| (name.to_owned(), value));
         Arc::make_mut(&mut self.settings).extend(settings);
         self
+    }
+
+    /// The same text, to be read as the still scene of a moment, a real number of frames.
+    #[must_use]
+    pub fn at(self, moment: f64) -> Self {
+        Self { moment: Some(moment), ..self }
     }
 
     /// The same text, made from a file of another program.

@@ -17,9 +17,19 @@ use crate::scene::{
 /// The surfaces of a scene, and how their shapes were changed.
 pub(super) struct Surfaces {
     pub(super) list: Vec<SceneSurface>,
+    /// What each is made by.
+    pub(super) makers: Vec<Maker>,
     /// The vector subtracted from all coordinates.
     pub(super) middle: DVec3,
     pub(super) fitted: Fitted,
+}
+
+/// What a surface is made by.
+pub(super) struct Maker {
+    /// Index of the draft.
+    pub(super) draft: usize,
+    /// The name of its front.
+    pub(super) front: String,
 }
 
 /// The surfaces of all drafts, in order, with unique names and none in another. Their shapes are fitted together within
@@ -34,21 +44,22 @@ pub(super) fn fitted_surfaces(
     tolerance.map_or(Ok(()), check_tolerance)?;
     let middle = middle::of(drafts.iter().flat_map(|draft| &draft.shapes).map(|(_, shape)| shape));
     let fitted = fitted::fit(&mut drafts, middle, tolerance);
-    let list = named(&drafts)?;
+    let (list, makers) = named(&drafts)?;
     if list.is_empty() {
         Err(Located::nowhere(Fault::EmptyScene))
     } else {
-        Ok(Surfaces { list, middle, fitted })
+        Ok(Surfaces { list, makers, middle, fitted })
     }
 }
 
-/// The surfaces of all drafts, with unique names and none in another.
-fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
+/// The surfaces of all drafts, with unique names and none in another, and their makers.
+fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Located> {
     let mut names = UniqueNames::default();
     let mut claims = Vec::new();
     let mut surfaces = Vec::new();
     let mut outlooks = KnownOutlooks::default();
-    for draft in drafts {
+    let mut makers = Vec::new();
+    for (index, draft) in drafts.iter().enumerate() {
         let typed = draft.typed.as_ref();
         let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
         let shapes: Vec<Vec<SceneSurface>> = shapes.collect();
@@ -62,11 +73,13 @@ fn named(drafts: &[SurfaceDraft]) -> Result<Vec<SceneSurface>, Located> {
                 occupied: Occupied::new(&sides[0].shape),
                 span: typed.map(|typed| typed.shape.clone()),
             });
+            let maker = || Maker { draft: index, front: sides[0].name.clone() };
+            makers.extend(sides.iter().map(|_| maker()));
             surfaces.extend(sides);
         }
     }
     check_apart(&claims)?;
-    Ok(surfaces)
+    Ok((surfaces, makers))
 }
 
 /// Refuses a tolerance that is no length.

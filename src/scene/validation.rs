@@ -271,7 +271,7 @@ pub(super) fn luminaires(
 }
 
 fn luminaire(
-    PlacedLuminaire { file, name, motion }: &PlacedLuminaire<'_>,
+    PlacedLuminaire { file, name, motion, .. }: &PlacedLuminaire<'_>,
     bands: usize,
     tables: &mut Tables<'_>,
 ) -> Result<Luminaire, Located> {
@@ -336,7 +336,7 @@ fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Locate
 }
 
 /// The shapes of one entry, each with the name of its surface.
-fn shapes(PlacedSurface { file, name, motion }: &PlacedSurface<'_>) -> Result<Vec<NamedShape>, Located> {
+fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Result<Vec<NamedShape>, Located> {
     let shapes = file.shape.surfaces(motion).map_err(|error| {
         let span = file.shape.span_of(error.field()).clone();
         Located::at(&span, Fault::Shape(error))

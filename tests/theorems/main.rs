@@ -11,6 +11,7 @@ mod hierarchy;
 mod includes;
 mod instances;
 mod layering;
+mod motions;
 mod scene_format;
 mod schema;
 mod shapes;

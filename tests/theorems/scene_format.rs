@@ -15,7 +15,7 @@ const LANGUAGES: [(&str, Reader); 3] =
     [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
-const TABLES: [(&str, &str); 11] = [
+const TABLES: [(&str, &str); 14] = [
     ("## The file", "none = 1"),
     ("## Materials", "[materials.wall]\nnone = 1"),
     ("## Camera", "[camera]\nnone = 1"),
@@ -30,6 +30,9 @@ const TABLES: [(&str, &str); 11] = [
     ("## Parts and instances", "[parts.chair]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\nnone = 1"),
     ("## Parts and instances", "[[instances]]\npart = \"chair\"\narray = { none = 1 }"),
+    ("## Motions", "[[motion]]\nnone = 1"),
+    ("## Motions", "[[motion]]\ntranslate = { none = 1 }"),
+    ("## Motions", "[[motion]]\nrotate = { none = 1 }"),
 ];
 
 fn document() -> String {

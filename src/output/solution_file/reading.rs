@@ -178,6 +178,10 @@ impl SavedScene {
         let source = Source::new(&self.origin, text).within(self.tolerance).set(settings);
         let source =
             self.included.iter().fold(source, |source, own| source.including(&own.origin, &own.text));
+        let source = match self.moment {
+            Some(moment) => source.at(moment),
+            None => source,
+        };
         let scene = Scene::parse(&source).map_err(|error| SolutionFault::Scene(Box::new(error)))?;
         if scene.name != self.name {
             return Err(SolutionFault::Whole(Mismatch("the scene's name")));

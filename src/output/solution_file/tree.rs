@@ -63,6 +63,9 @@ pub(super) struct SavedScene {
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
+    /// The moment, a real number of frames, of a scene in which something moves.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub(super) moment: Option<f64>,
     /// Values of variables in the text that were set, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub(super) settings: BTreeMap<String, f64>,
@@ -112,6 +115,7 @@ impl SolutionFile {
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
                 included: included(scene),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
+                moment: scene.source.as_ref().and_then(|source| source.moment),
                 settings: scene.source.as_ref().map(|source| (*source.settings).clone()).unwrap_or_default(),
                 factors: factors(scene),
                 middle: scene.middle.to_array(),

@@ -1,0 +1,498 @@
+//! What moves: rigid paths, the still scene of each frame, and what is refused.
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::scene::{
+    Clock, Curve, Material, MoverDraft, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
+    Track, Turn,
+};
+use radiosity_geom::DVec3;
+
+/// A room with a lamp of two sides, a lamp post in an array, a luminaire and a camera.
+const ROOM: &str = r#"
+materials.white = { reflectance = 0.5 }
+materials.lamp = { reflectance = 0.2, emission = 10 }
+camera = { eye = [1, 1, 1], target = [3, 3, 1] }
+[[surfaces]]
+name = "room"
+material = "white"
+box = { origin = [0, 0, 0], size = [4, 4, 3], inward = true }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+two_sided = true
+parallelogram = { origin = [0.5, 0.5, 2], edge1 = [0.5, 0, 0], edge2 = [0, 0.5, 0] }
+[[luminaires]]
+name = "bulb"
+position = [2, 2, 2]
+flux = 10
+point = {}
+[[parts.post.surfaces]]
+name = "ball"
+material = "white"
+sphere = { center = [0, 0, 0.2], radius = 0.1 }
+[[parts.post.luminaires]]
+name = "spot"
+position = [0, 0, 1]
+flux = 10
+spot = { angle = 40 }
+[[instances]]
+part = "post"
+name = "posts"
+array = { count = 2, step = [1, 0, 0] }
+transform = { translate = [1, 3, 0] }
+"#;
+
+fn read(motion: &str) -> Result<Scene, SceneError> {
+    Scene::from_toml(&format!("frames = 11\n{ROOM}{motion}\n"), "room.toml")
+}
+
+fn scene(motion: &str) -> Scene {
+    read(motion).unwrap_or_else(|error| panic!("{motion}: {error}"))
+}
+
+/// A surface at some of its parameters, to the bit.
+fn bits(surface: &SceneSurface) -> Vec<[u64; 3]> {
+    let places = [-1.0, -0.3, 0.4, 1.0];
+    let points = places.iter().flat_map(|u| places.iter().map(|v| surface.shape.jet(*u, *v).position));
+    points.map(|x| x.to_array().map(f64::to_bits)).collect()
+}
+
+fn indices(scene: &Scene, names: &[&str]) -> Vec<usize> {
+    names.iter().map(|name| scene.surface_named(name).unwrap()).collect()
+}
+
+/// Where the path leads of a motion that is typed.
+fn pose(motion: &str, moment: f64) -> Pose {
+    let scene = scene(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{motion}"));
+    scene.animation.as_ref().unwrap().poses(moment).unwrap()[0]
+}
+
+#[test]
+fn a_moved_surface_is_the_one_at_rest_moved() {
+    let scene = scene("[[motion]]\nsurfaces = [\"lamp\"]\ntranslate = { points = [[0, 0, 0], [1, 2, -1]] }");
+    let lamp = indices(&scene, &["lamp", "lamp:back"]);
+    assert_eq!(scene.frames(), 11);
+    for frame in 0..11 {
+        let still = scene.at_frame(frame).unwrap();
+        assert!(still.animation.is_none() && still.surfaces.len() == scene.surfaces.len());
+        let movers = scene.movers_at(frame).unwrap();
+        for (index, (own, rest)) in still.surfaces.iter().zip(&scene.surfaces).enumerate() {
+            assert_eq!(own.name, rest.name);
+            let moves = lamp.contains(&index) && frame > 0;
+            assert_eq!(movers[index], moves.then_some(0), "{} in frame {frame}", own.name);
+            if !moves {
+                assert_eq!(bits(own), bits(rest), "{} in frame {frame}", own.name);
+                continue;
+            }
+            let by = 0.1 * frame as f64 * DVec3::new(1.0, 2.0, -1.0);
+            let [own, rest] = [own, rest].map(|surface| surface.shape.jet(0.3, -0.6));
+            assert!(own.position.distance(rest.position + by) < 1e-15);
+            assert_eq!((own.normal, own.area), (rest.normal, rest.area));
+        }
+    }
+}
+
+#[test]
+fn frames_do_not_drift_and_come_back_to_the_bit() {
+    let scene = scene(
+        "[[motion]]\nsurfaces = [\"lamp\"]\n\
+         translate = { points = [[0, 0, 0], [1, 0.3, 0.1], [0, 0, 0]], curve = \"spline\" }\n\
+         rotate = { center = [0.7, 0.6, 1.9], axis = [1, 2, 3], angles = [0, 360] }",
+    );
+    assert_eq!(scene.movers_at(10).unwrap(), vec![None; scene.surfaces.len()]);
+    let (first, last) = (scene.at_frame(0).unwrap(), scene.at_frame(10).unwrap());
+    for ((first, last), rest) in first.surfaces.iter().zip(&last.surfaces).zip(&scene.surfaces) {
+        assert_eq!(bits(first), bits(rest));
+        assert_eq!(bits(last), bits(rest));
+    }
+    // The same frame twice is the same, whatever came between.
+    let (one, _, other) =
+        (scene.at_frame(7).unwrap(), scene.at_frame(3).unwrap(), scene.at_frame(7).unwrap());
+    for (one, other) in one.surfaces.iter().zip(&other.surfaces) {
+        assert_eq!(bits(one), bits(other));
+    }
+    assert_eq!(
+        pose("rotate = { center = [1, 2, 3], axis = [0, 0, 1], angles = [0, -720] }", 10.0),
+        Pose::REST
+    );
+}
+
+#[test]
+fn quarter_turns_go_where_they_should() {
+    let turned = "rotate = { center = [1, 1, 0], axis = [0, 0, 5], angles = [0, 90], times = [2, 4] }";
+    assert!(pose(turned, 1.0).is_rest() && pose(turned, 2.0).is_rest());
+    for moment in [4.0, 10.0] {
+        let pose = pose(turned, moment);
+        assert!(pose.point(DVec3::new(2.0, 1.0, 7.0)).distance(DVec3::new(1.0, 2.0, 7.0)) < 1e-15);
+        assert!(pose.vector(DVec3::X).distance(DVec3::Y) < 1e-15);
+    }
+    let half = pose(turned, 3.0).vector(DVec3::X);
+    assert!(half.distance(DVec3::new(0.5_f64.sqrt(), 0.5_f64.sqrt(), 0.0)) < 1e-15);
+    // First it turns about the centre, then it is moved.
+    let both = pose(
+        "rotate = { center = [1, 0, 0], axis = [0, 0, 1], angles = [0, 90] }\ntranslate = { points = [[0,0,0],[0,0,2]] }",
+        10.0,
+    );
+    assert!(both.point(DVec3::ZERO).distance(DVec3::new(1.0, -1.0, 2.0)) < 1e-15);
+}
+
+#[test]
+fn turns_about_several_axes_meet_their_keys_and_go_the_shorter_way() {
+    let turns = "rotate = { center = [0, 0, 0], turns = [[0,0,0,0], [0,0,1,90], [1,0,0,180], [0,0,1,350]], times = [0, 4, 6, 10] }";
+    assert!(pose(turns, 0.0).is_rest());
+    assert!(
+        pose(turns, 2.0).vector(DVec3::X).distance(DVec3::new(0.5_f64.sqrt(), 0.5_f64.sqrt(), 0.0)) < 1e-15
+    );
+    assert!(pose(turns, 4.0).vector(DVec3::X).distance(DVec3::Y) < 1e-15);
+    assert!(pose(turns, 6.0).vector(DVec3::Y).distance(-DVec3::Y) < 1e-15);
+    let short = pose("rotate = { center = [0, 0, 0], turns = [[0,0,1,0], [0,0,1,350]] }", 5.0);
+    let [sine, cosine] = [5.0_f64.to_radians().sin(), 5.0_f64.to_radians().cos()];
+    assert!(short.vector(DVec3::X).distance(DVec3::new(cosine, -sine, 0.0)) < 1e-15);
+}
+
+#[test]
+fn frames_in_a_second_scale_times_but_not_paths() {
+    let motion = |rest: &str| {
+        let text = format!("fps = 5\nframes = 11\n{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{rest}");
+        Scene::from_toml(&text, "room.toml").unwrap().animation.unwrap()
+    };
+    let by = |animation: &radiosity::scene::Animation, moment: f64| {
+        animation.poses(moment).unwrap()[0].point(DVec3::ZERO).x
+    };
+    // Ten frames are two seconds.
+    let timed = motion("translate = { points = [[0,0,0], [1,0,0]], times = [1, 2] }");
+    assert_eq!([by(&timed, 5.0), by(&timed, 10.0)], [0.0, 1.0]);
+    assert!((by(&timed, 7.5) - 0.5).abs() < 1e-15);
+    let spread = motion("translate = { points = [[0,0,0], [1,0,0]] }");
+    assert_eq!([by(&spread, 0.0), by(&spread, 5.0), by(&spread, 10.0)], [0.0, 0.5, 1.0]);
+}
+
+#[test]
+fn names_mean_entries_sides_instances_and_endings() {
+    let path = "translate = { points = [[0, 0, 0], [0.1, 0, 0]] }";
+    let moved = |which: &str| {
+        let scene = scene(&format!("[[motion]]\n{which}\n{path}"));
+        let mover = &scene.animation.as_ref().unwrap().movers[0];
+        let names =
+            mover.surfaces.iter().map(|index| scene.surfaces[*index].name.clone()).collect::<Vec<_>>();
+        let lamps = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.clone());
+        (names.join(" "), lamps.collect::<Vec<_>>().join(" "))
+    };
+    let told = |surfaces: &str, luminaires: &str| (surfaces.to_owned(), luminaires.to_owned());
+    assert_eq!(moved("surfaces = \"lamp\""), told("lamp lamp:back", ""));
+    assert_eq!(moved("surfaces = [\"room\"]").0.split(' ').count(), 6);
+    assert_eq!(moved("surfaces = [\"room-bottom\"]"), told("room-bottom", ""));
+    assert_eq!(moved("instances = [\"posts[1]\"]"), told("posts[1].ball", "posts[1].spot"));
+    assert_eq!(
+        moved("instances = [\"posts\"]"),
+        told("posts[0].ball posts[1].ball", "posts[0].spot posts[1].spot")
+    );
+    assert_eq!(moved("surfaces = [\"posts*\"]"), told("posts[0].ball posts[1].ball", ""));
+    assert_eq!(moved("luminaires = [\"bulb\"]"), told("", "bulb"));
+    assert_eq!(
+        moved("luminaires = [\"posts*\"]\nsurfaces = \"lamp\""),
+        told("lamp lamp:back", "posts[0].spot posts[1].spot")
+    );
+}
+
+#[test]
+fn luminaires_and_the_camera_move_along() {
+    let scene = scene(
+        "[[motion]]\nname = \"all\"\nluminaires = \"bulb\"\ninstances = \"posts\"\ncamera = true\n\
+         rotate = { center = [2, 2, 0], axis = [0, 0, 1], angles = [0, 90] }\n\
+         translate = { points = [[0, 0, 0], [0, 0, 0.5]] }",
+    );
+    let still = scene.at_frame(10).unwrap();
+    let place = |x: f64, y: f64, z: f64| DVec3::new(4.0 - y, x, z + 0.5);
+    assert!(still.luminaires[0].position.distance(place(2.0, 2.0, 2.0)) < 1e-14);
+    assert!(still.luminaires[1].position.distance(place(1.0, 3.0, 1.0)) < 1e-14);
+    assert!(still.luminaires[1].aim.distance(-DVec3::Z) < 1e-15);
+    let (camera, rest) = (still.camera.clone().unwrap(), scene.camera.clone().unwrap());
+    assert!(camera.eye.distance(place(1.0, 1.0, 1.0)) < 1e-14);
+    assert!(camera.target.distance(place(3.0, 3.0, 1.0)) < 1e-14);
+    assert_eq!((camera.fov, camera.up), (rest.fov, rest.up));
+    let ball = &still.surfaces[indices(&still, &["posts[1].ball"])[0]];
+    assert!(ball.shape.ball().unwrap().0.distance(place(2.0, 3.0, 0.2)) < 1e-14);
+}
+
+#[test]
+fn scenes_far_from_the_origin_turn_about_the_same_point() {
+    let far = DVec3::new(4e6, -2e6, 0.0);
+    let text = |at: DVec3| {
+        format!(
+            "frames = 5\n[[surfaces]]\nname = \"a\"\nparallelogram = {{ origin = [{}, {}, 0], edge1 = [1,0,0], edge2 = [0,1,0] }}\n\
+             [[surfaces]]\nname = \"b\"\nparallelogram = {{ origin = [{}, {}, 1], edge1 = [0.5,0,0], edge2 = [0,0.5,0] }}\n\
+             [[motion]]\nsurfaces = [\"b\"]\nrotate = {{ center = [{}, {}, 1], axis = [0, 0, 1], angles = [0, 180] }}\n",
+            at.x,
+            at.y,
+            at.x,
+            at.y,
+            at.x + 0.5,
+            at.y + 0.5
+        )
+    };
+    let [near, far] = [DVec3::ZERO, far].map(|at| Scene::from_toml(&text(at), "far").unwrap());
+    assert!(far.middle != DVec3::ZERO);
+    for frame in 0..5 {
+        let [near, far] = [&near, &far].map(|scene| {
+            let still = scene.at_frame(frame).unwrap();
+            let place = |index: usize| still.surfaces[index].shape.jet(0.1, 0.2).position;
+            place(1) - place(0)
+        });
+        assert!(near.distance(far) < 1e-13, "{}", near.distance(far));
+    }
+}
+
+#[test]
+fn scenes_made_in_code_move_as_those_of_files() {
+    let path = || {
+        let degrees = Track::new("angles", vec![0.0, 40.0], vec![0.0, 10.0], Curve::Line).unwrap();
+        let points = vec![DVec3::ZERO, DVec3::new(0.3, 0.0, 0.1), DVec3::new(0.1, 0.2, 0.0)];
+        let points = Track::new("points", points, vec![0.0, 5.0, 10.0], Curve::Spline).unwrap();
+        RigidPath::turning_along(Turn::about_axis(DVec3::ONE, DVec3::Z, degrees).unwrap(), points)
+    };
+    let build = |mover: Option<MoverDraft>| {
+        let mut room = SceneBuilder::new("room", ["grey"]);
+        let white = room.material("white", Material::new(vec![0.5], vec![1.0]).unwrap());
+        room.surface("floor", Parallelogram::new(DVec3::ZERO, DVec3::X, DVec3::Y).unwrap(), &white);
+        let ball = Sphere::new(DVec3::Z, 0.25, DVec3::Z, [-0.25, 0.25], FULL_TURN).unwrap();
+        room.surface("ball", ball, &white);
+        room.clock(Clock::new(11, 1.0).unwrap());
+        mover.into_iter().for_each(|mover| {
+            room.moves(mover);
+        });
+        room.build()
+    };
+    let made = build(Some(MoverDraft::new("ball", path()).surface("ball"))).unwrap();
+    let typed = Scene::from_toml(
+        "frames = 11\nmaterials.white = { reflectance = 0.5, emission = 1 }\n\
+         [[surfaces]]\nname = \"floor\"\nmaterial = \"white\"\nparallelogram = { origin = [0,0,0], edge1 = [1,0,0], edge2 = [0,1,0] }\n\
+         [[surfaces]]\nname = \"ball\"\nmaterial = \"white\"\nsphere = { center = [0, 0, 1], radius = 0.25 }\n\
+         [[motion]]\nsurfaces = [\"ball\"]\nrotate = { center = [1, 1, 1], axis = [0, 0, 1], angles = [0, 40] }\n\
+         translate = { points = [[0, 0, 0], [0.3, 0, 0.1], [0.1, 0.2, 0]], curve = \"spline\" }\n",
+        "room.toml",
+    )
+    .unwrap();
+    for frame in 0..11 {
+        let [made, typed] = [&made, &typed].map(|scene| bits(&scene.at_frame(frame).unwrap().surfaces[1]));
+        assert_eq!(made, typed);
+    }
+    assert_eq!(build(None).unwrap_err().to_string(), "room: nothing moves");
+    let unknown = build(Some(MoverDraft::new("ball", path()).surface("bal"))).unwrap_err();
+    assert_eq!(unknown.to_string(), "room: motion \"ball\": unknown surface \"bal\"");
+}
+
+#[test]
+fn a_source_is_read_as_the_still_scene_of_its_moment() {
+    let motion = "[[motion]]\nsurfaces = [\"lamp\"]\ntranslate = { points = [[0, 0, 0], [1, 2, -1]] }";
+    let scene = scene(motion);
+    let still = scene.at_moment(3.25).unwrap();
+    let source = still.source.clone().unwrap();
+    assert_eq!(source.moment, Some(3.25));
+    let again = Scene::parse(&source).unwrap();
+    for (one, other) in still.surfaces.iter().zip(&again.surfaces) {
+        assert_eq!(bits(one), bits(other));
+    }
+    assert_eq!(
+        again.at_frame(1).unwrap_err().to_string(),
+        "room.toml: a frame is asked for, yet nothing moves in the scene"
+    );
+}
+
+/// Whatever is wrong is told where it stands, with a cure.
+#[test]
+fn motions_that_make_no_sense_are_refused() {
+    let path = "translate = { points = [[0,0,0],[1,0,0]] }";
+    let cases: [(&str, &str, &str); 20] = [
+        ("surfaces = [\"lmap\"]\nPATH", "unknown surface \"lmap\"", "did you mean \"lamp\"?"),
+        ("surfaces = [\"lamp:back\"]\nPATH", "unknown surface \"lamp:back\"", "surfaces of this scene"),
+        ("surfaces = [\"pst*\"]\nPATH", "unknown surface \"pst*\"", "surfaces of this scene"),
+        ("instances = [\"post\"]\nPATH", "unknown instance \"post\"", "did you mean \"posts\"?"),
+        ("luminaires = [\"lamp\"]\nPATH", "unknown luminaire \"lamp\"", "bulb"),
+        ("PATH", "nothing moves", "say what moves"),
+        ("surfaces = [\"lamp\"]", "nothing says how it moves", "add translate"),
+        ("surfaces = [\"lamp\"]\nPATH\nscale = 2", "a motion keeps all sizes", "leave scale out"),
+        ("surfaces = [\"lamp\"]\nmoves = 2", "unknown key \"moves\"", "translate"),
+        (
+            "surfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0]] }",
+            "points takes at least two, found 1",
+            "give at least two",
+        ),
+        (
+            "surfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0],[nan,0,0]] }",
+            "NaN is not a finite number",
+            "write a finite number",
+        ),
+        (
+            "surfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0],[1,0,0]], times = [0] }",
+            "times takes one number for each of the 2 points, found 1",
+            "give one number for each",
+        ),
+        (
+            "surfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0],[1,0,0]], times = [3, 2] }",
+            "the times do not ascend: 2 follows 3",
+            "larger than the one before",
+        ),
+        (
+            "surfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0],[1,0,0]], curve = \"splin\" }",
+            "there is no curve \"splin\"",
+            "did you mean \"spline\"?",
+        ),
+        (
+            "surfaces = [\"lamp\"]\nrotate = { center = [0,0,0], axis = [0,0,0], angles = [0, 90] }",
+            "the vector `axis` gives no direction",
+            "give the direction of the axis",
+        ),
+        (
+            "surfaces = [\"lamp\"]\nrotate = { center = [0,0,0], turns = [[0,0,1,0],[0,0,0,90]] }",
+            "the vector `axis` gives no direction",
+            "give the direction of the axis",
+        ),
+        (
+            "surfaces = [\"lamp\"]\nrotate = { center = [0,0,0], axis = [0,0,1], turns = [[0,0,1,0],[0,0,1,90]] }",
+            "\"turns\" and \"axis\" are both given",
+            "leave one of them out",
+        ),
+        (
+            "surfaces = [\"lamp\"]\nrotate = { axis = [0,0,1], angles = [0, 90] }",
+            "the key \"center\" is missing",
+            "three numbers in brackets",
+        ),
+        (
+            "surfaces = [\"lamp\"]\nPATH\n[[motion]]\nsurfaces = [\"lamp\"]\nPATH",
+            "surface \"lamp\" moves already: with the motion \"motion-1\"",
+            "take it out of one of the two",
+        ),
+        (
+            "name = \"a\"\nsurfaces = [\"lamp\"]\nPATH\n[[motion]]\nname = \"a\"\nluminaires = [\"bulb\"]\nPATH",
+            "the name \"a\" is given twice",
+            "rename this one",
+        ),
+    ];
+    for (motion, message, cure) in cases {
+        let motion = format!("[[motion]]\n{}", motion.replace("PATH", path));
+        let error = read(&motion).expect_err(&motion);
+        assert!(error.to_string().ends_with(message), "{motion}: {error}");
+        assert!(error.to_string().contains(": motion \""), "{motion}: {error}");
+        assert!(error.cure().is_some_and(|found| found.contains(cure)), "{motion}: {:?}", error.cure());
+        assert!(error.place.is_some_and(|place| place.line > ROOM.lines().count()), "{motion}");
+    }
+}
+
+#[test]
+fn frames_that_are_not_there_are_refused() {
+    let motion = "[[motion]]\nsurfaces = [\"lamp\"]\ntranslate = { points = [[0,0,0],[1,0,0]] }";
+    let scene = scene(motion);
+    for (moment, found) in [(-1.0, "-1"), (11.0, "11"), (10.5, "10.5"), (f64::NAN, "NaN")] {
+        let error = scene.at_moment(moment).unwrap_err();
+        let message = format!("room.toml: there is no frame {found}: frames are counted from 0 to 10");
+        assert_eq!(error.to_string(), message);
+        assert_eq!(error.cure().as_deref(), Some("choose one from 0 to 10"));
+    }
+    let refused = |text: String| Scene::from_toml(&text, "room.toml").unwrap_err();
+    let error = refused(format!("{ROOM}{motion}"));
+    assert!(error.to_string().ends_with("motion \"motion-1\": the key \"frames\" is missing"), "{error}");
+    assert!(error.cure().unwrap().contains("frames = …"));
+    let error = refused(format!("frames = 0\n{ROOM}{motion}"));
+    assert!(error.to_string().contains("the number of frames is 0"), "{error}");
+    let error = refused(format!("frames = 10\n{ROOM}"));
+    assert!(error.to_string().ends_with("nothing moves"), "{error}");
+    let error = refused(format!("frames = 10\nfps = 0\n{ROOM}{motion}"));
+    assert!(error.to_string().contains("the rate of frames is 0"), "{error}");
+    let error = refused(
+        format!("frames = 10\n{ROOM}[[motion]]\ncamera = true\ntranslate = {{ points = [[0,0,0],[1,0,0]] }}")
+            .replace("camera = {", "variables = {")
+            .replace("eye = [1, 1, 1], target = [3, 3, 1]", "a = 1"),
+    );
+    assert!(error.to_string().ends_with("the scene has no camera to move"), "{error}");
+}
+
+#[test]
+fn a_surface_that_moves_into_the_place_of_another_is_refused_with_the_frame() {
+    let scene = Scene::from_toml(
+        "frames = 3\n[[surfaces]]\nname = \"a\"\nsphere = { center = [0, 0, 0], radius = 1 }\n\
+         [[surfaces]]\nname = \"b\"\nsphere = { center = [4, 0, 0], radius = 1 }\n\
+         [[motion]]\nsurfaces = [\"b\"]\ntranslate = { points = [[0, 0, 0], [-4, 0, 0]] }\n",
+        "balls.toml",
+    )
+    .unwrap();
+    assert!(scene.at_frame(1).is_ok());
+    let error = scene.at_frame(2).unwrap_err();
+    assert!(
+        error.to_string().ends_with("surface \"b\": in frame 2 it coincides with surface \"a\""),
+        "{error}"
+    );
+    assert!(error.cure().unwrap().contains("lead the path"));
+}
+
+fn vector(reach: f64) -> impl Strategy<Value = DVec3> {
+    prop::array::uniform3(-reach..reach).prop_map(DVec3::from_array)
+}
+
+/// Ascending times from positive steps.
+fn times(steps: &[f64]) -> Vec<f64> {
+    steps.iter().scan(0.0, |time, step| Some(std::mem::replace(time, *time + step))).collect()
+}
+
+/// A path, and the points that it meets at its times.
+#[derive(Debug)]
+struct Keyed {
+    points: Vec<DVec3>,
+    times: Vec<f64>,
+    center: DVec3,
+    path: RigidPath,
+}
+
+prop_compose! {
+    /// A path with four keys at times up to 4.
+    fn path()(
+        points in prop::collection::vec(vector(3.0), 4),
+        angles in prop::collection::vec(-900.0..900.0f64, 4),
+        axes in prop::collection::vec(vector(1.0), 4),
+        center in vector(5.0),
+        steps in prop::collection::vec(0.1..1.0f64, 4),
+        spline in any::<bool>(),
+        keyed in any::<bool>(),
+    ) -> Keyed {
+        let times = times(&steps);
+        let curve = if spline { Curve::Spline } else { Curve::Line };
+        let shift = Track::new("points", points.clone(), times.clone(), curve).unwrap();
+        let axis = |k: usize| axes[k] + DVec3::new(0.0, 0.0, 2.0);
+        let turn = if keyed {
+            let keys: Vec<(DVec3, f64)> = (0..4).map(|k| (axis(k), angles[k])).collect();
+            Turn::by_keys(center, &keys, times.clone())
+        } else {
+            Turn::about_axis(center, axis(0), Track::new("angles", angles, times.clone(), curve).unwrap())
+        };
+        Keyed { points, times, center, path: RigidPath::turning_along(turn.unwrap(), shift) }
+    }
+}
+
+proptest! {
+    #![proptest_config(Config { rng_seed: RngSeed::Fixed(5), failure_persistence: None, ..Config::default() })]
+
+    /// Distances and the sense of turning stay.
+    #[test]
+    fn poses_are_rigid(keyed in path(), time in -0.5..5.0f64, x in vector(10.0), y in vector(10.0)) {
+        let pose = keyed.path.pose(time);
+        let [p, q] = [x, y].map(|x| pose.point(x));
+        // Coordinates are up to about 30: their rounding is that of the largest.
+        prop_assert!((p.distance(q) - x.distance(y)).abs() <= 1e-14 * 30.0);
+        let d = pose.vector(y - x);
+        prop_assert!(d.distance(q - p) <= 1e-14 * 30.0);
+        prop_assert!((d.length() - x.distance(y)).abs() <= 1e-14 * x.distance(y));
+        let [x, y, z] = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| pose.vector(axis));
+        prop_assert!(x.cross(y).distance(z) <= 1e-14);
+    }
+
+    /// At the times of its points a path has moved the centre of its turns by them.
+    #[test]
+    fn paths_meet_their_points(keyed in path()) {
+        for (point, time) in keyed.points.iter().zip(&keyed.times) {
+            let shown = keyed.path.pose(*time).point(keyed.center);
+            prop_assert!(shown.distance(keyed.center + *point) <= 1e-14 * 30.0);
+        }
+    }
+}
