@@ -9,7 +9,8 @@
 //!
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
-//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `memory` (blocks of an earlier scene), `schedule` (all pairs),
+//! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `terms` (kernels that are sums of terms),
+//! `memory` (blocks of an earlier scene), `schedule` (all pairs),
 //! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
 //! blocks) and `carrier` (blocks or links, as checks see them).
 
@@ -20,6 +21,7 @@ pub(crate) mod blocks;
 pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;
+pub(crate) mod terms;
 pub(crate) mod memory;
 mod schedule;
 pub(crate) mod price;

@@ -12,7 +12,7 @@ pub(in crate::transport) mod integrand;
 pub(in crate::transport) mod legendre_values;
 pub(in crate::transport) mod change;
 pub(in crate::transport) mod chart;
-pub(in crate::transport) mod tensor;
+pub(crate) mod tensor;
 
 use std::borrow::Cow;
 
@@ -22,7 +22,7 @@ use crate::elements::rule::UnitRule;
 use crate::transport::moments::change::Change;
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
-use crate::transport::moments::tensor::{Grid, Line};
+use crate::transport::moments::tensor::{Grid, Line, Terms};
 
 /// One of the two elements of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -123,6 +123,26 @@ impl<'a> Moments<'a> {
         self.values.iter_mut().zip(moments).for_each(|(value, moment)| *value += moment);
         self.samples += samples;
         self.distinct += samples;
+    }
+
+    /// Adds the moments of each term of `kernel` by the tensor Gauss rule with `points` [along, across] of the receiver,
+    /// then of the emitter, to one of `sums`.
+    pub(in crate::transport) fn add_terms(
+        sums: &mut [Self],
+        [p, q]: [&Patch; 2],
+        points: [usize; 4],
+        kernel: &mut impl Terms,
+    ) {
+        let Some([receiver, emitter]) = sums.first().map(Self::bases) else { return };
+        let charts = [Chart::of(p, receiver), Chart::of(q, emitter)];
+        let [s, t, u, v] = points.map(|n| UnitRule::of(n).line());
+        let grids = [Grid::new(p, &charts[0], s, t), Grid::new(q, &charts[1], u, v)];
+        let samples = (grids[0].len() * grids[1].len()) as u64;
+        for (sum, values) in sums.iter_mut().zip(tensor::of_terms([&grids[0], &grids[1]], kernel)) {
+            sum.changed(&values, charts[0].change.as_ref(), charts[1].change.as_ref());
+            sum.samples += samples;
+            sum.distinct += samples;
+        }
     }
 
     /// The moments so far, in the raw polynomials.

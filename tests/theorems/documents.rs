@@ -21,12 +21,13 @@ const DOCUMENTS: [&str; 13] = [
     "solvers/benches/README.md",
 ];
 /// The documents that say where in the sources things live.
-const MAPS: [&str; 6] = [
+const MAPS: [&str; 7] = [
     "docs/glossary.md",
     "docs/theory/transport.md",
     "docs/theory/visibility.md",
     "docs/theory/gathering.md",
     "docs/theory/solvers.md",
+    "docs/theory/animation.md",
     "docs/viewer.md",
 ];
 const PACKAGES: [&str; 5] = [".", "core", "formats", "geom", "solvers"];

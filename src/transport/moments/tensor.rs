@@ -26,13 +26,22 @@ use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::Sees;
 
 /// Receiver points in a tile: one AVX-512 register of f64, two of AVX.
-const LANES: usize = 8;
+pub(crate) const LANES: usize = 8;
 
 /// Floor of squared distances: points that coincide exchange nothing, and 0/0 is avoided. r⁴ is then 1e-300, still a
 /// normal number.
 const COINCIDENT: f64 = 1e-150;
 
-type Lanes = [f64; LANES];
+pub(crate) type Lanes = [f64; LANES];
+
+/// A kernel that is a sum of terms, of which each has moments of its own.
+pub(crate) trait Terms {
+    /// Number of terms.
+    fn count(&self) -> usize;
+
+    /// Writes every term between the points of `tile` and `node`, a row of lanes per term.
+    fn write(&mut self, tile: &Tile, node: &Node, out: &mut [Lanes]);
+}
 
 /// Nodes and weights along one direction.
 pub(in crate::transport) type Line<'a> = (&'a [f64], &'a [f64]);
@@ -115,8 +124,40 @@ pub(in crate::transport) fn add(
     scatter(moments, receiver, emitter.chart.len(), &gathered);
 }
 
+/// The moments of every term of `kernel`, each row-major, receiver's functions by emitter's.
+pub(in crate::transport) fn of_terms(
+    [receiver, emitter]: [&Grid; 2],
+    kernel: &mut impl Terms,
+) -> Vec<Vec<f64>> {
+    let (terms, count) = (kernel.count(), emitter.chart.len());
+    let mut gathered = vec![vec![0.0; receiver.len() * count]; terms];
+    let mut values = vec![[0.0; LANES]; terms * emitter.len()];
+    let mut sums = Sums::new(emitter);
+    let tiles = receiver.nodes.chunks(LANES).zip(receiver.weights.chunks(LANES));
+    for (first, (nodes, weights)) in tiles.enumerate() {
+        let tile = Tile::new(nodes);
+        for (node, out) in emitter.nodes.iter().zip(values.chunks_exact_mut(terms)) {
+            kernel.write(&tile, node, out);
+        }
+        for (term, rows) in gathered.iter_mut().enumerate() {
+            sums.contract(emitter, |c| {
+                let mut lanes = [0.0; LANES];
+                add_scaled(&mut lanes, emitter.weights[c], &values[c * terms + term]);
+                lanes
+            });
+            sums.write(&mut rows[first * LANES * count..], weights, 1.0);
+        }
+    }
+    let moments = |rows: &Vec<f64>| {
+        let mut moments = vec![0.0; receiver.chart.len() * count];
+        scatter(&mut moments, receiver, count, rows);
+        moments
+    };
+    gathered.iter().map(moments).collect()
+}
+
 /// Receiver points of one tile; the last is repeated where there are fewer.
-struct Tile {
+pub(crate) struct Tile {
     position: [Lanes; 3],
     normal: [Lanes; 3],
     live: usize,
@@ -136,7 +177,7 @@ impl Tile {
 
     /// y − x and its square, not below [`COINCIDENT`].
     #[inline(always)]
-    fn offset(&self, node: &Node, lane: usize) -> [f64; 4] {
+    pub(crate) fn offset(&self, node: &Node, lane: usize) -> [f64; 4] {
         let [x, y, z] = &self.position;
         let (dx, dy, dz) = (node.position.x - x[lane], node.position.y - y[lane], node.position.z - z[lane]);
         [dx, dy, dz, (dx * dx + dy * dy + dz * dz).max(COINCIDENT)]
@@ -144,6 +185,54 @@ impl Tile {
 
     fn point(&self, lane: usize) -> DVec3 {
         DVec3::new(self.position[0][lane], self.position[1][lane], self.position[2][lane])
+    }
+
+    /// The normal at a point.
+    #[inline(always)]
+    pub(crate) fn normal(&self, lane: usize) -> DVec3 {
+        DVec3::new(self.normal[0][lane], self.normal[1][lane], self.normal[2][lane])
+    }
+}
+
+/// Sums over the emitter for one tile of receiver points.
+struct Sums {
+    /// X: over the nodes across, a row per polynomial.
+    inner: Vec<Lanes>,
+    /// W: over all nodes, a row per function.
+    outer: Vec<Lanes>,
+}
+
+impl Sums {
+    fn new(emitter: &Grid) -> Self {
+        let (count, width) = (emitter.chart.len(), emitter.chart.width());
+        Self { inner: vec![[0.0; LANES]; width], outer: vec![[0.0; LANES]; count] }
+    }
+
+    /// W of the weighted values `kernel` at the emitter's nodes.
+    #[inline(always)]
+    fn contract(&mut self, emitter: &Grid, mut kernel: impl FnMut(usize) -> Lanes) {
+        self.outer.fill([0.0; LANES]);
+        for c in 0..emitter.counts[0] {
+            self.inner.fill([0.0; LANES]);
+            for d in 0..emitter.counts[1] {
+                let values = kernel(c * emitter.counts[1] + d);
+                for (x, p) in self.inner.iter_mut().zip(emitter.row(1, d)) {
+                    add_scaled(x, *p, &values);
+                }
+            }
+            let along = emitter.row(0, c);
+            for (w, (alpha, beta)) in self.outer.iter_mut().zip(emitter.chart.degrees()) {
+                add_scaled(w, along[*alpha], &self.inner[*beta]);
+            }
+        }
+    }
+
+    /// Writes W times the points' weights and `factor`, a row per point.
+    fn write(&self, rows: &mut [f64], weights: &[f64], factor: f64) {
+        for (lane, (row, weight)) in rows.chunks_exact_mut(self.outer.len()).zip(weights).enumerate() {
+            let scale = factor * weight;
+            row.iter_mut().zip(&self.outer).for_each(|(out, w)| *out = scale * w[lane]);
+        }
     }
 }
 
@@ -155,30 +244,14 @@ fn gather(
     factor: f64,
     mut kernel: impl FnMut(&Tile, usize) -> Lanes,
 ) -> Vec<f64> {
-    let (count, width) = (emitter.chart.len(), emitter.chart.width());
+    let count = emitter.chart.len();
     let mut gathered = vec![0.0; receiver.len() * count];
-    let (mut inner, mut outer) = (vec![[0.0; LANES]; width], vec![[0.0; LANES]; count]);
+    let mut sums = Sums::new(emitter);
     let tiles = receiver.nodes.chunks(LANES).zip(weights.chunks(LANES));
     for ((nodes, weights), rows) in tiles.zip(gathered.chunks_mut(LANES * count)) {
         let tile = Tile::new(nodes);
-        outer.fill([0.0; LANES]);
-        for c in 0..emitter.counts[0] {
-            inner.fill([0.0; LANES]);
-            for d in 0..emitter.counts[1] {
-                let values = kernel(&tile, c * emitter.counts[1] + d);
-                for (x, p) in inner.iter_mut().zip(emitter.row(1, d)) {
-                    add_scaled(x, *p, &values);
-                }
-            }
-            let along = emitter.row(0, c);
-            for (w, (alpha, beta)) in outer.iter_mut().zip(emitter.chart.degrees()) {
-                add_scaled(w, along[*alpha], &inner[*beta]);
-            }
-        }
-        for (lane, (row, weight)) in rows.chunks_exact_mut(count).zip(weights).enumerate() {
-            let scale = factor * weight;
-            row.iter_mut().zip(&outer).for_each(|(out, w)| *out = scale * w[lane]);
-        }
+        sums.contract(emitter, |c| kernel(&tile, c));
+        sums.write(rows, weights, factor);
     }
     gathered
 }

@@ -1,0 +1,206 @@
+//! Single pairs of points: coefficients, bounds, symmetries.
+
+use radiosity::animation::series::displacement::DisplacementSeries;
+use radiosity::animation::series::point_pair::PointPair;
+use radiosity::animation::series::power_series::inverse_square;
+use radiosity::geom::DVec3;
+
+use super::quads::read;
+
+/// Numbers of a fixed sequence in [−1, 1] (splitmix64).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (z >> 11) as f64 * 2f64.powi(-52) - 1.0
+    }
+
+    fn unit(&mut self) -> DVec3 {
+        loop {
+            let v = DVec3::new(self.next(), self.next(), self.next());
+            if (0.01..1.0).contains(&v.length_squared()) {
+                return v.normalize();
+            }
+        }
+    }
+
+    fn pair(&mut self) -> PointPair {
+        let distance = 4f64.powf(self.next());
+        PointPair {
+            offset: distance * self.unit(),
+            receiver_normal: self.unit(),
+            emitter_normal: self.unit(),
+        }
+    }
+}
+
+fn sum(coefficients: &[f64], p: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * p + c)
+}
+
+/// An integer or a fraction as a ratio of integers.
+fn ratio(text: &str) -> (f64, f64) {
+    let (over, under) = text.split_once('/').unwrap_or((text, "1"));
+    (over.parse().expect("an integer"), under.parse().expect("an integer"))
+}
+
+/// Numerators and denominators beyond 2⁵³ are rounded, which adds one to the four units of the last place.
+#[test]
+fn coefficients_of_the_inverse_square_are_those_of_exact_fractions() {
+    let data = read("animation_xi.json");
+    let cases = data["cases"].as_array().expect("cases");
+    assert_eq!(cases.len(), 6);
+    for case in cases {
+        let number = |key: &str| {
+            let (over, under) = ratio(case[key].as_str().expect("a fraction"));
+            over / under
+        };
+        let exact = case["xi"].as_array().expect("coefficients");
+        let mut found = vec![0.0; exact.len()];
+        inverse_square(number("alpha"), number("beta"), number("r2"), &mut found);
+        for (n, (found, exact)) in found.iter().zip(exact).enumerate() {
+            let (over, under) = ratio(exact.as_str().expect("a fraction"));
+            let exact = over / under;
+            let unit = (exact.abs().next_up() - exact.abs()).max(f64::MIN_POSITIVE);
+            assert!((found - exact).abs() <= 5.0 * unit, "{case}: {n}, {found:e}, {exact:e}");
+        }
+    }
+}
+
+#[test]
+fn two_divisions_give_the_combination_of_the_inverse_square() {
+    let mut sequence = Sequence(1);
+    for _ in 0..200 {
+        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let (r, x, y) = (pair.offset, pair.receiver_normal, pair.emitter_normal);
+        let (mut xi, mut phi) = ([0.0; 21], [0.0; 21]);
+        inverse_square(direction.dot(r), 1.0, r.length_squared(), &mut xi);
+        pair.series(direction, &mut phi);
+        let factor = -std::f64::consts::FRAC_1_PI / r.length_squared().powi(2);
+        let numerator = [
+            y.dot(r) * x.dot(r),
+            y.dot(direction) * x.dot(r) + y.dot(r) * x.dot(direction),
+            y.dot(direction) * x.dot(direction),
+        ];
+        for n in 0..phi.len() {
+            let parts = [0, 1, 2].map(|k| if k <= n { factor * numerator[k] * xi[n - k] } else { 0.0 });
+            let size: f64 = parts.iter().map(|x| x.abs()).sum();
+            let local = r.length().powi(-(n as i32) - 2) * (n + 1) as f64;
+            assert!((phi[n] - parts.iter().sum::<f64>()).abs() <= 1e-14 * size.max(local), "order {n}");
+        }
+    }
+}
+
+#[test]
+fn the_remainder_is_below_its_bound_and_not_far_below() {
+    let mut sequence = Sequence(2);
+    let mut ratios = Vec::new();
+    for k in 0..10_000 {
+        let (pair, direction) = (sequence.pair(), 1.5 * sequence.unit());
+        let orders = k % 13;
+        let h = 0.475 * (1.0 + sequence.next()) + 1e-3;
+        let p = h * pair.offset.length() / direction.length() * sequence.next().signum();
+        let mut phi = vec![0.0; orders + 1];
+        pair.series(direction, &mut phi);
+        let exact = pair.kernel(p * direction);
+        let rounding = 1e-14
+            * (exact.abs() + phi.iter().enumerate().map(|(n, c)| (c * p.powi(n as i32)).abs()).sum::<f64>());
+        let missed = (exact - sum(&phi, p)).abs();
+        let bound = pair.remainder(direction, orders, p);
+        assert!(missed <= bound + rounding, "order {orders}, h = {h}: {missed:e} > {bound:e}");
+        if missed > 100.0 * rounding {
+            ratios.push(bound / missed);
+        }
+    }
+    ratios.sort_by(f64::total_cmp);
+    let median = ratios[ratios.len() / 2];
+    assert!(ratios.len() > 5000 && median < 30.0, "{} ratios of median {median}", ratios.len());
+    assert_eq!(sequence.pair().remainder(DVec3::X, 8, 1e3), f64::INFINITY);
+}
+
+#[test]
+fn the_opposite_direction_changes_the_signs_of_odd_orders() {
+    let mut sequence = Sequence(3);
+    for _ in 0..1000 {
+        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let (mut there, mut back) = ([0.0; 12], [0.0; 12]);
+        pair.series(direction, &mut there);
+        pair.series(-direction, &mut back);
+        for n in 0..12 {
+            assert_eq!(back[n], if n % 2 == 0 { there[n] } else { -there[n] });
+        }
+        let turned = PointPair {
+            offset: -pair.offset,
+            receiver_normal: pair.emitter_normal,
+            emitter_normal: pair.receiver_normal,
+        };
+        let mut of_turned = [0.0; 12];
+        turned.series(-direction, &mut of_turned);
+        // The sums are formed in another order.
+        for (n, (x, y)) in of_turned.iter().zip(&there).enumerate() {
+            let size = pair.offset.length().powi(-(n as i32) - 2) * (n + 1) as f64;
+            assert!((x - y).abs() <= 1e-14 * size.max(y.abs()), "order {n}: {x:e}, {y:e}");
+        }
+    }
+}
+
+#[test]
+fn points_face_each_other_as_long_as_they_are_said_to() {
+    let mut sequence = Sequence(4);
+    let mut numbers = [0; 2];
+    for _ in 0..1000 {
+        let (pair, direction) = (sequence.pair(), sequence.unit());
+        let faces_at = |p: f64| {
+            let r = pair.offset + p * direction;
+            pair.receiver_normal.dot(r) > 0.0 && pair.emitter_normal.dot(r) < 0.0
+        };
+        let (faces, span) = pair.facing(direction);
+        assert_eq!(faces, faces_at(0.0));
+        assert!(span.contains(0.0));
+        numbers[usize::from(faces)] += 1;
+        for end in [span.from, span.to] {
+            let inside = if end.is_finite() { end * (1.0 - 1e-9) } else { end.signum() * 1e6 };
+            assert_eq!(faces_at(inside), faces, "{span:?}");
+            if end.is_finite() {
+                assert_ne!(faces_at(end + end.signum() * 1e-9), faces, "{span:?}");
+            }
+        }
+    }
+    assert!(numbers.iter().all(|count| *count > 100));
+}
+
+/// Errors at 2h over those at h.
+fn orders(error: impl Fn(f64) -> f64) -> f64 {
+    (error(0.02) / error(0.01)).log2()
+}
+
+#[test]
+fn three_series_along_the_axes_miss_the_products_that_one_in_three_variables_holds() {
+    const DEGREE: usize = 5;
+    let mut sequence = Sequence(5);
+    for _ in 0..20 {
+        let (pair, way) = (sequence.pair(), sequence.unit());
+        let length = pair.offset.length();
+        let at = |h: f64| h * length * way;
+        let all = DisplacementSeries::new(&pair, DEGREE);
+        let joint = |h: f64| (all.at(at(h)) - pair.kernel(at(h))).abs();
+        let axes = |h: f64| {
+            let changes = DVec3::AXES.map(|axis| {
+                let mut phi = [0.0; DEGREE + 1];
+                pair.series(axis, &mut phi);
+                sum(&phi, at(h).dot(axis)) - phi[0]
+            });
+            (pair.kernel(DVec3::ZERO) + changes.iter().sum::<f64>() - pair.kernel(at(h))).abs()
+        };
+        assert!((orders(axes) - 2.0).abs() < 0.3, "along axes: order {}", orders(axes));
+        assert!((orders(joint) - (DEGREE + 1) as f64).abs() < 0.5, "jointly: order {}", orders(joint));
+        let mut phi = [0.0; DEGREE + 1];
+        pair.series(way, &mut phi);
+        let along = sum(&phi, 0.3 * length);
+        assert!((along - all.at(at(0.3))).abs() <= 1e-14 * phi.iter().fold(0.0f64, |m, c| m.max(c.abs())));
+    }
+}
