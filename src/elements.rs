@@ -90,13 +90,13 @@ impl Elements {
         Self::of_shapes(scene, how, None, whole, &[])
     }
 
-    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved.
+    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are copied.
     ///
     /// # Errors
     /// As for [`Elements::new`].
     pub fn moved(&self, scene: &Scene) -> Result<Self, ElementError> {
-        let moved = Self::of_mesh(scene, &self.how, self.mesh.clone())?;
-        Ok(Self { is_refined: self.is_refined, ..moved })
+        let mesh = (self.mesh.clone(), self.is_refined);
+        Self::cut(scene, &self.how, mesh, bare_shapes(scene), &covers(scene), Some(self))
     }
 
     fn of_shapes(
@@ -111,9 +111,28 @@ impl Elements {
         }
         let is_refined = refined.is_some();
         let mesh = refined.unwrap_or_else(|| usual_mesh(scene, how));
+        Self::cut(scene, how, (mesh, is_refined), shapes, covers, None)
+    }
+
+    /// Cuts `shapes` into the cells of a mesh; elements of shapes that are those of `before`, and that nothing covers, are copied.
+    fn cut(
+        scene: &Scene,
+        how: &Discretization,
+        (mesh, is_refined): (Mesh, bool),
+        shapes: Vec<Arc<dyn Surface>>,
+        covers: &[Cover],
+        before: Option<&Self>,
+    ) -> Result<Self, ElementError> {
         let mut list = Vec::new();
         let mut surfaces = Vec::new();
         for (index, (surface, shape)) in scene.surfaces.iter().zip(shapes).enumerate() {
+            let is_bare = covers::of_surface(covers, index).next().is_none();
+            if let Some(copy) =
+                before.filter(|_| is_bare).and_then(|before| before.copied(index, &shape, &mut list))
+            {
+                surfaces.push(copy);
+                continue;
+            }
             let cells = &mesh.surfaces()[index];
             let order = cells.values().into_iter().max().copied().unwrap_or(0);
             if order > HIGHEST_ORDER {
@@ -134,6 +153,21 @@ impl Elements {
             surfaces.push(Cut { shape: Arc::clone(&shape), cells, covered });
         }
         Ok(Self { list, surfaces, how: *how, mesh, is_refined })
+    }
+
+    /// The cut of a surface, if it has this shape and nothing covers it; its elements are appended to `list`.
+    fn copied(&self, surface: usize, shape: &Arc<dyn Surface>, list: &mut Vec<Element>) -> Option<Cut> {
+        let cut = self.surfaces.get(surface)?;
+        if !Arc::ptr_eq(&cut.shape, shape) || !cut.covered.is_empty() {
+            return None;
+        }
+        let own = self.of_surface(surface);
+        let start = list.len();
+        list.extend_from_slice(&self.list[own.clone()]);
+        let place = |element: &Option<usize>| element.map(|element| element - own.start + start);
+        let cells = cut.cells.map::<_, ElementError>(&Rect::FULL, &mut |_, element| Ok(place(element)));
+        let cells = cells.expect("nothing can fail");
+        Some(Cut { shape: Arc::clone(shape), cells, covered: Vec::new() })
     }
 
     /// The mesh, if it is another than follows from the discretization.

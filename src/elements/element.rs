@@ -15,7 +15,7 @@ use super::space::Space;
 use crate::scene::SceneSurface;
 
 /// A piece of a surface with its orthonormal polynomials.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Element {
     /// Index of the surface in the scene.
     pub surface: usize,

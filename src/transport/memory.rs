@@ -64,9 +64,9 @@ pub(in crate::transport) struct Request {
     pub row: u32,
     pub column: u32,
     /// Surfaces that may hide a part of the pair.
-    pub blockers: Vec<usize>,
+    pub surfaces: Vec<usize>,
     /// All numbers that say how accurate it has to be, as bits.
-    pub goal: Vec<u64>,
+    pub numbers: Vec<u64>,
 }
 
 /// A block, and its first entry as integrated with the elements exchanged, where that was done.
@@ -113,7 +113,7 @@ impl Memory {
         let kept = self.blocks.get(&(request.row, request.column))?;
         let Changes { elements, surfaces } = &self.changed;
         let ends = [request.row, request.column].map(|element| elements[element as usize]);
-        let blockers = request.blockers.iter().map(|surface| surfaces[*surface]);
+        let blockers = request.surfaces.iter().map(|surface| surfaces[*surface]);
         let is_valid = ends.into_iter().chain(blockers).all(|changed| changed <= kept.scene);
         (is_valid && kept.request == *request).then_some(&kept.answer)
     }

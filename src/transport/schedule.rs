@@ -30,8 +30,8 @@ use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
-use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::memory::{Answer, Memory, Request};
+use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
@@ -297,7 +297,14 @@ impl Scene<'_> {
     }
 
     /// Stores the block of `task` and adds its cost.
-    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Arc<Answer>]) {
+    fn store(
+        &self,
+        blocks: &mut Blocks,
+        task: &Task,
+        source: &Source,
+        tasks: &[Task],
+        integrated: &[Arc<Answer>],
+    ) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
         let block = &integrated[*place].block;
         blocks.pairs.take(block);
@@ -374,7 +381,7 @@ impl Scene<'_> {
             .with_max_len(1)
             .map(|index| {
                 let (task, goal) = (&tasks[*index], goals[*index]);
-                let known = memory.and_then(|memory| memory.recall(&task.request(&goal)).cloned());
+                let known = memory.and_then(|memory| memory.recall(&goal.request(task)).cloned());
                 let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
                 answer
@@ -391,7 +398,7 @@ impl Scene<'_> {
         integrated: Vec<Arc<Answer>>,
     ) -> Vec<(Request, Arc<Answer>)> {
         let own = tasks.iter().zip(goals).zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
-        own.map(|((task, goal), _)| task.request(goal)).zip(integrated).collect()
+        own.map(|((task, goal), _)| goal.request(task)).zip(integrated).collect()
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {

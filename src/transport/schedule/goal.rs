@@ -7,6 +7,7 @@
 
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::estimates::entry_bounds::{ROW_SHARE, relaxed};
+use crate::transport::memory::Request;
 use crate::transport::occlusion::outlines::Limit;
 use crate::transport::schedule::task::{Scene, Task};
 
@@ -50,11 +51,29 @@ pub(super) struct Goal {
 }
 
 impl Goal {
+    /// What is asked of the block of a task with this goal.
+    pub(super) fn request(&self, task: &Task) -> Request {
+        let mut surfaces = task.blockers.clone();
+        surfaces.extend(&task.own);
+        let mut numbers = self.bits();
+        numbers.extend([task.blockers.len() as u64, task.rough.to_bits()]);
+        Request { row: task.row, column: task.column, surfaces, numbers }
+    }
+
     /// All its numbers, as bits.
-    pub(super) fn bits(&self) -> Vec<u64> {
+    fn bits(&self) -> Vec<u64> {
         let Self { accuracy, bent, least, row, unseen, flat, sampled, outlined } = *self;
-        let mut numbers =
-            vec![accuracy.eps, accuracy.shadow_eps, bent.eps, bent.shadow_eps, least, row, unseen, flat, sampled];
+        let mut numbers = vec![
+            accuracy.eps,
+            accuracy.shadow_eps,
+            bent.eps,
+            bent.shadow_eps,
+            least,
+            row,
+            unseen,
+            flat,
+            sampled,
+        ];
         numbers.extend(outlined.iter().flat_map(|limit| [limit.error, limit.entry]));
         numbers.into_iter().map(f64::to_bits).collect()
     }

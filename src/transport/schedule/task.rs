@@ -5,11 +5,9 @@ use crate::elements::patch::Patch;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::EntryBounds;
-use crate::transport::memory::Request;
 use crate::visibility::Visibility;
 
 use super::congruent::Panel;
-use super::goal::Goal;
 use super::order::Rank;
 
 /// What rules do with pairs whose accuracy they do not reach.
@@ -53,15 +51,6 @@ pub(super) struct Task {
 }
 
 impl Task {
-    /// What is asked of its block.
-    pub(super) fn request(&self, goal: &Goal) -> Request {
-        let mut blockers = self.blockers.clone();
-        blockers.extend(&self.own);
-        let mut goal = goal.bits();
-        goal.extend([self.blockers.len() as u64, self.rough.to_bits()]);
-        Request { row: self.row, column: self.column, blockers, goal }
-    }
-
     /// For two elements that lie on each other: the block is known.
     pub(super) fn of_contact(row: usize, column: usize) -> Self {
         Self {
