@@ -37,7 +37,8 @@ impl Scene {
         self.at_moment(frame as f64)
     }
 
-    /// The still scene at a moment, a real number of frames from 0 to the last one: [`Scene::animation`] is none in it.
+    /// The still scene at a moment, a real number of frames from 0 to the last one. It is called `room-12`, and its
+    /// [`Scene::animation`] is none.
     ///
     /// # Errors
     /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], and [`Fault::MovesInto`] where a surface that
@@ -46,6 +47,7 @@ impl Scene {
         let (animation, poses) = self.posed(moment)?;
         let movers = self.moved_by(animation, &poses);
         let mut still = Self { animation: None, ..self.clone() };
+        still.name = format!("{}-{moment}", self.name);
         still.source = still.source.map(|source| source.at(moment));
         let moved = movers.iter().enumerate().filter_map(|(index, mover)| Some((index, poses[(*mover)?])));
         for (index, pose) in moved {

@@ -62,6 +62,8 @@ fn a_solution_keeps_its_frame() {
     let grid = |more: &[&str]| out(folder.path(), &[&["grid", "--cells", "2x2"], more].concat());
     assert_eq!(grid(&["three.json"]), grid(&["moving.toml", "--frame", "3"]));
     assert!(grid(&["three.json"]) != grid(&["moving.toml"]));
+    out(folder.path(), &["solve", "moving.toml", "--frame", "1.5"]);
+    assert!(folder.path().join("moving-1.5.solution.json").exists());
     let message = refused(folder.path(), &["grid", "three.json", "--frame", "2"]);
     assert!(message.contains("--frame"), "{message}");
     let message = refused(folder.path(), &["convert", "moving.toml", "x.json", "--frame", "2"]);

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::inspection::Inspection;
 use radiosity::scene::{
-    Clock, Curve, Material, MoverDraft, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
-    Track, Turn,
+    Clock, Curve, Material, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError,
+    SceneSurface, Source, Track, Turn,
 };
 use radiosity_geom::DVec3;
 
@@ -481,7 +482,7 @@ fn what_passes_through_another_is_told_with_its_frames() {
         "pass.toml",
     )
     .unwrap();
-    let found = radiosity::inspection::Inspection::of(&scene);
+    let found = Inspection::of(&scene);
     // The ball reaches the wall, in steps of 0.2, at 1.5, and leaves it at 2.5.
     let told: Vec<(&str, Option<&str>, &[usize])> = found
         .passages
@@ -494,6 +495,56 @@ fn what_passes_through_another_is_told_with_its_frames() {
         warned.message,
         "surface \"ball\" passes through \"wall\" in frames 8 to 12: lead its path past that"
     );
+}
+
+/// A skylight under a uniform sky sends the illuminance of level ground; a window sees half of the sky and half of the ground, which
+/// reflects a fifth.
+#[test]
+fn an_opening_that_turns_sees_the_sky_from_where_it_is() {
+    let scene = Scene::from_toml(
+        "frames = 2\nmaterials.glass = { reflectance = 0 }\nsky = { model = \"uniform\", illuminance = 100 }\n\
+         [[surfaces]]\nname = \"skylight\"\nmaterial = \"glass\"\nopening = true\n\
+         parallelogram = { origin = [0,0,3], edge1 = [0,1,0], edge2 = [1,0,0] }\n\
+         [[motion]]\nsurfaces = [\"skylight\"]\nrotate = { center = [0,0,3], axis = [0,1,0], angles = [0, 90] }\n",
+        "sky.toml",
+    )
+    .unwrap();
+    let exitance = |frame: usize| scene.at_frame(frame).unwrap().surfaces[0].material.emission[0];
+    assert!((exitance(0) - 100.0).abs() < 1e-6, "{}", exitance(0));
+    assert!((exitance(1) - 60.0).abs() < 1e-3, "{}", exitance(1));
+}
+
+#[test]
+fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
+    let path = "translate = { points = [[0,0,0],[1,0,0]] }";
+    let lamp = format!("{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n");
+    let whole =
+        format!("frames = 11\ninclude = \"lamp.toml\"\n[[motion]]\nluminaires = [\"bulb\"]\n{path}\n");
+    let scene = Scene::parse(&Source::new("room.toml", &whole).including("lamp.toml", &lamp)).unwrap();
+    let movers = scene.animation.as_ref().unwrap().movers.iter();
+    let told: Vec<(usize, usize)> =
+        movers.map(|mover| (mover.surfaces.len(), mover.luminaires.len())).collect();
+    assert_eq!(told, [(2, 0), (0, 1)]);
+    let typed = read(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n")).unwrap();
+    let json = Scene::from_json(&typed.text(Notation::Json).unwrap(), "room").unwrap();
+    let [typed, json] = [&typed, &json].map(|scene| bits(&scene.at_frame(5).unwrap().surfaces[6]));
+    assert_eq!(typed, json);
+}
+
+#[test]
+fn built_in_scenes_that_move_look_right_in_every_frame() {
+    let moving: Vec<Scene> = Scene::builtin_names()
+        .map(|name| Scene::builtin(name).unwrap())
+        .filter(|scene| scene.frames() > 0)
+        .collect();
+    let names: Vec<&str> = moving.iter().map(|scene| scene.name.as_str()).collect();
+    assert_eq!(names, ["blue-panel", "sliding-light", "billiard", "cathedral"]);
+    for scene in &moving {
+        assert_eq!(Inspection::of(scene).warnings, [], "{}", scene.name);
+        assert!(scene.at_frame(0).is_ok() && scene.at_frame(scene.frames() - 1).is_ok(), "{}", scene.name);
+    }
+    let curved = moving[3].surfaces.iter().filter(|surface| surface.shape.region().is_none()).count();
+    assert!(curved >= 140, "{curved} curved surfaces");
 }
 
 fn vector(reach: f64) -> impl Strategy<Value = DVec3> {
