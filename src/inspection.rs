@@ -11,8 +11,10 @@ pub mod contact;
 mod front;
 mod gap;
 mod luminaires;
+pub mod passage;
 
 pub use contact::Contact;
+pub use passage::Passage;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 
@@ -37,6 +39,8 @@ pub struct Inspection {
     pub footings: Vec<Footing>,
     /// Closed surfaces.
     pub shells: Vec<Shell>,
+    /// Surfaces that pass through others where something moves.
+    pub passages: Vec<Passage>,
     /// What looks wrong.
     pub warnings: Vec<Warning>,
 }
@@ -58,8 +62,10 @@ impl Inspection {
         warnings.extend(front::turned(&sheets, &groups));
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets, &lying));
+        let passages = passage::passages(scene, &sheets);
+        warnings.extend(passages.iter().map(Passage::warning));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
-        Inspection { areas, contacts, footings: footings(scene), shells, warnings }
+        Inspection { areas, contacts, footings: footings(scene), shells, passages, warnings }
     }
 }
 

@@ -52,19 +52,19 @@ mod shape;
 mod file;
 mod merging;
 mod instances;
-mod motions;
 mod export;
 mod weld;
 mod fitted;
 mod surfaces;
 mod validation;
+mod motions;
 mod builder;
 mod dimming;
 mod painting;
 mod still;
 mod schema;
 
-use std::{collections::BTreeSet, io, path::Path, sync::Arc};
+use std::{collections::BTreeSet, io, path::Path};
 
 use radiosity_formats::model::Model;
 use radiosity_geom::DVec3;
@@ -102,11 +102,9 @@ use error::{Located, surface_title};
 use export::Export;
 use file::SceneFile;
 use include::FileTree;
-use instances::{PlacedLuminaire, PlacedSurface};
 use language::Language;
 use merging::merged;
-use movement::{Handles, Movable};
-use surfaces::{Maker, Surfaces};
+use surfaces::Surfaces;
 use tree::{Node, Value, entry};
 use variables::{VARIABLES, Variables};
 
@@ -478,7 +476,7 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
         return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
     }
-    let movable = movable(&surfaces, &makers, &luminaires, file.camera.is_some());
+    let movable = motions::movable(&surfaces, &makers, &luminaires, file.camera.is_some());
     let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
     let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
@@ -498,28 +496,6 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
         origin: source.origin.to_string(),
         source: Some(source.clone()),
     })
-}
-
-/// What can move, by the names of surfaces, entries and instances.
-fn movable(
-    surfaces: &[PlacedSurface<'_>],
-    makers: &[Maker],
-    luminaires: &[PlacedLuminaire<'_>],
-    camera: bool,
-) -> Movable {
-    let of_surface = |Maker { draft, front }: &Maker| {
-        let PlacedSurface { name, instances, .. } = &surfaces[*draft];
-        Handles { names: vec![front.clone(), name.clone()], instances: Arc::clone(instances) }
-    };
-    let of_luminaire = |own: &PlacedLuminaire<'_>| Handles {
-        names: vec![own.name.clone()],
-        instances: Arc::clone(&own.instances),
-    };
-    Movable {
-        surfaces: makers.iter().map(of_surface).collect(),
-        luminaires: luminaires.iter().map(of_luminaire).collect(),
-        camera,
-    }
 }
 
 /// `rooms/desk.toml` → `desk`, `<stdin>` → `stdin`.

@@ -9,8 +9,10 @@ use std::{
 use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
-use radiosity::inspection::{Contact, Fronts, Inspection, Shell, Warning};
-use radiosity::scene::{Camera, Distribution, Imported, Luminaire, Lying, Scene, SceneSurface, SensorPlane};
+use radiosity::inspection::{Contact, Fronts, Inspection, Passage, Shell, Warning};
+use radiosity::scene::{
+    Animation, Camera, Distribution, Imported, Luminaire, Lying, Mover, Scene, SceneSurface, SensorPlane,
+};
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
@@ -101,6 +103,9 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     }
     if !scene.luminaires.is_empty() {
         writeln!(text, "{}", luminaire_table(scene))?;
+    }
+    for line in motion_lines(scene) {
+        writeln!(text, "{line}")?;
     }
     match &scene.camera {
         Some(camera) => writeln!(text, "camera: {}", camera_line(camera, scene.middle))?,
@@ -236,6 +241,42 @@ fn footing_line(scene: &Scene, footing: &Footing) -> String {
     format!("{:.6} of {}, where {} stand", area, name(&footing.surface), listed(&standing))
 }
 
+/// How many frames there are, and what moves in them.
+fn motion_lines(scene: &Scene) -> Vec<String> {
+    let Some(Animation { frames, rate, movers, .. }) = &scene.animation else { return Vec::new() };
+    let motion = |mover: &Mover| format!("motion: {} moves {}", mover.name, listed(&moved(scene, mover)));
+    let head = match rate {
+        1.0 => format!("frames: {frames}, 0 to {}", frames - 1),
+        rate => format!("frames: {frames}, 0 to {}, {rate} in a unit of time", frames - 1),
+    };
+    [head].into_iter().chain(movers.iter().map(motion)).collect()
+}
+
+/// The names of all that a mover moves.
+fn moved<'a>(scene: &'a Scene, mover: &Mover) -> Vec<&'a str> {
+    let surfaces = mover.surfaces.iter().map(|index| scene.surfaces[*index].name.as_str());
+    let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
+    surfaces.chain(luminaires).chain(mover.camera.then_some("the camera")).collect()
+}
+
+fn motion_json(scene: &Scene, inspection: &Inspection) -> Option<Value> {
+    let Animation { frames, rate, movers, .. } = scene.animation.as_ref()?;
+    let motion = |mover: &Mover| {
+        let surfaces = mover.surfaces.iter().map(|index| scene.surfaces[*index].name.as_str());
+        let luminaires = mover.luminaires.iter().map(|index| scene.luminaires[*index].name.as_str());
+        json!({
+            "name": mover.name, "surfaces": surfaces.collect::<Vec<_>>(), "luminaires": luminaires.collect::<Vec<_>>(),
+            "camera": mover.camera,
+        })
+    };
+    let passage =
+        |own: &Passage| json!({ "surface": own.surface, "through": own.other, "frames": own.frames });
+    Some(json!({
+        "frames": frames, "rate": rate, "motions": movers.iter().map(motion).collect::<Vec<_>>(),
+        "passages": inspection.passages.iter().map(passage).collect::<Vec<_>>(),
+    }))
+}
+
 fn side(fronts: Fronts) -> &'static str {
     match fronts {
         Fronts::Inside => "inside",
@@ -291,6 +332,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
         "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
+        "animation": motion_json(scene, inspection),
         "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
     })
 }

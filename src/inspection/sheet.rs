@@ -91,6 +91,13 @@ impl Sheet {
         }
     }
 
+    /// The same sheet as it is in another frame of its scene.
+    pub(super) fn as_in(&self, still: &Scene) -> Self {
+        let front = &still.surfaces[self.surface];
+        let own = Self::new(self.surface, front, None);
+        Self { two_sided: self.two_sided, emits: self.emits, ..own }
+    }
+
     pub(super) fn patch(&self) -> Patch<'_> {
         Patch::whole(&*self.shape)
     }

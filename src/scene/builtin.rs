@@ -4,7 +4,9 @@
 //! parameter `name` goes; the few texts that follow a rule (points of a table, rows of columns) are written by code.
 
 mod teapot;
+mod arcs;
 mod temple;
+mod cathedral;
 
 use crate::scene::error::Fault;
 
@@ -51,8 +53,17 @@ const REFLECTANCE: Parameter = Parameter {
     meaning: "reflectance of every surface that has one",
 };
 
+/// Reflectance of the walls of rooms where other things have their own.
+const WALLS: Parameter = Parameter {
+    name: "walls",
+    default: 0.7,
+    range: [0.0, 0.95],
+    whole: false,
+    meaning: "reflectance of the grey walls, floor and ceiling",
+};
+
 /// Every built-in scene, the simplest of each kind first.
-pub(super) static ALL: [Builtin; 11] = [
+pub(super) static ALL: [Builtin; 15] = [
     Builtin {
         name: "cornell-box",
         parameters: &[],
@@ -87,13 +98,7 @@ pub(super) static ALL: [Builtin; 11] = [
     Builtin {
         name: "two-boxes",
         parameters: &[
-            Parameter {
-                name: "walls",
-                default: 0.7,
-                range: [0.0, 0.95],
-                whole: false,
-                meaning: "reflectance of the grey walls, floor and ceiling",
-            },
+            WALLS,
             Parameter {
                 name: "boxes",
                 default: 0.6,
@@ -192,6 +197,47 @@ pub(super) static ALL: [Builtin; 11] = [
             },
         ],
         text: Text::File(include_str!("../../scenes/oven.toml")),
+    },
+    Builtin {
+        name: "blue-panel",
+        parameters: &[
+            WALLS,
+            Parameter {
+                name: "height",
+                default: 2.1,
+                range: [0.5, 2.9],
+                whole: false,
+                meaning: "height of the panel above the floor, metres",
+            },
+        ],
+        text: Text::File(include_str!("../../scenes/blue-panel.toml")),
+    },
+    Builtin {
+        name: "sliding-light",
+        parameters: &[WALLS],
+        text: Text::File(include_str!("../../scenes/sliding-light.toml")),
+    },
+    Builtin {
+        name: "billiard",
+        parameters: &[Parameter {
+            name: "swing",
+            default: 22.0,
+            range: [1.0, 35.0],
+            whole: false,
+            meaning: "how far the lamp swings to either side, degrees",
+        }],
+        text: Text::File(include_str!("../../scenes/billiard.toml")),
+    },
+    Builtin {
+        name: "cathedral",
+        parameters: &[Parameter {
+            name: "bays",
+            default: 4.0,
+            range: [3.0, 12.0],
+            whole: true,
+            meaning: "bays of the nave; one column less stands on either side",
+        }],
+        text: Text::Written(|values| cathedral::text(values[0] as usize)),
     },
 ];
 

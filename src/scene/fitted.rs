@@ -72,13 +72,14 @@ fn set_apart(drafts: &mut [SurfaceDraft], typed: &[Arc<dyn Surface>]) -> Vec<Lyi
                 typed: Arc::clone(typed),
                 two_sided: draft.two_sided,
                 flip: draft.flip,
+                stays: false,
                 name: name.clone(),
             }));
         }
     }
-    let lying = stacked::set_apart(&mut sheets);
+    let steps = stacked::set_apart(&mut sheets);
     let name = |index: usize| sheets[index].name.clone();
-    let found = lying.iter().map(|lying| Lying { surface: name(lying.sheet), on: name(lying.on) }).collect();
+    let found = steps.iter().map(|step| Lying { surface: name(step.sheet), on: name(step.on) }).collect();
     let shapes = drafts.iter_mut().flat_map(|draft| &mut draft.shapes).map(|(_, shape)| shape);
     shapes
         .filter(|shape| shape.region().is_some())

@@ -1,14 +1,18 @@
 //! `[[motion]]`, `frames` and `fps` as typed → the movers of a scene.
 
+use std::sync::Arc;
+
 use radiosity_geom::DVec3;
 
 use crate::scene::{
     animation::{Animation, Clock},
     error::{Fault, Located, motion_title},
     file::{FramesFile, MotionFile, RotateFile, TranslateFile, TurnsFile},
-    movement::{Chosen, Movable, MoverDraft, TypedMover, movers},
+    instances::{PlacedLuminaire, PlacedSurface},
+    movement::{Chosen, Handles, Movable, MoverDraft, TypedMover, movers},
     path::{RigidPath, Turn},
     source::{At, Source, Span},
+    surfaces::Maker,
     track::Track,
 };
 
@@ -38,6 +42,28 @@ pub(super) fn animation(
         draft(motion, clock, source).map_err(|error| error.within(|| motion_title(&motion.name.value)))
     });
     movers(drafts.collect::<Result<_, _>>()?, clock, movable).map(Some)
+}
+
+/// What can move, by the names of surfaces, of entries and of instances.
+pub(super) fn movable(
+    surfaces: &[PlacedSurface<'_>],
+    makers: &[Maker],
+    luminaires: &[PlacedLuminaire<'_>],
+    camera: bool,
+) -> Movable {
+    let of_surface = |Maker { draft, front }: &Maker| {
+        let PlacedSurface { name, instances, .. } = &surfaces[*draft];
+        Handles { names: vec![front.clone(), name.clone()], instances: Arc::clone(instances) }
+    };
+    let of_luminaire = |own: &PlacedLuminaire<'_>| Handles {
+        names: vec![own.name.clone()],
+        instances: Arc::clone(&own.instances),
+    };
+    Movable {
+        surfaces: makers.iter().map(of_surface).collect(),
+        luminaires: luminaires.iter().map(of_luminaire).collect(),
+        camera,
+    }
 }
 
 fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {

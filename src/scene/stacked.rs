@@ -7,118 +7,58 @@
 //! refused. The smaller sheet is moved off the larger by a small gap for which the rules of transport hold: a face on a
 //! floor exchanges light with the floor alone, as it does in the limit of no gap.
 
+mod sheet;
+
 use std::cmp::Ordering;
 use std::collections::HashMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, PlanarRegion, Surface, distance_to_segment, sides, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, distance_to_segment, sides, touching};
 
 use crate::scene::{coincident::Occupied, gap};
+use sheet::SAME_AREA;
+
+pub(super) use sheet::Sheet;
 
 /// Distance by which a sheet is moved off another, in multiples of the least gap. Chosen; not tuned.
 const OFF: f64 = 1.5;
 
-/// Areas that differ by less than this part are equal within rounding. Chosen; not tuned.
-const SAME_AREA: f64 = 1e-6;
-
-/// A flat sheet that may lie on others.
-#[derive(Clone, Debug)]
-pub(super) struct Sheet {
-    /// The surface as it stands in the scene.
-    pub(super) shape: Arc<dyn Surface>,
-    /// The surface as it was read.
-    pub(super) typed: Arc<dyn Surface>,
-    /// Whether its back emits and receives too.
-    pub(super) two_sided: bool,
-    /// Whether its front is that of the shape turned over.
-    pub(super) flip: bool,
-    /// Its name: a sheet and one called `name:back` are two sides of one surface.
-    pub(super) name: String,
-}
-
-/// A sheet that lies on another one, both by index.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Lying {
+/// A sheet that lies on another one, both by index, and how it has to be moved off it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Step {
     pub(super) sheet: usize,
     pub(super) on: usize,
+    pub(super) by: DVec3,
 }
 
-impl Sheet {
-    /// The normal of its front.
-    fn normal(&self) -> DVec3 {
-        let normal = self.region().map_or(DVec3::ZERO, PlanarRegion::normal);
-        if self.flip { -normal } else { normal }
-    }
-
-    fn region(&self) -> Option<&PlanarRegion> {
-        self.shape.region()
-    }
-
-    fn area(&self) -> f64 {
-        self.region().map_or(0.0, PlanarRegion::area)
-    }
-
-    fn extent(&self) -> f64 {
-        self.region().map_or(0.0, PlanarRegion::extent)
-    }
-
-    /// The order of two sheets that coincide: the smaller lies on the larger; of equal ones the one whose typed middle,
-    /// or else normal, comes later.
-    fn rank(&self) -> [f64; 7] {
-        let corners = self.typed.corners();
-        let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-        let steps = -(self.area().log2() / SAME_AREA).round();
-        let [a, b] = [middle, self.normal()].map(|x| x.to_array());
-        [steps, a[0], a[1], a[2], b[0], b[1], b[2]]
-    }
-
-    fn order(&self, other: &Sheet) -> Ordering {
-        let pairs = self.rank().into_iter().zip(other.rank());
-        pairs.fold(Ordering::Equal, |order, (a, b)| order.then(a.total_cmp(&b)))
-    }
-
-    /// Mean height of its typed corners over another sheet.
-    fn typed_height(&self, other: &Sheet) -> f64 {
-        let corners = self.typed.corners();
-        let Some(region) = other.typed.region() else { return 0.0 };
-        let sign = if other.flip { -1.0 } else { 1.0 };
-        sign * corners.iter().map(|x| region.height(*x)).sum::<f64>() / corners.len() as f64
-    }
-
-    fn is_back_of(&self, front: &Sheet) -> bool {
-        self.name.strip_suffix(":back") == Some(front.name.as_str())
-    }
-}
-
-/// Moves sheets that lie on others off them, and returns them; sheets for which nothing decides stay.
-pub(super) fn set_apart(sheets: &mut [Sheet]) -> Vec<Lying> {
+/// The moves of all sheets that lie on others, by index; sheets for which nothing decides have none.
+pub(super) fn steps(sheets: &[Sheet]) -> Vec<Step> {
     let mut steps: HashMap<usize, Step> = HashMap::new();
     for (sheet, lower) in layers(sheets) {
         for (on, direction) in lower {
             // A sheet on another one moves along with it.
             let off = OFF * gap::least(sheets[sheet].extent(), sheets[on].extent());
-            let step = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
-            let known = steps.entry(sheet).or_insert(Step { on, by: step });
-            if step.length_squared() > known.by.length_squared() {
-                *known = Step { on, by: step };
+            let by = off * direction + steps.get(&on).map_or(DVec3::ZERO, |step| step.by);
+            let known = steps.entry(sheet).or_insert(Step { sheet, on, by });
+            if by.length_squared() > known.by.length_squared() {
+                *known = Step { sheet, on, by };
             }
         }
     }
-    let mut lying: Vec<Lying> =
-        steps.iter().map(|(sheet, step)| Lying { sheet: *sheet, on: step.on }).collect();
-    lying.sort_unstable_by_key(|lying| lying.sheet);
-    for (sheet, Step { by, .. }) in steps {
-        if let Some(Ok(moved)) = sheets[sheet].shape.with_corners(&|x| x + by) {
-            sheets[sheet].shape = Arc::from(moved);
-        }
-    }
-    lying
+    let mut steps: Vec<Step> = steps.into_values().collect();
+    steps.sort_unstable_by_key(|step| step.sheet);
+    steps
 }
 
-/// The move of a sheet, and the sheet that it is moved off.
-struct Step {
-    on: usize,
-    by: DVec3,
+/// Moves sheets that lie on others off them, and returns which do.
+pub(super) fn set_apart(sheets: &mut [Sheet]) -> Vec<Step> {
+    let steps = steps(sheets);
+    for Step { sheet, by, .. } in &steps {
+        if let Some(Ok(moved)) = sheets[*sheet].shape.with_corners(&|x| x + *by) {
+            sheets[*sheet].shape = Arc::from(moved);
+        }
+    }
+    steps
 }
 
 /// A sheet with those that it lies on and the directions away from them.
@@ -137,7 +77,8 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
         tree.overlapping(&boxes[own], |other| near.push(other));
         for other in near.into_iter().filter(|other| *other < own) {
             let is_pair = sheets[own].is_back_of(&sheets[other]) || sheets[other].is_back_of(&sheets[own]);
-            if is_pair || !occupied[own].coincides(&occupied[other]) {
+            let stays = sheets[own].stays && sheets[other].stays;
+            if is_pair || stays || !occupied[own].coincides(&occupied[other]) {
                 continue;
             }
             let (sheet, on) = match sheets[own].order(&sheets[other]) {
@@ -152,6 +93,9 @@ fn layers(sheets: &[Sheet]) -> Vec<Layer> {
             };
             let pair = Pair { sheet: &sheets[sheet], on: &sheets[on], bodies: [sheet, on].map(&mut height) };
             if let Some(direction) = pair.direction(&occupied[sheet], &occupied[on]) {
+                // Where the smaller one stays, the larger one goes the other way.
+                let (sheet, on, direction) =
+                    if sheets[sheet].stays { (on, sheet, -direction) } else { (sheet, on, direction) };
                 lower.entry(sheet).or_default().push((on, direction));
             }
         }
@@ -251,14 +195,15 @@ fn run_along(own: &Sheet, other: &Sheet, tolerance: f64) -> Option<f64> {
 
 #[cfg(test)]
 mod tests {
-    use radiosity_geom::shapes::Polygon;
+    use radiosity_geom::{Surface, shapes::Polygon};
 
     use super::*;
 
     fn sheet(name: &str, corners: &[[f64; 3]]) -> Sheet {
         let corners = corners.iter().map(|x| DVec3::from_array(*x)).collect();
         let shape: Arc<dyn Surface> = Arc::new(Polygon::new(corners, Vec::new()).expect("a polygon"));
-        Sheet { typed: Arc::clone(&shape), shape, two_sided: false, flip: false, name: name.to_owned() }
+        let (typed, name) = (Arc::clone(&shape), name.to_owned());
+        Sheet { typed, shape, two_sided: false, flip: false, stays: false, name }
     }
 
     /// A square from `low` to `high` at height z, front up.
@@ -289,8 +234,8 @@ mod tests {
     fn the_bottom_of_a_box_is_lifted_off_its_floor_into_the_box() {
         let mut sheets =
             vec![square("floor", 0.0, 4.0, 0.0), down(square("bottom", 1.0, 2.0, 0.0)), wall(1.0, 2.0, 0.0)];
-        let lying = set_apart(&mut sheets);
-        assert_eq!(lying, [Lying { sheet: 1, on: 0 }]);
+        let steps = set_apart(&mut sheets);
+        assert!(matches!(steps[..], [Step { sheet: 1, on: 0, .. }]));
         let gap = height(&sheets[1]);
         assert!(gap > 0.0 && gap < 1e-6 && height(&sheets[0]) == 0.0);
     }
@@ -382,6 +327,19 @@ mod tests {
             wall(1.0, 2.0, 0.0),
         ]);
         assert!(found[0] < found[1] && found[1] < found[2], "{found:?}");
+    }
+
+    #[test]
+    fn the_sheet_that_may_move_does_whichever_is_larger() {
+        let sheets = |still: usize| {
+            let mut sheets = [square("board", 0.0, 4.0, 0.0), square("picture", 1.0, 2.0, 0.0)];
+            sheets[still].stays = true;
+            heights(sheets.to_vec())
+        };
+        assert!(matches!(sheets(0)[..], [0.0, up] if up > 0.0));
+        assert!(matches!(sheets(1)[..], [down, 0.0] if down < 0.0));
+        let both = [square("board", 0.0, 4.0, 0.0), square("picture", 1.0, 2.0, 0.0)];
+        assert_eq!(heights(both.map(|sheet| Sheet { stays: true, ..sheet }).to_vec()), [0.0, 0.0]);
     }
 
     #[test]

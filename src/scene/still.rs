@@ -1,12 +1,13 @@
 //! The still scene of a frame.
 //!
-//! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. A surface that does
-//! not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in each, in the same order, with
-//! the same names and parameters.
+//! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. Where a moved flat
+//! sheet comes into the plane of another one, it is set apart from it, as at rest; what did not move stays where it is. So a
+//! surface that does not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in each, in the
+//! same order, with the same names and parameters.
 
 use std::sync::Arc;
 
-use radiosity_geom::{Placed, Surface};
+use radiosity_geom::{Aabb, DQuat, Motion, Placed, Rect, Surface};
 
 use crate::scene::{
     Scene,
@@ -14,8 +15,11 @@ use crate::scene::{
     camera::Camera,
     coincident::Occupied,
     error::{Fault, SceneError, surface_title},
+    fitted::Lying,
+    gap,
     pose::Pose,
     source::Source,
+    stacked::{Sheet, Step, steps},
     surface::SceneSurface,
 };
 
@@ -33,7 +37,8 @@ impl Scene {
         self.at_moment(frame as f64)
     }
 
-    /// The still scene at a moment, a real number of frames from 0 to the last one: [`Scene::animation`] is none in it.
+    /// The still scene at a moment, a real number of frames from 0 to the last one. It is called `room-12`, and its
+    /// [`Scene::animation`] is none.
     ///
     /// # Errors
     /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], and [`Fault::MovesInto`] where a surface that
@@ -42,12 +47,15 @@ impl Scene {
         let (animation, poses) = self.posed(moment)?;
         let movers = self.moved_by(animation, &poses);
         let mut still = Self { animation: None, ..self.clone() };
+        still.name = format!("{}-{moment}", self.name);
         still.source = still.source.map(|source| source.at(moment));
-        for (surface, mover) in still.surfaces.iter_mut().zip(&movers) {
-            if let Some(mover) = mover {
-                put(surface, &poses[*mover]);
-            }
+        let moved = movers.iter().enumerate().filter_map(|(index, mover)| Some((index, poses[(*mover)?])));
+        for (index, pose) in moved {
+            let surface = &mut still.surfaces[index];
+            put(surface, pose.motion());
+            turn_outlook(surface, &pose);
         }
+        still.set_apart(&movers);
         for (mover, pose) in animation.movers.iter().zip(&poses).filter(|(_, pose)| !pose.is_rest()) {
             for index in &mover.luminaires {
                 let own = &mut still.luminaires[*index];
@@ -95,6 +103,49 @@ impl Scene {
         movers
     }
 
+    /// Moves moved flat sheets off those in whose plane they lie.
+    fn set_apart(&mut self, movers: &[Option<usize>]) {
+        let fronts: Vec<usize> =
+            (0..self.surfaces.len()).filter(|index| self.is_flat_front(*index)).collect();
+        if fronts.iter().all(|index| movers[*index].is_none()) {
+            return;
+        }
+        let sheets: Vec<Sheet> = fronts.iter().map(|index| self.sheet(*index, movers)).collect();
+        self.fitted.lying.retain(|own| may_lie(&sheets, own));
+        for Step { sheet, on, by } in steps(&sheets) {
+            let off = Motion::rigid(DQuat::IDENTITY, by);
+            let front = fronts[sheet];
+            let sides = if self.has_back(front) { front..front + 2 } else { front..front + 1 };
+            sides.for_each(|side| put(&mut self.surfaces[side], &off));
+            let name = |sheet: usize| sheets[sheet].name.clone();
+            self.fitted.lying.push(Lying { surface: name(sheet), on: name(on) });
+        }
+    }
+
+    fn sheet(&self, index: usize, movers: &[Option<usize>]) -> Sheet {
+        let SceneSurface { name, shape, .. } = &self.surfaces[index];
+        Sheet {
+            shape: Arc::clone(shape),
+            typed: Arc::clone(shape),
+            two_sided: self.has_back(index),
+            flip: false,
+            stays: movers[index].is_none(),
+            name: name.clone(),
+        }
+    }
+
+    /// Whether the surface after this one is its back.
+    fn has_back(&self, index: usize) -> bool {
+        let name = &self.surfaces[index].name;
+        let next = self.surfaces.get(index + 1);
+        next.is_some_and(|next| next.name.strip_suffix(":back") == Some(name.as_str()))
+    }
+
+    fn is_flat_front(&self, index: usize) -> bool {
+        let is_back = index > 0 && self.has_back(index - 1);
+        !is_back && self.surfaces[index].shape.region().is_some()
+    }
+
     /// Refuses a moved surface that lies in one that is not moved along.
     fn check_clear(&self, movers: &[Option<usize>], moment: f64) -> Result<(), SceneError> {
         let occupied: Vec<Occupied> =
@@ -116,14 +167,31 @@ impl Scene {
     }
 }
 
-/// Puts a surface into a pose. Its parameters and its front go with it.
-fn put(surface: &mut SceneSurface, pose: &Pose) {
+/// Moves a surface. Its parameters and its front go with it.
+fn put(surface: &mut SceneSurface, motion: &Motion) {
     let rest: Box<dyn Surface> = Box::new(Arc::clone(&surface.shape));
-    surface.shape = Arc::new(Placed::new(rest, *pose.motion()));
+    surface.shape = Arc::new(Placed::new(rest, *motion));
+}
+
+/// Turns what an opening to the sky sees.
+fn turn_outlook(surface: &mut SceneSurface, pose: &Pose) {
     if let Some(outlook) = &surface.outlook {
         let turned = outlook.turned(|normal| pose.vector(normal));
         surface.material.emission = turned.exitance();
         surface.outlook = Some(Arc::new(turned));
+    }
+}
+
+/// Whether a sheet that lay on another one at rest is still as near as that.
+fn may_lie(sheets: &[Sheet], Lying { surface, on }: &Lying) -> bool {
+    let found = |name: &String| sheets.iter().find(|sheet| sheet.name == *name);
+    let bounds = |sheet: &Sheet, gap: f64| -> Aabb { sheet.shape.bounds(&Rect::FULL).inflate(gap) };
+    match (found(surface), found(on)) {
+        (Some(own), Some(on)) => {
+            let gap = gap::closed(own.extent(), on.extent());
+            bounds(own, gap).overlaps(&bounds(on, gap))
+        }
+        _ => false,
     }
 }
 

@@ -7,6 +7,7 @@ mod builtin;
 mod exact_factors;
 mod fitted;
 mod formats;
+mod frames;
 mod glb;
 mod heat;
 mod hostile_names;

@@ -3,9 +3,10 @@
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::inspection::Inspection;
 use radiosity::scene::{
-    Clock, Curve, Material, MoverDraft, Pose, RigidPath, Scene, SceneBuilder, SceneError, SceneSurface,
-    Track, Turn,
+    Clock, Curve, Material, MoverDraft, Notation, Pose, RigidPath, Scene, SceneBuilder, SceneError,
+    SceneSurface, Source, Track, Turn,
 };
 use radiosity_geom::DVec3;
 
@@ -425,6 +426,125 @@ fn a_surface_that_moves_into_the_place_of_another_is_refused_with_the_frame() {
         "{error}"
     );
     assert!(error.cure().unwrap().contains("lead the path"));
+}
+
+/// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what lies on what.
+fn box_over_floor(height: f64, points: &str) -> Vec<(f64, String)> {
+    let scene = Scene::from_toml(
+        &format!(
+            "frames = 5\n[[surfaces]]\nname = \"floor\"\n\
+             parallelogram = {{ origin = [-2,-2,0], edge1 = [4,0,0], edge2 = [0,4,0] }}\n\
+             [[surfaces]]\nname = \"box\"\nbox = {{ origin = [0,0,{height}], size = [1,1,1] }}\n\
+             [[motion]]\nsurfaces = [\"box\"]\ntranslate = {{ points = {points} }}\n"
+        ),
+        "box.toml",
+    )
+    .unwrap();
+    let frame = |frame: usize| {
+        let still = scene.at_frame(frame).unwrap();
+        let bottom = &still.surfaces[still.surface_named("box-bottom").unwrap()].shape;
+        let lying: Vec<String> =
+            still.fitted.lying.iter().map(|own| format!("{} on {}", own.surface, own.on)).collect();
+        assert_eq!(bits(&still.surfaces[0]), bits(&scene.surfaces[0]), "the floor in frame {frame}");
+        (bottom.jet(0.0, 0.0).position.z, lying.join(", "))
+    };
+    (0..5).map(frame).collect()
+}
+
+#[test]
+fn sheets_that_come_into_one_plane_are_set_apart_and_what_stands_still_stays() {
+    let landing = box_over_floor(1.0, "[[0,0,0], [0,0,-0.5], [0,0,-1], [0.5,0.5,-1], [0,0,0]]");
+    for (frame, (height, lying)) in landing.iter().enumerate() {
+        match frame {
+            2 | 3 => {
+                assert!(*height > 1e-9 && *height < 1e-6 && lying == "box-bottom on floor", "{landing:?}")
+            }
+            _ => assert!(*height >= 0.5 && lying.is_empty(), "{landing:?}"),
+        }
+    }
+    let sliding = box_over_floor(0.0, "[[0,0,0], [0.5,0.5,0], [-1,0,0], [0,0,1], [0,0,0]]");
+    let (gap, _) = &sliding[0];
+    assert!(*gap > 1e-9 && *gap < 1e-6);
+    for (frame, (height, lying)) in sliding.iter().enumerate() {
+        let (by, told) = if frame == 3 { (1.0, "") } else { (0.0, "box-bottom on floor") };
+        assert_eq!((*height, lying.as_str()), (by + gap, told), "{sliding:?}");
+    }
+}
+
+#[test]
+fn what_passes_through_another_is_told_with_its_frames() {
+    let scene = Scene::from_toml(
+        "frames = 21\n[[surfaces]]\nname = \"wall\"\nparallelogram = { origin = [0,-2,-2], edge1 = [0,4,0], edge2 = [0,0,4] }\n\
+         [[surfaces]]\nname = \"ball\"\nsphere = { center = [-2, 0, 0], radius = 0.5 }\n\
+         [[surfaces]]\nname = \"moon\"\nsphere = { center = [-2, 0, 1], radius = 0.1 }\n\
+         [[motion]]\nsurfaces = [\"ball\"]\ntranslate = { points = [[0,0,0], [4,0,0]] }\n\
+         [[motion]]\nsurfaces = [\"moon\"]\nrotate = { center = [-2, 0, 0], axis = [1, 0, 0], angles = [0, 90] }\n",
+        "pass.toml",
+    )
+    .unwrap();
+    let found = Inspection::of(&scene);
+    // The ball reaches the wall, in steps of 0.2, at 1.5, and leaves it at 2.5.
+    let told: Vec<(&str, Option<&str>, &[usize])> = found
+        .passages
+        .iter()
+        .map(|own| (own.surface.as_str(), own.other.as_deref(), own.frames.as_slice()))
+        .collect();
+    assert_eq!(told, [("ball", Some("wall"), &[8, 9, 10, 11, 12][..])]);
+    let warned = found.warnings.iter().find(|warning| warning.code == "passage").unwrap();
+    assert_eq!(
+        warned.message,
+        "surface \"ball\" passes through \"wall\" in frames 8 to 12: lead its path past that"
+    );
+}
+
+/// A skylight under a uniform sky sends the illuminance of level ground; a window sees half of the sky and half of the ground, which
+/// reflects a fifth.
+#[test]
+fn an_opening_that_turns_sees_the_sky_from_where_it_is() {
+    let scene = Scene::from_toml(
+        "frames = 2\nmaterials.glass = { reflectance = 0 }\nsky = { model = \"uniform\", illuminance = 100 }\n\
+         [[surfaces]]\nname = \"skylight\"\nmaterial = \"glass\"\nopening = true\n\
+         parallelogram = { origin = [0,0,3], edge1 = [0,1,0], edge2 = [1,0,0] }\n\
+         [[motion]]\nsurfaces = [\"skylight\"]\nrotate = { center = [0,0,3], axis = [0,1,0], angles = [0, 90] }\n",
+        "sky.toml",
+    )
+    .unwrap();
+    let exitance = |frame: usize| scene.at_frame(frame).unwrap().surfaces[0].material.emission[0];
+    assert!((exitance(0) - 100.0).abs() < 1e-6, "{}", exitance(0));
+    assert!((exitance(1) - 60.0).abs() < 1e-3, "{}", exitance(1));
+}
+
+#[test]
+fn motions_of_an_included_file_belong_to_the_scene_and_json_says_the_same() {
+    let path = "translate = { points = [[0,0,0],[1,0,0]] }";
+    let lamp = format!("{ROOM}[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n");
+    let whole =
+        format!("frames = 11\ninclude = \"lamp.toml\"\n[[motion]]\nluminaires = [\"bulb\"]\n{path}\n");
+    let scene = Scene::parse(&Source::new("room.toml", &whole).including("lamp.toml", &lamp)).unwrap();
+    let movers = scene.animation.as_ref().unwrap().movers.iter();
+    let told: Vec<(usize, usize)> =
+        movers.map(|mover| (mover.surfaces.len(), mover.luminaires.len())).collect();
+    assert_eq!(told, [(2, 0), (0, 1)]);
+    let typed = read(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{path}\n")).unwrap();
+    let json = Scene::from_json(&typed.text(Notation::Json).unwrap(), "room").unwrap();
+    let [typed, json] = [&typed, &json].map(|scene| bits(&scene.at_frame(5).unwrap().surfaces[6]));
+    assert_eq!(typed, json);
+}
+
+#[test]
+fn built_in_scenes_that_move_look_right_in_every_frame() {
+    let moving: Vec<Scene> = Scene::builtin_names()
+        .map(|name| Scene::builtin(name).unwrap())
+        .filter(|scene| scene.frames() > 0)
+        .collect();
+    let names: Vec<&str> = moving.iter().map(|scene| scene.name.as_str()).collect();
+    assert_eq!(names, ["blue-panel", "sliding-light", "billiard", "cathedral"]);
+    for scene in &moving {
+        assert_eq!(Inspection::of(scene).warnings, [], "{}", scene.name);
+        assert!(scene.at_frame(0).is_ok() && scene.at_frame(scene.frames() - 1).is_ok(), "{}", scene.name);
+    }
+    let curved = moving[3].surfaces.iter().filter(|surface| surface.shape.region().is_none()).count();
+    assert!(curved >= 140, "{curved} curved surfaces");
 }
 
 fn vector(reach: f64) -> impl Strategy<Value = DVec3> {

@@ -8,6 +8,8 @@
 
 use std::fmt::Write;
 
+use super::arcs::{Point, WEIGHT, circle, square};
+
 /// Distance between columns.
 const BAY: f64 = 2.2;
 /// Floor of the aisles, two steps above the nave, and depth of a step.
@@ -66,8 +68,6 @@ reflectance = [0.5, 0.36, 0.2]
 reflectance = 0
 emission = [100, 92, 78]
 "#;
-
-type Point = [f64; 3];
 
 /// The text of the temple with `bays` bays.
 pub(super) fn text(bays: usize) -> String {
@@ -353,8 +353,7 @@ impl Temple {
     /// Four rational bicubic patches through sections from the lowest to the highest.
     fn blend(&mut self, name: &str, material: &str, place: Point, sections: [[Point; 4]; 4]) {
         let points: [[Point; 4]; 4] = std::array::from_fn(|i| sections.map(|section| section[i]));
-        let w = (1.0 + 2f64.sqrt()) / 3.0;
-        let weights = [1.0, w, w, 1.0].map(|w| [w; 4]);
+        let weights = [1.0, WEIGHT, WEIGHT, 1.0].map(|weight| [weight; 4]);
         let shape = format!("rational = {{ points = {points:?}, weights = {weights:?} }}");
         for quarter in 0..4 {
             self.surface(&format!("{name}-{quarter}"), material, Put::Quarter(quarter, place), &shape);
@@ -382,22 +381,4 @@ impl Temple {
 
 fn side(turned: bool) -> &'static str {
     if turned { "left" } else { "right" }
-}
-
-/// The quarter from −45° to 45° of a circle at height z, as a rational cubic of weights 1, w, w, 1, w = (1 + √2)/3: the
-/// conic with the weight √½ of its middle point, raised by one degree.
-fn circle(radius: f64, z: f64) -> [Point; 4] {
-    section(radius * 0.5f64.sqrt(), radius * 2f64.sqrt(), z)
-}
-
-/// The side x = half of a square, run through as the quarter circle is.
-fn square(half: f64, z: f64) -> [Point; 4] {
-    section(half, half, z)
-}
-
-/// Control points from (a, −a) to (a, a) with the tangents at both ends meeting at (t, 0).
-fn section(a: f64, t: f64, z: f64) -> [Point; 4] {
-    let root = 2f64.sqrt();
-    let (x, y) = ((a + root * t) / (1.0 + root), a / (1.0 + root));
-    [[a, -a, z], [x, -y, z], [x, y, z], [a, a, z]]
 }
