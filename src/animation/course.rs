@@ -33,6 +33,9 @@ const LEVELS: [usize; 3] = [4, 8, 16];
 /// blocks 1e-4 was told and 3.7e-4 true without it.
 const SURE: f64 = 3.0;
 
+/// Part of the error that rays leave which interpolation may add to it: finer would be to follow their noise. Chosen.
+const OF_NOISE: f64 = 0.3;
+
 /// Moments that may be solved in vain before all other frames are solved one by one: at least so many, and one for so many frames. Chosen.
 const PATIENCE: usize = 10;
 const FRAMES_EACH: usize = 5;
@@ -70,6 +73,8 @@ struct Segment {
 struct Node {
     light: Vec<GroupLight>,
     elements: Arc<Elements>,
+    /// Relative error that rays left, where they carried the pairs.
+    noise: f64,
 }
 
 impl<'a> Course<'a> {
@@ -96,9 +101,9 @@ impl<'a> Course<'a> {
         self.segments.len()
     }
 
-    /// Largest error that is told of any segment so far.
-    pub fn error(&self) -> f64 {
-        self.segments.iter().filter_map(|segment| segment.error).fold(0.0, f64::max)
+    /// Largest error that is told of any segment so far; None where none was interpolated.
+    pub fn error(&self) -> Option<f64> {
+        self.segments.iter().filter_map(|segment| segment.error).reduce(f64::max)
     }
 
     /// The light of a frame; segments up to it are solved where they are not yet. `progress` may be called from any thread, for each moment
@@ -153,7 +158,7 @@ impl<'a> Course<'a> {
         let frames = last - first + 1;
         let before = self.nodes.len();
         for intervals in LEVELS {
-            if intervals + 1 >= frames || self.patience == 0 {
+            if 2 * intervals >= frames || self.patience == 0 {
                 return self.frame_by_frame([first, last], progress).map(Some);
             }
             let point =
@@ -166,10 +171,12 @@ impl<'a> Course<'a> {
             let [missed, coarser] = [2, 4].map(|part| missed(&nodes, intervals / part));
             let falls = if coarser > 0.0 { (missed / coarser).min(1.0) } else { 1.0 };
             let error = SURE * missed * falls;
-            if error <= self.tolerance {
+            let noise = nodes.iter().map(|node| node.noise).fold(0.0, f64::max);
+            let tolerance = self.tolerance.max(OF_NOISE * noise);
+            if error <= tolerance {
                 return Ok(Some(Segment { ends, nodes, error: Some(error) }));
             }
-            if error * falls.powi(2) > self.tolerance {
+            if error * falls.powi(2) > tolerance {
                 break;
             }
         }
@@ -196,9 +203,14 @@ impl<'a> Course<'a> {
         if let Some(known) = self.nodes.get(&moment.to_bits()) {
             return Ok(Arc::clone(known));
         }
-        let solution = self.sequence.at(moment, progress)?.outcome.solution;
+        let outcome = self.sequence.at(moment, progress)?.outcome;
+        let (solution, sampling) = (outcome.solution, outcome.sampling);
         let light = solution.light().ok_or(AnimationError::Masked)?;
-        let node = Arc::new(Node { light, elements: solution.shared_elements() });
+        let node = Arc::new(Node {
+            light,
+            elements: solution.shared_elements(),
+            noise: sampling.and_then(|sampling| sampling.error).unwrap_or(0.0),
+        });
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)
     }

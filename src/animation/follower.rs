@@ -87,7 +87,7 @@ impl<'a> Follower<'a> {
     /// Largest relative error told of light that was interpolated so far.
     pub fn error(&self) -> Option<f64> {
         match &self.kind {
-            Kind::Path(course) => Some(course.error()),
+            Kind::Path(course) => course.error(),
             _ => None,
         }
     }

@@ -37,10 +37,10 @@ use readings::Readings;
 
 /// Solves the frames of a scene in which things move, and takes a picture of each
 #[derive(Debug, Args)]
-#[command(after_help = "\
+#[command(mut_arg("scene", |scene| scene.default_value("billiard")), mut_arg("frame", |frame| frame.hide(true)), after_help = "\
 What moves is written in the scene: [[motion]], docs/scene.md. Frames are counted from 0. Light is found anew for every frame, shadows \
 and all; what has not changed is kept, to the bit. Where the path is known and light changes smoothly, it is solved at some moments \
-and interpolated between them, to --tolerance.
+and interpolated between them, to --path-eps.
 
 Examples:
   radiosity animate billiard -o out/billiard-####.png
@@ -71,9 +71,9 @@ pub(crate) struct AnimateArgs {
     #[arg(long = "animation", value_name = "WAY", default_value = "path")]
     way: Follow,
 
-    /// Relative error that light interpolated along a path may have
+    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these leave, if that is more
     #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
-    tolerance: f64,
+    path_eps: f64,
 
     /// Pixels across and down [default: as the scene's camera says]
     #[arg(long, value_name = "WxH")]
@@ -118,7 +118,7 @@ impl AnimateArgs {
         match self.way {
             Follow::Fresh => Way::Fresh,
             Follow::Selective => Way::Selective,
-            Follow::Path => Way::Path { tolerance: self.tolerance },
+            Follow::Path => Way::Path { tolerance: self.path_eps },
         }
     }
 

@@ -1,5 +1,6 @@
 //! What must hold whatever the numbers, of scenes, whole solutions and the sources themselves.
 
+mod animation;
 mod animation_series;
 mod boxes;
 mod builder;
