@@ -183,6 +183,9 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "say what moves: [[motion]] with surfaces = [\"lamp\"], instances, luminaires or camera = true; or leave frames and \
              motions out"
         }
+        Fault::MovesAway { .. } => {
+            "keep the path near the scene: beyond four million times its size a shape has too few digits"
+        }
         Fault::NoPath => {
             "add translate = { points = [[0, 0, 0], [1, 0, 0]] }, rotate = { center = [0, 0, 2], axis = [0, 0, 1], angles = [0, 90] }, \
              or both"

@@ -356,6 +356,14 @@ pub enum Fault {
         /// The moment, a real number of frames.
         moment: f64,
     },
+    /// A surface that moves so far away that its shape is lost in the rounding of its coordinates.
+    #[error("in frame {} it is {distance:.1e} away from the origin, too far for its size", shown(*moment))]
+    MovesAway {
+        /// Its largest coordinate (scene length).
+        distance: f64,
+        /// The moment, a real number of frames.
+        moment: f64,
+    },
     /// A luminaire that does not say how its light is spread.
     #[error("nothing says how the light is spread over directions")]
     NoDistribution,

@@ -7,7 +7,7 @@
 
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, DQuat, Motion, Placed, Rect, Surface};
+use radiosity_geom::{Aabb, COINCIDENT, DQuat, Motion, Placed, Rect, Surface};
 
 use crate::scene::{
     Scene,
@@ -41,8 +41,8 @@ impl Scene {
     /// [`Scene::animation`] is none.
     ///
     /// # Errors
-    /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], and [`Fault::MovesInto`] where a surface that
-    /// moves lies in another one.
+    /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], [`Fault::MovesInto`] where a surface that
+    /// moves lies in another one, and [`Fault::MovesAway`].
     pub fn at_moment(&self, moment: f64) -> Result<Self, SceneError> {
         let (animation, poses) = self.posed(moment)?;
         let movers = self.moved_by(animation, &poses);
@@ -146,24 +146,34 @@ impl Scene {
         !is_back && self.surfaces[index].shape.region().is_some()
     }
 
-    /// Refuses a moved surface that lies in one that is not moved along.
+    /// Refuses a moved surface that lies in one that is not moved along, or that is far away.
     fn check_clear(&self, movers: &[Option<usize>], moment: f64) -> Result<(), SceneError> {
         let occupied: Vec<Occupied> =
             self.surfaces.iter().map(|surface| Occupied::new(&surface.shape)).collect();
-        let moved = (0..movers.len()).filter(|index| movers[*index].is_some());
-        for own in moved {
-            let others = (0..movers.len()).filter(|other| movers[*other] != movers[own]);
-            if let Some(other) = others.into_iter().find(|other| occupied[own].coincides(&occupied[*other])) {
-                let surface = &self.surfaces[own];
-                return Err(SceneError {
-                    origin: self.origin.clone(),
-                    place: surface.place.clone().map(Box::new),
-                    owner: Some(surface_title(&surface.name)),
-                    fault: Fault::MovesInto { other: self.surfaces[other].name.clone(), moment },
-                });
+        for own in (0..movers.len()).filter(|index| movers[*index].is_some()) {
+            let bounds = self.surfaces[own].shape.bounds(&Rect::FULL);
+            let distance = bounds.min.abs().max(bounds.max.abs()).max_element();
+            if distance * f64::EPSILON > COINCIDENT * bounds.diagonal() {
+                return Err(self.refused(own, Fault::MovesAway { distance, moment }));
+            }
+            let mut others = (0..movers.len()).filter(|other| movers[*other] != movers[own]);
+            if let Some(other) = others.find(|other| occupied[own].coincides(&occupied[*other])) {
+                let other = self.surfaces[other].name.clone();
+                return Err(self.refused(own, Fault::MovesInto { other, moment }));
             }
         }
         Ok(())
+    }
+
+    /// A fault of a surface, at its place.
+    fn refused(&self, surface: usize, fault: Fault) -> SceneError {
+        let surface = &self.surfaces[surface];
+        SceneError {
+            origin: self.origin.clone(),
+            place: surface.place.clone().map(Box::new),
+            owner: Some(surface_title(&surface.name)),
+            fault,
+        }
     }
 }
 

@@ -428,6 +428,20 @@ fn a_surface_that_moves_into_the_place_of_another_is_refused_with_the_frame() {
     assert!(error.cure().unwrap().contains("lead the path"));
 }
 
+#[test]
+fn a_surface_that_is_lost_in_rounding_is_refused() {
+    let at = |reach: f64| {
+        let path = format!("translate = {{ points = [[0, 0, 0], [{reach:e}, 0, 0]] }}");
+        scene(&format!("[[motion]]\nsurfaces = [\"lamp\"]\n{path}")).at_frame(10)
+    };
+    assert!(at(1e5).is_ok());
+    for reach in [1e8, 1e18, 1e30] {
+        let error = at(reach).unwrap_err();
+        assert!(error.to_string().contains("surface \"lamp\": in frame 10 it is"), "{error}");
+        assert!(error.cure().unwrap().contains("keep the path near the scene"));
+    }
+}
+
 /// A box over a floor, at rest at a height, that moves along points; in each frame the gap below it, and what lies on what.
 fn box_over_floor(height: f64, points: &str) -> Vec<(f64, String)> {
     let scene = Scene::from_toml(
