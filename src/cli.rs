@@ -40,6 +40,7 @@ mod check;
 mod scenes;
 mod schema;
 mod convert;
+mod transfers;
 mod view_factors;
 mod heat;
 mod report;
