@@ -117,9 +117,12 @@ impl Heat {
         let error_orders = forecast.within_memory(&error_orders(options.order));
         let (surfaces, outcome, moved, conductances) = {
             let show = |stage| progress(Stage::Solution(stage));
-            let Solved { model, outcome, closure } = solved(scene, &roles, &options, &show)?;
+            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, &show)?;
             let mut surfaces = figures(scene, &roles, &outcome)?;
-            add_errors_of_blocks(&mut surfaces, closure.error);
+            // What rules or rays missed does not matter where sums tell it.
+            outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
+            let reached = options.eps.max(outcome.accuracy_reached);
+            add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
             let conductances = wanted.conductances.then(|| Conductances::of(scene, &roles, &model, &show));
             (surfaces, outcome, closure.moved, conductances.transpose()?)
         };

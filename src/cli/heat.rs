@@ -194,7 +194,7 @@ impl HeatArgs {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
         };
         lines.extend(heat.moved.map(|moved| {
-            format!("what leaves a surface reaches others to {moved:.1e} of it, and was made to do so wholly")
+            format!("row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1")
         }));
         lines.push(format!(
             "surfaces send out {} W and take up {} W; {whole}",

@@ -15,8 +15,8 @@
 //! Whether a region is closed is read off the borders of its surfaces ([`Regions`]), not off the transfers. Where these say
 //! otherwise by more than they may err, nothing is moved.
 
-mod correction;
 mod pairs;
+mod correction;
 
 use crate::inspection::Regions;
 use crate::scene::Scene;
@@ -33,27 +33,27 @@ const TRUSTED: f64 = 10.0;
 pub(super) struct Closure {
     /// By how much row sums missed 1 before they were made to be 1; None where they were left as they were.
     pub(super) moved: Option<f64>,
-    /// The error of the blocks, relative to the irradiance that they carry.
-    pub(super) error: f64,
+    /// Whether all exchanges are exact: elements carry constants, and what is not integrated exactly follows from sums.
+    pub(super) is_exact: bool,
 }
 
 /// The model with rows that sum to 1 where its `scene` is closed.
 pub(super) fn close(scene: &Scene, model: Model, options: &Options) -> (Model, Closure) {
-    let reached = options.eps.max(model.blocks().accuracy_reached);
     let regions = if may_be_moved(&model) { Regions::of(scene) } else { None };
     let elements = model.elements();
     let is_closed = |surface: usize| regions.as_ref().is_some_and(|regions| regions.is_closed(surface));
     let rows: Vec<bool> = elements.list().iter().map(|element| is_closed(element.surface)).collect();
     let moved = Deficit::of(elements, model.blocks(), &rows).largest(elements);
-    let is_trusted = rows.contains(&true) && moved <= TRUSTED * reached.max(options.shadow_eps);
+    let told = options.eps.max(options.shadow_eps).max(model.blocks().accuracy_reached);
+    let is_trusted = rows.contains(&true) && moved <= TRUSTED * told;
     let pairs = Pairs::of(&model, regions.as_ref());
-    let are_known = pairs.are_exact() || (is_trusted && pairs.follow_from(&rows));
-    let error = if are_known { options.tolerance } else { reached };
+    let are_constants = elements.list().iter().all(|element| element.basis.len() == 1);
+    let is_exact = are_constants && (pairs.are_exact() || (is_trusted && pairs.follow_from(&rows)));
     if !is_trusted {
-        return (model, Closure { moved: None, error });
+        return (model, Closure { moved: None, is_exact });
     }
     let blocks = corrected(elements, model.blocks(), &pairs, &rows);
-    (model.with_blocks(blocks), Closure { moved: Some(moved), error })
+    (model.with_blocks(blocks), Closure { moved: Some(moved), is_exact })
 }
 
 /// Whether rows may be moved: rays that carried all pairs have closed theirs themselves, and elements that lie on each other see each
