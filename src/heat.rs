@@ -23,22 +23,28 @@ mod error;
 mod black_body;
 mod roles;
 mod coats;
+mod closure;
 mod levels;
 mod figures;
 mod field;
 mod shields;
 mod conductances;
+mod forecast;
+mod stage;
 
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::solve::{Direct, Model, Options, Outcome, Progress, Transport};
+use crate::solve::{Direct, Model, Options, Outcome, Progress, Transport, in_threads};
 pub use black_body::{STEFAN_BOLTZMANN, kelvin};
+use closure::{Closure, close};
 use coats::{all_emit, at_levels, radiant};
 pub use conductances::Conductances;
 pub use error::HeatError;
 pub use figures::SurfaceHeat;
 use figures::{add_errors_of_blocks, add_errors_of_order, figures};
+use forecast::Forecast;
 use roles::Roles;
+pub use stage::Stage;
 
 /// Largest share of the heat exchanged that may be lost in a scene that counts as closed. Chosen.
 const CLOSED: f64 = 1e-3;
@@ -50,6 +56,11 @@ pub struct Heat {
     pub surfaces: Vec<SurfaceHeat>,
     /// Flow (W) that leaves the scene, Σ Q; in a closed scene how well the balance closes.
     pub lost: f64,
+    /// By how much sums of view factors missed 1 before they were made to be 1; None where the scene is not known to be
+    /// closed.
+    pub moved: Option<f64>,
+    /// The orders that tell the error of this one; empty where there is no memory for them.
+    pub error_orders: Vec<usize>,
     /// Conductances between all surfaces, if they were asked for.
     pub conductances: Option<Conductances>,
     /// Polynomials of irradiance and radiosity in the single band `heat`, with cost and self-checks.
@@ -86,34 +97,62 @@ impl Heat {
         scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some())
     }
 
-    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0).
+    /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In
+    /// closed scenes the transfers are made to close (`heat/closure.rs`).
     ///
     /// # Errors
     /// Surfaces without a temperature, a flux or an emissivity; parts of the scene whose level no temperature sets; more heat
-    /// drawn than arrives; what [`crate::solve()`] refuses.
+    /// drawn than arrives; too little memory; what [`crate::solve()`] refuses.
     pub fn of(
         scene: &Scene,
         wanted: &HeatOptions,
-        progress: &(dyn Fn(Progress) + Sync),
+        progress: &(dyn Fn(Stage) + Sync),
     ) -> Result<Self, HeatError> {
         let roles = Roles::of(scene)?;
         let options = Options { direct: Direct::Projected, ..wanted.options };
-        let (model, outcome) = solved(scene, &roles, &options, progress)?;
-        let mut surfaces = figures(scene, &roles, &outcome)?;
-        add_errors_of_blocks(&mut surfaces, options.eps.max(outcome.accuracy_reached));
-        for other in error_orders(options.order) {
-            let coarse = at_order(scene, other);
-            let (_, rough) = solved(&coarse, &roles, &Options { order: other, ..options }, &|_| {})?;
-            let rough = figures(&coarse, &roles, &rough)?;
-            add_errors_of_order(&mut surfaces, &rough, share_left(options.order, other));
+        let forecast = Forecast::of(scene, &roles, &options);
+        if wanted.conductances {
+            forecast.require_conductances()?;
         }
-        let conductances = wanted.conductances.then(|| Conductances::of(scene, &roles, &model, progress));
-        Ok(Self {
+        let error_orders = forecast.within_memory(&error_orders(options.order));
+        let (surfaces, outcome, moved, conductances) = {
+            let show = |stage| progress(Stage::Solution(stage));
+            let Solved { model, mut outcome, closure } = solved(scene, &roles, &options, &show)?;
+            let mut surfaces = figures(scene, &roles, &outcome)?;
+            // What rules or rays missed does not matter where sums tell it.
+            outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
+            let reached = options.eps.max(outcome.accuracy_reached);
+            add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
+            let conductances = wanted.conductances.then(|| Conductances::of(scene, &roles, &model, &show));
+            (surfaces, outcome, closure.moved, conductances.transpose()?)
+        };
+        let mut heat = Self {
             lost: surfaces.iter().map(|surface| surface.flow).sum(),
             surfaces,
-            conductances: conductances.transpose()?,
+            moved,
+            error_orders,
+            conductances,
             outcome,
-        })
+        };
+        heat.add_errors_of_orders(scene, &roles, &options, &|stage| progress(Stage::Error(stage)))?;
+        Ok(heat)
+    }
+
+    /// Adds the errors that other orders tell.
+    fn add_errors_of_orders(
+        &mut self,
+        scene: &Scene,
+        roles: &Roles,
+        options: &Options,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<(), HeatError> {
+        for order in self.error_orders.clone() {
+            let coarse = at_order(scene, order);
+            let outcome = solved(&coarse, roles, &Options { order, ..*options }, progress)?.outcome;
+            let rough = figures(&coarse, roles, &outcome)?;
+            add_errors_of_order(&mut self.surfaces, &rough, share_left(options.order, order));
+        }
+        Ok(())
     }
 
     /// Whether hardly any heat leaves the scene: less than a thousandth of what its surfaces exchange.
@@ -157,21 +196,30 @@ fn at_order(scene: &Scene, order: usize) -> Scene {
     scene
 }
 
-/// The model of a scene and its light, with the shields at their levels.
+/// The model of a scene and its light.
+struct Solved {
+    model: Model,
+    outcome: Outcome,
+    closure: Closure,
+}
+
+/// The model of a scene, with rows that close, and its light with the shields at their levels.
 fn solved(
     scene: &Scene,
     roles: &Roles,
     options: &Options,
     progress: &(dyn Fn(Progress) + Sync),
-) -> Result<(Model, Outcome), HeatError> {
+) -> Result<Solved, HeatError> {
     let model = Model::assemble(&all_emit(scene, roles), options, progress)?;
     levels::require(scene, roles, &model, options)?;
+    let (model, closure) = in_threads(options.threads, || close(scene, model, options))?;
     let radiant = radiant(scene, roles);
     let outcome = model.solve(&radiant, progress)?;
     if roles.shields.is_empty() {
-        return Ok((model, outcome));
+        return Ok(Solved { model, outcome, closure });
     }
     let levels = shields::levels(roles, &outcome.solution);
     let radiant = at_levels(radiant, roles, &levels);
-    Ok((model, outcome.relit(&radiant).expect("each shield is a group")))
+    let outcome = outcome.relit(&radiant).expect("each shield is a group");
+    Ok(Solved { model, outcome, closure })
 }

@@ -6,6 +6,7 @@ mod sheet;
 mod rim;
 pub mod shell;
 mod enclosure;
+pub mod regions;
 pub mod warning;
 pub mod contact;
 mod front;
@@ -15,6 +16,7 @@ pub mod passage;
 
 pub use contact::Contact;
 pub use passage::Passage;
+pub use regions::Regions;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 

@@ -21,6 +21,7 @@ use crate::cli::{
     forecast,
     numbers::Counts,
     options::{MethodArgs, ReportArgs},
+    page,
     progress::Progress,
     read::ROUGH,
     run::{Loaded, Run},
@@ -63,7 +64,7 @@ impl Bake<'_> {
         let (scene, solution) = (&run.solved.scene, &run.solved.outcome.solution);
         let usual = || usual_read(solution, run.solved.visibility(), texels);
         let read = self.read.unwrap_or_else(usual);
-        let show = |done, all| progress.show("light map", done, all);
+        let show = |stage| page::show(&progress, stage);
         let (triangles, lightmap) = run.in_threads(|| {
             let lightmap = Lightmap::new(&run.solved, read, texels as usize, &show);
             (tessellation(scene, NEAR * diagonal(scene)), lightmap)

@@ -7,28 +7,18 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity::heat::{Heat, HeatOptions};
+use radiosity::heat::{Heat, HeatOptions, Stage};
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
 use radiosity::output::round::significant;
 use radiosity::scene::{MAX_ORDER, Scene};
-use radiosity::solve::{Options, Progress as Stage, Transport, in_threads};
-use radiosity::transport::Miss;
+use radiosity::solve::{Options, Progress as Step, Transport, in_threads};
+use radiosity::transport::{Accuracy, Miss};
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    destination::Destination,
-    error::CliError,
-    format,
-    heat::picture::PictureArgs,
-    memory,
-    modes::{Shadows, Subdivide, subdivide},
-    numbers::{accuracy, threads},
-    options::SceneArg,
-    output_file::OutputFile,
-    progress::Progress,
-    run::remarks,
-    table::Table,
+    destination::Destination, error::CliError, format, heat::picture::PictureArgs, memory, options::SceneArg,
+    output_file::OutputFile, progress::Progress, run::remarks, table::Table, transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -44,7 +34,12 @@ are left out; where they are known, they are a heat_flux.";
 
 /// Temperatures, net fluxes and flows of radiant heat between grey surfaces
 #[derive(Debug, Args)]
-#[command(mut_arg("scene", |scene| scene.default_value("oven")), after_help = NOTES)]
+#[command(
+    mut_arg("scene", |scene| scene.default_value("oven")),
+    mut_arg("eps", |eps| eps.default_value("1e-4").help("Accuracy of the transfers between elements, between 0 and 1")),
+    mut_arg("subdivide", |cuts| cuts.help("Cuts each surface into K × K elements; auto looks at what the scene needs")),
+    after_help = NOTES
+)]
 pub(crate) struct HeatArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
@@ -69,33 +64,16 @@ pub(crate) struct HeatArgs {
     #[arg(long, value_name = "N", default_value = "3", value_parser = order())]
     pub(crate) order: u64,
 
-    /// Cuts each surface into K × K elements; auto looks at what the scene needs
-    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
-    pub(crate) subdivide: Subdivide,
-
-    /// Accuracy of the transfers between elements, between 0 and 1
-    #[arg(long, value_name = "E", default_value = "1e-4", value_parser = accuracy)]
-    pub(crate) eps: f64,
-
-    /// Accuracy of shadows [default: as --eps]
-    #[arg(long, value_name = "E", value_parser = accuracy)]
-    pub(crate) shadow_eps: Option<f64>,
-
-    /// How it is found out what surfaces hide from each other
-    #[arg(long, value_name = "MODE", default_value = "auto")]
-    pub(crate) shadows: Shadows,
-
     /// What carries the pairs of elements
     #[arg(long, value_name = "MODE", default_value = "exact")]
     pub(crate) transport: Transport,
 
-    /// Threads to use, all by default; results do not depend on it
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub(crate) threads: Option<usize>,
+    /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
+    #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
+    memory: Option<u64>,
 
-    /// Prints no progress and no summary
-    #[arg(long, short)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    transfers: TransferArgs,
 }
 
 fn order() -> clap::builder::RangedU64ValueParser<u64> {
@@ -128,12 +106,7 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
     let start = Instant::now();
-    if args.shadows == Shadows::Mask {
-        return Err(CliError::Refused {
-            message: "--shadows mask: masks are for light of lamps".to_owned(),
-            cure: "choose auto, exact, rays or off".to_owned(),
-        });
-    }
+    args.transfers.require_no_masks()?;
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
     let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
     let matrix_format = matrix_format.transpose()?;
@@ -148,10 +121,14 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
         (_, matrix) => matrix,
     };
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.transfers.quiet);
     let show = |stage| match stage {
-        Stage::Blocks(done, total) => progress.show("blocks", done, total),
-        Stage::Rays { done, total, error } => progress.show_rays(done, total, error),
+        Stage::Solution(Step::Blocks(done, total)) => progress.show("blocks", done, total),
+        Stage::Error(Step::Blocks(done, total)) => progress.show("for the error", done, total),
+        Stage::Solution(Step::Rays { done, total, error }) => progress.show_rays(done, total, error),
+        Stage::Error(Step::Rays { done, total, .. }) => {
+            progress.show("for the error", done as usize, total as usize);
+        }
         _ => {}
     };
     let wanted = HeatOptions { options: args.options(), conductances: matrix.is_some() };
@@ -172,7 +149,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         picture.file.write(|writer| taken.write_png(writer))?;
     }
     drop(progress);
-    if !args.quiet {
+    if !args.transfers.quiet {
         args.tell(&scene, &heat, start);
     }
     Ok(())
@@ -189,15 +166,16 @@ fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> 
 impl HeatArgs {
     fn options(&self) -> Options {
         let usual = HeatOptions::default().options;
+        let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
         Options {
             order: self.order as usize,
-            subdivide: self.subdivide.0,
-            eps: self.eps,
-            shadow_eps: self.shadow_eps.unwrap_or(self.eps),
-            shadows: self.shadows.hiding(),
+            subdivide: self.transfers.subdivide.0,
+            eps,
+            shadow_eps,
+            shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
-            memory: memory::usable(),
-            threads: self.threads.unwrap_or(usual.threads),
+            memory: self.memory.or_else(memory::usable),
+            threads: self.transfers.threads.unwrap_or(usual.threads),
             ..usual
         }
     }
@@ -215,6 +193,9 @@ impl HeatArgs {
         } else {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
         };
+        lines.extend(heat.moved.map(|moved| {
+            format!("row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1")
+        }));
         lines.push(format!(
             "surfaces send out {} W and take up {} W; {whole}",
             significant(given, 6),
@@ -230,6 +211,14 @@ impl HeatArgs {
             let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
             let names = miss.pair.map(|element| scene.surfaces[surface(element)].name.as_str());
             lines.push(format!("warning: {}", missed(&miss, names)));
+        }
+        if heat.error_orders.is_empty() {
+            lines.push(format!(
+                "warning: the errors are those of the transfers alone: there is no memory for order {} beside order {}, which tells what \
+                 even fluxes miss; allow more with --memory",
+                self.order + 1,
+                self.order
+            ));
         }
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));

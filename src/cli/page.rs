@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use radiosity::output::lightmap::Lightmap;
+use radiosity::output::lightmap::{Lightmap, Stage};
 use radiosity::output::reader::Read;
 use radiosity::output::render::usual_read;
 use radiosity::output::viewer::{Start, texels, write_viewer};
@@ -20,6 +20,14 @@ use crate::cli::{
 /// Pixels of a picture whose light is reckoned to take as long as that of a texel. Chosen: on small and curved surfaces fewer texels
 /// can be interpolated.
 const PIXELS: u64 = 2;
+
+/// Shows how far the light of textures is.
+pub(crate) fn show(progress: &Progress, stage: Stage) {
+    match stage {
+        Stage::Expected(seconds) => progress.expect("texels", seconds),
+        Stage::Texels(done, all) => progress.show("texels", done, all),
+    }
+}
 
 /// Solves the scene and writes the page of its light, read by `read` or as that takes little time.
 pub(crate) fn write(
@@ -42,7 +50,7 @@ pub(crate) fn write(
     let pixels = PIXELS * (texels * parts) as u64;
     let usual = || usual_read(solution, run.solved.visibility(), pixels);
     let read_by = read.unwrap_or_else(usual);
-    let tell = |done, all| progress.show("texels", done, all);
+    let tell = |stage| show(&progress, stage);
     let lightmap = run.in_threads(|| Lightmap::new(&run.solved, read_by, texels, &tell))?;
     output.write(|writer| write_viewer(&run.solved, &lightmap, start, writer))?;
     let mut written = path.display().to_string();

@@ -7,7 +7,7 @@ mod light;
 use std::io::{Write, stderr};
 use std::path::Path;
 
-use radiosity::heat::{Heat, HeatError, HeatOptions};
+use radiosity::heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
 use radiosity::output::report_page::ReportPage;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Progress as Stage};
@@ -66,7 +66,9 @@ fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Resul
 /// The balance of heat, as `radiosity heat` computes it unless told otherwise.
 fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress) -> Result<Heat, HeatError> {
     let show = |stage| {
-        if let Stage::Blocks(done, total) = stage {
+        if let HeatStage::Solution(Stage::Blocks(done, total))
+        | HeatStage::Error(Stage::Blocks(done, total)) = stage
+        {
             progress.show("blocks of heat", done, total);
         }
     };

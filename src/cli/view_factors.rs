@@ -16,15 +16,8 @@ use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{
-    destination::Destination,
-    error::CliError,
-    format,
-    modes::{Shadows, Subdivide, subdivide},
-    numbers::{accuracy, threads},
-    options::SceneArg,
-    output_file::OutputFile,
-    progress::Progress,
-    run::remarks,
+    destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
+    progress::Progress, run::remarks, transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -64,30 +57,8 @@ pub(crate) struct ViewFactorsArgs {
     #[arg(long, value_name = "A,B")]
     pub(crate) pairs: Vec<String>,
 
-    /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs
-    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
-    pub(crate) subdivide: Subdivide,
-
-    /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of
-    /// its row where rays carry it
-    #[arg(long, value_name = "E", default_value = "1e-3", value_parser = accuracy)]
-    pub(crate) eps: f64,
-
-    /// Accuracy of shadows [default: as --eps]
-    #[arg(long, value_name = "E", value_parser = accuracy)]
-    pub(crate) shadow_eps: Option<f64>,
-
-    /// How it is found out what surfaces hide from each other
-    #[arg(long, value_name = "MODE", default_value = "auto")]
-    pub(crate) shadows: Shadows,
-
-    /// Threads to use, all by default; results do not depend on it
-    #[arg(long, value_name = "N", value_parser = threads)]
-    pub(crate) threads: Option<usize>,
-
-    /// Prints no progress and no summary
-    #[arg(long, short)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    transfers: TransferArgs,
 }
 
 /// `--format` of a matrix.
@@ -123,18 +94,13 @@ const FROM_ONE: f64 = 3.0;
 pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
-    if args.shadows == Shadows::Mask {
-        return Err(CliError::Refused {
-            message: "--shadows mask: masks carry light, and view factors have none".to_owned(),
-            cure: "choose auto, rays or off".to_owned(),
-        });
-    }
+    args.transfers.require_no_masks()?;
     let scene = args.scene.load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
     let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
-    let progress = Progress::new(args.quiet);
+    let progress = Progress::new(args.transfers.quiet);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
@@ -142,7 +108,7 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(&scene, &factors, writer))?;
     drop(progress);
-    if !args.quiet {
+    if !args.transfers.quiet {
         args.tell(&scene, &factors, start);
     }
     Ok(())
@@ -222,16 +188,12 @@ impl ViewFactorsArgs {
         Err(CliError::Refused { message, cure: cure.to_owned() })
     }
 
-    fn accuracy(&self) -> Accuracy {
-        Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
-    }
-
     fn options(&self) -> Options {
         Options {
-            subdivide: self.subdivide.0,
-            accuracy: self.accuracy(),
-            shadows: self.shadows.hiding(),
-            threads: self.threads.unwrap_or(solve::Options::default().threads),
+            subdivide: self.transfers.subdivide.0,
+            accuracy: self.transfers.accuracy(),
+            shadows: self.transfers.shadows.hiding(),
+            threads: self.transfers.threads.unwrap_or(solve::Options::default().threads),
         }
     }
 
@@ -267,7 +229,7 @@ impl ViewFactorsArgs {
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
         let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
         let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
-        let Accuracy { eps, shadow_eps } = self.accuracy();
+        let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
         let shadows = if factors.rays > 0 { shadow_eps } else { 0.0 };
         let tolerance = FROM_ONE * eps.max(shadows).max(factors.accuracy_reached);
         let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();

@@ -40,12 +40,7 @@ impl Conductances {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, HeatError> {
         let grey = emissivities(scene, roles)?;
-        let mut lit = coated(scene, roles, |_| (0.0, 0.0));
-        for (index, (surface, emissivity)) in lit.surfaces.iter_mut().zip(&grey).enumerate() {
-            surface.material.reflectance = vec![1.0 - emissivity];
-            surface.material.emission = vec![*emissivity];
-            surface.group = Some(LightGroup::new(format!("{index}")));
-        }
+        let lit = each_alone(scene, roles)?;
         let outcome = model.solve(&lit, progress)?;
         let elements = outcome.solution.elements();
         let mut raw = vec![vec![0.0; grey.len()]; grey.len()];
@@ -76,6 +71,18 @@ impl Conductances {
         let lost = rows.iter().zip(emitted).map(|(row, emitted)| emitted - row.iter().sum::<f64>()).collect();
         Self { rows, lost, asymmetry }
     }
+}
+
+/// The scene in which each surface emits at the level 1, as a light group of its own.
+pub(super) fn each_alone(scene: &Scene, roles: &Roles) -> Result<Scene, HeatError> {
+    let grey = emissivities(scene, roles)?;
+    let mut lit = coated(scene, roles, |_| (0.0, 0.0));
+    for (index, (surface, emissivity)) in lit.surfaces.iter_mut().zip(&grey).enumerate() {
+        surface.material.reflectance = vec![1.0 - emissivity];
+        surface.material.emission = vec![*emissivity];
+        surface.group = Some(LightGroup::new(format!("{index}")));
+    }
+    Ok(lit)
 }
 
 /// The emissivity of each surface.

@@ -35,6 +35,19 @@ pub enum HeatError {
         /// Their names.
         surfaces: Vec<String>,
     },
+    /// Conductances for which memory does not suffice.
+    #[error(
+        "not enough memory: the conductances between {surfaces} surfaces need about {:.0} MB, {:.0} MB allowed",
+        *needed as f64 / 1e6, *allowed as f64 / 1e6
+    )]
+    Conductances {
+        /// Number of surfaces.
+        surfaces: usize,
+        /// Bytes needed, estimated.
+        needed: u64,
+        /// Bytes allowed.
+        allowed: u64,
+    },
     /// The radiosity could not be computed.
     #[error(transparent)]
     Solve(#[from] Failure),
@@ -53,6 +66,9 @@ impl HeatError {
             ),
             Self::TooCold { .. } => {
                 Some("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
+            }
+            Self::Conductances { .. } => {
+                Some("take a lower --order, leave out --conductances, or allow more with --memory")
             }
             Self::Solve(_) => None,
         }

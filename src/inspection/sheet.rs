@@ -56,7 +56,7 @@ impl Sheets {
 }
 
 /// The backs of surfaces that have one, by the fronts' indices.
-fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
+pub(super) fn backs(surfaces: &[SceneSurface]) -> BTreeMap<usize, usize> {
     let named: BTreeMap<&str, usize> =
         surfaces.iter().enumerate().map(|(k, s)| (s.name.as_str(), k)).collect();
     let front_of = |back: &SceneSurface| {

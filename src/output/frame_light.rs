@@ -10,6 +10,7 @@ pub(crate) mod tally;
 pub(crate) mod smooth;
 pub(crate) mod picture_light;
 mod direct_pass;
+pub(crate) mod trial;
 
 use direct_pass::lit;
 use eye::Seen;

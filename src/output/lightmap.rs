@@ -31,19 +31,31 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use super::frame_light::FrameLight;
+use super::frame_light::eye::Seen;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::PictureLight;
+use super::frame_light::trial::seconds;
 use super::reader::Read;
+use crate::elements::Elements;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::solved::Solved;
 use fill::fill;
-use places::places;
+use places::Places;
 use sizes::sizes;
 
 /// Relative accuracy of recomputed light: that of pictures.
 const GATHERED: f64 = 3e-3;
+
+/// How far the light of textures is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Stage {
+    /// Nothing is done; it takes about so many seconds.
+    Expected(f64),
+    /// Texels that are done, and all.
+    Texels(usize, usize),
+}
 
 /// The irradiance of all surfaces of a scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,8 +86,8 @@ pub struct LightTexture {
 
 impl Lightmap {
     /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one has two along each
-    /// parameter at the least, a curved one nine. `tell` gets (done, all) in texels, from any thread.
-    pub fn new(solved: &Solved, read: Read, texels: usize, tell: &(dyn Fn(usize, usize) + Sync)) -> Self {
+    /// parameter at the least, a curved one nine. `observe` hears how far it is, from any thread.
+    pub fn new(solved: &Solved, read: Read, texels: usize, observe: &(dyn Fn(Stage) + Sync)) -> Self {
         let solution = &solved.outcome.solution;
         let (parts, alone): (Vec<Part>, Vec<Solution>) = parts(&solved.scene, solution).into_iter().unzip();
         let (parts, solutions) = match parts.is_empty() {
@@ -87,19 +99,18 @@ impl Lightmap {
             .map(|solution| PictureLight::new(solution, solved.visibility(), read, GATHERED))
             .collect();
         let sizes = sizes(&solved.scene, texels);
-        let all = parts.len() * sizes.iter().map(|[w, h]| w * h).sum::<usize>();
+        let diagonal = solved.visibility().bounds().diagonal();
+        let all = All { elements: solution.elements(), sizes: &sizes, diagonal };
+        observe(Stage::Expected(lights.iter().map(|light| all.seconds(light)).sum()));
+        let count = parts.len() * all.count();
         let done = AtomicUsize::new(0);
         let texture = |(surface, size): (usize, [usize; 2])| {
-            let texel = |count: usize| tell(done.fetch_add(count, Ordering::Relaxed) + count, all);
-            LightTexture::of(
-                solution,
-                solved.visibility().bounds().diagonal(),
-                (surface, size),
-                &lights,
-                &texel,
-            )
+            let tell =
+                |own: usize| observe(Stage::Texels(done.fetch_add(own, Ordering::Relaxed) + own, count));
+            let places = Places::of(solution.elements(), surface, size, diagonal);
+            LightTexture::of(solution.bands().len(), places.all(), size, &lights, &tell)
         };
-        let surfaces = sizes.into_par_iter().enumerate().with_max_len(1).map(texture).collect();
+        let surfaces = sizes.par_iter().copied().enumerate().with_max_len(1).map(texture).collect();
         Self { parts, surfaces }
     }
 
@@ -163,18 +174,17 @@ impl LightTexture {
         (1.0 - t) * row(j) + t * row(j + 1)
     }
 
-    /// The texture of a surface in a scene of this diagonal, under the light of each part; `tell` gets the texels that are done.
+    /// The texture of so many bands of what its texels see, under the light of each part; `tell` gets the texels that are done.
     fn of(
-        solution: &Solution,
-        diagonal: f64,
-        (surface, size): (usize, [usize; 2]),
+        bands: usize,
+        seen: Vec<Option<Seen>>,
+        size: [usize; 2],
         lights: &[PictureLight],
         tell: &dyn Fn(usize),
     ) -> Self {
-        let seen = places(solution.elements(), surface, size, diagonal);
         let computed: Vec<bool> = seen.iter().map(Option::is_some).collect();
         let frame = Frame::of(size[0], seen);
-        let (bands, count) = (solution.bands().len(), frame.len());
+        let count = frame.len();
         let mut values = vec![0.0; lights.len() * bands * count];
         for (light, part) in lights.iter().zip(values.chunks_exact_mut(bands * count)) {
             let lit = FrameLight::over(&frame, light, &|_, _, _| ());
@@ -189,6 +199,39 @@ impl LightTexture {
             fill(plane, size, &computed);
         }
         Self { size, bands, values, computed }
+    }
+}
+
+/// The texels of all surfaces, one after another.
+struct All<'a> {
+    elements: &'a Elements,
+    sizes: &'a [[usize; 2]],
+    /// Diagonal of the scene (scene length).
+    diagonal: f64,
+}
+
+impl All<'_> {
+    fn count(&self) -> usize {
+        self.sizes.iter().map(|[columns, rows]| columns * rows).sum()
+    }
+
+    /// About the seconds that their light takes.
+    fn seconds(&self, light: &PictureLight) -> f64 {
+        let counts = self.sizes.iter().map(|[columns, rows]| columns * rows);
+        let ends: Vec<usize> = counts
+            .scan(0, |end, count| {
+                *end += count;
+                Some(*end)
+            })
+            .collect();
+        let seen = |texel: usize| {
+            let surface = ends.partition_point(|end| *end <= texel);
+            let size @ [columns, rows] = self.sizes[surface];
+            let own = texel + columns * rows - ends[surface];
+            let places = Places::of(self.elements, surface, size, self.diagonal);
+            places.at([own % columns, own / columns])
+        };
+        seconds(light, self.count(), &seen)
     }
 }
 

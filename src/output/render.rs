@@ -5,15 +5,15 @@
 //! Pixels that differ from one beside them average `samples × samples` points of a regular grid.
 
 use std::ops::Range;
-use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::frame_light::eye::{Eye, Seen};
+use super::frame_light::eye::Eye;
 use super::frame_light::frame::Frame;
 use super::frame_light::picture_light::{AVERAGED, PictureLight};
 use super::frame_light::smooth::COARSEST;
 use super::frame_light::tally::Tally;
+use super::frame_light::trial::{INTERPOLATED, seconds};
 use super::frame_light::{FrameLight, Pass};
 use super::pinhole::Pinhole;
 use super::raster::Raster;
@@ -33,10 +33,8 @@ const GATHERED: f64 = 3e-3;
 /// and twice the error in penumbrae.
 const CONTRAST: f64 = 0.04;
 
-/// Seconds that gathering the light of a picture may take unless asked for, and the pixels for each at which it is computed.
-/// The former is chosen, the latter measured: 15 to 25.
+/// Seconds that gathering the light of a picture may take unless asked for. Chosen.
 const PATIENCE: f64 = 10.0;
-const INTERPOLATED: f64 = 20.0;
 
 /// Threads that the time is reckoned with, whatever the number that works: what is read does not depend on it. Chosen.
 const THREADS: f64 = 2.0;
@@ -51,14 +49,6 @@ const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
 
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const ROWS: usize = 4;
-
-/// Pixels at which light is computed, and of those the ones at which it is gathered, to tell the time that a picture takes.
-/// Chosen: a thousandth of a picture.
-const TRIAL: usize = 256;
-const TRIAL_GATHERED: usize = 32;
-
-/// Samples over the pixels whose direct light is computed once more, or finely. Measured in the built-in scenes: 1.3 to 4.
-const MORE: f64 = 1.5;
 
 /// How far a picture is. Counts are (done, all).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,31 +131,14 @@ struct Shot<'a> {
 }
 
 impl Shot<'_> {
-    /// About the seconds that the picture takes, by those of a few pixels, evenly chosen.
+    /// About the seconds that the picture takes.
     fn seconds(&self) -> f64 {
         let [width, height] = self.size;
-        let pixels = width * height;
-        let start = Instant::now();
-        let trial: Vec<(Seen, Vec<f64>)> = (0..TRIAL)
-            .into_par_iter()
-            .filter_map(|k| {
-                let pixel = (k * pixels + pixels / 2) / TRIAL;
-                let [column, row] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
-                let seen = self.eye.along(&self.view.ray(column, row))?;
-                let direct = self.light.direct(&seen, Care { rough: 1.0, sure: false }).bands;
-                Some((seen, direct))
-            })
-            .collect();
-        let direct = start.elapsed().as_secs_f64() / TRIAL as f64 * pixels as f64;
-        if !self.light.gathers() {
-            return MORE * direct;
-        }
-        let step = (trial.len() / TRIAL_GATHERED).max(1);
-        let chosen: Vec<&(Seen, Vec<f64>)> = trial.iter().step_by(step).collect();
-        let start = Instant::now();
-        chosen.par_iter().for_each(|(seen, direct)| drop(self.light.rest(seen, direct)));
-        let gathered = start.elapsed().as_secs_f64() / chosen.len().max(1) as f64;
-        MORE * direct + gathered * (pixels * trial.len()) as f64 / TRIAL as f64 / INTERPOLATED
+        let seen = |pixel: usize| {
+            let [column, row] = [pixel % width, pixel / width].map(|at| at as f64 + 0.5);
+            self.eye.along(&self.view.ray(column, row))
+        };
+        seconds(self.light, width * height, &seen)
     }
 
     /// The pixels of some rows.

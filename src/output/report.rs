@@ -1,19 +1,21 @@
 //! The report of a run: JSON with stable keys.
 
+mod warning;
+mod warnings;
+
 use serde::Serialize;
 
 use crate::checks::Checks;
 use crate::elements::Elements;
 use crate::hierarchy::Counts;
-use crate::inspection::Inspection;
-use crate::output::missed::missed;
 use crate::output::plane_figures::PlaneFigures;
 use crate::output::read_error::ReadError;
-use crate::scene::{Fitted, Imported, LightGroup, Scene};
-use crate::solve::{Options, Outcome};
+use crate::scene::{Fitted, Imported, LightGroup};
+use crate::solve::Outcome;
 use crate::solved::Solved;
-use crate::studies::adaptation::{Achieved, End};
-use crate::transport::{Miss, PairCounts};
+use crate::transport::PairCounts;
+pub use warning::Warning;
+use warnings::{dark, warnings};
 
 /// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]
@@ -139,21 +141,6 @@ pub struct Seconds {
     pub total: f64,
 }
 
-/// Something the user should know.
-#[derive(Clone, Debug, Serialize)]
-pub struct Warning {
-    /// Stable name of the kind of warning.
-    pub code: String,
-    /// The warning, with its cure.
-    pub message: String,
-    /// The surface concerned.
-    pub surface: Option<String>,
-    /// The other surface, where it concerns a pair.
-    pub other: Option<String>,
-    /// How large it is: the error that is left, or a row sum above 1.
-    pub size: Option<f64>,
-}
-
 impl Report {
     /// The report of a solved scene; the caller sets the times of loading and output, the total, and what planes
     /// read.
@@ -204,7 +191,7 @@ impl Report {
                  see small bright things or the edges of many; ask for a smaller --read-eps there",
                 error.rms, error.largest
             );
-            warning("reading-error", message)
+            Warning::general("reading-error", message)
         }));
         self.read_error = error;
     }
@@ -218,18 +205,6 @@ impl Report {
 
 /// Errors of readings, over those asked for, that are worth a warning. Chosen.
 const MISSED: f64 = 1.5;
-
-/// A warning about sensors without light, which a plane that goes through furniture has.
-fn dark(plane: &PlaneFigures) -> Option<Warning> {
-    let message = || {
-        format!(
-            "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
-             the plane, or read several planes around what stands in it",
-            plane.dark, plane.points, plane.name
-        )
-    };
-    (plane.dark > 0).then(|| warning("dark-sensors", message()))
-}
 
 /// Lowest and highest degree of the elements; zeros if there are none.
 fn orders(elements: &Elements) -> [usize; 2] {
@@ -248,183 +223,6 @@ fn seconds(outcome: &Outcome) -> Seconds {
         estimate: stages.estimate.as_secs_f64(),
         ..Seconds::default()
     }
-}
-
-fn warnings(solved: &Solved) -> Vec<Warning> {
-    let Solved { scene, options, outcome, achieved, .. } = solved;
-    let unconverged = (!outcome.converged).then(|| unconverged(outcome));
-    let adapted = achieved.iter().flat_map(|achieved| adaptation(scene, achieved));
-    let transfers = discretization(scene, options, outcome);
-    let power = power(&outcome.checks, options.accuracy().eps.max(outcome.accuracy_reached));
-    unconverged
-        .into_iter()
-        .chain(adapted)
-        .chain(transfers)
-        .chain(power)
-        .chain(geometry(scene, outcome))
-        .collect()
-}
-
-/// What an inspection finds wrong with a scene that loses power, or elements of which send more than they have. Scenes
-/// of many surfaces are left to `radiosity check`.
-fn geometry(scene: &Scene, outcome: &Outcome) -> Vec<Warning> {
-    let checks = &outcome.checks;
-    let is_odd = checks.energy_lost.abs() > ODD * checks.energy_in || checks.row_sum_max > 1.0 + ODD;
-    if !is_odd || scene.surfaces.len() > FEW {
-        return Vec::new();
-    }
-    let found = Inspection::of(scene).warnings.into_iter().filter(|found| !found.is_of_something_missing());
-    found.map(|found| Warning { surface: found.surface, ..warning(found.code, found.message) }).collect()
-}
-
-/// A warning where power appears, or is lost though no element sends light past all others by more than their transfers
-/// may miss: where little is absorbed, every reflection adds their error once more.
-fn power(checks: &Checks, error: f64) -> Option<Warning> {
-    let lost = checks.energy_lost / checks.energy_in;
-    let looks_closed = checks.row_sum_min > 1.0 - CLOSED * error;
-    let message = match lost {
-        _ if lost < -ODD => format!("{:.0} % more power is absorbed than emitted", -100.0 * lost),
-        _ if lost > ODD && looks_closed => {
-            format!("{:.0} % of the power is lost in a scene that looks closed", 100.0 * lost)
-        }
-        _ => return None,
-    };
-    let cure = "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower \
-                --eps, or send more --rays";
-    Some(warning("power-balance", format!("{message}; {cure}")))
-}
-
-fn warning(code: &str, message: String) -> Warning {
-    Warning { code: code.to_owned(), message, surface: None, other: None, size: None }
-}
-
-fn unconverged(outcome: &Outcome) -> Warning {
-    let message = format!(
-        "the solver did not converge, the relative residual is {:.1e}: the light is incomplete; raise --max-iterations or \
-         take another --solver",
-        outcome.residual
-    );
-    warning("not-converged", message)
-}
-
-/// Warnings if a wanted accuracy was not reached.
-fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
-    let mut warnings = Vec::new();
-    if let Some(why) = why(achieved.end) {
-        let estimate = match achieved.estimate {
-            Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
-            None => "there is no estimate of the error".to_owned(),
-        };
-        warnings.push(warning("accuracy-not-reached", format!("{estimate}, and {why}")));
-    }
-    if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
-        let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
-                       they miss stays in the estimated error";
-        warnings.push(warning("accuracy-fixed", message.to_owned()));
-    }
-    warnings
-}
-
-/// Why no finer run followed and what to do; None if none was needed.
-fn why(end: End) -> Option<&'static str> {
-    match end {
-        End::Reached => None,
-        End::Finest => Some("there is no finer run to try: begin with a higher --order, or ask for less"),
-        End::Unknowns => Some(
-            "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
-             own, or ask for less",
-        ),
-        End::Memory => {
-            Some("the next finer run does not fit into memory: allow more with --memory, or ask for less")
-        }
-        End::NotConverged => Some(
-            "the solver did not converge in a finer run: raise --max-iterations, or take another --solver",
-        ),
-        End::Time => Some(
-            "the next finer run would have taken longer than allowed: allow more with --time-limit, or ask for less",
-        ),
-        End::Stopped => Some("the run was stopped: let it go on, or ask for less"),
-    }
-}
-
-/// Share of the power that is lost, and of what an element sends too much, from which the geometry is inspected; and the
-/// number of surfaces up to which that takes about a second at most. Chosen.
-const ODD: f64 = 0.01;
-const FEW: usize = 300;
-
-/// Errors of the transfers within which row sums count as 1.
-const CLOSED: f64 = 3.0;
-
-/// Error of the mean irradiances of elements above which more rays are advised. Chosen: light gathered from such
-/// elements at points was
-/// 3 % off in a classroom.
-const ROUGH: f64 = 0.15;
-
-/// A warning where rays leave a large error.
-fn rays(error: Option<f64>) -> Option<Warning> {
-    let message = || match error {
-        None => "rays leave an unknown error: half of them are too few for a solution; send more with --rays"
-            .to_owned(),
-        Some(error) => format!(
-            "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
-             with --rays, or ask for an --accuracy",
-            100.0 * error
-        ),
-    };
-    error.is_none_or(|error| error > ROUGH).then(|| warning("sampling-error", message()))
-}
-
-/// Warnings about what elements and transfers miss.
-fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Warning> {
-    if let Some(sampling) = outcome.sampling {
-        // What exact pairs miss is a part of it.
-        return rays(sampling.error).into_iter().collect();
-    }
-    let mut warnings: Vec<Warning> = outcome
-        .miss
-        .filter(Miss::is_real)
-        .map(|miss| inaccurate(scene, outcome, &miss))
-        .into_iter()
-        .collect();
-    let mut warn = |code: &str, message: String| warnings.push(warning(code, message));
-    if outcome.pairs.unresolved > 0 {
-        warn(
-            "near-floor",
-            format!(
-                "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
-                 miss the accuracy asked; subdivide the surfaces there",
-                outcome.pairs.unresolved
-            ),
-        );
-    }
-    // The rules of 1993 have no accuracy.
-    let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };
-    let excess = outcome.checks.row_sum_max - 1.0;
-    if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
-        let message = format!(
-            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; {}",
-            100.0 * excess,
-            cure("lower --eps, or subdivide surfaces that meet at small angles")
-        );
-        warn("row-sum", message);
-    }
-    if outcome.checks.spectral_bound >= 1.0 {
-        let message = format!(
-            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; {}",
-            outcome.checks.spectral_bound,
-            cure("lower --eps")
-        );
-        warn("spectral-bound", message);
-    }
-    warnings
-}
-
-/// A warning about transfers that miss what was asked.
-fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &Miss) -> Warning {
-    let list = outcome.solution.elements().list();
-    let [surface, other] = miss.pair.map(|element| &scene.surfaces[list[element].surface].name);
-    let told = warning("accuracy-reached", missed(miss, [surface, other]));
-    Warning { surface: Some(surface.clone()), other: Some(other.clone()), size: Some(miss.error), ..told }
 }
 
 /// Peak resident memory as Linux reports it; None elsewhere.

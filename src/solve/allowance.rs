@@ -12,6 +12,15 @@ use super::fit::Fit;
 use super::memory::Footprint;
 use super::options::Options;
 
+/// Bytes that a run takes at the most, by that many rays if any.
+pub(super) fn peak_memory(scene: &Scene, how: &Discretization, options: &Options, rays: Option<u64>) -> u64 {
+    match rays {
+        Some(rays) => Footprint::of_rays(scene, how, options.method, rays).peak(),
+        None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method).peak(),
+        None => Footprint::of(scene, how, options.method).peak(),
+    }
+}
+
 /// Refuses a run that needs more memory than allowed.
 pub(super) fn require_memory(
     scene: &Scene,
@@ -23,8 +32,7 @@ pub(super) fn require_memory(
     if let Some(rays) = rays {
         return require_memory_of_rays(scene, how, options.method, rays, allowed);
     }
-    let footprint = if options.kernel.is_some() { Footprint::of_1993 } else { Footprint::of };
-    let peak = |how: &Discretization, method| footprint(scene, how, method).peak();
+    let peak = |how: &Discretization, method| peak_memory(scene, how, &Options { method, ..*options }, None);
     let needed = peak(how, options.method);
     if needed <= allowed {
         return Ok(());

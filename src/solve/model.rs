@@ -21,7 +21,7 @@ use crate::system::{Coefficients, System};
 use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 
-use super::allowance::{require_memory, require_memory_of_mesh};
+use super::allowance::{peak_memory, require_memory, require_memory_of_mesh};
 use super::assembly::{carried, discretization};
 use super::band::{Effort, solve_band};
 use super::choice::Choice;
@@ -94,6 +94,13 @@ impl Model {
         in_threads(options.threads, || {
             Self::assembled(scene, options, choice.clone(), None, Some(memory), progress)
         })?
+    }
+
+    /// Bytes that the model of `scene` and its solution take at the most, estimated.
+    pub(crate) fn peak_memory(scene: &Scene, options: &Options) -> u64 {
+        let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
+        let visibility = Visibility::new(scene, options.into());
+        peak_memory(scene, &discretization(&visibility, options, rays), options, rays)
     }
 
     /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
@@ -181,6 +188,16 @@ impl Model {
     /// The blocks between them.
     pub(crate) fn blocks(&self) -> &Blocks {
         &self.blocks
+    }
+
+    /// What stands between them.
+    pub(crate) fn visibility(&self) -> &Visibility {
+        &self.visibility
+    }
+
+    /// The same model with blocks that were corrected.
+    pub(crate) fn with_blocks(self, blocks: Blocks) -> Self {
+        Self { blocks, ..self }
     }
 
     /// Refuses a scene of other surfaces, and light from surfaces whose blocks were left out.

@@ -3,9 +3,10 @@
 use std::{
     fs,
     io::Write,
-    path::Path,
     process::{Command, Output, Stdio},
 };
+
+use crate::program::radiosity;
 
 /// A scene that is right, to be broken in one place.
 const ROOM: &str = r#"title = "room"
@@ -25,11 +26,6 @@ quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }
 fn room(old: &str, new: &str) -> String {
     assert!(ROOM.contains(old), "{old:?} is not in the room");
     ROOM.replace(old, new)
-}
-
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
 }
 
 /// Renders a scene that must be refused: exit code 2, empty stdout, no new file, all of `parts` on stderr.

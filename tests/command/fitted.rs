@@ -1,13 +1,8 @@
 //! Scenes whose corners nearly agree: what the command tells of them, and that it keeps to it.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
+use crate::program::radiosity;
 
 /// A room with a box whose feet hover over its floor by rounding, and a bottom that lies in it.
 fn hovering(gap: f64) -> String {

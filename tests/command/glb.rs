@@ -4,7 +4,6 @@
 use std::fs::{self, File};
 use std::io::Cursor;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use radiosity::output::exr_file::read_exr;
 use radiosity::output::glb::texture_size;
@@ -12,26 +11,7 @@ use radiosity::output::lightmap::Lightmap;
 use radiosity::output::raster::Raster;
 use serde_json::Value;
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8(output.stderr).expect("text");
-    assert!(output.status.success(), "{args:?}: {message}");
-    message
-}
-
-#[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
-    parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
-}
+use crate::program::{done, refused};
 
 const ROOM: &str = r#"
 bands = ["r", "g", "b"]
@@ -123,7 +103,7 @@ fn our_own_reader_finds_the_surfaces_where_they_were() {
 fn meshes_have_places_in_the_texture_and_the_texture_has_the_light() {
     let folder = folder_with_room();
     let path = folder.path();
-    let told = done(
+    let [_, told] = done(
         path,
         &["render", "room.toml", "--read", "basis", "--size", "64x64", "--exposure", "0.1", "-o", "room.glb"],
     );

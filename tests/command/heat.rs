@@ -2,42 +2,30 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn heat(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).arg("heat").args(args).output().expect("the binary runs")
-}
+use crate::program::{done, radiosity, refused};
 
+/// Standard output and standard error of `heat`, which succeeds.
 #[track_caller]
-fn done(output: &Output) -> (String, String) {
-    let [out, told] = [&output.stdout, &output.stderr].map(|text| String::from_utf8(text.clone()).unwrap());
-    assert!(output.status.success(), "{told}");
-    (out, told)
-}
-
-#[track_caller]
-fn refused(output: &Output, parts: &[&str]) {
-    let told = String::from_utf8(output.stderr.clone()).unwrap();
-    assert_eq!(output.status.code(), Some(2), "{told}");
-    assert!(parts.iter().all(|part| told.contains(part)), "{told}");
+fn heat(folder: &Path, args: &[&str]) -> [String; 2] {
+    done(folder, &[&["heat"], args].concat())
 }
 
 #[test]
 fn the_oven_is_in_balance_in_every_format() {
     let folder = tempfile::tempdir().unwrap();
-    let (table, told) = done(&heat(folder.path(), &[]));
+    let [table, told] = heat(folder.path(), &[]);
     assert!(table.starts_with("surface ") && table.contains("slab"), "{table}");
     assert!(told.contains("the scene is closed"), "{told}");
-    let (csv, _) = done(&heat(folder.path(), &["oven", "--format", "csv", "-q"]));
+    let [csv, _] = heat(folder.path(), &["oven", "--format", "csv", "-q"]);
     let mut reader = csv::Reader::from_reader(csv.as_bytes());
     let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
     let flows: Vec<f64> = rows.iter().map(|row| row[6].parse().unwrap()).collect();
     let given: f64 = flows.iter().filter(|flow| **flow > 0.0).sum();
     assert!(flows.iter().sum::<f64>().abs() < 1e-4 * given, "{flows:?}");
-    done(&heat(folder.path(), &["oven", "-o", "oven.json", "-q"]));
+    heat(folder.path(), &["oven", "-o", "oven.json", "-q"]);
     let json: Value = serde_json::from_slice(&fs::read(folder.path().join("oven.json")).unwrap()).unwrap();
     let own = &json["surfaces"][6];
     assert_eq!((own["name"].as_str(), own["temperature"].as_f64()), (Some("slab"), Some(900.0)));
@@ -48,7 +36,7 @@ fn the_oven_is_in_balance_in_every_format() {
 fn conductances_of_a_surface_sum_to_what_it_emits() {
     let folder = tempfile::tempdir().unwrap();
     for file in ["C.csv", "C.json", "C.npy"] {
-        done(&heat(folder.path(), &["oven", "--conductances", file, "-q"]));
+        heat(folder.path(), &["oven", "--conductances", file, "-q"]);
     }
     let json: Value = serde_json::from_slice(&fs::read(folder.path().join("C.json")).unwrap()).unwrap();
     let rows = json["conductances"].as_array().unwrap();
@@ -75,7 +63,7 @@ fn conductances_of_a_surface_sum_to_what_it_emits() {
 #[test]
 fn a_room_at_rest_is_told_to_be_closed() {
     let folder = tempfile::tempdir().unwrap();
-    let (_, told) = done(&heat(folder.path(), &["oven", "--set", "heater=900", "--order", "1"]));
+    let [_, told] = heat(folder.path(), &["oven", "--set", "heater=900", "--order", "1"]);
     assert!(told.contains("the scene is closed"), "{told}");
 }
 
@@ -83,7 +71,7 @@ fn a_room_at_rest_is_told_to_be_closed() {
 fn a_picture_shows_temperatures_with_a_legend() {
     let folder = tempfile::tempdir().unwrap();
     let args = ["oven", "--picture", "oven.png", "--size", "64x48", "--range", "800,1500", "-q"];
-    done(&heat(folder.path(), &args));
+    heat(folder.path(), &args);
     let decoder =
         png::Decoder::new(std::io::BufReader::new(fs::File::open(folder.path().join("oven.png")).unwrap()));
     let mut reader = decoder.read_info().unwrap();
@@ -98,11 +86,7 @@ fn a_picture_shows_temperatures_with_a_legend() {
     assert_eq!(pixel(10, 1), pixel(50, 3));
     assert_eq!(pixel(30, 47), pixel(34, 40));
     assert_ne!(pixel(10, 1), pixel(30, 47));
-    let level = heat(
-        folder.path(),
-        &["oven", "--picture", "level.png", "--show", "exitance", "--size", "64x48", "-q"],
-    );
-    done(&level);
+    heat(folder.path(), &["oven", "--picture", "level.png", "--show", "exitance", "--size", "64x48", "-q"]);
     assert_ne!(
         fs::read(folder.path().join("level.png")).unwrap(),
         fs::read(folder.path().join("oven.png")).unwrap()
@@ -112,17 +96,32 @@ fn a_picture_shows_temperatures_with_a_legend() {
 #[test]
 fn wrong_use_is_refused_before_the_work() {
     let folder = tempfile::tempdir().unwrap();
-    let run = |args: &[&str]| heat(folder.path(), args);
-    refused(&run(&["cornell-box"]), &["neither a temperature nor a flux", "adiabatic = true"]);
-    refused(&run(&["oven", "-o", "oven.xlsx"]), &["oven.xlsx", ".csv"]);
-    refused(&run(&["oven", "--conductances", "C.txt"]), &["C.txt", ".npy"]);
-    refused(&run(&["oven", "-o", "a.csv", "--conductances", "a.csv"]), &["a.csv"]);
-    refused(&run(&["oven", "--shadows", "mask"]), &["masks"]);
-    refused(&run(&["oven", "--set", "heater=-5"]), &["heater"]);
-    refused(&run(&["oven", "--order", "21"]), &["21"]);
-    refused(&run(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"]), &["x.png", "figures"]);
-    refused(&run(&["oven", "--isolines"]), &["--isolines speaks of a picture", "--picture FILE.png"]);
-    refused(&run(&["oven", "--picture", "a.jpg"]), &["a.jpg", ".png"]);
-    refused(&run(&["oven", "--picture", "a.png", "--band", "grey"]), &["--band", "leave it out"]);
+    let refused = |args: &[&str], parts: &[&str]| refused(folder.path(), &[&["heat"], args].concat(), parts);
+    refused(&["cornell-box"], &["neither a temperature nor a flux", "adiabatic = true"]);
+    refused(&["oven", "-o", "oven.xlsx"], &["oven.xlsx", ".csv"]);
+    refused(&["oven", "--conductances", "C.txt"], &["C.txt", ".npy"]);
+    refused(&["oven", "-o", "a.csv", "--conductances", "a.csv"], &["a.csv"]);
+    refused(&["oven", "--shadows", "mask"], &["masks"]);
+    refused(&["oven", "--set", "heater=-5"], &["heater"]);
+    refused(&["oven", "--order", "21"], &["21"]);
+    refused(&["oven", "-o", "x.png", "--format", "csv", "--picture", "x.png"], &["x.png", "figures"]);
+    refused(&["oven", "--isolines"], &["--isolines speaks of a picture", "--picture FILE.png"]);
+    refused(&["oven", "--picture", "a.jpg"], &["a.jpg", ".png"]);
+    refused(&["oven", "--picture", "a.png", "--band", "grey"], &["--band", "leave it out"]);
+    refused(&["oven", "--conductances", "C.csv", "--memory", "1M"], &["conductances between 7", "--memory"]);
     assert!(fs::read_dir(folder.path()).unwrap().next().is_none());
+}
+
+#[test]
+fn the_error_of_even_fluxes_is_told_where_memory_allows() {
+    let folder = tempfile::tempdir().unwrap();
+    // Step by step from what even order 0 does not fit into.
+    let tell = |kilobytes: usize| {
+        let memory = format!("{kilobytes}k");
+        let output = radiosity(folder.path(), &["heat", "oven", "--order", "0", "--memory", &memory]);
+        output.status.success().then(|| String::from_utf8(output.stderr).unwrap())
+    };
+    let told: Vec<String> = (10_000..10_200).step_by(4).filter_map(tell).collect();
+    let is_warned = |told: &String| told.contains("no memory for order 1");
+    assert!(told.len() < 50 && is_warned(&told[0]) && !is_warned(&told[told.len() - 1]), "{told:?}");
 }

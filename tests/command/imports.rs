@@ -5,7 +5,8 @@ use std::fs;
 use radiosity::geom::DVec3;
 use serde_json::Value;
 
-use crate::formats::{cube, done, each, folder, gltf, radiosity, refused};
+use crate::formats::{cube, each, folder, gltf};
+use crate::program::{done, radiosity, refused};
 
 /// The cube as an OBJ with one of its faces painted, each corner where `place` puts it.
 fn painted(place: fn(DVec3) -> DVec3) -> String {

@@ -1,8 +1,8 @@
 //! Variables, files within files and the schema on the command line.
 
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
+
+use crate::program::{done, refused};
 
 const ROOM: &str = r#"include = "white.toml"
 variables = { width = 2, emission = 10 }
@@ -27,26 +27,6 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = radiosity(folder, args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-    String::from_utf8(output.stdout).unwrap()
-}
-
-#[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{message}");
-    parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
-}
-
 /// The means of all cells, one for each surface.
 fn means(table: &str) -> Vec<f64> {
     let column = table.lines().next().unwrap().split(',').position(|name| name == "E_grey");
@@ -58,17 +38,17 @@ fn means(table: &str) -> Vec<f64> {
 fn variables_and_light_groups_are_set_together() {
     let folder = folder();
     let here = folder.path();
-    let told = done(here, &["check", "room.toml", "--set", "width=3"]);
+    let [told, _] = done(here, &["check", "room.toml", "--set", "width=3"]);
     assert!(told.contains("variables: width = 3, emission = 10"), "{told}");
     assert!(told.contains("total area 4.000000"), "{told}");
-    let told = done(here, &["check", "room.toml", "--set", "width=3", "--format", "json"]);
+    let [told, _] = done(here, &["check", "room.toml", "--set", "width=3", "--format", "json"]);
     let told: serde_json::Value = serde_json::from_str(&told).unwrap();
     assert_eq!(told["variables"], serde_json::json!({ "emission": 10.0, "width": 3.0 }));
     assert_eq!(told["bands"], serde_json::json!(["grey"]));
 
     let method = ["--order", "1", "--eps", "0.1", "-q"];
     let grid =
-        |args: &[&str]| means(&done(here, &[&["grid"], args, &["--cells", "1x1"], &method[..]].concat()));
+        |args: &[&str]| means(&done(here, &[&["grid"], args, &["--cells", "1x1"], &method[..]].concat())[0]);
     let [once, twice] = ["10", "20"].map(|e| grid(&["room.toml", "--set", &format!("emission={e}")]));
     let dimmed = grid(&["room.toml", "--set", "emission=20", "--set", "lamps=0.5"]);
     for ((once, twice), dimmed) in once.iter().zip(&twice).zip(&dimmed) {
@@ -79,7 +59,7 @@ fn variables_and_light_groups_are_set_together() {
     done(here, &[&["solve", "room.toml", "-o", "room.json"], &set[..], &method].concat());
     fs::remove_file(here.join("room.toml")).unwrap();
     fs::remove_file(here.join("white.toml")).unwrap();
-    assert_eq!(means(&done(here, &["grid", "room.json", "--cells", "1x1", "-q"])), dimmed);
+    assert_eq!(means(&done(here, &["grid", "room.json", "--cells", "1x1", "-q"])[0]), dimmed);
     let parts = ["\"emission\" is a variable", "help: give the scene itself with --set emission="];
     refused(here, &["relight", "room.json", "--set", "emission=1"], &parts);
     refused(here, &["grid", "room.json", "--set", "emission=1"], &parts);
@@ -116,6 +96,6 @@ fn names_of_nothing_are_refused_with_what_there_is() {
 #[test]
 fn the_schema_is_printed() {
     let folder = tempfile::tempdir().unwrap();
-    let printed: serde_json::Value = serde_json::from_str(&done(folder.path(), &["schema"])).unwrap();
+    let printed: serde_json::Value = serde_json::from_str(&done(folder.path(), &["schema"])[0]).unwrap();
     assert_eq!(printed, radiosity::scene::schema());
 }

@@ -266,3 +266,38 @@ fn what_takes_light_for_diffuse_refuses_a_sky() {
         assert!(error.contains(&refusal), "{option:?}: {error}");
     }
 }
+
+#[test]
+fn power_that_elements_miss_of_direct_light_has_a_cure_of_its_own() {
+    // A beam of 5 cm on a floor of 4 m, and a room that reflects all but a ten-thousandth.
+    let beam = r#"
+        bands = ["lm"]
+        materials.wall = { reflectance = 0.5 }
+        surfaces = [{ name = "room", material = "wall", box = { origin = [0, 0, 0], size = [4, 5, 2.7], inward = true } }]
+        luminaires = [{ position = [1.93, 2.07, 2.69], spot = { angle = 1, edge = 0.2 }, flux = 900 }]
+    "#;
+    let bright = r#"
+        bands = ["grey"]
+        materials.wall = { reflectance = 0.9999, emission = 1 }
+        [[surfaces]]
+        name = "room"
+        material = "wall"
+        flip = true
+        sphere = { center = [0, 0, 0], radius = 1 }
+        [[surfaces]]
+        name = "body"
+        material = "wall"
+        box = { origin = [-0.3, -0.3, -0.3], size = [0.6, 0.6, 0.6] }
+    "#;
+    let folder = tempfile::tempdir().unwrap();
+    let cure = |scene: &str| {
+        let (_, _, told) =
+            run(folder.path(), scene, &["solve", "room.toml", "-o", "out.json", "--eps", "1e-2"]);
+        let line = told.lines().find(|line| line.contains("of the power") || line.contains("more power"));
+        line.unwrap_or_else(|| panic!("no warning in:\n{told}")).to_owned()
+    };
+    let direct = cure(beam);
+    assert!(direct.contains("subdivide = [n, n]") && !direct.contains("--eps"), "{direct}");
+    let transfers = cure(bright);
+    assert!(transfers.contains("--eps") && !transfers.contains("subdivide"), "{transfers}");
+}

@@ -19,6 +19,7 @@ mod matrices;
 mod pictures;
 mod planes;
 mod probe;
+mod program;
 mod relight;
 mod report;
 mod solution_file;

@@ -4,26 +4,8 @@ use std::collections::BTreeMap;
 use std::fs::{self, File};
 use std::io::Read;
 use std::path::Path;
-use std::process::{Command, Output};
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) {
-    let output = radiosity(folder, args);
-    assert!(output.status.success(), "{args:?}: {}", String::from_utf8_lossy(&output.stderr));
-}
-
-#[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
-    parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
-}
+use crate::program::{done, refused};
 
 /// An array of NPY: its kind, its shape, its bytes.
 struct Array {

@@ -3,7 +3,6 @@
 use std::fs::{self, File};
 use std::io::{BufReader, Read};
 use std::path::Path;
-use std::process::{Command, Output};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
@@ -15,10 +14,7 @@ use radiosity::output::wireframe::wireframe;
 use radiosity::scene::Scene;
 use radiosity::visibility::{Shadows, Visibility};
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
+use crate::program::radiosity;
 
 #[track_caller]
 fn done(folder: &Path, args: &[&str]) -> String {

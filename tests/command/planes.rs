@@ -3,14 +3,10 @@
 use std::fs::{self, File};
 use std::io::BufReader;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use serde_json::Value;
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
+use crate::program::radiosity;
 
 /// What a command that succeeds prints and tells.
 struct Done {

@@ -2,9 +2,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 
 use serde_json::Value;
+
+use crate::program::radiosity;
 
 /// A closed room with lamps on its ceiling, a window of the same material and a wall that glows on its own; exitances of
 /// lamps and window.
@@ -31,11 +33,6 @@ fn room(lamps: f64, window: f64) -> String {
          glow = {{ reflectance = 0.2, emission = 1 }}\n{}",
         walls.concat()
     )
-}
-
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
 }
 
 #[track_caller]

@@ -4,31 +4,11 @@
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
-}
-
-#[track_caller]
-fn done(folder: &Path, args: &[&str]) -> String {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8(output.stderr).expect("text");
-    assert!(output.status.success(), "{args:?}: {message}");
-    message
-}
-
-#[track_caller]
-fn refused(folder: &Path, args: &[&str], parts: &[&str]) {
-    let output = radiosity(folder, args);
-    let message = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{args:?}: {message}");
-    parts.iter().for_each(|part| assert!(message.contains(part), "{part:?} is missing in:\n{message}"));
-}
+use crate::program::{done, refused};
 
 /// A grid as the format's specification says how to read it.
 struct Grid {
@@ -153,7 +133,7 @@ fn furnaces_are_even_at_every_point() {
 #[test]
 fn cells_lie_on_their_surfaces() {
     let folder = folder_with_room();
-    let told = done(folder.path(), &["solve", "room.toml", "-o", "room.vtu"]);
+    let [_, told] = done(folder.path(), &["solve", "room.toml", "-o", "room.vtu"]);
     let grid = Grid::read(&folder.path().join("room.vtu"));
     grid.check();
     assert!(told.contains(&format!("{} cells, {} points", grid.cells, grid.points)), "{told}");

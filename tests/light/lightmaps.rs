@@ -14,7 +14,7 @@ fn solved(scene: Scene) -> Solved {
 }
 
 fn lightmap(solved: &Solved, texels: usize) -> Lightmap {
-    Lightmap::new(solved, Read::Gather, texels, &|_, _| {})
+    Lightmap::new(solved, Read::Gather, texels, &|_| {})
 }
 
 /// A closed room in which everything emits 1 and reflects ½, bodies on its floor, a sheet on a wall and a ceiling of two parts

@@ -7,28 +7,37 @@ const AROUND: [[isize; 2]; 8] = [[-1, -1], [0, -1], [1, -1], [-1, 0], [1, 0], [-
 /// where none is.
 pub(super) fn fill(plane: &mut [f32], size: [usize; 2], known: &[bool]) {
     let mut known = known.to_vec();
-    let mut open: Vec<usize> = (0..plane.len()).filter(|texel| !known[*texel]).collect();
-    while open.len() < plane.len() && !open.is_empty() {
-        let ring: Vec<(usize, f32)> =
-            open.iter().filter_map(|texel| Some((*texel, mean(plane, size, &known, *texel)?))).collect();
-        for (texel, value) in &ring {
+    let mut ring: Vec<usize> = (0..plane.len()).filter(|texel| !known[*texel]).collect();
+    while !ring.is_empty() {
+        let values: Vec<(usize, f32)> =
+            ring.iter().filter_map(|texel| Some((*texel, mean(plane, size, &known, *texel)?))).collect();
+        for (texel, value) in &values {
             plane[*texel] = *value;
             known[*texel] = true;
         }
-        open.retain(|texel| !known[*texel]);
+        // Only what lies beside these has got a new neighbour.
+        let beside = values.iter().flat_map(|(texel, _)| around(size, *texel));
+        ring = beside.filter(|other| !known[*other]).collect();
+        ring.sort_unstable();
+        ring.dedup();
     }
 }
 
 /// The mean of the known neighbours of a texel.
-fn mean(plane: &[f32], [columns, rows]: [usize; 2], known: &[bool], texel: usize) -> Option<f32> {
+fn mean(plane: &[f32], size: [usize; 2], known: &[bool], texel: usize) -> Option<f32> {
+    let beside = around(size, texel).filter(|other| known[*other]);
+    let (sum, count) = beside.fold((0.0, 0.0), |(sum, count), other| (sum + plane[other], count + 1.0));
+    (count > 0.0).then(|| sum / count)
+}
+
+/// The neighbours of a texel.
+fn around([columns, rows]: [usize; 2], texel: usize) -> impl Iterator<Item = usize> {
     let [i, j] = [texel % columns, texel / columns].map(|at| at as isize);
     let beside = AROUND
         .iter()
-        .map(|[x, y]| [i + x, j + y])
-        .filter(|[x, y]| (0..columns as isize).contains(x) && (0..rows as isize).contains(y));
-    let beside = beside.map(|[x, y]| y as usize * columns + x as usize).filter(|other| known[*other]);
-    let (sum, count) = beside.fold((0.0, 0.0), |(sum, count), other| (sum + plane[other], count + 1.0));
-    (count > 0.0).then(|| sum / count)
+        .map(move |[x, y]| [i + x, j + y])
+        .filter(move |[x, y]| (0..columns as isize).contains(x) && (0..rows as isize).contains(y));
+    beside.map(move |[x, y]| y as usize * columns + x as usize)
 }
 
 #[cfg(test)]

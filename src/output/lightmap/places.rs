@@ -20,30 +20,46 @@ pub(super) fn parameters(size: [usize; 2], texel: [usize; 2]) -> [f64; 2] {
     [place(texel[0], size[0]), place(texel[1], size[1])]
 }
 
-/// Where the light of each texel of a surface is computed, in a scene of this diagonal; None for those that no place in the open
-/// is near to. Rows of constant v.
-pub(super) fn places(
-    elements: &Elements,
+/// The texels of a surface.
+pub(super) struct Places<'a> {
+    elements: &'a Elements,
     surface: usize,
     size: [usize; 2],
+    /// Diagonal of the scene (scene length).
     diagonal: f64,
-) -> Vec<Option<Seen>> {
-    let shape = elements.shape(surface);
-    let open = shape.region().map(|_| Open::of(elements, surface, size));
-    let place = |texel: [usize; 2]| {
+    /// None of a curved surface.
+    open: Option<Open>,
+}
+
+impl<'a> Places<'a> {
+    /// Of so many texels of a surface in a scene of this diagonal.
+    pub(super) fn of(elements: &'a Elements, surface: usize, size: [usize; 2], diagonal: f64) -> Self {
+        let open = elements.shape(surface).region().map(|_| Open::of(elements, surface, size));
+        Self { elements, surface, size, diagonal, open }
+    }
+
+    /// Where the light of a texel is computed; None where no place in the open is near to it.
+    pub(super) fn at(&self, texel: [usize; 2]) -> Option<Seen> {
+        let Self { elements, surface, size, .. } = *self;
+        let shape = elements.shape(surface);
         let own = parameters(size, texel);
-        let at = match &open {
+        let at = match &self.open {
             Some(open) => {
                 let foot = shape.project(open.nearest(shape.jet(own[0], own[1]).position)?);
                 [foot.u, foot.v]
             }
             None => own,
         };
-        let Spot { place, element, normal, .. } = Spot::at(elements, surface, at, diagonal)?;
+        let Spot { place, element, normal, .. } = Spot::at(elements, surface, at, self.diagonal)?;
         let is_open = elements.list()[element].contact.is_none();
         is_open.then_some(Seen { element, place, normal })
-    };
-    (0..size[1]).flat_map(|j| (0..size[0]).map(move |i| [i, j])).map(place).collect()
+    }
+
+    /// All, in rows of constant v.
+    pub(super) fn all(&self) -> Vec<Option<Seen>> {
+        let [columns, rows] = self.size;
+        (0..rows).flat_map(|j| (0..columns).map(move |i| [i, j])).map(|texel| self.at(texel)).collect()
+    }
 }
 
 /// The open part of a flat surface: what no body stands on and no sheet covers.
