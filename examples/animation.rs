@@ -60,7 +60,8 @@ fn asked() -> Asked {
 
 fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
     let last = count - 1;
-    let sample: Vec<usize> = (0..FRESH.min(count)).map(|k| k * last / (FRESH.min(count) - 1).max(1)).collect();
+    let sample: Vec<usize> =
+        (0..FRESH.min(count)).map(|k| k * last / (FRESH.min(count) - 1).max(1)).collect();
     let mut follower = Follower::new(scene, options, Way::Fresh, [0, last]);
     let begun = ProcessTime::now();
     let fresh: Vec<Frame> = sample.iter().map(|frame| frame_of(&mut follower, *frame)).collect();

@@ -13,6 +13,7 @@ mod gap;
 mod luminaires;
 
 pub use contact::Contact;
+pub use luminaires::NearPoint;
 pub use shell::{Fronts, Shell};
 pub use warning::Warning;
 
@@ -37,6 +38,8 @@ pub struct Inspection {
     pub footings: Vec<Footing>,
     /// Closed surfaces.
     pub shells: Vec<Shell>,
+    /// Luminaires that err as points.
+    pub near_points: Vec<NearPoint>,
     /// What looks wrong.
     pub warnings: Vec<Warning>,
 }
@@ -59,7 +62,8 @@ impl Inspection {
         warnings.extend(front::inside_out(&sheets, &shells, scene.camera.as_ref()));
         warnings.extend(front::blind(&sheets, &lying));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
-        Inspection { areas, contacts, footings: footings(scene), shells, warnings }
+        let near_points = luminaires::near_points(scene);
+        Inspection { areas, contacts, footings: footings(scene), shells, near_points, warnings }
     }
 }
 

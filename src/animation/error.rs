@@ -10,7 +10,9 @@ pub enum AnimationError {
     #[error(transparent)]
     Scene(#[from] SceneError),
     /// Direct light through masks, which are no polynomials.
-    #[error("light that goes through shadow masks cannot be interpolated along a path: follow it frame by frame")]
+    #[error(
+        "light that goes through shadow masks cannot be interpolated along a path: follow it frame by frame"
+    )]
     Masked,
     /// Its light was not found.
     #[error("frame {moment}: {failure}")]

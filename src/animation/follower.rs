@@ -42,7 +42,9 @@ impl<'a> Follower<'a> {
         let kind = match way {
             Way::Fresh => Kind::Fresh(scene, *options),
             Way::Selective => Kind::Selective(Sequence::new(scene, options)),
-            Way::Path { tolerance } => Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance)),
+            Way::Path { tolerance } => {
+                Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance))
+            }
         };
         Self { kind, solved: 0 }
     }

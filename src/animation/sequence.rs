@@ -42,11 +42,15 @@ impl<'a> Sequence<'a> {
     ///
     /// # Errors
     /// As [`Scene::at_moment`] and [`solve`](crate::solve::solve).
-    pub fn at(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Solved, AnimationError> {
+    pub fn at(
+        &mut self,
+        moment: f64,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Solved, AnimationError> {
         let still = self.scene.at_moment(moment)?;
         let failed = |failure: Failure| AnimationError::of(moment, failure);
-        let model =
-            Model::assemble_again(&still, &self.options, &self.choice, &mut self.memory, progress).map_err(failed)?;
+        let model = Model::assemble_again(&still, &self.options, &self.choice, &mut self.memory, progress)
+            .map_err(failed)?;
         let outcome = model.solve(&still, progress).map_err(failed)?;
         Ok(Solved::of(still, self.options, outcome, None))
     }

@@ -127,7 +127,8 @@ impl AnimateArgs {
         match self.method.wanted_accuracy() {
             Some(_) => Err(CliError::Refused {
                 message: "--accuracy: elements that one frame needs are not those of another".to_owned(),
-                cure: "leave it out and choose --quality, or --order and --eps, which hold for all frames".to_owned(),
+                cure: "leave it out and choose --quality, or --order and --eps, which hold for all frames"
+                    .to_owned(),
             }),
             None => Ok(()),
         }

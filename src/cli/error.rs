@@ -2,8 +2,8 @@
 
 use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
 
-use radiosity::elements::ElementError;
 use radiosity::animation::error::AnimationError;
+use radiosity::elements::ElementError;
 use radiosity::heat::HeatError;
 use radiosity::hierarchy::HierarchyError;
 use radiosity::output::chart::ChartError;

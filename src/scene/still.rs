@@ -15,6 +15,7 @@ use crate::scene::{
     coincident::Occupied,
     error::{Fault, SceneError, surface_title},
     pose::Pose,
+    radiance::Radiance,
     source::Source,
     surface::SceneSurface,
 };
@@ -120,10 +121,16 @@ impl Scene {
 fn put(surface: &mut SceneSurface, pose: &Pose) {
     let rest: Box<dyn Surface> = Box::new(Arc::clone(&surface.shape));
     surface.shape = Arc::new(Placed::new(rest, *pose.motion()));
-    if let Some(outlook) = &surface.outlook {
-        let turned = outlook.turned(|normal| pose.vector(normal));
-        surface.material.emission = turned.exitance();
-        surface.outlook = Some(Arc::new(turned));
+    match &surface.radiance {
+        None => {}
+        Some(Radiance::Sky(outlook)) => {
+            let turned = outlook.turned(|normal| pose.vector(normal));
+            surface.material.emission = turned.exitance();
+            surface.radiance = Some(Radiance::Sky(Arc::new(turned)));
+        }
+        Some(Radiance::Luminaire(area)) => {
+            surface.radiance = Some(Radiance::Luminaire(Arc::new(area.moved(pose.motion()))));
+        }
     }
 }
 

@@ -30,8 +30,8 @@ use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
-use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::memory::{Answer, Memory, Request};
+use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
@@ -297,7 +297,14 @@ impl Scene<'_> {
     }
 
     /// Stores the block of `task` and adds its cost.
-    fn store(&self, blocks: &mut Blocks, task: &Task, source: &Source, tasks: &[Task], integrated: &[Arc<Answer>]) {
+    fn store(
+        &self,
+        blocks: &mut Blocks,
+        task: &Task,
+        source: &Source,
+        tasks: &[Task],
+        integrated: &[Arc<Answer>],
+    ) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
         let block = &integrated[*place].block;
         blocks.pairs.take(block);

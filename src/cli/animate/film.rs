@@ -41,10 +41,18 @@ pub(super) struct Pattern {
 
 impl Film {
     /// For a name as typed; finds out whether it can be written. `fps` are pictures a second.
-    pub(super) fn new(name: &Path, fps: Option<f64>, first: usize, loaded: &Loaded) -> Result<Self, CliError> {
+    pub(super) fn new(
+        name: &Path,
+        fps: Option<f64>,
+        first: usize,
+        loaded: &Loaded,
+    ) -> Result<Self, CliError> {
         let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let refused = |message: String, cure: &str| {
-            Err(CliError::Refused { message: format!("{}: {message}", name.display()), cure: cure.to_owned() })
+            Err(CliError::Refused {
+                message: format!("{}: {message}", name.display()),
+                cure: cure.to_owned(),
+            })
         };
         match ending.as_deref() {
             Some("gif") => Ok(Self::Gif {

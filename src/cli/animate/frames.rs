@@ -23,9 +23,12 @@ impl FromStr for FrameRange {
             Some((first, last)) => number(first).zip(number(last)),
             None => number(text).map(|only| (only, only)),
         };
-        ends.filter(|(first, last)| first <= last).map(|(first, last)| Self { first, last }).ok_or_else(|| {
-            "expected the first and the last frame with .. between, such as 0..99, or one number".to_owned()
-        })
+        ends.filter(|(first, last)| first <= last).map(|(first, last)| Self { first, last }).ok_or_else(
+            || {
+                "expected the first and the last frame with .. between, such as 0..99, or one number"
+                    .to_owned()
+            },
+        )
     }
 }
 

@@ -53,8 +53,17 @@ impl Goal {
     /// All its numbers, as bits.
     pub(super) fn bits(&self) -> Vec<u64> {
         let Self { accuracy, bent, least, row, unseen, flat, sampled, outlined } = *self;
-        let mut numbers =
-            vec![accuracy.eps, accuracy.shadow_eps, bent.eps, bent.shadow_eps, least, row, unseen, flat, sampled];
+        let mut numbers = vec![
+            accuracy.eps,
+            accuracy.shadow_eps,
+            bent.eps,
+            bent.shadow_eps,
+            least,
+            row,
+            unseen,
+            flat,
+            sampled,
+        ];
         numbers.extend(outlined.iter().flat_map(|limit| [limit.error, limit.entry]));
         numbers.into_iter().map(f64::to_bits).collect()
     }
