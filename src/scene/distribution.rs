@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use radiosity_formats::photometry::Photometry;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ROUNDING};
 
 use crate::scene::{error::Fault, ranges::check_range};
 
@@ -109,6 +109,16 @@ impl Distribution {
             return table.flux_between(least, most);
         }
         2.0 * PI * (self.antiderivative(most.to_radians()) - self.antiderivative(least.to_radians()))
+    }
+
+    /// The angles γ (degrees) of the hemispheres along the aim and against it, from and to, and the part of Ω in each; none where that
+    /// is dark.
+    pub(crate) fn hemispheres(&self) -> [Option<(f64, f64, f64)>; 2] {
+        let dark = ROUNDING * self.flux_factor();
+        [(0.0, 90.0), (90.0, 180.0)].map(|(least, most)| {
+            let part = self.flux_between(least, most);
+            (part > dark).then_some((least, most, part))
+        })
     }
 
     /// An antiderivative of d sin γ; of tables 0.

@@ -47,13 +47,12 @@ impl PartialEq for LuminousArea {
 impl LuminousArea {
     /// The side along the aim of a luminaire and the one against it, each where it sends any light.
     pub(super) fn sides(luminaire: &Luminaire) -> [Option<Self>; 2] {
-        let side = |normal: DVec3, [least, most]: [f64; 2]| {
-            let flux_factor = luminaire.distribution.flux_between(least, most);
+        let side = |normal: DVec3, (least, most, flux_factor): (f64, f64, f64)| {
             let resolved = RESOLVED * luminaire.distribution.scale(least, most);
-            let own = || Self { luminaire: luminaire.clone(), normal, flux_factor, resolved };
-            (flux_factor > 0.0).then(own)
+            Self { luminaire: luminaire.clone(), normal, flux_factor, resolved }
         };
-        [side(luminaire.aim, [0.0, 90.0]), side(-luminaire.aim, [90.0, 180.0])]
+        let [along, against] = luminaire.distribution.hemispheres();
+        [along.map(|own| side(luminaire.aim, own)), against.map(|own| side(-luminaire.aim, own))]
     }
 
     /// The same, moved without a change of size.
