@@ -48,6 +48,15 @@ pub enum Distribution {
     Table(Arc<Photometry>),
 }
 
+/// The directions before a side of a plane across the aim.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hemisphere {
+    /// The part of Ω in it.
+    pub flux_factor: f64,
+    /// The angle (degrees) over which the largest d would fall to nothing as steeply as d changes anywhere in it; 0 where d jumps.
+    pub scale: f64,
+}
+
 impl Distribution {
     /// Checks the ranges.
     ///
@@ -111,13 +120,12 @@ impl Distribution {
         2.0 * PI * (self.antiderivative(most.to_radians()) - self.antiderivative(least.to_radians()))
     }
 
-    /// The angles γ (degrees) of the hemispheres along the aim and against it, from and to, and the part of Ω in each; none where that
-    /// is dark.
-    pub(crate) fn hemispheres(&self) -> [Option<(f64, f64, f64)>; 2] {
+    /// The hemispheres along the aim and against it; none that is dark.
+    pub(crate) fn hemispheres(&self) -> [Option<Hemisphere>; 2] {
         let dark = ROUNDING * self.flux_factor();
         [(0.0, 90.0), (90.0, 180.0)].map(|(least, most)| {
-            let part = self.flux_between(least, most);
-            (part > dark).then_some((least, most, part))
+            let (flux_factor, scale) = (self.flux_between(least, most), self.scale(least, most));
+            (flux_factor > dark).then_some(Hemisphere { flux_factor, scale })
         })
     }
 
@@ -151,7 +159,7 @@ impl Distribution {
 
     /// The angle, degrees, over which the largest d would fall to nothing as steeply as d changes anywhere at angles γ from `least` to
     /// `most`, degrees; 0 where d jumps.
-    pub(crate) fn scale(&self, least: f64, most: f64) -> f64 {
+    fn scale(&self, least: f64, most: f64) -> f64 {
         match *self {
             Self::Table(ref table) => table.web.scale(least, most),
             Self::Point => f64::INFINITY,

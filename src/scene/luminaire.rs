@@ -113,8 +113,8 @@ impl Luminaire {
     /// # Errors
     /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be integrated.
     pub fn of_extent(self, extent: Extent) -> Result<Self, Fault> {
-        let is_steep = |(least, most, _): &(f64, f64, f64)| self.distribution.scale(*least, *most) < STEEP;
-        if extent.is_area() && self.distribution.hemispheres().iter().flatten().any(is_steep) {
+        let sides = self.distribution.hemispheres();
+        if extent.is_area() && sides.iter().flatten().any(|side| side.scale < STEEP) {
             return Err(Fault::BadExtent { problem: "its intensity falls to nothing within half a degree" });
         }
         Ok(Self { extent, ..self })

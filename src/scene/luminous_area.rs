@@ -13,7 +13,10 @@ use std::f64::consts::PI;
 
 use radiosity_geom::{DVec3, Motion};
 
-use crate::scene::{distribution::Distribution, luminaire::Luminaire};
+use crate::scene::{
+    distribution::{Distribution, Hemisphere},
+    luminaire::Luminaire,
+};
 
 /// Part of the width of the steepest fall of intensity within which a cell's points tell what is between them. Chosen; not tuned.
 const RESOLVED: f64 = 0.5;
@@ -47,9 +50,11 @@ impl PartialEq for LuminousArea {
 impl LuminousArea {
     /// The side along the aim of a luminaire and the one against it, each where it sends any light.
     pub(super) fn sides(luminaire: &Luminaire) -> [Option<Self>; 2] {
-        let side = |normal: DVec3, (least, most, flux_factor): (f64, f64, f64)| {
-            let resolved = RESOLVED * luminaire.distribution.scale(least, most);
-            Self { luminaire: luminaire.clone(), normal, flux_factor, resolved }
+        let side = |normal: DVec3, Hemisphere { flux_factor, scale }: Hemisphere| Self {
+            luminaire: luminaire.clone(),
+            normal,
+            flux_factor,
+            resolved: RESOLVED * scale,
         };
         let [along, against] = luminaire.distribution.hemispheres();
         [along.map(|own| side(luminaire.aim, own)), against.map(|own| side(-luminaire.aim, own))]

@@ -260,3 +260,29 @@ fn readings_by_cells_and_by_rays_agree() {
         close(found, 0.25 * exact, 1e-3);
     }
 }
+
+/// In motion a luminaire and its area go together, whichever is named: at frame 2 it is where another scene has it at rest.
+#[test]
+fn areas_move_with_their_luminaires() {
+    let entry = |x: f64, more: &str| {
+        format!(
+            "[[luminaires]]\nname = \"panel\"\nposition = [{x}, 0, 2]\n{more}\nspot = {{ exponent = 4 }}\nintensity = 100\n\
+             extent = [0.8, 0.3]\n"
+        )
+    };
+    let still = alone(&entry(0.0, ""), "").source.expect("it was read").text;
+    // About y by -90 degrees, −z becomes x, and x becomes z.
+    let turn = "rotate = { center = [0, 0, 2], axis = [0, 1, 0], angles = [0, -90] }\n";
+    let point = [(V::new(1.6, 0.2, 1.9), V::new(-1.0, 0.0, 1.0))];
+    for (turn, more) in [("", ""), (turn, "aim = [1, 0, 0]\nalong = [0, 0, 1]")] {
+        let exact = direct(&alone(&entry(1.0, more), ""), &point, 1e-5)[0];
+        for named in ["luminaires", "surfaces"] {
+            let text = format!(
+                "frames = 3\n{still}[[motion]]\n{named} = [\"panel\"]\n{turn}translate = {{ points = [[0, 0, 0], [1, 0, 0]] }}\n"
+            );
+            let scene = Scene::from_toml(&text, "moving").and_then(|own| own.at_frame(2)).expect("a frame");
+            close(direct(&scene, &point, 1e-5)[0], exact, 1e-6);
+            assert!(exact > 0.0 && scene.luminaires[0].position.distance(V::new(1.0, 0.0, 2.0)) < 1e-12);
+        }
+    }
+}
