@@ -94,7 +94,7 @@ impl Default for HeatOptions {
 impl Heat {
     /// Whether anything is known of the heat of `scene`: some surface has a temperature or a flux.
     pub fn is_known(scene: &Scene) -> bool {
-        scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some())
+        scene.surfaces.iter().any(|surface| surface.thermal.condition.is_some() && !surface.is_luminaire())
     }
 
     /// The temperatures and flows of `scene`, with errors from what lower orders find (two below, or the next above 0). In

@@ -15,6 +15,7 @@ mod luminaires;
 pub mod passage;
 
 pub use contact::Contact;
+pub use luminaires::NearPoint;
 pub use passage::Passage;
 pub use regions::Regions;
 pub use shell::{Fronts, Shell};
@@ -43,6 +44,8 @@ pub struct Inspection {
     pub shells: Vec<Shell>,
     /// Surfaces that pass through others where something moves.
     pub passages: Vec<Passage>,
+    /// Luminaires that err as points.
+    pub near_points: Vec<NearPoint>,
     /// What looks wrong.
     pub warnings: Vec<Warning>,
 }
@@ -67,7 +70,8 @@ impl Inspection {
         let passages = passage::passages(scene, &sheets);
         warnings.extend(passages.iter().map(Passage::warning));
         let areas = scene.surfaces.par_iter().map(|surface| surface.shape.area()).collect();
-        Inspection { areas, contacts, footings: footings(scene), shells, passages, warnings }
+        let near_points = luminaires::near_points(scene);
+        Inspection { areas, contacts, footings: footings(scene), shells, passages, near_points, warnings }
     }
 }
 

@@ -5,7 +5,8 @@
 //! E(x) = ∫ κ(x, y) V(x, y) B(y) dA_y ≈ Σ_cells F_c B̄_c ,     B̄_c = Σ_a w_a κ_a V_a B_a / Σ_a w_a κ_a V_a
 //! ```
 //!
-//! Luminaires are points: their irradiance has a closed form, and one ray tells whether it arrives (`point_lights`). The
+//! Luminaires that are points have an irradiance of closed form, and one ray tells whether it arrives (`point_lights`); along lines it
+//! is integrated (`luminous_line`), and areas are elements. The
 //! rest is about elements. Every element is a tree of `cell`s that hold B at 2 × 2 Gauss points each. Each receiver point x traverses the trees
 //! (`traversal`). The form factor F_c of a cell depends on the cell and its blockers:
 //!
@@ -30,6 +31,7 @@ pub(crate) mod occluders;
 pub mod receiver_point;
 pub(crate) mod lamps;
 pub(crate) mod lines;
+mod luminous_line;
 pub mod point_lights;
 pub mod emitters;
 pub(crate) mod area_light;

@@ -29,13 +29,17 @@ mod movement;
 mod stacked;
 mod light_group;
 mod distribution;
+mod extent;
 mod luminaire;
 mod sky;
 mod glass;
 mod outlook;
+mod luminous_area;
+mod radiance;
 mod thermal;
 mod surface;
 mod draft;
+mod luminous_surface;
 mod tree;
 mod fields;
 mod formula;
@@ -57,6 +61,7 @@ mod weld;
 mod fitted;
 mod surfaces;
 mod validation;
+mod luminaires;
 mod motions;
 mod builder;
 mod dimming;
@@ -76,18 +81,21 @@ pub use camera::Camera;
 pub use distribution::Distribution;
 pub use draft::SurfaceDraft;
 pub use error::{Fault, SceneError};
+pub use extent::Extent;
 pub use fitted::{Fitted, Lying};
 pub use glass::Glass;
 pub use import::Import;
 pub use imported::Imported;
 pub use light_group::LightGroup;
 pub use luminaire::{Luminaire, Strength};
+pub use luminous_area::LuminousArea;
 pub use material::Material;
 pub use movement::MoverDraft;
 pub use outlook::{Opening, Outlook};
 pub use path::{RigidPath, Turn};
 pub use pose::Pose;
 pub use print::Notation;
+pub use radiance::Radiance;
 pub use ranges::{MAX_ORDER, MAX_PARTS};
 pub use schema::schema;
 pub use sensor_plane::SensorPlane;
@@ -104,7 +112,7 @@ use file::SceneFile;
 use include::FileTree;
 use language::Language;
 use merging::merged;
-use surfaces::Surfaces;
+use surfaces::{Surfaces, fitted_surfaces};
 use tree::{Node, Value, entry};
 use variables::{VARIABLES, Variables};
 
@@ -319,7 +327,7 @@ impl Scene {
         placed.surfaces.iter().try_for_each(|placed| export.add(placed))?;
         let mut model = export.finish()?;
         model.title = self.title.clone();
-        if self.surfaces.iter().any(|surface| surface.outlook.is_some()) {
+        if self.surfaces.iter().any(SceneSurface::is_opening) {
             model.note("openings to the sky become diffuse emitters, and the sun is left out", None);
         }
         if !self.luminaires.is_empty() {
@@ -470,15 +478,17 @@ fn assemble(file: SceneFile, variables: Vec<(String, f64)>, source: &Source) -> 
     let materials = validation::materials(file.materials, bands.len())?;
     let sky = file.sky.as_ref().map(|sky| validation::sky(sky, bands.len())).transpose();
     let sky = sky.map_err(|error| error.within(|| "sky".into()))?;
-    let instances::Placed { surfaces, luminaires } = instances::placed(&file.content, &file.parts, source)?;
+    let instances::Placed { surfaces, luminaires: lamps } =
+        instances::placed(&file.content, &file.parts, source)?;
+    let (luminaires, luminous) = luminaires::luminaires(&lamps, bands.len(), source)?;
+    let drafts = validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source);
     let Surfaces { list, makers, middle, fitted } =
-        validation::surfaces(&surfaces, &materials, sky.as_ref(), bands.len(), source)?;
-    if let (Some(sky), true) = (&file.sky, list.iter().all(|surface| surface.outlook.is_none())) {
+        fitted_surfaces(drafts.chain(luminous.into_iter().map(Ok)), source.tolerance)?;
+    if let (Some(sky), false) = (&file.sky, list.iter().any(SceneSurface::is_opening)) {
         return Err(Located::at(&sky.span, Fault::NoOpening).within(|| "sky".into()));
     }
-    let movable = motions::movable(&surfaces, &makers, &luminaires, file.camera.is_some());
+    let movable = motions::movable(&surfaces, &makers, &lamps, file.camera.is_some());
     let animation = motions::animation(&file.frames, &file.motions, &movable, source)?;
-    let luminaires = validation::luminaires(&luminaires, bands.len(), source)?;
     let camera = file.camera.map(validation::camera).transpose()?;
     Ok(Scene {
         name: stem(&source.origin),

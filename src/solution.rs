@@ -16,7 +16,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
-use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::emitters::{Emitters, Radiances};
 use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 use crate::system::Coefficients;
@@ -44,7 +44,7 @@ pub struct Solution {
     /// The luminaires and the sun, at their factors.
     points: PointLights,
     /// What openings to a sky see.
-    outlooks: Outlooks,
+    radiances: Radiances,
     masked: Option<MaskedLight>,
     /// The light of each group, where the scene has any.
     groups: Arc<[GroupLight]>,
@@ -106,7 +106,7 @@ impl Solution {
             elements,
             bands,
             points: PointLights::default(),
-            outlooks: Outlooks::default(),
+            radiances: Radiances::default(),
             masked: None,
             groups: Arc::default(),
             powers: None,
@@ -164,8 +164,8 @@ impl Solution {
         let masked = MaskedLight::together(masks);
         let powers = lit.iter().map(|(factor, group)| *factor * group.powers);
         let powers = powers.reduce(|sum, part| sum + part);
-        let outlooks = Outlooks::of(scene);
-        Self { elements, bands, points, outlooks, masked, groups: Arc::default(), powers }
+        let radiances = Radiances::of(scene);
+        Self { elements, bands, points, radiances, masked, groups: Arc::default(), powers }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
@@ -233,7 +233,7 @@ impl Solution {
         Emitters {
             elements: self.elements.list(),
             coatings: self.coatings(),
-            outlooks: &self.outlooks,
+            radiances: &self.radiances,
             points: &self.points,
         }
     }

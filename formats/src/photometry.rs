@@ -60,6 +60,11 @@ impl Photometry {
         self.web.flux()
     }
 
+    /// The part of it at angles γ from `least` to `most`, degrees.
+    pub fn flux_between(&self, least: f64, most: f64) -> f64 {
+        self.web.flux_between(least, most)
+    }
+
     /// Greatest luminous intensity, cd.
     pub fn largest(&self) -> f64 {
         self.web.largest()

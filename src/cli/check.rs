@@ -9,9 +9,9 @@ use std::{
 use clap::{Args, ValueEnum};
 use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
-use radiosity::inspection::{Contact, Fronts, Inspection, Passage, Shell, Warning};
+use radiosity::inspection::{Contact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
 use radiosity::scene::{
-    Animation, Camera, Distribution, Imported, Luminaire, Lying, Mover, Scene, SceneSurface, SensorPlane,
+    Animation, Camera, Distribution, Extent, Imported, Luminaire, Lying, Mover, Scene, SceneSurface, SensorPlane,
 };
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
@@ -96,13 +96,19 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
     for shell in &inspection.shells {
         writeln!(text, "closed: {}", shell_line(scene, shell))?;
     }
-    let openings = scene.surfaces.iter().filter(|surface| surface.outlook.is_some());
+    let openings = scene.surfaces.iter().filter(|surface| surface.is_opening());
     let openings: Vec<&str> = openings.map(|surface| surface.name.as_str()).collect();
     if !openings.is_empty() {
         writeln!(text, "openings to the sky: {}", listed(&openings))?;
     }
     if !scene.luminaires.is_empty() {
         writeln!(text, "{}", luminaire_table(scene))?;
+    }
+    for near in inspection.near_points.iter().take(LISTED) {
+        writeln!(text, "as a point: {}", near_line(near))?;
+    }
+    if let Some(rest) = inspection.near_points.len().checked_sub(LISTED).filter(|rest| *rest > 0) {
+        writeln!(text, "as a point: {rest} more; --format json names them all")?;
     }
     for line in motion_lines(scene) {
         writeln!(text, "{line}")?;
@@ -153,12 +159,13 @@ fn surface_table(surfaces: &[SceneSurface], areas: &[f64]) -> Table {
 }
 
 fn luminaire_table(scene: &Scene) -> Table {
-    let mut table = Table::new(["luminaire", "light", "position", "aim", "flux"]);
+    let mut table = Table::new(["luminaire", "light", "extent", "position", "aim", "flux"]);
     for own in &scene.luminaires {
         let flux: Vec<f64> = (0..scene.bands.len()).map(|band| rounded(own.flux(band))).collect();
         table.row([
             own.name.clone(),
             distribution(&own.distribution),
+            extent(&own.extent),
             vector((own.position + scene.middle).to_array()),
             vector(own.aim.to_array()),
             numbers(&flux),
@@ -177,6 +184,24 @@ fn distribution(distribution: &Distribution) -> String {
     }
 }
 
+fn extent(extent: &Extent) -> String {
+    match *extent {
+        Extent::Point => "point".to_owned(),
+        Extent::Line { .. } => format!("line of {}", rounded(extent.width())),
+        Extent::Rectangle { sides: [x, y] } => format!("{} × {}", rounded(x), rounded(y)),
+        Extent::Disk { diameter } => format!("disk of {}", rounded(diameter)),
+    }
+}
+
+fn near_line(near: &NearPoint) -> String {
+    let NearPoint { luminaire, surface, distance, width, error } = near;
+    format!(
+        "{luminaire} errs by up to about {:.0} % at {surface}, {distance:.2} away, for its file states an opening {width:.2} m wide; \
+         extent = \"file\" lets it shine from there",
+        (100.0 * error).max(1.0)
+    )
+}
+
 /// Six digits.
 fn rounded(number: f64) -> f64 {
     format!("{number:.5e}").parse().unwrap_or(number)
@@ -184,7 +209,7 @@ fn rounded(number: f64) -> f64 {
 
 fn luminaire_json(own: &Luminaire, scene: &Scene) -> Value {
     json!({
-        "name": own.name, "light": distribution(&own.distribution), "position": (own.position + scene.middle).to_array(),
+        "name": own.name, "light": distribution(&own.distribution), "extent": extent(&own.extent), "position": (own.position + scene.middle).to_array(),
         "aim": own.aim.to_array(), "along": own.along.to_array(),
         "flux": (0..scene.bands.len()).map(|band| own.flux(band)).collect::<Vec<f64>>(),
         "intensity": own.strength.iter().map(|strength| strength * own.distribution.peak()).collect::<Vec<f64>>(),
@@ -298,7 +323,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "opening": surface.outlook.is_some(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+            "emission": surface.material.emission, "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {
@@ -333,7 +358,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),
-        "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
+        "near_points": inspection.near_points, "planes": planes.collect::<Vec<_>>(), "warnings": inspection.warnings,
     })
 }
 

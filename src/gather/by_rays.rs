@@ -32,7 +32,7 @@ use radiosity_geom::{DVec3, Encounter, Ray};
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::gather::scale::scales;
-use crate::light::emitters::Outlooks;
+use crate::light::emitters::Radiances;
 use crate::light::lamps::{Lamps, Shares, Target};
 use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
@@ -123,7 +123,7 @@ pub struct RayGather<'a> {
     solution: &'a Solution,
     visibility: &'a Visibility,
     lamps: Lamps,
-    outlooks: &'a Outlooks,
+    radiances: &'a Radiances,
     points: &'a PointLights,
     /// Mean radiosity per band (W m⁻²).
     scale: Vec<f64>,
@@ -175,8 +175,8 @@ impl<'a> RayGather<'a> {
         let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COVERED * visibility.bounds().diagonal();
-        let (outlooks, points) = (solution.emitters().outlooks, solution.emitters().points);
-        Self { solution, visibility, lamps, outlooks, points, scale, eps, touching, twice }
+        let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
+        Self { solution, visibility, lamps, radiances, points, scale, eps, touching, twice }
     }
 
     /// All light of a receiver. It depends on nothing but the receiver.
@@ -337,7 +337,7 @@ impl<'a> RayGather<'a> {
             }
             Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
         }
-        let weight = weight * self.outlooks.relative(surface, -direction);
+        let weight = weight * self.radiances.relative(surface, -direction);
         for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
             let coating = &band.coating;
             *out += coating.reflectance[element] * irradiance + weight * coating.exitance[element];
@@ -455,7 +455,7 @@ impl<'a> RayGather<'a> {
         let share = scale * weight * kernel / (balance.cosine * kernel + balance.to_lamps * target.density);
         let surface = self.solution.elements().list()[target.element].surface;
         let into = (vantage.position - node.position).normalize_or_zero();
-        let share = share * self.outlooks.relative(surface, into);
+        let share = share * self.radiances.relative(surface, into);
         for (sum, band) in sums.iter_mut().zip(self.solution.bands()) {
             *sum += share * band.coating.exitance[target.element];
         }

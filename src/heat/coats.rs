@@ -35,7 +35,7 @@ pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64,
         let (reflectance, emission) = coat(role);
         surface.material = Material { reflectance: vec![reflectance], emission: vec![emission] };
         surface.flux = None;
-        surface.outlook = None;
+        surface.radiance = None;
         surface.group = match role {
             Role::Shield { shield, .. } => Some(LightGroup::new(format!("shield-{shield}"))),
             _ => None,

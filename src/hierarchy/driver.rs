@@ -45,7 +45,7 @@ pub fn solve_hierarchically(
     if let Some(own) = scene.luminaires.iter().find(|own| own.emits()) {
         return Err(HierarchyError::Luminaire { luminaire: own.name.clone() });
     }
-    if let Some(own) = scene.surfaces.iter().find(|own| own.outlook.is_some()) {
+    if let Some(own) = scene.surfaces.iter().find(|own| own.radiance.is_some()) {
         return Err(HierarchyError::Opening { surface: own.name.clone() });
     }
     let shapes = bare_shapes(scene);

@@ -4,8 +4,8 @@
 //! D(x) = ∫ κ(x, y) V(x, y) E₀(y) dA_y + Σ_l I_l cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
-//! from elements of the exitance E₀, times what openings to a sky send towards x over what a diffuse emitter would
-//! ([`crate::scene::Outlook`]), and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
+//! from elements of the exitance E₀, times what openings to a sky and luminous areas send towards x over what a diffuse emitter would
+//! ([`crate::scene::Radiance`]), and from luminaires at p_l of the intensity I_l ([`super::point_lights`]).
 //! Polynomials smear shadow edges, D does not. D is exact for planar emitters behind planar blockers
 //! ([`crate::irradiance::visible_polygon`]). Where an emitter or a blocker is curved, the cells of [`crate::light`] are
 //! refined until D is accurate to about [`ACCURACY`]. A curved emitter that hides nothing of itself and stands free is
@@ -71,7 +71,7 @@ impl<'a> DirectLight<'a> {
 
     /// As [`DirectLight::new`], accurate to `eps` where it is not exact.
     pub fn within(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, outlooks, points } = *sources;
+        let Emitters { elements, ref coatings, radiances, points } = *sources;
         let emitter = |element: usize| {
             let exitance: Vec<f64> = coatings.iter().map(|coating| coating.exitance[element]).collect();
             exitance.iter().any(|exitance| *exitance > 0.0).then_some(Emitter { element, exitance })
@@ -79,15 +79,15 @@ impl<'a> DirectLight<'a> {
         let emitters: Vec<Emitter> = (0..elements.len()).filter_map(emitter).collect();
         let tree = |emitter: &Emitter| {
             let element = &elements[emitter.element];
-            let outlook = outlooks.of_surface(element.surface).cloned();
-            Tree::uniform(element, emitter.exitance.iter().sum()).seeing(outlook)
+            let radiance = radiances.of_surface(element.surface).cloned();
+            Tree::uniform(element, emitter.exitance.iter().sum()).spread(radiance)
         };
         let trees: Vec<Tree> = emitters.iter().map(tree).collect();
         let bands = coatings.len();
         let is_whole = |element: &Element| element.rect == Rect::FULL && element.contact.is_none();
         let lamp = |Emitter { element, .. }: &Emitter| {
             let element = Some(&elements[*element]).filter(|element| is_whole(element))?;
-            outlooks.of_surface(element.surface).is_none().then_some(())?;
+            radiances.of_surface(element.surface).is_none().then_some(())?;
             AreaLight::new(visibility, element.surface)
         };
         let lamps = emitters.iter().map(lamp).collect();
@@ -194,7 +194,7 @@ impl<'a> DirectLight<'a> {
                 None => walk.add(index, tree, tolerance, factor),
             }
         };
-        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.outlook.is_none()) && walk.is_flat() {
+        if self.trees.iter().all(|tree| tree.plane.is_some() && tree.radiance.is_none()) && walk.is_flat() {
             let mut factors = smallvec![0.0; self.trees.len()];
             let each = factors.chunks_exact_mut(1).enumerate();
             each.for_each(|(index, factor)| add(&mut walk, index, 0.0, factor));

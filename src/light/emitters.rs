@@ -1,13 +1,11 @@
-//! What emits: elements, diffusely or as openings to a sky, by their exitance; luminaires and the sun, by their intensity.
-
-use std::sync::Arc;
+//! What emits: elements, diffusely or by direction, by their exitance; luminaires without an area and the sun, by their intensity.
 
 use radiosity_geom::DVec3;
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::light::point_lights::PointLights;
-use crate::scene::{Outlook, Scene};
+use crate::scene::{Radiance, Scene};
 
 /// The sources of direct light among the elements of a scene.
 #[derive(Clone, Debug)]
@@ -16,36 +14,36 @@ pub struct Emitters<'a> {
     pub elements: &'a [Element],
     /// Their reflectance and exitance, a coating per band.
     pub coatings: Vec<&'a Coating>,
-    /// What openings see.
-    pub outlooks: &'a Outlooks,
+    /// How the light of openings and luminous areas is spread.
+    pub radiances: &'a Radiances,
     /// The luminaires and the sun, with a strength per band.
     pub points: &'a PointLights,
 }
 
-/// What openings to a sky see, by surfaces.
+/// How surfaces spread their light over directions that are no diffuse emitters.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Outlooks(Vec<Option<Arc<Outlook>>>);
+pub struct Radiances(Vec<Option<Radiance>>);
 
-impl Outlooks {
+impl Radiances {
     /// Those of a scene.
     pub fn of(scene: &Scene) -> Self {
-        Self(scene.surfaces.iter().map(|surface| surface.outlook.clone()).collect())
+        Self(scene.surfaces.iter().map(|surface| surface.radiance.clone()).collect())
     }
 
-    /// That of a surface, if it is an opening.
-    pub fn of_surface(&self, surface: usize) -> Option<&Arc<Outlook>> {
+    /// That of a surface, if it is no diffuse emitter.
+    pub fn of_surface(&self, surface: usize) -> Option<&Radiance> {
         self.0.get(surface)?.as_ref()
     }
 
     /// The radiance that a surface sends into a unit direction, over that of a diffuse emitter of its exitance.
     pub(crate) fn relative(&self, surface: usize, into: DVec3) -> f64 {
-        self.of_surface(surface).map_or(1.0, |outlook| outlook.relative(into))
+        self.of_surface(surface).map_or(1.0, |own| own.relative(into))
     }
 }
 
 impl Emitters<'_> {
-    /// Whether there are openings to a sky.
-    pub(crate) fn have_outlooks(&self) -> bool {
-        self.outlooks.0.iter().any(Option::is_some)
+    /// Whether any of them is no diffuse emitter.
+    pub(crate) fn are_directed(&self) -> bool {
+        self.radiances.0.iter().any(Option::is_some)
     }
 }

@@ -71,7 +71,7 @@ pub enum Entry {
 pub(crate) fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, points, .. } = *sources;
     let peaks = Peaks {
-        points: &points.positions().collect::<Vec<_>>(),
+        lamps: &points.ends().collect::<Vec<_>>(),
         halvings: if points.has_sun() { SUNNY_HALVINGS } else { DIRECT_HALVINGS },
     };
     let bands = coatings.len();
@@ -91,15 +91,15 @@ pub(crate) fn lit_by(sources: &Emitters<'_>, visibility: &Visibility) -> Vec<Vec
 fn coefficients(sources: &Emitters<'_>, lit: Lit<'_>) -> Vec<Vec<f64>> {
     let Emitters { elements, ref coatings, .. } = *sources;
     let bands = coatings.len();
-    let peaks = Peaks { points: &[], halvings: DIRECT_HALVINGS };
+    let peaks = Peaks { lamps: &[], halvings: DIRECT_HALVINGS };
     let of_element = |index: usize| of_direct(&elements[index], &peaks, bands, &|node| lit(index, node));
     projected(elements.len(), bands, &of_element)
 }
 
 /// Where direct light wants small cells.
 struct Peaks<'a> {
-    /// Points before which it peaks.
-    points: &'a [DVec3],
+    /// Ends of luminaires before which it peaks.
+    lamps: &'a [[DVec3; 2]],
     /// Halvings of all patches in each direction.
     halvings: usize,
 }
@@ -206,7 +206,7 @@ fn of_direct(
     let whole = element.patches.iter().flat_map(|patch| cells(patch, peaks.halvings));
     let mut open: Vec<(Patch, usize)> = whole.map(|cell| (cell, 0)).collect();
     while let Some((cell, depth)) = open.pop() {
-        if depth < DEEPEST && is_peaked(&cell, peaks.points) {
+        if depth < DEEPEST && is_peaked(&cell, peaks.lamps) {
             open.extend(cells(&cell, 1).into_iter().map(|quarter| (quarter, depth + 1)));
         } else {
             sums.add(&cell, points, lit);
@@ -215,15 +215,23 @@ fn of_direct(
     sums.finish()
 }
 
-/// Whether one of the points `peaks` is so near before a cell that the light of a luminaire there peaks within it.
-fn is_peaked(cell: &Patch, peaks: &[DVec3]) -> bool {
+/// Whether a luminaire with one of these pairs of ends is so near before a cell that its light peaks within it.
+fn is_peaked(cell: &Patch, lamps: &[[DVec3; 2]]) -> bool {
     let middle = cell.node(0.5, 0.5);
     let corners = cell.corners();
     let radius = corners.iter().map(|corner| corner.distance(middle.position)).fold(0.0, f64::max);
-    peaks.iter().any(|peak| {
-        let step = peak - middle.position;
+    lamps.iter().any(|ends| {
+        let step = nearest(ends, middle.position) - middle.position;
         step.dot(middle.normal) > -radius && radius > PEAKED * step.length()
     })
+}
+
+/// The point between two ends that is nearest to a point.
+fn nearest([start, end]: &[DVec3; 2], point: DVec3) -> DVec3 {
+    let along = *end - *start;
+    let square = along.length_squared();
+    let part = if square > 0.0 { ((point - *start).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    *start + part * along
 }
 
 /// Direct light, and what of it is reflected by which coat.

@@ -19,7 +19,7 @@
 use smallvec::SmallVec;
 
 use crate::elements::Element;
-use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::emitters::{Emitters, Radiances};
 use crate::light::lamp_cells::LampCells;
 use crate::light::lamps::{Lamp, Lamps};
 use crate::light::point_lights::PointLights;
@@ -58,7 +58,7 @@ pub(crate) struct Penumbra<'a> {
     elements: &'a [Element],
     visibility: &'a Visibility,
     lamps: Lamps,
-    outlooks: &'a Outlooks,
+    radiances: &'a Radiances,
     points: &'a PointLights,
     bands: usize,
     /// Accuracy relative to the light that arrives.
@@ -118,10 +118,10 @@ struct Beam<'a> {
 impl<'a> Penumbra<'a> {
     /// The direct light of `sources`, to the accuracy `eps` of what arrives.
     pub(crate) fn new(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, outlooks, points } = *sources;
+        let Emitters { elements, ref coatings, radiances, points } = *sources;
         let bands = coatings.len();
         let lamps = Lamps::new(elements, coatings, &vec![1.0; bands]);
-        Self { elements, visibility, lamps, outlooks, points, bands, eps }
+        Self { elements, visibility, lamps, radiances, points, bands, eps }
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
@@ -183,7 +183,7 @@ impl<'a> Penumbra<'a> {
     fn without_shadows(&self, vantage: &ReceiverPoint, lamp: &Lamp) -> Option<f64> {
         let element = &self.elements[lamp.element];
         element.plane?;
-        if self.outlooks.of_surface(element.surface).is_some() {
+        if self.radiances.of_surface(element.surface).is_some() {
             return None;
         }
         let nothing = || [].iter();
@@ -197,7 +197,7 @@ impl<'a> Penumbra<'a> {
             let Some(kernel) = vantage.kernel_to(&target.node) else { continue };
             let into = (vantage.position - target.node.position).normalize_or_zero();
             let surface = self.elements[beam.lamp.element].surface;
-            let value = target.weight * kernel * self.outlooks.relative(surface, into);
+            let value = target.weight * kernel * self.radiances.relative(surface, into);
             beam.all += value;
             if self.visibility.is_free(vantage.surface, vantage.position, target.node.position) {
                 beam.seen += value;

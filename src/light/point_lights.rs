@@ -1,24 +1,27 @@
-//! Luminaires and the sun as sources of direct light: points that send an intensity in each direction, near or at infinity.
+//! Luminaires without an area and the sun as sources of direct light: points and lines that send an intensity in each direction, near
+//! or at infinity.
 //!
 //! ```text
 //! D(x) = Σ_l s_l d_l(ω) cos θ V(x, p_l) / |p_l − x|²        W m⁻²
 //! ```
 //!
 //! with the position p, the strength s of a band (W/sr) and the relative intensity d of each luminaire
-//! ([`crate::scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact. The sun
+//! ([`crate::scene::Distribution`]), the direction ω from it to x, and V by one ray to the true surfaces: D is exact.
+//! That of a line is the mean over its points (`luminous_line`). The sun
 //! gives s cos θ where the first thing before it is an opening to the sky, with the strength s (W m⁻²) behind that; without
 //! shadows the first opening before it gives so, whatever else stands there.
 
 use std::collections::BTreeMap;
 
+use crate::light::luminous_line::LuminousLine;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::shift::shift;
-use crate::scene::{Luminaire, Scene, SceneSurface};
+use crate::scene::{Luminaire, Radiance, Scene, SceneSurface};
 use crate::visibility::Visibility;
 
 use radiosity_geom::{DVec3, Encounter};
 
-/// The luminaires that shine, and the sun.
+/// The luminaires that shine and are no areas, and the sun.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PointLights {
     list: Vec<PointLight>,
@@ -42,7 +45,11 @@ impl SunBeam {
     fn through<'a>(surfaces: impl Iterator<Item = (usize, &'a SceneSurface, f64)>) -> Vec<Self> {
         let mut beams: Vec<Self> = Vec::new();
         for (index, surface, factor) in surfaces {
-            let beam = surface.outlook.as_ref().and_then(|own| Some((own, own.beam()?)));
+            let beam = surface
+                .radiance
+                .as_ref()
+                .and_then(Radiance::outlook)
+                .and_then(|own| Some((own, own.beam()?)));
             let Some((outlook, (direction, strength))) = beam else { continue };
             let strength: Vec<f64> = strength.into_iter().map(|strength| factor * strength).collect();
             let area = surface.shape.area() * outlook.incidence(direction);
@@ -83,6 +90,8 @@ impl SunBeam {
 #[derive(Clone, Debug)]
 struct PointLight {
     luminaire: Luminaire,
+    /// From its middle to an end, of a line.
+    half: DVec3,
     /// Strength per band (W/sr), dimmed.
     strength: Vec<f64>,
 }
@@ -91,15 +100,30 @@ impl PartialEq for PointLight {
     /// Whether both send the same light, whatever they are called.
     fn eq(&self, other: &Self) -> bool {
         let [own, others] = [self, other].map(|light| &light.luminaire);
-        let is_there = own.position == others.position && own.aim == others.aim && own.along == others.along;
-        is_there && own.distribution == others.distribution && self.strength == other.strength
+        let is_there = own.position == others.position && own.extent == others.extent;
+        is_there && own.is_aimed_as(others) && self.strength == other.strength
     }
 }
 
 impl PointLight {
-    /// Irradiance at a point without shadows over its strength; None where it is 0.
-    fn factor(&self, vantage: &ReceiverPoint) -> Option<f64> {
-        let step = self.luminaire.position - vantage.position;
+    /// Irradiance at a point over its strength.
+    fn irradiance(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> f64 {
+        if self.half != DVec3::ZERO {
+            return LuminousLine::new(&self.luminaire, self.half, vantage).irradiance(visibility);
+        }
+        let factor = self.factor(vantage, 0.5);
+        factor.filter(|_| self.is_seen(vantage, 0.5, visibility)).unwrap_or(0.0)
+    }
+
+    /// Its point at a part of its length.
+    fn at(&self, part: f64) -> DVec3 {
+        self.luminaire.position + (2.0 * part - 1.0) * self.half
+    }
+
+    /// Irradiance at a point without shadows over its strength, if all its light came from its point at a `part` of its length; None
+    /// where it is 0.
+    fn factor(&self, vantage: &ReceiverPoint, part: f64) -> Option<f64> {
+        let step = self.at(part) - vantage.position;
         let square = step.length_squared();
         let direction = step / square.sqrt();
         let cosine = vantage.normal.dot(direction);
@@ -111,10 +135,9 @@ impl PointLight {
         (factor > 0.0).then_some(factor)
     }
 
-    /// Whether nothing stands between it and a point.
-    fn is_seen(&self, vantage: &ReceiverPoint, visibility: &Visibility) -> bool {
-        let position = self.luminaire.position;
-        !visibility.casts() || visibility.is_free(vantage.surface, vantage.position, position)
+    /// Whether nothing stands between its point at a `part` of its length and a point.
+    fn is_seen(&self, vantage: &ReceiverPoint, part: f64, visibility: &Visibility) -> bool {
+        !visibility.casts() || visibility.is_free(vantage.surface, vantage.position, self.at(part))
     }
 
     /// Strength, summed over the bands.
@@ -145,9 +168,12 @@ impl PointLights {
     fn some<'a>(luminaires: impl Iterator<Item = (&'a Luminaire, f64)>, suns: Vec<SunBeam>) -> Self {
         let light = |(own, factor): (&Luminaire, f64)| PointLight {
             luminaire: own.clone(),
+            half: own.half_line(),
             strength: own.strength.iter().map(|strength| factor * strength).collect(),
         };
-        let list = luminaires.filter(|(own, factor)| own.emits() && *factor > 0.0).map(light).collect();
+        let shines =
+            |(own, factor): &(&Luminaire, f64)| own.emits() && *factor > 0.0 && !own.extent.is_area();
+        let list = luminaires.filter(shines).map(light).collect();
         Self { list, suns }
     }
 
@@ -161,9 +187,9 @@ impl PointLights {
         !self.suns.is_empty()
     }
 
-    /// Where the luminaires are.
-    pub(crate) fn positions(&self) -> impl Iterator<Item = DVec3> {
-        self.list.iter().map(|light| light.luminaire.position)
+    /// Where the luminaires are: the ends of each, which are one of a point.
+    pub(crate) fn ends(&self) -> impl Iterator<Item = [DVec3; 2]> {
+        self.list.iter().map(|light| [light.at(0.0), light.at(1.0)])
     }
 
     /// Their flux in a band (W).
@@ -176,17 +202,14 @@ impl PointLights {
     /// Adds their irradiance (W m⁻²) per band at a point to `sums`.
     pub fn add(&self, vantage: &ReceiverPoint, visibility: &Visibility, sums: &mut [f64]) {
         for light in &self.list {
-            if let Some(factor) = light.factor(vantage)
-                && light.is_seen(vantage, visibility)
-            {
-                light.add(factor, sums);
-            }
+            let factor = light.irradiance(vantage, visibility);
+            light.add(factor, sums);
         }
         self.suns.iter().for_each(|sun| sun.add(vantage, visibility, 1.0, sums));
     }
 
-    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire that `chance` chooses in
-    /// proportion to the light without shadows.
+    /// Adds an estimate of `scale` times the same by a ray to the sun, and one to a luminaire and a part of its length that `chance`
+    /// chooses, in proportion to the light without shadows.
     pub(crate) fn add_one(
         &self,
         vantage: &ReceiverPoint,
@@ -196,9 +219,9 @@ impl PointLights {
         sums: &mut [f64],
     ) {
         self.suns.iter().for_each(|sun| sun.add(vantage, visibility, scale, sums));
-        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage)?)));
+        let [choice, part] = shift(chance);
+        let factors = || self.list.iter().filter_map(|light| Some((light, light.factor(vantage, part)?)));
         let all: f64 = factors().map(|(light, factor)| factor * light.brightness()).sum();
-        let [choice] = shift(chance);
         let mut rest = choice * all;
         let mut chosen = None;
         for (light, factor) in factors() {
@@ -209,7 +232,7 @@ impl PointLights {
             }
             rest -= own;
         }
-        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(vantage, visibility)) {
+        if let Some((light, factor)) = chosen.filter(|(light, _)| light.is_seen(vantage, part, visibility)) {
             light.add(scale * factor, sums);
         }
     }

@@ -206,8 +206,8 @@ impl<'a> Traversal<'a> {
         let Some(before) = self.shadows.narrow(above, cell) else { return };
         let whole = cell;
         let position = self.vantage.position;
-        let outlook = pass.tree.outlook.as_deref();
-        let seen = outlook.map(|outlook| cell.seen(outlook, position, pass.tree.scale()[0]));
+        let radiance = pass.tree.radiance.as_ref();
+        let seen = radiance.map(|radiance| cell.seen(radiance, position, pass.tree.scale()[0]));
         let cell = seen.as_ref().unwrap_or(cell);
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;

@@ -75,7 +75,7 @@ pub fn render(
     shown: Shown,
     observe: &(dyn Fn(Stage) + Sync),
 ) -> Raster {
-    let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown);
+    let light = PictureLight::new(solution, visibility, read, GATHERED).showing(shown, camera.eye);
     let eye = Eye { elements: solution.elements(), visibility, diagonal: visibility.bounds().diagonal() };
     let [width, height] = [camera.width as usize, camera.height as usize];
     let shot = Shot {

@@ -14,11 +14,13 @@ pub enum Shown {
 }
 
 impl Shown {
-    /// The quantity (unit of exitance, ≥ 0) of an element under the irradiance `irradiance`; negative values of
-    /// polynomials are cut off at zero.
-    pub fn of(self, coating: &Coating, element: usize, irradiance: f64) -> f64 {
+    /// The quantity (unit of exitance, ≥ 0) of an element under the irradiance `irradiance`, which sends `directed` times the radiance of
+    /// a diffuse emitter of its exitance to the eye; negative values of polynomials are cut off at zero.
+    pub fn of(self, coating: &Coating, element: usize, irradiance: f64, directed: f64) -> f64 {
         let value = match self {
-            Self::Radiosity => coating.radiosity(element, irradiance),
+            Self::Radiosity => {
+                coating.radiosity(element, irradiance) + (directed - 1.0) * coating.exitance[element]
+            }
             Self::Irradiance => irradiance,
         };
         value.max(0.0)

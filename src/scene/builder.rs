@@ -11,6 +11,7 @@ use crate::scene::{
     draft::SurfaceDraft,
     error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
+    luminous_surface::luminous_surfaces,
     material::Material,
     movement::{Handles, Movable, MoverDraft, movers},
     names::UniqueNames,
@@ -101,6 +102,7 @@ impl SceneBuilder {
             group: None,
             flux: None,
             opening: None,
+            radiance: None,
             thermal: Thermal::default(),
             order: None,
             subdivide: None,
@@ -178,13 +180,17 @@ impl SceneBuilder {
         let drafts = self.surfaces.into_iter().map(SurfaceDraft::checked);
         let drafts = drafts.collect::<Result<Vec<_>, _>>()?;
         let entries: Vec<String> = drafts.iter().map(|draft| draft.name.clone()).collect();
-        let Surfaces { list, makers, middle, fitted } =
-            fitted_surfaces(drafts.into_iter().map(Ok), self.tolerance)?;
-        let handles = |names| Handles { names, instances: Arc::default() };
-        let own = makers.iter().map(|own| handles(vec![own.front.clone(), entries[own.draft].clone()]));
-        let lamps = self.luminaires.iter().map(|own| handles(vec![own.name.clone()]));
-        let movable =
-            Movable { surfaces: own.collect(), luminaires: lamps.collect(), camera: camera.is_some() };
+        let luminous = self.luminaires.iter().map(|own| luminous_surfaces(own, || None));
+        let luminous = luminous.collect::<Result<Vec<_>, _>>()?;
+        let drafts = drafts.into_iter().chain(luminous.into_iter().flatten());
+        let Surfaces { list, makers, middle, fitted } = fitted_surfaces(drafts.map(Ok), self.tolerance)?;
+        let lamps = self.luminaires.iter().map(|own| Handles::named([own.name.clone()]));
+        let lamps: Vec<Handles> = lamps.collect();
+        let own = makers.iter().map(|own| match entries.get(own.draft) {
+            Some(entry) => Handles::named([own.front.clone(), entry.clone()]),
+            None => Handles::of_area(&own.front, &lamps),
+        });
+        let movable = Movable { surfaces: own.collect(), luminaires: lamps, camera: camera.is_some() };
         let animation = animation(self.clock, self.movers, &movable)?;
         Ok(Scene {
             middle,

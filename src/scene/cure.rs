@@ -169,6 +169,20 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NoDistribution => {
             "add point = {} for the same intensity all around, spot = { angle = 40, edge = 5 }, or photometry = \"lamp.ies\""
         }
+        Fault::BadExtent { problem: "both sides are 0" | "the file states a point" } => {
+            "give two sides, e.g. extent = [1.2, 0.3], of which one may be 0 for a line, or a diameter, e.g. extent = 0.2; or leave \
+             the extent out for a point"
+        }
+        Fault::BadExtent { problem: "there is no photometric file" } => {
+            "give its sides, e.g. extent = [1.2, 0.3], or its diameter, e.g. extent = 0.2"
+        }
+        Fault::BadExtent { problem: "its intensity falls to nothing within half a degree" } => {
+            "give the spot an edge of 1 degree or more, or its table an angle at which it is dark; or leave the extent out for a point"
+        }
+        Fault::BadExtent { .. } => {
+            "give the rectangle or the disk across the aim that comes nearest, e.g. extent = [1.2, 0.3] or extent = 0.2, or leave the \
+             extent out for a point"
+        }
         Fault::SunBelow => "give a direction above the horizon, or leave the sun out",
         Fault::BadOpening { problem: "there is no sky" } => {
             "add [sky] with model = \"overcast\" and illuminance = 10000, or leave `opening` and `glass` out"

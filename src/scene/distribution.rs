@@ -20,7 +20,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use radiosity_formats::photometry::Photometry;
-use radiosity_geom::DVec3;
+use radiosity_geom::{DVec3, ROUNDING};
 
 use crate::scene::{error::Fault, ranges::check_range};
 
@@ -46,6 +46,15 @@ pub enum Distribution {
     },
     /// A table of luminous intensities.
     Table(Arc<Photometry>),
+}
+
+/// The directions before a side of a plane across the aim.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hemisphere {
+    /// The part of Ω in it.
+    pub flux_factor: f64,
+    /// The angle (degrees) over which the largest d would fall to nothing as steeply as d changes anywhere in it; 0 where d jumps.
+    pub scale: f64,
 }
 
 impl Distribution {
@@ -100,20 +109,78 @@ impl Distribution {
 
     /// Ω (sr; lm for a table).
     pub fn flux_factor(&self) -> f64 {
+        self.flux_between(0.0, 180.0)
+    }
+
+    /// The part of Ω at angles γ from `least` to `most`, degrees.
+    pub fn flux_between(&self, least: f64, most: f64) -> f64 {
+        if let Self::Table(table) = self {
+            return table.flux_between(least, most);
+        }
+        2.0 * PI * (self.antiderivative(most.to_radians()) - self.antiderivative(least.to_radians()))
+    }
+
+    /// The hemispheres along the aim and against it; none that is dark.
+    pub(crate) fn hemispheres(&self) -> [Option<Hemisphere>; 2] {
+        let dark = ROUNDING * self.flux_factor();
+        [(0.0, 90.0), (90.0, 180.0)].map(|(least, most)| {
+            let (flux_factor, scale) = (self.flux_between(least, most), self.scale(least, most));
+            (flux_factor > dark).then_some(Hemisphere { flux_factor, scale })
+        })
+    }
+
+    /// An antiderivative of d sin γ; of tables 0.
+    fn antiderivative(&self, gamma: f64) -> f64 {
         match *self {
-            Self::Table(ref table) => table.flux(),
-            Self::Point => 4.0 * PI,
-            Self::Power { exponent } => 2.0 * PI / (exponent + 1.0),
+            Self::Table(_) => 0.0,
+            Self::Point => -gamma.cos(),
+            Self::Power { exponent } => -gamma.cos().max(0.0).powf(exponent + 1.0) / (exponent + 1.0),
             Self::Cone { angle, edge } => {
                 let [inner, outer] = ends(angle, edge);
-                let beyond = match outer - inner {
-                    0.0 => 0.0,
-                    width => 1.0 / (1.0 - (PI / width).powi(2)),
-                };
-                2.0 * PI * (1.0 - 0.5 * (inner.cos() + outer.cos()) * (1.0 - beyond))
+                let fallen =
+                    if outer > inner { along_edge(gamma.clamp(inner, outer), inner, outer) } else { 0.0 };
+                fallen - gamma.min(inner).cos()
             }
         }
     }
+
+    /// Least and greatest d at angles of at most `within` from the angle `gamma`, degrees; bounds of a table.
+    pub(crate) fn range(&self, gamma: f64, within: f64) -> [f64; 2] {
+        let (nearest, farthest) = ((gamma - within).max(0.0), (gamma + within).min(180.0));
+        match self {
+            Self::Table(table) => table.web.range(nearest, farthest),
+            // All others fall with γ.
+            _ => [farthest, nearest].map(|gamma| {
+                let (sin, cos) = gamma.to_radians().sin_cos();
+                self.relative(DVec3::new(sin, 0.0, -cos))
+            }),
+        }
+    }
+
+    /// The angle, degrees, over which the largest d would fall to nothing as steeply as d changes anywhere at angles γ from `least` to
+    /// `most`, degrees; 0 where d jumps.
+    fn scale(&self, least: f64, most: f64) -> f64 {
+        match *self {
+            Self::Table(ref table) => table.web.scale(least, most),
+            Self::Point => f64::INFINITY,
+            // n cosⁿ⁻¹ γ sin γ is greatest where sin² γ = 1/n.
+            Self::Power { exponent } => {
+                let n = exponent.max(1.0);
+                (n.sqrt() * ((n - 1.0) / n).powf(0.5 * (n - 1.0))).recip().to_degrees()
+            }
+            Self::Cone { edge, .. } => 2.0 * edge / PI,
+        }
+    }
+}
+
+/// ∫ (1 + cos k(γ − γ₀))/2 sin γ dγ from γ₀ to γ, k = π/(γ₁ − γ₀) > 1.
+fn along_edge(gamma: f64, inner: f64, outer: f64) -> f64 {
+    let k = PI / (outer - inner);
+    let wave = |gamma: f64| {
+        ((1.0 + k) * gamma - k * inner).cos() / (1.0 + k) + ((1.0 - k) * gamma + k * inner).cos() / (1.0 - k)
+    };
+    let whole = |gamma: f64| -0.5 * gamma.cos() - 0.25 * wave(gamma);
+    whole(gamma) - whole(inner)
 }
 
 /// γ₀ and γ₁ (radians) of angles in degrees.
@@ -125,11 +192,12 @@ fn ends(angle: f64, edge: f64) -> [f64; 2] {
 mod tests {
     use super::*;
 
-    /// 2π ∫ d sin γ dγ by the midpoint rule of so many steps.
-    fn integral(distribution: &Distribution, steps: usize) -> f64 {
-        let step = PI / steps as f64;
+    /// 2π ∫ d sin γ dγ between angles in degrees by the midpoint rule of so many steps.
+    fn integral(distribution: &Distribution, limits: [f64; 2], steps: usize) -> f64 {
+        let [least, most] = limits.map(f64::to_radians);
+        let step = (most - least) / steps as f64;
         let at = |k: usize| {
-            let gamma = (k as f64 + 0.5) * step;
+            let gamma = least + (k as f64 + 0.5) * step;
             distribution.relative(DVec3::new(gamma.sin(), 0.0, -gamma.cos())) * gamma.sin()
         };
         2.0 * PI * step * (0..steps).map(at).sum::<f64>()
@@ -142,8 +210,12 @@ mod tests {
         let cones = cones.map(|(angle, edge)| Distribution::Cone { angle, edge });
         for distribution in powers.into_iter().chain(cones).chain([Distribution::Point]) {
             distribution.check().expect("a distribution");
-            let (closed, numeric) = (distribution.flux_factor(), integral(&distribution, 1 << 20));
-            assert!((closed - numeric).abs() < 1e-5 * closed, "{distribution:?}: {closed} {numeric}");
+            let parts = [[0.0, 90.0], [90.0, 180.0], [0.0, 180.0], [31.0, 77.0]];
+            for [least, most] in parts {
+                let (closed, numeric) =
+                    (distribution.flux_between(least, most), integral(&distribution, [least, most], 1 << 20));
+                assert!((closed - numeric).abs() < 1e-5, "{distribution:?}: {closed} {numeric}");
+            }
         }
     }
 }

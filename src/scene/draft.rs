@@ -12,7 +12,8 @@ use crate::scene::{
     light_group::LightGroup,
     material::{Material, check_count, check_flux},
     names::check_text,
-    outlook::{KnownOutlooks, Opening, Outlook},
+    outlook::{KnownOutlooks, Opening},
+    radiance::Radiance,
     ranges::{check_number, check_order, check_parts},
     source::{Line, Place, Span},
     surface::SceneSurface,
@@ -30,6 +31,8 @@ pub struct SurfaceDraft {
     pub(super) group: Option<String>,
     pub(super) flux: Option<Vec<f64>>,
     pub(super) opening: Option<Opening>,
+    /// How its light is spread, if it is known before what openings see.
+    pub(super) radiance: Option<Radiance>,
     pub(super) thermal: Thermal,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
@@ -42,7 +45,7 @@ pub struct SurfaceDraft {
 pub(super) type NamedShape = (String, Arc<dyn Surface>);
 
 /// The place of a draft in a file.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Typed {
     pub place: Place,
     pub name: Span,
@@ -168,13 +171,13 @@ impl SurfaceDraft {
         Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
     }
 
-    /// What one of its shapes sees of the sky, and its material with the light that comes in.
-    fn outlook(&self, shape: &dyn Surface, known: &mut KnownOutlooks) -> (Option<Arc<Outlook>>, Material) {
-        let Some(opening) = &self.opening else { return (None, self.material.clone()) };
+    /// How one of its shapes spreads its light, and its material with the light that comes in.
+    fn radiance(&self, shape: &dyn Surface, known: &mut KnownOutlooks) -> (Option<Radiance>, Material) {
+        let Some(opening) = &self.opening else { return (self.radiance.clone(), self.material.clone()) };
         let normal = shape.jet(0.0, 0.0).normal;
         let outlook = known.of(opening, if self.flip { -normal } else { normal });
         let material = Material { emission: outlook.exitance(), ..self.material.clone() };
-        (Some(outlook), material)
+        (Some(Radiance::Sky(outlook)), material)
     }
 
     /// A fault at `span` if the draft comes from a file, else one of the surface.
@@ -196,13 +199,13 @@ impl SurfaceDraft {
 
     /// The surface of one of its shapes, and its back if it is two-sided; what openings see is shared with those `known`.
     pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
-        let (outlook, material) = self.outlook(shape, known);
+        let (radiance, material) = self.radiance(shape, known);
         let side = |name: String, flip: bool| SceneSurface {
             name,
             kind: self.kind,
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
             material: material.clone(),
-            outlook: outlook.clone(),
+            radiance: radiance.clone(),
             material_name: self.material_name.clone(),
             group: self.group.as_ref().map(LightGroup::new),
             flux: self

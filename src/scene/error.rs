@@ -364,6 +364,12 @@ pub enum Fault {
         /// The moment, a real number of frames.
         moment: f64,
     },
+    /// An extent that no luminaire has.
+    #[error("the light of a luminaire cannot come out of this: {problem}")]
+    BadExtent {
+        /// What is wrong with it.
+        problem: &'static str,
+    },
     /// A luminaire that does not say how its light is spread.
     #[error("nothing says how the light is spread over directions")]
     NoDistribution,

@@ -28,7 +28,7 @@ use per_band::per_band;
 use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
 
-pub(super) use luminaire::{DistributionFile, LuminaireFile, StrengthFile};
+pub(super) use luminaire::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile};
 pub(super) use motion::{MOTION, MotionFile, RotateFile, TranslateFile, TurnsFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
 pub(super) use per_band::PerBand;

@@ -1,4 +1,4 @@
-//! Luminaires: lamps that are small beside their distance, given by the intensity that they send in each direction.
+//! Luminaires: lamps given by the intensity that they send in each direction, from a point or evenly from an extent.
 //!
 //! At a point x with the unit normal n, at the distance r in the unit direction −ω from the luminaire,
 //!
@@ -6,13 +6,15 @@
 //! E = I(ω) cos θ / r² ,     cos θ = −n·ω        W m⁻² (lx where intensity is in cd)
 //! ```
 //!
-//! (the law of inverse squares and cosines, J. H. Lambert, *Photometria*, 1760).
+//! (the law of inverse squares and cosines, J. H. Lambert, *Photometria*, 1760), for each piece of its extent
+//! ([`crate::scene::Extent`]).
 
 use radiosity_geom::{DVec3, Motion};
 
 use crate::scene::{
     distribution::Distribution,
     error::Fault,
+    extent::Extent,
     light_group::LightGroup,
     material::{check_count, check_flux},
     names::check_text,
@@ -23,7 +25,11 @@ use crate::scene::{
 /// Sine of the angle below which two directions count as one, as for the camera's up vector.
 const PARALLEL: f64 = 1e-9;
 
-/// A lamp of no size.
+/// Angle (degrees) within which the intensity of an area may not fall from its peak to nothing. Chosen: a point then sees the edge in
+/// some thousand cells of the area, of which 20000 are visited at most.
+const STEEP: f64 = 0.5;
+
+/// A lamp.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
 pub struct Luminaire {
@@ -37,6 +43,8 @@ pub struct Luminaire {
     pub along: DVec3,
     /// How its light is spread over directions.
     pub distribution: Distribution,
+    /// What its light comes out of, with its middle in `position`. An area is a surface of the scene too, of the same name.
+    pub extent: Extent,
     /// Factor on the relative intensities, per band (W/sr; a number for tables), not dimmed by its light group.
     pub strength: Vec<f64>,
     /// Its light group, if it has one.
@@ -74,7 +82,8 @@ impl Luminaire {
         distribution.check()?;
         let strength = strength.factors(&distribution)?;
         let (aim, along) = (-DVec3::Z, DVec3::X);
-        Ok(Self { name, position, aim, along, distribution, strength, group: None, place: None })
+        let extent = Extent::Point;
+        Ok(Self { name, position, aim, along, distribution, extent, strength, group: None, place: None })
     }
 
     /// The same, aimed along `aim` of any length; the plane C = 0 contains x, or y where it aims along x.
@@ -97,6 +106,18 @@ impl Luminaire {
         let fault = Fault::NoDirection { what: "along" };
         let along = along.try_normalize().and_then(|along| across(along, self.aim)).ok_or(fault)?;
         Ok(Self { along, ..self })
+    }
+
+    /// The same, whose light comes out of `extent`.
+    ///
+    /// # Errors
+    /// [`Fault::BadExtent`] for an area where intensity falls so steeply that its light could not be integrated.
+    pub fn of_extent(self, extent: Extent) -> Result<Self, Fault> {
+        let sides = self.distribution.hemispheres();
+        if extent.is_area() && sides.iter().flatten().any(|side| side.scale < STEEP) {
+            return Err(Fault::BadExtent { problem: "its intensity falls to nothing within half a degree" });
+        }
+        Ok(Self { extent, ..self })
     }
 
     /// The same at `factor` ≥ 0 of its strength.
@@ -122,7 +143,8 @@ impl Luminaire {
     /// The same, moved.
     pub(super) fn moved(self, motion: &Motion) -> Self {
         let [aim, along] = [self.aim, self.along].map(|axis| motion.direction(axis));
-        Self { position: motion.point(self.position), aim, along, ..self }
+        let (position, extent) = (motion.point(self.position), self.extent.scaled(motion.scale()));
+        Self { position, aim, along, extent, ..self }
     }
 
     /// The same after `middle` was subtracted from all coordinates.
@@ -135,10 +157,30 @@ impl Luminaire {
         check_count("the flux or intensity", &self.strength, bands)
     }
 
+    /// The unit vectors along x and y of its frame, C = 0 and C = 90.
+    pub fn axes(&self) -> [DVec3; 2] {
+        [self.along, self.along.cross(self.aim)]
+    }
+
+    /// Half of its line, from its middle to an end (scene length); none of a point and of areas.
+    pub fn half_line(&self) -> DVec3 {
+        self.extent.half_line(self.axes())
+    }
+
     /// Relative intensity in a unit direction from it; times a band's strength it is the intensity.
     pub fn relative(&self, direction: DVec3) -> f64 {
-        let y = self.along.cross(self.aim).dot(direction);
-        self.distribution.relative(DVec3::new(self.along.dot(direction), y, -self.aim.dot(direction)))
+        let [x, y] = self.axes().map(|axis| axis.dot(direction));
+        self.distribution.relative(DVec3::new(x, y, -self.aim.dot(direction)))
+    }
+
+    /// The angle γ of a unit direction, degrees.
+    pub(super) fn gamma(&self, direction: DVec3) -> f64 {
+        self.aim.cross(direction).length().atan2(self.aim.dot(direction)).to_degrees()
+    }
+
+    /// Whether both spread their light alike over directions.
+    pub(crate) fn is_aimed_as(&self, other: &Self) -> bool {
+        self.aim == other.aim && self.along == other.along && self.distribution == other.distribution
     }
 
     /// Flux of a band (W), not dimmed by its light group.

@@ -51,19 +51,16 @@ pub(super) fn movable(
     luminaires: &[PlacedLuminaire<'_>],
     camera: bool,
 ) -> Movable {
-    let of_surface = |Maker { draft, front }: &Maker| {
-        let PlacedSurface { name, instances, .. } = &surfaces[*draft];
-        Handles { names: vec![front.clone(), name.clone()], instances: Arc::clone(instances) }
+    let of_luminaire =
+        |own: &PlacedLuminaire<'_>| Handles::named([own.name.clone()]).within(Arc::clone(&own.instances));
+    let luminaires: Vec<Handles> = luminaires.iter().map(of_luminaire).collect();
+    let of_surface = |Maker { draft, front }: &Maker| match surfaces.get(*draft) {
+        Some(PlacedSurface { name, instances, .. }) => {
+            Handles::named([front.clone(), name.clone()]).within(Arc::clone(instances))
+        }
+        None => Handles::of_area(front, &luminaires),
     };
-    let of_luminaire = |own: &PlacedLuminaire<'_>| Handles {
-        names: vec![own.name.clone()],
-        instances: Arc::clone(&own.instances),
-    };
-    Movable {
-        surfaces: makers.iter().map(of_surface).collect(),
-        luminaires: luminaires.iter().map(of_luminaire).collect(),
-        camera,
-    }
+    Movable { surfaces: makers.iter().map(of_surface).collect(), luminaires, camera }
 }
 
 fn draft(file: &MotionFile, clock: Clock, source: &Source) -> Result<MoverDraft, Located> {

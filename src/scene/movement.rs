@@ -112,6 +112,29 @@ pub(super) struct Handles {
     pub(super) names: Vec<String>,
     /// The instances that it is in.
     pub(super) instances: Arc<[String]>,
+    /// Index of the luminaire whose area it is, if it is one.
+    luminaire: Option<usize>,
+}
+
+impl Handles {
+    /// Those of what has these names and is in no instance.
+    pub(super) fn named(names: impl Into<Vec<String>>) -> Self {
+        Self { names: names.into(), ..Self::default() }
+    }
+
+    /// The same in these instances.
+    pub(super) fn within(self, instances: Arc<[String]>) -> Self {
+        Self { instances, ..self }
+    }
+
+    /// Those of the surface `name`, a side of the area of one of these luminaires.
+    pub(super) fn of_area(name: &str, luminaires: &[Self]) -> Self {
+        let called = |name: &str| luminaires.iter().position(|own| own.names[0] == name);
+        let luminaire = called(name).or_else(|| called(name.strip_suffix(":back")?));
+        let instances = luminaire.map(|index| Arc::clone(&luminaires[index].instances));
+        let named = Self { luminaire, ..Self::named([name.to_owned()]) };
+        named.within(instances.unwrap_or_default())
+    }
 }
 
 /// What there is to be moved, in the order of the scene.
@@ -164,10 +187,19 @@ impl MoverDraft {
         )?;
         let count = movable.surfaces.len();
         let (own, lamps): (Vec<_>, Vec<_>) = in_instances.into_iter().partition(|index| *index < count);
+        // A luminaire goes with its area, and the area with the luminaire.
+        let surfaces = united(surfaces, own);
+        let of_areas = surfaces.iter().filter_map(|index| movable.surfaces[*index].luminaire);
+        let lamps = lamps.into_iter().map(|index| index - count).chain(of_areas).collect();
+        let luminaires = united(luminaires, lamps);
+        let areas = |index: &usize| {
+            movable.surfaces[*index].luminaire.is_some_and(|own| luminaires.binary_search(&own).is_ok())
+        };
+        let areas = (0..count).filter(areas).collect();
         let mover = Mover {
             name: self.name.clone(),
-            surfaces: united(surfaces, own),
-            luminaires: united(luminaires, lamps.into_iter().map(|index| index - count).collect()),
+            surfaces: united(surfaces, areas),
+            luminaires,
             camera: self.camera.is_some(),
             path: self.path.clone(),
             place: self.typed.as_ref().map(|typed| typed.place.clone()),

@@ -38,7 +38,7 @@ impl Scene {
 
 /// Gives a surface the material; one of a given flux, or an opening to a sky, goes on emitting that.
 fn paint(surface: &mut SceneSurface, material: &Material) {
-    let keeps = surface.flux.is_some() || surface.outlook.is_some();
+    let keeps = surface.flux.is_some() || surface.radiance.is_some();
     let emission = if keeps { &surface.material.emission } else { &material.emission };
     surface.material = Material { reflectance: material.reflectance.clone(), emission: emission.clone() };
 }

@@ -57,7 +57,7 @@ fn scene_keys() -> Vec<(&'static str, Value)> {
         ("materials", by_name("Materials by name", "material")),
         ("parts", by_name("Parts by name, to be put in many places", "part")),
         ("surfaces", list("surface", "The surfaces", 0)),
-        ("luminaires", list("luminaire", "Lamps of no size", 0)),
+        ("luminaires", list("luminaire", "Lamps by their intensity in each direction", 0)),
         ("instances", list("instance", "Instances of parts", 0)),
         ("frames", whole(1, MOST_FRAMES, "How many frames there are")),
         ("fps", or(json!(1), ranged(json!({ "minimum": 1e-6, "maximum": 1e6 }), "Frames in a unit of time"))),
@@ -236,6 +236,7 @@ fn luminaire() -> Value {
         ("position", of("point", "Where it is")),
         ("aim", or(json!([0, 0, -1]), of("vector", "Where it aims"))),
         ("along", of("vector", "The direction of the plane C = 0 of its photometric file")),
+        ("extent", extent()),
         ("flux", per_band(at_least_zero(), "All its light, W or lm")),
         (
             "intensity",
@@ -250,7 +251,17 @@ fn luminaire() -> Value {
     let one = json!([
         { "required": ["point"] }, { "required": ["spot"] }, { "required": ["photometry"] },
     ]);
-    with(table("A lamp of no size", &["position"], keys), "oneOf", one)
+    with(table("A lamp by its intensity in each direction", &["position"], keys), "oneOf", one)
+}
+
+fn extent() -> Value {
+    let diameter = positive("Diameter of a disk");
+    let side = ranged(at_least_zero(), "Side along C = 0, then along C = 90; one of 0 makes a line");
+    let sides = with(exactly(2, "number", "Sides"), "items", side);
+    json!({
+        "description": "What its light comes out of, across the aim: a disk, a rectangle, a line, or the opening of its photometric file",
+        "anyOf": [diameter["anyOf"][0], diameter["anyOf"][1], sides, { "const": "file" }],
+    })
 }
 
 fn part() -> Value {

@@ -18,6 +18,7 @@ use crate::scene::{
     fitted::Lying,
     gap,
     pose::Pose,
+    radiance::Radiance,
     source::Source,
     stacked::{Sheet, Step, steps},
     surface::SceneSurface,
@@ -53,7 +54,7 @@ impl Scene {
         for (index, pose) in moved {
             let surface = &mut still.surfaces[index];
             put(surface, pose.motion());
-            turn_outlook(surface, &pose);
+            turn_radiance(surface, &pose);
         }
         still.set_apart(&movers);
         for (mover, pose) in animation.movers.iter().zip(&poses).filter(|(_, pose)| !pose.is_rest()) {
@@ -183,12 +184,18 @@ fn put(surface: &mut SceneSurface, motion: &Motion) {
     surface.shape = Arc::new(Placed::new(rest, *motion));
 }
 
-/// Turns what an opening to the sky sees.
-fn turn_outlook(surface: &mut SceneSurface, pose: &Pose) {
-    if let Some(outlook) = &surface.outlook {
-        let turned = outlook.turned(|normal| pose.vector(normal));
-        surface.material.emission = turned.exitance();
-        surface.outlook = Some(Arc::new(turned));
+/// Turns what an opening to the sky sees, and moves what a luminaire shines from.
+fn turn_radiance(surface: &mut SceneSurface, pose: &Pose) {
+    match &surface.radiance {
+        None => {}
+        Some(Radiance::Sky(outlook)) => {
+            let turned = outlook.turned(|normal| pose.vector(normal));
+            surface.material.emission = turned.exitance();
+            surface.radiance = Some(Radiance::Sky(Arc::new(turned)));
+        }
+        Some(Radiance::Luminaire(area)) => {
+            surface.radiance = Some(Radiance::Luminaire(Arc::new(area.moved(pose.motion()))));
+        }
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity_geom::Surface;
 
 use crate::scene::{
-    light_group::LightGroup, material::Material, outlook::Outlook, source::Place, thermal::Thermal,
+    light_group::LightGroup, material::Material, radiance::Radiance, source::Place, thermal::Thermal,
 };
 
 /// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.
@@ -26,8 +26,8 @@ pub struct SceneSurface {
     pub group: Option<LightGroup>,
     /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.
     pub flux: Option<Vec<f64>>,
-    /// What it sees of a sky, if it is an opening: the light of its material is spread so.
-    pub outlook: Option<Arc<Outlook>>,
+    /// How the light of its material is spread over directions, if not diffusely: of openings to a sky and of luminaires.
+    pub radiance: Option<Radiance>,
     /// What is known of its heat.
     pub thermal: Thermal,
     /// Order of the basis here, at most [`MAX_ORDER`](crate::scene::MAX_ORDER), instead of the order asked for.
@@ -47,6 +47,16 @@ impl SceneSurface {
     /// The factor of its light group; 1 without a group.
     pub fn factor(&self) -> f64 {
         self.group.as_ref().map_or(1.0, |group| group.factor)
+    }
+
+    /// Whether it is an opening to a sky.
+    pub fn is_opening(&self) -> bool {
+        self.radiance.as_ref().is_some_and(|own| own.outlook().is_some())
+    }
+
+    /// Whether it is the luminous area of a luminaire.
+    pub fn is_luminaire(&self) -> bool {
+        matches!(self.radiance, Some(Radiance::Luminaire(_)))
     }
 
     /// Whether it is a member of the light group `name`; of no group for None.

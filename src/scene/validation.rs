@@ -1,30 +1,23 @@
-//! Scene file → valid scene: bands, materials, camera, surfaces and luminaires.
+//! Scene file → valid scene: bands, materials, camera and surfaces.
 
 use std::{collections::BTreeMap, sync::Arc};
 
-use radiosity_formats::{luminaire as photometry, photometry::Photometry};
 use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
-    distribution::Distribution,
     draft::{NamedShape, SurfaceDraft, Typed},
-    error::{Fault, Located, luminaire_title, material_title, plane_title, surface_title},
-    file::{
-        CameraFile, DistributionFile, GlassFile, LuminaireFile, MaterialFile, PerBand, PlaneFile, SkyFile,
-        StrengthFile, SunFile, SurfaceFile,
-    },
+    error::{Fault, Located, material_title, plane_title, surface_title},
+    file::{CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
     glass::Glass,
-    include,
-    instances::{PlacedLuminaire, PlacedSurface},
-    luminaire::{Luminaire, Strength, across, check_intensity},
+    instances::PlacedSurface,
+    luminaire::across,
     material::{Material, check_emission, check_flux, check_reflectance},
     names::UniqueNames,
     outlook::Opening,
     sensor_plane::SensorPlane,
     sky::{Sky, Sun, check_elevation, check_irradiance},
     source::{At, Line, Source},
-    surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
     unit::{self, check_unit},
 };
@@ -126,7 +119,7 @@ fn material(file: MaterialFile, bands: usize) -> Result<GroupedMaterial, Located
 }
 
 /// One number for each band.
-fn spread(
+pub(super) fn spread(
     numbers: &PerBand,
     bands: usize,
     what: &'static str,
@@ -159,20 +152,19 @@ pub(super) fn camera(file: CameraFile) -> Result<Camera, Located> {
     camera.checked().map_err(|fault| Located::at(&file.span, fault).within(|| "camera".into()))
 }
 
-/// Every surface with its name, shape and material, no two in one another.
+/// Every surface with its name, shape and material.
 pub(super) fn surfaces(
     files: &[PlacedSurface<'_>],
     materials: &Materials,
     sky: Option<&Arc<Sky>>,
     bands: usize,
     source: &Source,
-) -> Result<Surfaces, Located> {
-    let drafts = files.iter().map(|placed| {
+) -> impl Iterator<Item = Result<SurfaceDraft, Located>> {
+    files.iter().map(move |placed| {
         let error = |error: Located| error.within(|| surface_title(&placed.name));
         let draft = draft(placed, materials, bands, source);
         draft.and_then(|draft| opened(draft, placed.file, sky)).map_err(error)
-    });
-    fitted_surfaces(drafts, source.tolerance)
+    })
 }
 
 /// One entry, with its material and shapes.
@@ -190,6 +182,7 @@ fn draft(
         kind: file.shape.kind,
         flux: flux(file.flux.as_ref(), bands)?,
         opening: None,
+        radiance: None,
         thermal: Thermal { condition: file.condition.or(thermal.condition), ..thermal },
         material,
         material_name: file.material.as_ref().map(|material| material.value.clone()),
@@ -250,85 +243,6 @@ fn sun_direction(sun: &SunFile, up: DVec3, north: DVec3) -> Result<DVec3, Fault>
     let north = north.ok_or(Fault::NoDirection { what: "north" })?;
     let (height, around) = (sun.elevation.value.to_radians().sin_cos(), sun.azimuth.to_radians().sin_cos());
     Ok((height.1 * (around.1 * north + around.0 * north.cross(up)) + height.0 * up).normalize())
-}
-
-/// Every luminaire, each of a name of its own.
-pub(super) fn luminaires(
-    files: &[PlacedLuminaire<'_>],
-    bands: usize,
-    source: &Source,
-) -> Result<Vec<Luminaire>, Located> {
-    let mut names = UniqueNames::default();
-    let mut tables = Tables { source, known: BTreeMap::new() };
-    let mut luminaire = |placed: &PlacedLuminaire<'_>| {
-        let span = &placed.file.name.span;
-        let added = names.add(&placed.name, Some(source.line(span.start)));
-        let own = added.map_err(|fault| Located::at(span, fault));
-        let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
-        own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
-    };
-    files.iter().map(&mut luminaire).collect()
-}
-
-fn luminaire(
-    PlacedLuminaire { file, name, motion, .. }: &PlacedLuminaire<'_>,
-    bands: usize,
-    tables: &mut Tables<'_>,
-) -> Result<Luminaire, Located> {
-    let LuminaireFile { span, position, aim, along, distribution, strength, group, dimming, .. } = file;
-    let numbers = strength.as_ref().map_or(span, |strength| strength.numbers().span());
-    let strength = match strength {
-        Some(StrengthFile::Flux(flux)) => Strength::Flux(spread(flux, bands, "the flux", check_flux)?),
-        Some(StrengthFile::Intensity(intensity)) => {
-            Strength::Intensity(spread(intensity, bands, "the intensity", check_intensity)?)
-        }
-        None => Strength::AsMeasured(bands),
-    };
-    let distribution = match distribution {
-        DistributionFile::Formula(distribution) => distribution.clone(),
-        DistributionFile::Table(file) => Distribution::Table(tables.named(file)?),
-    };
-    let own = Luminaire::new(name, *position, distribution, strength);
-    let mut own = own.map_err(|fault| Located::at(numbers, fault))?;
-    if let Some(aim) = aim {
-        own = own.aimed(aim.value).map_err(|fault| Located::at(&aim.span, fault))?;
-    }
-    if let Some(along) = along {
-        own = own.turned(along.value).map_err(|fault| Located::at(&along.span, fault))?;
-    }
-    if let Some(dimming) = dimming {
-        own = own.at_factor(dimming.value).map_err(|fault| Located::at(&dimming.span, fault))?;
-    }
-    if let Some(group) = group {
-        own = own.in_group(&group.value).map_err(|fault| Located::at(&group.span, fault))?;
-    }
-    Ok(Luminaire { place: Some(tables.source.place(span)), ..own.moved(motion) })
-}
-
-/// The photometric files of a scene, each read once.
-struct Tables<'a> {
-    source: &'a Source,
-    known: BTreeMap<String, Arc<Photometry>>,
-}
-
-impl Tables<'_> {
-    /// The table in the file of that name.
-    fn named(&mut self, name: &At<String>) -> Result<Arc<Photometry>, Located> {
-        let path = include::beside(self.source.origin_at(name.span.start), &name.value);
-        if let Some(known) = self.known.get(&path) {
-            return Ok(Arc::clone(known));
-        }
-        let text = self.source.included_text(&path);
-        let (text, _) =
-            text.ok_or_else(|| Located::at(&name.span, Fault::NoIncludes { file: path.clone() }))?;
-        let table = photometry::read(&path, text.as_bytes()).map_err(|refusal| {
-            let fault = Fault::Foreign { cause: refusal.to_string(), cure: refusal.cure };
-            Located::at(&name.span, fault)
-        })?;
-        let table = Arc::new(table);
-        self.known.insert(path, Arc::clone(&table));
-        Ok(table)
-    }
 }
 
 fn flux(flux: Option<&PerBand>, bands: usize) -> Result<Option<Vec<f64>>, Located> {

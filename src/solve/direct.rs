@@ -18,7 +18,7 @@ const LARGE: f64 = 0.25;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split where there are openings to a sky, and where luminaires or small flat emitters cast shadows of flat surfaces; else
+    /// Split where there are openings to a sky or luminous areas, and where luminaires or small flat emitters cast shadows of flat surfaces; else
     /// projected.
     Auto,
     /// An exact source at every point, with its shadows.
@@ -34,7 +34,7 @@ impl Direct {
         match self {
             Self::Split => true,
             Self::Projected => false,
-            Self::Auto if emitters.iter().any(Emitters::have_outlooks) => true,
+            Self::Auto if emitters.iter().any(Emitters::are_directed) => true,
             Self::Auto => {
                 plain
                     && (luminaires_cast_flat_shadows(emitters, visibility)
@@ -47,11 +47,10 @@ impl Direct {
 /// Whether all possible blockers between luminaires and elements are flat, and there is one.
 fn luminaires_cast_flat_shadows(sources: &[Emitters<'_>], visibility: &Visibility) -> bool {
     let mut shadows = false;
-    let pairs =
-        sources.iter().flat_map(|own| own.points.positions().map(|position| (own.elements, position)));
-    for (elements, position) in pairs {
+    let pairs = sources.iter().flat_map(|own| own.points.ends().map(|ends| (own.elements, ends)));
+    for (elements, ends) in pairs {
         for element in elements.iter().filter(|element| element.contact.is_none()) {
-            let blockers = visibility.candidates(&element.hull, &[position], [element.surface; 2]);
+            let blockers = visibility.candidates(&element.hull, &ends, [element.surface; 2]);
             if !visibility.are_planar(&blockers) {
                 return false;
             }

@@ -2,7 +2,7 @@
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
-use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::emitters::{Emitters, Radiances};
 use crate::light::point_lights::PointLights;
 use crate::scene::Scene;
 
@@ -16,7 +16,7 @@ pub(super) struct Emission {
     /// The luminaires of the group.
     pub points: PointLights,
     /// What openings see, of all groups.
-    pub outlooks: Outlooks,
+    pub radiances: Radiances,
 }
 
 impl Emission {
@@ -35,7 +35,7 @@ impl Emission {
                 .map(|band| Coating::of_group(scene, elements, band, group))
                 .collect(),
             points: PointLights::of_group(scene, group),
-            outlooks: Outlooks::of(scene),
+            radiances: Radiances::of(scene),
         };
         groups.into_iter().map(of).collect()
     }
@@ -47,14 +47,14 @@ impl Emission {
 
     /// What emits, of which `elements` are.
     pub(super) fn emitters<'a>(&'a self, elements: &'a [Element]) -> Emitters<'a> {
-        Emitters { elements, coatings: self.list(), outlooks: &self.outlooks, points: &self.points }
+        Emitters { elements, coatings: self.list(), radiances: &self.radiances, points: &self.points }
     }
 
     /// Whether the same elements and luminaires emit as much in `other`.
     pub(super) fn emits_as(&self, other: &Self) -> bool {
         let mut coatings = self.coatings.iter().zip(&other.coatings);
         let is_same =
-            self.group == other.group && self.points == other.points && self.outlooks == other.outlooks;
+            self.group == other.group && self.points == other.points && self.radiances == other.radiances;
         is_same && coatings.all(|(own, other)| own.exitance == other.exitance)
     }
 

@@ -24,14 +24,16 @@ pub enum Failure {
         /// Name of the surface.
         surface: String,
     },
-    /// The light of a sky was to be carried as diffuse light is.
+    /// The light of a sky or a luminous area was to be carried as diffuse light is.
     #[error(
-        "surface '{surface}' is an opening to a sky: {what} takes all emitted light for diffuse: leave it out, the light of the \
-         sky is then exact at every point"
+        "surface '{surface}' is {light}: {what} takes all emitted light for diffuse: leave it out, such light is then integrated at \
+         every point"
     )]
     NotDiffuse {
-        /// Name of the first opening.
+        /// Name of the first of them.
         surface: String,
+        /// What it is.
+        light: &'static str,
         /// What was asked for.
         what: &'static str,
     },

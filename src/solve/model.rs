@@ -338,8 +338,11 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
         Options { kernel: Some(_), .. } => "--kernel with the rules of 1993",
         _ => return Ok(()),
     };
-    match scene.surfaces.iter().find(|own| own.outlook.is_some()) {
-        Some(own) => Err(Failure::NotDiffuse { surface: own.name.clone(), what }),
+    match scene.surfaces.iter().find(|own| own.radiance.is_some()) {
+        Some(own) => {
+            let light = if own.is_opening() { "an opening to a sky" } else { "a luminaire" };
+            Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
+        }
         None => Ok(()),
     }
 }

@@ -24,7 +24,7 @@ use crate::elements::coating::Coating;
 use crate::elements::frame::{Frame, duals};
 use crate::elements::{Element, Elements};
 use crate::light::direct::DirectLight;
-use crate::light::emitters::{Emitters, Outlooks};
+use crate::light::emitters::{Emitters, Radiances};
 use crate::light::point_lights::PointLights;
 use crate::transport;
 use crate::transport::{Accuracy, Blocks};
@@ -94,9 +94,9 @@ impl MaskedLight {
         let Setting { elements, coatings, visibility, open, accuracy } = *setting;
         let list = elements.list();
         let eps = accuracy.shadow_eps;
-        let (outlooks, points) = (Outlooks::default(), PointLights::default());
+        let (radiances, points) = (Radiances::default(), PointLights::default());
         let sources =
-            Emitters { elements: list, coatings: coatings.to_vec(), outlooks: &outlooks, points: &points };
+            Emitters { elements: list, coatings: coatings.to_vec(), radiances: &radiances, points: &points };
         let lights = [visibility, open].map(|v| DirectLight::within(&sources, v, eps));
         let masks: Vec<Vec<(usize, Mask)>> =
             (0..list.len()).into_par_iter().map(|i| Receiver::new(setting, &lights, i).masks(how)).collect();

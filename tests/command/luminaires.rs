@@ -301,3 +301,98 @@ fn power_that_elements_miss_of_direct_light_has_a_cure_of_its_own() {
     let transfers = cure(bright);
     assert!(transfers.contains("--eps") && !transfers.contains("subdivide"), "{transfers}");
 }
+
+#[test]
+fn wrong_extents_are_refused_at_their_place() {
+    let lamp = "luminaire \"lamp\": ";
+    let extent =
+        |new: &str, parts: &[&str]| refused("point = {}", &format!("point = {{}}\nextent = {new}"), parts);
+    extent("0", &["room.toml:16:10: ", lamp, "the diameter of the extent is 0, outside diameter > 0"]);
+    extent("-0.2", &[lamp, "the diameter of the extent is -0.2"]);
+    extent("[0, 0]", &["room.toml:16:10: ", lamp, "both sides are 0", "leave the extent out for a point"]);
+    extent("[1, -1]", &[lamp, "the side of the extent is -1, outside side ≥ 0"]);
+    extent("[1, 1, 1]", &[lamp, "an extent takes 2 sides, found 3"]);
+    extent("\"file\"", &[lamp, "there is no photometric file", "give its sides"]);
+    extent("\"area\"", &[lamp, "unknown key \"area\"", "file"]);
+    extent("true", &[lamp, "expected a number"]);
+    refused(
+        "point = {}",
+        "spot = { angle = 30 }\nextent = [1, 1]",
+        &["room.toml:16:10: ", lamp, "within half a degree", "give the spot an edge"],
+    );
+    // An area is a surface, and surfaces have names of their own.
+    refused(
+        "name = \"lamp\"",
+        "name = \"room-top\"\nextent = 0.2",
+        &["room.toml:11:8: ", "the name \"room-top\" is given twice"],
+    );
+    // A disk in the plane of a ceiling.
+    refused(
+        "position = [2, 2, 2.5]",
+        "position = [2, 2, 3]\nextent = 0.2",
+        &["coincides with", "move them apart"],
+    );
+}
+
+/// Of the openings that files state, flat ones and lines are taken, others refused with a cure.
+#[test]
+fn extents_of_files_are_those_of_their_openings() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = ROOM.replace("point = {}", "photometry = \"lamp.ies\"\nextent = \"file\"");
+    let checked = |opening: &str, args: &[&str]| {
+        let table = TABLE.replace(" 2 0 0 0\n", &format!(" 2 {opening}\n"));
+        fs::write(folder.path().join("lamp.ies"), table).unwrap();
+        run(folder.path(), &scene, &[&["check", "room.toml"], args].concat())
+    };
+    for (opening, told) in [
+        ("0.3 1.2 0", "1.2 × 0.3"),
+        ("-0.2 -0.2 0", "disk of 0.2"),
+        ("0 1.5 0", "line of 1.5"),
+        ("-0.03 1.5 -0.03", "line of 1.5"),
+    ] {
+        let (code, out, error) = checked(opening, &[]);
+        assert!(code == Some(0) && out.contains(told), "{opening}: {out}{error}");
+    }
+    let (_, out, _) = checked("0.3 1.2 0.05", &[]);
+    assert!(out.contains("an opening 0.05 m high"), "{out}");
+    for (opening, problem) in [
+        ("0 0 0", "the file states a point"),
+        ("0.3 0 1.2", "the opening of the file is upright"),
+        ("-0.3 -0.2 0", "the opening of the file is an ellipse"),
+        ("-0.3 -0.3 -0.3", "the opening of the file is a ball"),
+    ] {
+        let (code, _, error) = checked(opening, &[]);
+        assert!(
+            code == Some(2) && error.contains(problem) && error.contains("help: give"),
+            "{opening}: {error}"
+        );
+    }
+}
+
+/// A disk of the diameter w errs as a point by (w/2r)² at the distance r.
+#[test]
+fn check_tells_where_points_err() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("lamp.ies"), TABLE.replace(" 2 0 0 0\n", " 2 -0.8 -0.8 0\n")).unwrap();
+    let point = ROOM.replace("point = {}", "photometry = \"lamp.ies\"");
+    let near = |scene: &str| {
+        let (code, out, error) = run(folder.path(), scene, &["check", "room.toml", "--format", "json"]);
+        assert_eq!(code, Some(0), "{error}");
+        serde_json::from_str::<serde_json::Value>(&out).unwrap()["near_points"].clone()
+    };
+    let found = near(&point);
+    // Walls are nearer than the floor, for the lamp hangs 2.5 m above it and 2 m beside them.
+    let [distance, error] = ["distance", "error"].map(|key| found[0][key].as_f64().unwrap());
+    assert!((2.0..2.1).contains(&distance), "{found}");
+    assert!((error - (0.4 / distance).powi(2)).abs() < 1e-9, "{found}");
+    let text = run(folder.path(), &point, &["check", "room.toml"]).1;
+    assert!(
+        text.contains("as a point: lamp errs by up to about") && text.contains("extent = \"file\""),
+        "{text}"
+    );
+    assert_eq!(near(&format!("{point}extent = \"file\"\n")), serde_json::json!([]));
+    assert_eq!(
+        near(&ROOM.replace("position = [2, 2, 2.5]", "position = [2, 2, 2.4]")),
+        serde_json::json!([])
+    );
+}

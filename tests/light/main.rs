@@ -13,6 +13,8 @@ mod groups;
 mod hard_cases;
 mod lightmaps;
 mod luminaires;
+mod luminous_areas;
+mod luminous_lines;
 mod masks;
 mod models;
 mod occlusion;

@@ -7,7 +7,7 @@ use radiosity::gather::choice::By;
 use radiosity::light::direct::DirectLight;
 use radiosity::light::receiver_point::ReceiverPoint;
 use radiosity::output::reader::{Read, Reader};
-use radiosity::scene::Scene;
+use radiosity::scene::{Radiance, Scene};
 use radiosity::solve::{Failure, Options, Transport, solve};
 use radiosity::visibility::{Hiding, Visibility};
 use radiosity_geom::DVec3 as V;
@@ -241,8 +241,8 @@ fn openings_that_look_alike_share_what_they_see() {
         pane("turned", 6.0, "opening = true\nflip = true"),
     );
     let scene = Scene::from_toml(&text, "panes").expect("a scene");
-    let [a, b, glazed, turned] =
-        [0, 1, 2, 3].map(|k| scene.surfaces[k].outlook.as_ref().expect("an opening"));
+    let [a, b, glazed, turned] = [0, 1, 2, 3]
+        .map(|k| scene.surfaces[k].radiance.as_ref().and_then(Radiance::outlook).expect("an opening"));
     assert!(Arc::ptr_eq(a, b));
     assert!(glazed.exitance()[0] < 0.95 * a.exitance()[0], "{glazed:?}");
     // The ground sends 0.2 of the 1000 lx that it gets up.

@@ -193,3 +193,22 @@ fn wrong_scenes_are_refused() {
     assert!(!validator.is_valid(&json!([[[0, 0], [1, 0], [0, 1]]])));
     assert!(!validator.is_valid(&json!("a text")));
 }
+
+/// Extents are a diameter, two sides, formulas of them, or the word `file`.
+#[test]
+fn extents_are_lengths_or_that_of_the_file() {
+    let validator = validator();
+    let with = |extent: Value| {
+        let mut scene = scene();
+        scene["luminaires"] = json!([{"position": [0, 0, 1], "point": {}, "flux": 1, "extent": extent}]);
+        scene
+    };
+    for extent in [json!(0.3), json!("=half"), json!([1.2, 0]), json!(["=half", 0.3]), json!("file")] {
+        accepted(&validator, &with(extent));
+    }
+    for extent in
+        [json!(0), json!(-1), json!([1]), json!([1, -1]), json!([1, 1, 1]), json!("area"), json!(true)]
+    {
+        assert!(!validator.is_valid(&with(extent.clone())), "{extent}");
+    }
+}

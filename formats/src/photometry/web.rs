@@ -7,7 +7,8 @@
 //! Φ = Σ_k w_k Σ_i [I_k,i (cos γ_i − s_i) + I_k,i+1 (s_i − cos γ_{i+1})] ,     s_i = (sin γ_{i+1} − sin γ_i) / h_i
 //! ```
 //!
-//! because ∫ sin γ (γ_{i+1} − γ) dγ = h_i cos γ_i − (sin γ_{i+1} − sin γ_i), and likewise from the other end. For a
+//! because ∫ sin γ (γ_{i+1} − γ) dγ = h_i cos γ_i − (sin γ_{i+1} − sin γ_i), and likewise from the other end; within a step from a to b
+//! it is (γ_{i+1} − a) cos a − (γ_{i+1} − b) cos b − (sin b − sin a). For a
 //! smooth intensity the error of interpolation is O(h²).
 
 use std::f64::consts::TAU;
@@ -142,23 +143,75 @@ impl Web {
 
     /// Luminous flux, lm: the exact integral of [`Self::at`] over the sphere.
     pub fn flux(&self) -> f64 {
-        let weights = self.zone_weights();
+        self.flux_between(0.0, 180.0)
+    }
+
+    /// The part of [`Self::flux`] at angles γ from `least` to `most`, degrees.
+    pub fn flux_between(&self, least: f64, most: f64) -> f64 {
+        let weights = self.zone_weights(least, most);
         let of = |plane: usize| -> f64 {
             self.candelas(plane).iter().zip(&weights).map(|(value, weight)| value * weight).sum()
         };
         (0..self.planes.len()).map(|plane| self.share(plane) * of(plane)).sum()
     }
 
-    /// The integral ∫ sin γ dγ of each node's hat function over γ.
-    fn zone_weights(&self) -> Vec<f64> {
+    /// The integral ∫ sin γ dγ of each node's hat function over γ from `least` to `most`, degrees.
+    fn zone_weights(&self, least: f64, most: f64) -> Vec<f64> {
         let mut weights = vec![0.0; self.gammas.len()];
         for (lower, pair) in self.gammas.windows(2).enumerate() {
-            let (start, end) = (pair[0].to_radians(), pair[1].to_radians());
-            let slope = (end.sin() - start.sin()) / (end - start);
-            weights[lower] += start.cos() - slope;
-            weights[lower + 1] += slope - end.cos();
+            let ends = [pair[0].max(least), pair[1].min(most)];
+            if ends[0] >= ends[1] {
+                continue;
+            }
+            let [low, high, start, end] = [pair[0], pair[1], ends[0], ends[1]].map(f64::to_radians);
+            let sines = end.sin() - start.sin();
+            weights[lower] +=
+                ((high - start) * start.cos() - (high - end) * end.cos() - sines) / (high - low);
+            weights[lower + 1] +=
+                ((start - low) * start.cos() - (end - low) * end.cos() + sines) / (high - low);
         }
         weights
+    }
+
+    /// Least and greatest intensity at angles γ from `least` to `most`, degrees, in any plane; a bound where γ leaves the table.
+    pub fn range(&self, least: f64, most: f64) -> [f64; 2] {
+        let last = self.gammas.len() - 1;
+        let leaves = least < self.gammas[0] - EDGE || most > self.gammas[last] + EDGE;
+        let from = self.gammas.partition_point(|angle| *angle <= least).saturating_sub(1);
+        let to = self.gammas.partition_point(|angle| *angle < most).min(last);
+        let values = || self.table.chunks_exact(last + 1).flat_map(|row| &row[from.min(to)..=to]).copied();
+        [if leaves { 0.0 } else { values().fold(f64::INFINITY, f64::min) }, values().fold(0.0, f64::max)]
+    }
+
+    /// The angle, degrees, over which the greatest intensity would fall to nothing as steeply as it changes anywhere at angles γ from
+    /// `least` to `most`, degrees; 0 where the table is cut off between them.
+    pub fn scale(&self, least: f64, most: f64) -> f64 {
+        let last = self.gammas.len() - 1;
+        let end = self.gammas[last];
+        if end < most && self.range(end, end)[1] > 0.0 {
+            return 0.0;
+        }
+        let within = (0..=last).filter(|index| (least..=most).contains(&self.gammas[*index]));
+        let all = within.flat_map(|index| (0..self.planes.len()).map(move |plane| (plane, index)));
+        let slope = |(plane, index)| f64::max(self.slope_down(plane, index), self.slope_across(plane, index));
+        self.largest() / all.map(slope).fold(0.0, f64::max)
+    }
+
+    /// Change of intensity per degree from a node to the next of its plane.
+    fn slope_down(&self, plane: usize, index: usize) -> f64 {
+        let [own, next] = [index, (index + 1).min(self.gammas.len() - 1)];
+        let values = self.candelas(plane);
+        let step = self.gammas[next] - self.gammas[own];
+        if step > 0.0 { (values[next] - values[own]).abs() / step } else { 0.0 }
+    }
+
+    /// Change of intensity per degree from a node to that of the next plane; 0 at the poles, where all planes are one.
+    fn slope_across(&self, plane: usize, index: usize) -> f64 {
+        let next = (plane + 1) % self.planes.len();
+        let gap = (self.planes[next] - self.planes[plane]).rem_euclid(360.0);
+        let step = gap * self.gammas[index].to_radians().sin();
+        let change = (self.candelas(next)[index] - self.candelas(plane)[index]).abs();
+        if step > EDGE { change / step } else { 0.0 }
     }
 
     /// Greatest intensity, cd.

@@ -16,8 +16,6 @@
 //! the corner alone, have cells down to [`DEEPEST`], few of them; before a luminaire near a surface cells are as small as its light
 //! peaks.
 
-use std::sync::Arc;
-
 use radiosity_geom::{Aabb, DVec3};
 use smallvec::smallvec;
 
@@ -25,7 +23,7 @@ use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::border::Border;
 use crate::light::hierarchy::cell::{Cell, POINTS};
-use crate::scene::Outlook;
+use crate::scene::Radiance;
 
 /// Levels of quarters below the patches of an element that are all made where the field varies, so that no small shadow is
 /// overlooked. Chosen; not tuned.
@@ -57,8 +55,8 @@ pub struct Tree {
     pub plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
     pub bounds: Aabb,
-    /// What it sees, if it is an opening to a sky: the field is then multiplied by the light towards the receiver.
-    pub outlook: Option<Arc<Outlook>>,
+    /// How it spreads its light, if it is no diffuse emitter: the field is then multiplied by the light towards the receiver.
+    pub radiance: Option<Radiance>,
 }
 
 /// A field over an element: writes the value of each channel at a node of a patch.
@@ -72,9 +70,9 @@ impl Tree {
         })
     }
 
-    /// The tree of an opening that sees this, if it is one.
-    pub fn seeing(self, outlook: Option<Arc<Outlook>>) -> Self {
-        Self { outlook, ..self }
+    /// The tree of an element that spreads its light so, if it is no diffuse emitter.
+    pub fn spread(self, radiance: Option<Radiance>) -> Self {
+        Self { radiance, ..self }
     }
 
     /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
@@ -95,7 +93,7 @@ impl Tree {
             surface: element.surface,
             plane: element.plane,
             bounds: element.bounds(),
-            outlook: None,
+            radiance: None,
         }
     }
 

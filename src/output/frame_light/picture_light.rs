@@ -1,5 +1,7 @@
 //! The light of a picture, in two parts: direct light, which has edges, and the rest, which is smooth.
 
+use radiosity_geom::DVec3;
+
 use crate::gather::Gather;
 use crate::gather::by_rays::{Estimate, RayGather};
 use crate::gather::choice::By;
@@ -38,6 +40,8 @@ pub(crate) struct Lit {
 pub(crate) struct PictureLight<'a> {
     solution: &'a Solution,
     shown: Shown,
+    /// Where it is seen from, in a picture.
+    eye: Option<DVec3>,
     direct: Direct<'a>,
     rest: Rest<'a>,
 }
@@ -77,12 +81,12 @@ impl<'a> PictureLight<'a> {
             }
             _ => Direct::Rays(Penumbra::new(&emitters, visibility, IN_PENUMBRA * eps)),
         };
-        Self { solution, shown: Shown::default(), direct, rest }
+        Self { solution, shown: Shown::default(), eye: None, direct, rest }
     }
 
-    /// The same light, of which a picture shows this.
-    pub(crate) fn showing(self, shown: Shown) -> Self {
-        Self { shown, ..self }
+    /// The same light, of which a picture shows this, as seen from the point `eye`.
+    pub(crate) fn showing(self, shown: Shown, eye: DVec3) -> Self {
+        Self { shown, eye: Some(eye), ..self }
     }
 
     /// Whether the rest is gathered: then it is dear, and smooth across elements.
@@ -151,7 +155,19 @@ impl<'a> PictureLight<'a> {
     /// What is shown per band under this irradiance.
     pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
-        bands.zip(irradiance).map(|(band, e)| self.shown.of(&band.coating, seen.element, e)).collect()
+        let directed = self.directed(seen);
+        bands
+            .zip(irradiance)
+            .map(|(band, e)| self.shown.of(&band.coating, seen.element, e, directed))
+            .collect()
+    }
+
+    /// Radiance of the own light of a place towards the eye, over that of a diffuse emitter.
+    fn directed(&self, seen: &Seen) -> f64 {
+        self.eye.map_or(1.0, |eye| {
+            let into = (eye - seen.place.position).normalize_or_zero();
+            self.solution.emitters().radiances.relative(seen.place.surface, into)
+        })
     }
 
     /// The solution that is seen.

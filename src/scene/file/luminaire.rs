@@ -5,11 +5,12 @@ use radiosity_geom::DVec3;
 use crate::scene::{
     distribution::Distribution,
     error::{Fault, Located, luminaire_title},
-    fields::{Fields, list, number, point, real, table, text},
+    extent::Extent,
+    fields::{Fields, exactly, list, number, point, real, table, text},
     file::per_band::{PerBand, per_band},
     include::PHOTOMETRY,
     source::{At, Span},
-    tree::{Node, entry},
+    tree::{Node, Value, entry},
 };
 
 /// `[[luminaires]]`.
@@ -21,6 +22,7 @@ pub(in crate::scene) struct LuminaireFile {
     pub aim: Option<At<DVec3>>,
     pub along: Option<At<DVec3>>,
     pub distribution: DistributionFile,
+    pub extent: Option<At<ExtentFile>>,
     /// None where a photometric file states it.
     pub strength: Option<StrengthFile>,
     pub group: Option<At<String>>,
@@ -33,6 +35,14 @@ pub(in crate::scene) enum DistributionFile {
     Formula(Distribution),
     /// The path of a photometric file.
     Table(At<String>),
+}
+
+/// What its light comes out of.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::scene) enum ExtentFile {
+    Typed(Extent),
+    /// The luminous opening of its photometric file.
+    OfTable,
 }
 
 /// How much light it sends.
@@ -51,11 +61,15 @@ impl StrengthFile {
     }
 }
 
-const LUMINAIRE_KEYS: [&str; 11] = [
+/// The extent that is that of the photometric file.
+const OF_TABLE: &str = "file";
+
+const LUMINAIRE_KEYS: [&str; 12] = [
     "name",
     "position",
     "aim",
     "along",
+    "extent",
     "flux",
     "intensity",
     "group",
@@ -91,6 +105,7 @@ fn read_luminaire(node: &Node, unnamed: &str) -> Result<LuminaireFile, Located> 
         position: fields.require("position", point)?,
         aim: fields.optional("aim", direction)?,
         along: fields.optional("along", direction)?,
+        extent: fields.optional("extent", extent)?,
         strength: read_strength(&fields, matches!(distribution, DistributionFile::Table(_)))?,
         distribution,
         group: fields.optional("group", text)?,
@@ -100,6 +115,24 @@ fn read_luminaire(node: &Node, unnamed: &str) -> Result<LuminaireFile, Located> 
 
 fn direction(node: &Node) -> Result<At<DVec3>, Located> {
     Ok(At::new(point(node)?, &node.span))
+}
+
+/// A diameter, two sides, or the word that stands for those of the photometric file.
+fn extent(node: &Node) -> Result<At<ExtentFile>, Located> {
+    let typed = match &node.value {
+        Value::Text(_) => {
+            let word = text(node)?.value;
+            let fault = Fault::UnknownKey { key: word.clone(), known: vec![OF_TABLE] };
+            return match word == OF_TABLE {
+                true => Ok(At::new(ExtentFile::OfTable, &node.span)),
+                false => Err(Located::at(&node.span, fault)),
+            };
+        }
+        Value::List(_) => Extent::rectangle(exactly(node, "an extent", "sides", real)?),
+        _ => Extent::disk(real(node)?),
+    };
+    let typed = typed.map_err(|fault| Located::at(&node.span, fault))?;
+    Ok(At::new(ExtentFile::Typed(typed), &node.span))
 }
 
 /// Exactly one of the keys that say how its light is spread.

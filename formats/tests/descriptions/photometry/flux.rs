@@ -43,6 +43,40 @@ fn a_lambertian_table_tends_to_its_flux_by_the_square_of_the_step() {
     }
 }
 
+/// Of I₀ cos γ a zone of the table sends π I₀ (sin² γ₂ − sin² γ₁), also where it ends between angles of the table, and zones add up.
+#[test]
+fn zones_have_their_part_of_the_flux() {
+    let lamp = read(&plain(steps(0.0, 90.0, 900), vec![0.0], lambertian).text());
+    for [least, most] in [[0.0_f64, 90.0_f64], [0.0, 33.33], [33.33, 33.37], [33.33, 71.0], [71.0, 180.0]] {
+        let [low, high] = [least, most.min(90.0)].map(|gamma| gamma.to_radians().sin().powi(2));
+        assert!(off(lamp.flux_between(least, most), 100.0 * PI * (high - low)) < 1e-6, "{least} {most}");
+    }
+    let parts: f64 =
+        [[0.0, 12.3], [12.3, 45.0], [45.0, 180.0]].map(|[a, b]| lamp.flux_between(a, b)).iter().sum();
+    assert!(off(parts, lamp.flux()) < 1e-13);
+    assert_eq!(lamp.flux_between(90.0, 180.0), 0.0);
+}
+
+/// The range of a table over a zone holds every intensity in it; its scale is what the steepest step says: from 100 to 50 cd within 10°.
+#[test]
+fn ranges_hold_what_is_between_and_scales_the_steepest_step() {
+    let text =
+        "TILT=NONE\n1 -1 1 4 3 1 2 0 0 0 1 1 1 0 10 60 90 0 90 180 100 50 40 0 100 80 60 20 100 70 60 10";
+    let web = read(text).web;
+    for (least, most) in [(0.0, 5.0), (3.0, 42.0), (10.0, 10.0), (61.0, 90.0), (80.0, 130.0)] {
+        let [low, high] = web.range(least, most);
+        for (c, part) in
+            (0..36).flat_map(|c| (0..=20).map(move |part| (f64::from(10 * c), f64::from(part) / 20.0)))
+        {
+            let value = web.at(c, least + part * (most - least));
+            assert!(low <= value && value <= high, "{least} {most} {c}: {value}");
+        }
+    }
+    assert!(off(web.scale(0.0, 90.0), 20.0) < 1e-12, "{}", web.scale(0.0, 90.0));
+    // Cut off at its end, where it is not dark.
+    assert_eq!(web.scale(0.0, 180.0), 0.0);
+}
+
 /// At nodes exact, between them within h²/8 of the cosine; dark above.
 #[test]
 fn intensities_follow_the_cosine() {
