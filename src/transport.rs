@@ -38,7 +38,7 @@ pub use blocks::miss::Miss;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use carrier::Carrier;
-pub use memory::Memory;
+pub(crate) use memory::Memory;
 pub use moments::integrand::kernel;
 pub use rules::contour::polygon_exchange;
 pub use sampled::{Rays, SampledTransport};

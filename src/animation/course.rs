@@ -1,22 +1,26 @@
 //! Light along a known path: solved at few moments, interpolated between them.
 //!
-//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes. On a segment of the path
-//! they are solved at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which are nested: at the points that come between m + 1 others, the
-//! interpolant h_m through these shows its error
+//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes and the path does not bend.
+//! Between the bends of all paths they are solved, on segments, at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which are nested: at the
+//! points between m + 1 others the interpolant h_m through these shows its error
 //!
 //! ```text
 //! d_m = max_t ‖h(t) − h_m(t)‖ / ‖h(t)‖ ,    r = d_m / d_{m/2} ,
 //! ```
 //!
-//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the interpolant through all 2 m + 1
-//! points errs by about d_m r², of which [`SURE`] d_m r is told. Where that is above what is wanted, and twice as many points are not expected to do (d_m r³), the segment is halved.
-//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead: these frames are then as they are alone.
+//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the interpolant
+//! through all 2 m + 1 points errs by about d_m r², of which [`SURE`] d_m r is told. Where that is above what is wanted, and twice as many
+//! points are not expected to do (d_m r³), the segment is halved. Before a segment is accepted, its frame farthest from all points is solved
+//! as well: what comes and goes between the points is seen if it is there, and what that frame errs by is told if it is more.
+//!
+//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead: these frames are then as
+//! they are alone. So is a frame whose elements are not those of the points: things that slide over others change the elements below.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::elements::{ElementError, Elements};
-use crate::scene::Scene;
+use crate::elements::{Element, ElementError, Elements};
+use crate::scene::{Animation, Scene};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::solve::Progress;
@@ -29,8 +33,8 @@ use super::sequence::Sequence;
 /// Numbers of intervals between the points of a segment.
 const LEVELS: [usize; 3] = [4, 8, 16];
 
-/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places only. Measured: beside a panel that moves before
-/// blocks 1e-4 was told and 3.7e-4 true without it.
+/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places only. Measured: beside a
+/// panel that moves before blocks 1e-4 was told and 3.7e-4 true without it.
 const SURE: f64 = 3.0;
 
 /// Part of the error that rays leave which interpolation may add to it: finer would be to follow their noise. Chosen.
@@ -82,9 +86,9 @@ impl<'a> Course<'a> {
     /// solved yet.
     pub fn new(sequence: Sequence<'a>, [first, last]: [usize; 2], tolerance: f64) -> Self {
         Self {
+            ahead: between_bends(&sequence, [first, last.max(first)]),
             sequence,
             tolerance,
-            ahead: vec![[first, last.max(first)]],
             segments: Vec::new(),
             patience: PATIENCE.max((last.max(first) - first) / FRAMES_EACH),
             nodes: BTreeMap::new(),
@@ -128,8 +132,13 @@ impl<'a> Course<'a> {
         let scene = self.sequence.scene().at_moment(moment)?;
         let elements = segment.elements(frame, &scene);
         let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
-        let solution = Solution::of_groups(elements, &scene, segment.light(moment));
-        Ok(Frame { scene, solution, interpolated: segment.error })
+        if segment.error.is_none() || carry_alike(&elements, &segment.nodes[0].elements) {
+            let solution = Solution::of_groups(elements, &scene, segment.light(moment));
+            return Ok(Frame { scene, solution, interpolated: segment.error, rays: segment.noise() });
+        }
+        let node = self.node(moment, progress)?;
+        let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
+        Ok(Frame { scene, solution, interpolated: None, rays: node.noise })
     }
 
     /// Solves a segment, or halves it.
@@ -164,7 +173,14 @@ impl<'a> Course<'a> {
             let point =
                 |k: usize| 0.5 * (ends[0] + ends[1] + (ends[1] - ends[0]) * chebyshev::point(k, intervals));
             let nodes = (0..=intervals).map(|k| self.node(point(k), progress));
-            let nodes: Vec<Arc<Node>> = nodes.collect::<Result<_, _>>()?;
+            // Between frames things may be where they cannot be.
+            let nodes: Vec<Arc<Node>> = match nodes.collect() {
+                Ok(nodes) => nodes,
+                Err(AnimationError::Scene(_)) => {
+                    return self.frame_by_frame([first, last], progress).map(Some);
+                }
+                Err(error) => return Err(error),
+            };
             if !are_alike(&nodes) {
                 break;
             }
@@ -174,7 +190,13 @@ impl<'a> Course<'a> {
             let noise = nodes.iter().map(|node| node.noise).fold(0.0, f64::max);
             let tolerance = self.tolerance.max(OF_NOISE * noise);
             if error <= tolerance {
-                return Ok(Some(Segment { ends, nodes, error: Some(error) }));
+                let points: Vec<f64> = (0..=intervals).map(point).collect();
+                let segment = Segment { ends, nodes, error: Some(error) };
+                let checked = self.checked(segment, farthest([first, last], &points), progress)?;
+                if checked.error.is_some_and(|error| error <= tolerance) {
+                    return Ok(Some(checked));
+                }
+                break;
             }
             if error * falls.powi(2) > tolerance {
                 break;
@@ -182,6 +204,21 @@ impl<'a> Course<'a> {
         }
         self.patience = self.patience.saturating_sub(self.nodes.len() - before);
         if frames <= FEW { self.frame_by_frame([first, last], progress).map(Some) } else { Ok(None) }
+    }
+
+    /// The segment, with the error of this frame if that is more.
+    fn checked(
+        &mut self,
+        segment: Segment,
+        frame: usize,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> Result<Segment, AnimationError> {
+        let node = self.node(frame as f64, progress)?;
+        let apart = match carry_alike(&node.elements, &segment.nodes[0].elements) {
+            true => apart(&segment.light(frame as f64), &node.light),
+            false => f64::INFINITY,
+        };
+        Ok(Segment { error: segment.error.map(|error| error.max(apart)), ..segment })
     }
 
     fn frame_by_frame(
@@ -217,6 +254,11 @@ impl<'a> Course<'a> {
 }
 
 impl Segment {
+    /// Largest error that rays left at any point.
+    fn noise(&self) -> f64 {
+        self.nodes.iter().map(|node| node.noise).fold(0.0, f64::max)
+    }
+
     /// The light of each group at a moment, which is that of a frame.
     fn light(&self, moment: f64) -> Vec<GroupLight> {
         let [first, last] = self.ends;
@@ -236,6 +278,23 @@ impl Segment {
     }
 }
 
+/// The frames cut where a path bends, the last ones first.
+fn between_bends(sequence: &Sequence<'_>, [first, last]: [usize; 2]) -> Vec<[usize; 2]> {
+    let bends = sequence.scene().animation.as_ref().map(Animation::bends).unwrap_or_default();
+    let inside = bends.into_iter().filter(|bend| (first as f64..last as f64).contains(bend));
+    let (mut parts, mut start) = (Vec::new(), first);
+    for bend in inside {
+        let (before, after) = (bend.floor() as usize, bend.ceil() as usize);
+        if before >= start && after > start {
+            parts.push([start, before]);
+            start = after;
+        }
+    }
+    parts.push([start, last]);
+    parts.reverse();
+    parts
+}
+
 /// The light of each group, as the sum of that of the `nodes` with `factors`.
 fn interpolated(nodes: &[Arc<Node>], factors: &[f64]) -> Vec<GroupLight> {
     let groups = 0..nodes.first().map_or(0, |node| node.light.len());
@@ -244,8 +303,24 @@ fn interpolated(nodes: &[Arc<Node>], factors: &[f64]) -> Vec<GroupLight> {
 
 /// Whether the same functions carry the light of all nodes.
 fn are_alike(nodes: &[Arc<Node>]) -> bool {
-    let starts = nodes[0].elements.starts();
-    nodes[1..].iter().all(|node| node.elements.starts() == starts)
+    nodes[1..].iter().all(|node| carry_alike(&nodes[0].elements, &node.elements))
+}
+
+/// Whether the same functions carry light on both, and what others cover is the same on both to the bit: how it is cut follows from
+/// what covers it.
+fn carry_alike(first: &Elements, other: &Elements) -> bool {
+    let mut pairs = first.list().iter().zip(other.list());
+    let is_kept = |(a, b): (&Element, &Element)| {
+        a.contact == b.contact && (a.contact.is_none() || (a.patches == b.patches && a.basis == b.basis))
+    };
+    first.starts() == other.starts() && pairs.all(is_kept)
+}
+
+/// The frame from `first` to `last` that is farthest from all `points`.
+fn farthest([first, last]: [usize; 2], points: &[f64]) -> usize {
+    let gap =
+        |frame: &usize| points.iter().map(|point| (point - *frame as f64).abs()).fold(f64::MAX, f64::min);
+    (first..=last).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(first)
 }
 
 /// d_m for m = `coarse` intervals: how far the light of those nodes between is from the interpolant through the others.
@@ -266,7 +341,11 @@ fn apart(light: &[GroupLight], right: &[GroupLight]) -> f64 {
         let pairs = own.irradiance.iter().zip(&other.irradiance);
         let difference = pairs.map(|(a, b)| (a - b).powi(2)).sum::<f64>();
         let size = other.irradiance.iter().map(|h| h * h).sum::<f64>();
-        if size > 0.0 { (difference / size).sqrt() } else { 0.0 }
+        match size {
+            size if size > 0.0 => (difference / size).sqrt(),
+            _ if difference > 0.0 => f64::INFINITY,
+            _ => 0.0,
+        }
     });
     relative.fold(0.0, f64::max)
 }

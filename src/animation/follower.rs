@@ -68,7 +68,8 @@ impl<'a> Follower<'a> {
             }
         };
         self.solved += 1;
-        Ok(Frame { scene: solved.scene, solution: solved.outcome.solution, interpolated: None })
+        let rays = solved.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
+        Ok(Frame { scene: solved.scene, solution: solved.outcome.solution, interpolated: None, rays })
     }
 
     /// Number of moments that were solved so far.

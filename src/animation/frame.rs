@@ -12,4 +12,6 @@ pub struct Frame {
     pub solution: Solution,
     /// Estimated relative error of what was interpolated; None where the frame itself was solved.
     pub interpolated: Option<f64>,
+    /// Estimated relative error that rays left in it, where they carried the pairs; else 0.
+    pub rays: f64,
 }

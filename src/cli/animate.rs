@@ -18,7 +18,7 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::{render, usual_read, white_balance};
 use radiosity::output::shown::Shown;
 use radiosity::output::tone::Tone;
-use radiosity::solve::in_threads;
+use radiosity::solve::{Algorithm, Options, in_threads};
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
@@ -50,8 +50,8 @@ pub(crate) struct AnimateArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film, .gif, or .mp4 where ffmpeg is
-    /// installed [default: SCENE-####.png, and none with --probe]
+    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film, .gif
+    /// [default: SCENE-####.png, and none with --probe]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -122,16 +122,30 @@ impl AnimateArgs {
         }
     }
 
-    /// Refuses a wanted accuracy: elements that were refined for one frame would not do for another.
-    fn refuse_accuracy(&self) -> Result<(), CliError> {
-        match self.method.wanted_accuracy() {
-            Some(_) => Err(CliError::Refused {
-                message: "--accuracy: elements that one frame needs are not those of another".to_owned(),
-                cure: "leave it out and choose --quality, or --order and --eps, which hold for all frames"
-                    .to_owned(),
-            }),
-            None => Ok(()),
+    /// Refuses methods that frames do not share.
+    fn refuse_methods(&self, asked: &Options) -> Result<(), CliError> {
+        let refuse = |message: &str, cure: &str| {
+            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
+        };
+        if self.method.wanted_accuracy().is_some() {
+            return refuse(
+                "--accuracy: elements that one frame needs are not those of another",
+                "leave it out and choose --quality, or --order and --eps, which hold for all frames",
+            );
         }
+        if asked.algorithm == Algorithm::Hierarchical {
+            return refuse(
+                "--method hierarchical: links of one frame are not those of another",
+                "leave it out; solve --frame K solves a single frame by links",
+            );
+        }
+        if asked.masks.is_some() && self.way == Follow::Path {
+            return refuse(
+                "light that goes through shadow masks cannot be interpolated along a path",
+                "add --animation selective, or choose other --shadows",
+            );
+        }
+        Ok(())
     }
 
     /// Where pictures go; None where none were asked for.
@@ -141,7 +155,9 @@ impl AnimateArgs {
             (None, Some(_)) => return Ok(None),
             (None, None) => format!("{}-####.png", loaded.scene.name).into(),
         };
-        let film = Film::new(&output, self.fps, first, loaded)?;
+        let rate = loaded.scene.animation.as_ref().map(|animation| animation.rate);
+        let of_scene = rate.filter(|rate| *rate != 1.0);
+        let film = Film::new(&output, (self.fps, of_scene), first, loaded)?;
         if film.is_exr() && self.exposure.is_some() {
             return Err(CliError::Refused {
                 message: "--exposure: an .exr holds the values and nothing else".to_owned(),
@@ -184,7 +200,8 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = &loaded.scene;
     args.method.check()?;
-    args.refuse_accuracy()?;
+    let asked = options(&args.method);
+    args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
     let points = args.probe.as_deref().map(Points::load).transpose()?;
     let mut film = args.film(&loaded, range.ends()[0])?;
@@ -192,19 +209,22 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
         require_pixels(&super::render::camera(args.size, scene)?, scene, &args.method)?;
     }
     let progress = Progress::new(args.quiet);
-    let asked = options(&args.method);
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
     let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
+    let (mut made, mut rays) = (0, 0.0f64);
     for (done, number) in range.numbers().enumerate() {
         progress.show("frames", done, range.count());
         // The first picture exposes all others.
         let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number));
-        let is_needed = readings.is_some() || !is_there || (done == 0 && shutter.exposure.is_none());
+        let is_unset = shutter.exposure.is_none() || shutter.read.is_none();
+        let is_needed = readings.is_some() || !is_there || (done == 0 && is_unset);
         if !is_needed {
             continue;
         }
         let frame = follower.frame(number, &|_| ())?;
+        made += 1;
+        rays = rays.max(frame.rays);
         let visibility = Visibility::new(&frame.scene, (&asked).into());
         in_threads(asked.threads, || {
             if let Some(readings) = &mut readings {
@@ -223,15 +243,15 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands))?;
     drop(progress);
     if !args.quiet {
-        tell(&follower, &range, begun);
+        tell(&follower, made, rays, begun);
     }
     Ok(())
 }
 
-/// A line on what it took, on stderr.
-fn tell(follower: &Follower<'_>, range: &FrameRange, begun: Instant) {
+/// A line on what it took, on stderr; `rays` is the largest error that rays left.
+fn tell(follower: &Follower<'_>, frames: usize, rays: f64, begun: Instant) {
     let seconds = begun.elapsed().as_secs_f64();
-    let (frames, solved) = (range.count(), follower.solved());
+    let solved = follower.solved();
     let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
     line += &match follower.segments() {
         Some(segments) => format!("light solved at {solved} moments, in {segments} segments of the path"),
@@ -239,6 +259,9 @@ fn tell(follower: &Follower<'_>, range: &FrameRange, begun: Instant) {
     };
     if let Some(error) = follower.error() {
         line += &format!(", interpolated to {error:.1e}");
+    }
+    if rays > 0.0 {
+        line += &format!(", rays leave an error of {rays:.1e}");
     }
     // A closed stderr is no error: nobody would see the line.
     drop(writeln!(stderr(), "{line}"));

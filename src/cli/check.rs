@@ -11,7 +11,8 @@ use radiosity::footings::Footing;
 use radiosity::geom::Adjacency;
 use radiosity::inspection::{Contact, Fronts, Inspection, NearPoint, Passage, Shell, Warning};
 use radiosity::scene::{
-    Animation, Camera, Distribution, Extent, Imported, Luminaire, Lying, Mover, Scene, SceneSurface, SensorPlane,
+    Animation, Camera, Distribution, Extent, Imported, Luminaire, Lying, Mover, Scene, SceneSurface,
+    SensorPlane,
 };
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};

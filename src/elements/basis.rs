@@ -40,7 +40,7 @@ const LARGEST_DEFECT: f64 = 1e-10;
 const DEPTHS: [usize; 2] = [1, 3];
 
 /// Polynomials of order N, orthonormal with respect to area.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct AreaBasis {
     space: Space,
     order: usize,

@@ -9,7 +9,7 @@ use radiosity_geom::{DVec2, DVec3};
 use super::patch::Node;
 
 /// Coordinates (a, b) of an element, [−1, 1]² over it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Frame {
     /// Affine in the plane: a = (x − origin)·first, b = (x − origin)·second.
     Plane {

@@ -31,7 +31,7 @@ use std::ops::Range;
 use super::columns::{add_scaled, dot, take_out};
 
 /// The levels of a space of polynomials.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Levels {
     /// Functions of each level; level 0 is the constant alone.
     pub functions: Vec<Range<usize>>,
@@ -40,7 +40,7 @@ pub struct Levels {
 }
 
 /// The factor of a product.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Multiplier {
     /// a^i b^j.
     Monomial([i32; 2]),
@@ -49,7 +49,7 @@ enum Multiplier {
 }
 
 /// How the functions of one level follow from those before it.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 struct Step {
     functions: Range<usize>,
     products: Vec<(Multiplier, usize)>,
@@ -58,7 +58,7 @@ struct Step {
 }
 
 /// Orthonormal polynomials φ_0, φ_1, … ; φ_0 is constant.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Recurrence {
     constant: f64,
     steps: Vec<Step>,

@@ -78,6 +78,15 @@ impl Animation {
         self
     }
 
+    /// The moments at which a path may bend, ascending, in frames.
+    pub fn bends(&self) -> Vec<f64> {
+        let times = self.movers.iter().flat_map(|mover| mover.path.times());
+        let mut moments: Vec<f64> = times.map(|time| time * self.rate).collect();
+        moments.sort_by(f64::total_cmp);
+        moments.dedup();
+        moments
+    }
+
     /// The poses of all movers at a moment.
     ///
     /// # Errors

@@ -47,6 +47,16 @@ impl RigidPath {
         Self { shift: Some(shift), turn: Some(turn) }
     }
 
+    /// The times at which the path may bend: it is smooth between them, and rests before the first and after the last.
+    pub fn times(&self) -> Vec<f64> {
+        let shift = self.shift.iter().flat_map(Track::times).copied();
+        let turn = self.turn.iter().flat_map(|turn| match &turn.kind {
+            Kind::Axis(_, degrees) => degrees.times(),
+            Kind::Keys(times, _) => times.all(),
+        });
+        shift.chain(turn.copied()).collect()
+    }
+
     /// The pose at a time, the same one for the same time.
     pub fn pose(&self, time: f64) -> Pose {
         let shift = self.shift.as_ref().map_or(DVec3::ZERO, |shift| shift.at(time));

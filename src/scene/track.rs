@@ -59,6 +59,11 @@ impl Times {
         }
     }
 
+    /// All of them.
+    pub(super) fn all(&self) -> &[f64] {
+        &self.0
+    }
+
     /// The index of the last time before `time`, not that of the very last, and the part of the way to the next, 0 to 1.
     pub(super) fn place(&self, time: f64) -> (usize, f64) {
         let last = self.0.len() - 2;
@@ -85,6 +90,11 @@ impl<T: Mixed> Track<T> {
             Curve::Spline => bends(&values, &times),
         };
         Ok(Self { times, values, bends })
+    }
+
+    /// The times of the values.
+    pub fn times(&self) -> &[f64] {
+        self.times.all()
     }
 
     /// The value at a time; those given are met to the bit.

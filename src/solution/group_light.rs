@@ -68,7 +68,7 @@ impl Incident {
             }
             sum
         };
-        let lit = factors.iter().zip(parts.clone()).filter(|(factor, _)| **factor > 0.0);
+        let lit = factors.iter().zip(parts.clone()).filter(|(factor, _)| **factor != 0.0);
         Self {
             irradiance: sum(|part| &part.irradiance),
             direct: sum(|part| &part.direct),

@@ -84,7 +84,7 @@ impl Model {
     ///
     /// # Errors
     /// As [`Model::assemble`].
-    pub fn assemble_again(
+    pub(crate) fn assemble_again(
         scene: &Scene,
         options: &Options,
         choice: &Choice,

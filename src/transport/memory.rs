@@ -10,22 +10,25 @@ use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::Surface;
 
+use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::scene::Scene;
 use crate::transport::blocks::block::Block;
 
-/// Blocks of earlier scenes. The scenes have the same surfaces in the same order, each here or there.
+/// Blocks of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with the same options.
 #[derive(Debug, Default)]
-pub struct Memory {
+pub(crate) struct Memory {
     /// Number of the scene that was seen last, from 1.
     scenes: u64,
     elements: Vec<Piece>,
     surfaces: Vec<Arc<dyn Surface>>,
     changed: Changes,
     blocks: HashMap<(u32, u32), Kept>,
-    /// Blocks that were integrated for the last scene, and those that were taken from memory.
-    counts: [usize; 2],
+    /// Blocks that were integrated for the last scene.
+    integrated: usize,
+    /// Blocks that the last scene has in common with the one before.
+    recalled: usize,
 }
 
 /// The number of the scene in which each element and surface last changed.
@@ -35,17 +38,17 @@ struct Changes {
     surfaces: Vec<u64>,
 }
 
-/// What an element is cut from: its block follows from it.
+/// What the blocks of an element follow from.
 #[derive(Debug, PartialEq)]
 struct Piece {
     patches: Vec<Patch>,
-    functions: usize,
+    basis: AreaBasis,
     contact: Option<usize>,
 }
 
 impl Piece {
     fn of(element: &Element) -> Self {
-        Self { patches: element.patches.clone(), functions: element.basis.len(), contact: element.contact }
+        Self { patches: element.patches.clone(), basis: element.basis.clone(), contact: element.contact }
     }
 }
 
@@ -63,7 +66,7 @@ struct Kept {
 pub(in crate::transport) struct Request {
     pub row: u32,
     pub column: u32,
-    /// Surfaces that may hide a part of the pair.
+    /// Surfaces that may hide a part of the pair, and the other faces of the bodies that they close.
     pub surfaces: Vec<usize>,
     /// All numbers that say how accurate it has to be, as bits.
     pub numbers: Vec<u64>,
@@ -121,11 +124,12 @@ impl Memory {
     /// Keeps the answers to the requests of this scene, and forgets all others.
     pub(in crate::transport) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>) {
         let mut blocks = HashMap::with_capacity(answers.len());
-        self.counts = [0; 2];
+        (self.integrated, self.recalled) = (0, 0);
         for (request, answer) in answers {
             let before = self.blocks.get(&(request.row, request.column));
             let is_old = before.is_some_and(|kept| Arc::ptr_eq(&kept.answer, &answer));
-            self.counts[usize::from(is_old)] += 1;
+            self.recalled += usize::from(is_old);
+            self.integrated += usize::from(!is_old);
             let scene = before.filter(|_| is_old).map_or(self.scenes, |kept| kept.scene);
             blocks.insert((request.row, request.column), Kept { request, scene, answer });
         }
@@ -133,12 +137,12 @@ impl Memory {
     }
 
     /// Blocks that had to be integrated for the last scene.
-    pub fn integrated(&self) -> usize {
-        self.counts[0]
+    pub(crate) fn integrated(&self) -> usize {
+        self.integrated
     }
 
     /// Blocks that were the same as before.
-    pub fn recalled(&self) -> usize {
-        self.counts[1]
+    pub(crate) fn recalled(&self) -> usize {
+        self.recalled
     }
 }

@@ -381,7 +381,8 @@ impl Scene<'_> {
             .with_max_len(1)
             .map(|index| {
                 let (task, goal) = (&tasks[*index], goals[*index]);
-                let known = memory.and_then(|memory| memory.recall(&goal.request(task)).cloned());
+                let known =
+                    memory.and_then(|memory| memory.recall(&goal.request(task, self.visibility)).cloned());
                 let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
                 answer
@@ -398,7 +399,7 @@ impl Scene<'_> {
         integrated: Vec<Arc<Answer>>,
     ) -> Vec<(Request, Arc<Answer>)> {
         let own = tasks.iter().zip(goals).zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
-        own.map(|((task, goal), _)| goal.request(task)).zip(integrated).collect()
+        own.map(|((task, goal), _)| goal.request(task, self.visibility)).zip(integrated).collect()
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {

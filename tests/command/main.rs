@@ -1,6 +1,7 @@
 //! The command as its users meet it: what it prints, refuses and leaves behind, and closed forms run through it.
 
 mod analytic_cases;
+mod animate;
 mod bad_input;
 mod behaviour;
 mod builtin;

@@ -18,6 +18,9 @@ const FPS: f64 = 25.0;
 /// Units of time in a second, as GIF counts how long a picture stays.
 const GIF_UNITS: f64 = 100.0;
 
+/// Most pictures a second of a GIF: viewers slow down shorter ones.
+const FASTEST: f64 = 50.0;
+
 /// How finely GIF looks for its 256 colours, from 1 to 30; chosen: 10 is three times as fast, and hardly seen.
 const SPEED: i32 = 10;
 
@@ -40,13 +43,14 @@ pub(super) struct Pattern {
 }
 
 impl Film {
-    /// For a name as typed; finds out whether it can be written. `fps` are pictures a second.
+    /// For a name as typed; finds out whether it can be written. Pictures a second are those that were typed, or those of the scene.
     pub(super) fn new(
         name: &Path,
-        fps: Option<f64>,
+        (typed, of_scene): (Option<f64>, Option<f64>),
         first: usize,
         loaded: &Loaded,
     ) -> Result<Self, CliError> {
+        let fps = typed.or(of_scene).unwrap_or(FPS);
         let ending = name.extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let refused = |message: String, cure: &str| {
             Err(CliError::Refused {
@@ -55,13 +59,17 @@ impl Film {
             })
         };
         match ending.as_deref() {
+            Some("gif") if fps > FASTEST => refused(
+                format!("a .gif shows {FASTEST} pictures a second at the most, and {fps} were asked for"),
+                "add --fps 50, or write pictures of their own: frame-####.png",
+            ),
             Some("gif") => Ok(Self::Gif {
                 output: loaded.apart(OutputFile::reserve(name)?)?,
-                fps: fps.unwrap_or(FPS),
+                fps,
                 size: [0; 2],
                 frames: Vec::new(),
             }),
-            Some("png" | "exr") if fps.is_some() => {
+            Some("png" | "exr") if typed.is_some() => {
                 refused("files have no speed".to_owned(), "leave out --fps, or choose a file ending in .gif")
             }
             Some(ending @ ("png" | "exr")) => match Pattern::of(name, ending == "exr") {
@@ -104,7 +112,9 @@ impl Film {
             Self::Gif { fps, size, frames, .. } => {
                 let [width, height] = picture.size().map(|pixels| pixels as u16);
                 let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
-                frame.delay = (GIF_UNITS / *fps).round().max(1.0) as u16;
+                // Each ends at the nearest unit to where it should: rounding does not add up.
+                let end = |picture: usize| (GIF_UNITS * picture as f64 / *fps).round();
+                frame.delay = (end(frames.len() + 1) - end(frames.len())) as u16;
                 *size = [width, height];
                 frames.push(frame);
                 Ok(())
@@ -112,7 +122,7 @@ impl Film {
         }
     }
 
-    /// Writes the film, where it is one; what was written, in words.
+    /// Writes the film, where it is one.
     pub(super) fn finish(self) -> Result<(), CliError> {
         let Self::Gif { output, size: [width, height], frames, .. } = self else { return Ok(()) };
         output.write(|writer| {

@@ -38,7 +38,7 @@ impl FrameRange {
     /// # Errors
     /// A scene in which nothing moves, or that has fewer frames.
     pub(super) fn within(asked: Option<Self>, scene: &Scene) -> Result<Self, CliError> {
-        // The still scene of frame 0 exists in every scene that moves.
+        // Refuses scenes in which nothing moves, and frames that do not exist.
         scene.movers_at(asked.map_or(0, |asked| asked.last))?;
         Ok(asked.unwrap_or(Self { first: 0, last: scene.frames() - 1 }))
     }

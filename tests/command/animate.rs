@@ -1,0 +1,121 @@
+//! `animate`: pictures and readings of frames.
+
+use std::fs;
+
+use crate::program::{done, refused};
+
+const ROOM: &str = r#"
+frames = 12
+fps = 4
+bands = ["grey"]
+camera = { eye = [0.5, 0.05, 0.5], target = [0.5, 1, 0.4], fov = 70, width = 24, height = 16 }
+materials.wall = { reflectance = 0.5 }
+materials.lamp = { reflectance = 0, emission = 10 }
+[[surfaces]]
+name = "room"
+material = "wall"
+box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+parallelogram = { origin = [0.2, 0.4, 0.9], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }
+[[motion]]
+surfaces = "lamp"
+translate = { points = [[0, 0, 0], [0.3, 0, 0]] }
+"#;
+
+const POINTS: &str = "x,y,z,nx,ny,nz\n0.3,0.5,0,0,0,1\n0.8,0.5,0,0,0,1\n";
+
+fn folder() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    fs::write(folder.path().join("room.toml"), ROOM).expect("it can be written");
+    fs::write(folder.path().join("points.csv"), POINTS).expect("it can be written");
+    folder
+}
+
+/// Each line of a CSV after the first, as numbers.
+fn rows(csv: &str) -> Vec<Vec<f64>> {
+    let row = |line: &str| line.split(',').map(|cell| cell.parse().expect("a number")).collect();
+    csv.lines().skip(1).map(row).collect()
+}
+
+#[test]
+fn lux_over_time_is_that_of_the_frames_alone() {
+    let folder = folder();
+    let folder = folder.path();
+    let [table, told] = done(folder, &["animate", "room.toml", "--probe", "points.csv"]);
+    assert_eq!(table.lines().next(), Some("frame,point,x,y,z,nx,ny,nz,E_grey"));
+    assert!(told.contains("12 frames in"), "{told}");
+    let rows = rows(&table);
+    assert_eq!(rows.len(), 24);
+    for frame in [0, 7, 11] {
+        let number = frame.to_string();
+        let [alone, _] = done(folder, &["probe", "room.toml", "--frame", &number, "--points", "points.csv"]);
+        for (point, line) in alone.lines().skip(1).enumerate() {
+            let light: f64 = line.split(',').nth(6).expect("a column").parse().expect("a number");
+            let row = &rows[2 * frame + point];
+            assert_eq!(row[..2], [frame as f64, point as f64]);
+            assert!((row[8] - light).abs() < 1e-3 * light, "{frame} {point}: {} {light}", row[8]);
+        }
+    }
+    // The lamp goes from the first point to the second.
+    assert!(rows[22][8] < rows[0][8] && rows[23][8] > rows[1][8]);
+    assert!(!folder.join("room-0000.png").exists());
+}
+
+#[test]
+fn pictures_have_numbers_and_those_that_are_there_stay() {
+    let folder = folder();
+    let folder = folder.path();
+    let args = ["animate", "room.toml", "--frames", "2..4", "-o", "f-##.png", "--samples", "1"];
+    done(folder, &args);
+    let read = |name: &str| fs::read(folder.join(name)).expect("it was written");
+    let all = ["f-02.png", "f-03.png", "f-04.png"].map(read);
+    assert!(all[0] != all[2], "the light moves");
+    assert!(!folder.join("f-01.png").exists() && !folder.join("f-05.png").exists());
+    fs::write(folder.join("f-03.png"), "mine").expect("it can be written");
+    fs::remove_file(folder.join("f-04.png")).expect("it is there");
+    let resumed = [&args[..], &["--resume"]].concat();
+    done(folder, &resumed);
+    assert_eq!(read("f-03.png"), b"mine");
+    assert!(read("f-04.png") == all[2], "the same exposure as before");
+}
+
+#[test]
+fn a_film_lasts_as_long_as_its_frames() {
+    let folder = folder();
+    let folder = folder.path();
+    done(folder, &["animate", "room.toml", "-o", "room.gif", "--samples", "1"]);
+    let file = fs::File::open(folder.join("room.gif")).expect("it was written");
+    let mut film = gif::DecodeOptions::new().read_info(file).expect("a GIF");
+    assert_eq!([film.width(), film.height()], [24, 16]);
+    let mut delays = Vec::new();
+    while let Some(frame) = film.next_frame_info().expect("a frame") {
+        delays.push(frame.delay);
+    }
+    // Four a second, in hundredths.
+    assert_eq!(delays, [25; 12]);
+}
+
+#[test]
+fn what_cannot_be_animated_is_refused_with_a_cure() {
+    let folder = folder();
+    let folder = folder.path();
+    let refuse = |args: &[&str], parts: &[&str]| {
+        refused(folder, &[&["animate", "room.toml"][..], args].concat(), parts);
+    };
+    refused(folder, &["animate", "cornell-box"], &["nothing moves", "help: "]);
+    refuse(&["--frames", "3..12"], &["12", "11"]);
+    refuse(&["--frames", "5..3"], &["0..99"]);
+    refuse(&["-o", "all.png"], &["one name for all frames", "frame-####.png"]);
+    refuse(&["-o", "film.mp4"], &["names no kind of pictures", ".gif"]);
+    refuse(&["-o", "no/f-#.png"], &["its folder does not exist"]);
+    refuse(&["-o", "f.gif", "--fps", "100"], &["50 pictures a second", "--fps 50"]);
+    refuse(&["-o", "f-#.png", "--fps", "10"], &["files have no speed"]);
+    refuse(&["-o", "f-#.exr", "--exposure", "1"], &["--exposure", "leave it out"]);
+    refuse(&["--accuracy", "1e-2"], &["--accuracy", "--quality"]);
+    refuse(&["--method", "hierarchical"], &["links of one frame", "solve --frame"]);
+    refuse(&["--path-eps", "0"], &["above 0"]);
+    let left = fs::read_dir(folder).expect("a folder").count();
+    assert_eq!(left, 2, "nothing was written");
+}
