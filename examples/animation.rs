@@ -2,9 +2,10 @@
 //!
 //! `cargo run --release --example animation -- [--frames N] [--order N] [--projected] SCENE...`
 //!
-//! All ways solve the same frames of a scene with the same options. `fresh` solves each by itself, ten of them at most, spread over the path; `selective` one
-//! after the other; `path` interpolates. The error is the largest of any frame that was solved fresh: the relative L2 of the coefficients of irradiance.
-//! The last columns are the times of fresh frames over those of this way, for all frames together, and for one more after all segments are known.
+//! All ways solve the same frames of a scene with the same options. `fresh` solves each by itself, ten of them at most, spread
+//! over the path; `selective` one after the other; `path` interpolates. The error is the largest of any frame that was solved
+//! fresh: the relative L2 of the coefficients of irradiance. The last columns are the times of fresh frames over those of this
+//! way, for all frames together, and for one more after all segments are known.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
 

@@ -4,8 +4,8 @@
 //! x_k = cos(π k / n) ,  k = 0 … n ;      p(x) = Σ_k w_k f_k/(x − x_k) / Σ_k w_k/(x − x_k) ,    w_k = (−1)^k, halved at both ends
 //! ```
 //!
-//! The points of n intervals are among those of 2 n. An analytic function is met to ρ^−n, ρ the sum of the half axes of the ellipse with
-//! the foci ±1 in which it is analytic. (J.-P. Berrut, L. N. Trefethen, *Barycentric Lagrange interpolation*, SIAM
+//! The points of n intervals are among those of 2 n. An analytic function is met to ρ^−n, ρ the sum of the half axes of the
+//! ellipse with the foci ±1 in which it is analytic. (J.-P. Berrut, L. N. Trefethen, *Barycentric Lagrange interpolation*, SIAM
 //! Rev. 46 (2004), 501–517. doi:10.1137/S0036144502417715)
 
 use std::f64::consts::PI;

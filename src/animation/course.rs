@@ -1,26 +1,28 @@
 //! Light along a known path: solved at few moments, interpolated between them.
 //!
-//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes and the path does not bend.
-//! Between the bends of all paths they are solved, on segments, at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which are nested: at the
-//! points between m + 1 others the interpolant h_m through these shows its error
+//! The coefficients h of the light are smooth functions of the moment t as long as no shadow edge passes and the path does not
+//! bend. Between the bends of all paths they are solved, on segments, at 5, 9 or 17 Chebyshev points ([`super::chebyshev`]), which
+//! are nested: at the points between m + 1 others the interpolant h_m through these shows its error
 //!
 //! ```text
 //! d_m = max_t ‖h(t) − h_m(t)‖ / ‖h(t)‖ ,    r = d_m / d_{m/2} ,
 //! ```
 //!
-//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the interpolant
-//! through all 2 m + 1 points errs by about d_m r², of which [`SURE`] d_m r is told. Where that is above what is wanted, and twice as many
-//! points are not expected to do (d_m r³), the segment is halved. Before a segment is accepted, its frame farthest from all points is solved
-//! as well: what comes and goes between the points is seen if it is there, and what that frame errs by is told if it is more.
+//! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the
+//! interpolant through all 2 m + 1 points errs by about d_m r², of which [`SURE`] d_m r is told. Where that is above what is
+//! wanted, and twice as many points are not expected to do (d_m r³), the segment is halved. Before a segment is accepted, its
+//! frame farthest from all points is solved as well: what comes and goes between the points is seen if it is there, and what that
+//! frame errs by is told if it is more.
 //!
-//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead: these frames are then as
-//! they are alone. So is a frame whose elements are not those of the points: things that slide over others change the elements below.
+//! A segment of few frames, and all after many moments were solved in vain, is solved frame by frame instead: these frames are
+//! then as they are alone. So is a frame whose elements are not those of the points: things that slide over others change the
+//! elements below.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use crate::elements::{Element, ElementError, Elements};
-use crate::scene::{Animation, Scene};
+use crate::elements::{Element, Elements};
+use crate::scene::Animation;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::solve::Progress;
@@ -33,18 +35,20 @@ use super::sequence::Sequence;
 /// Numbers of intervals between the points of a segment.
 const LEVELS: [usize; 3] = [4, 8, 16];
 
-/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places only. Measured: beside a
-/// panel that moves before blocks 1e-4 was told and 3.7e-4 true without it.
+/// Factor on the error that is told: points see the error of kinks, where shadow edges pass, in a few places only. Measured:
+/// beside a panel that moves before blocks 1e-4 was told and 3.7e-4 true without it.
 const SURE: f64 = 3.0;
 
 /// Part of the error that rays leave which interpolation may add to it: finer would be to follow their noise. Chosen.
 const OF_NOISE: f64 = 0.3;
 
-/// Moments that may be solved in vain before all other frames are solved one by one: at least so many, and one for so many frames. Chosen.
+/// Moments that may be solved in vain before all other frames are solved one by one: at least so many, and one for so many frames.
+/// Chosen.
 const PATIENCE: usize = 10;
 const FRAMES_EACH: usize = 5;
 
-/// Most frames of a segment that are solved one by one rather than halved again. Chosen: down to 6, twenty frames of a shadow edge cost up to 30 solutions.
+/// Most frames of a segment that are solved one by one rather than halved again. Chosen: down to 6, twenty frames of a shadow edge
+/// cost up to 30 solutions.
 const FEW: usize = 24;
 
 /// The light of frames along a known path.
@@ -57,7 +61,8 @@ pub struct Course<'a> {
     segments: Vec<Segment>,
     /// Moments that may still be solved in vain.
     patience: usize,
-    /// Light that was solved, by the bits of the moment, which is not negative.
+    solved: usize,
+    /// Light that was solved and may be needed again, by the bits of the moment, which is not negative.
     nodes: BTreeMap<u64, Arc<Node>>,
 }
 
@@ -66,7 +71,7 @@ pub struct Course<'a> {
 struct Segment {
     /// First and last moment.
     ends: [f64; 2],
-    /// Light at its Chebyshev points; at its frames, where it is solved frame by frame.
+    /// Light at its Chebyshev points; none where it is solved frame by frame.
     nodes: Vec<Arc<Node>>,
     /// Estimated relative error between the points; None where it is solved frame by frame.
     error: Option<f64>,
@@ -91,13 +96,14 @@ impl<'a> Course<'a> {
             tolerance,
             segments: Vec::new(),
             patience: PATIENCE.max((last.max(first) - first) / FRAMES_EACH),
+            solved: 0,
             nodes: BTreeMap::new(),
         }
     }
 
     /// Number of moments that were solved so far.
     pub fn solved(&self) -> usize {
-        self.nodes.len()
+        self.solved
     }
 
     /// Number of segments so far.
@@ -110,8 +116,8 @@ impl<'a> Course<'a> {
         self.segments.iter().filter_map(|segment| segment.error).reduce(f64::max)
     }
 
-    /// The light of a frame; segments up to it are solved where they are not yet. `progress` may be called from any thread, for each moment
-    /// that is solved. A frame outside of those that were asked for is solved by itself.
+    /// The light of a frame; segments up to it are solved where they are not yet. `progress` may be called from any thread, for
+    /// each moment that is solved. A frame outside of those that were asked for is solved by itself.
     ///
     /// # Errors
     /// As [`Sequence::at`].
@@ -129,16 +135,27 @@ impl<'a> Course<'a> {
             }
         }
         let segment = self.segments.iter().find(|segment| holds(segment)).expect("it was just found");
-        let scene = self.sequence.scene().at_moment(moment)?;
-        let elements = segment.elements(frame, &scene);
-        let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
-        if segment.error.is_none() || carry_alike(&elements, &segment.nodes[0].elements) {
-            let solution = Solution::of_groups(elements, &scene, segment.light(moment));
-            return Ok(Frame { scene, solution, interpolated: segment.error, rays: segment.noise() });
+        if segment.error.is_some() {
+            let scene = self.sequence.scene().at_moment(moment)?;
+            let elements = segment.nodes[0].elements.moved(&scene);
+            let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
+            if carry_alike(&elements, &segment.nodes[0].elements) {
+                let solution = Solution::of_groups(Arc::new(elements), &scene, segment.light(moment));
+                return Ok(Frame { scene, solution, interpolated: segment.error, rays: segment.noise() });
+            }
         }
-        let node = self.node(moment, progress)?;
-        let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
-        Ok(Frame { scene, solution, interpolated: None, rays: node.noise })
+        self.alone(moment, progress)
+    }
+
+    /// The light of a frame that is not interpolated.
+    fn alone(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
+        if let Some(node) = self.nodes.get(&moment.to_bits()) {
+            let scene = self.sequence.scene().at_moment(moment)?;
+            let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
+            return Ok(Frame { scene, solution, interpolated: None, rays: node.noise });
+        }
+        self.solved += 1;
+        Ok(Frame::of(self.sequence.at(moment, progress)?))
     }
 
     /// Solves a segment, or halves it.
@@ -147,6 +164,8 @@ impl<'a> Course<'a> {
         frames @ [first, last]: [usize; 2],
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<(), AnimationError> {
+        // What was solved before is behind.
+        self.nodes.retain(|bits, _| f64::from_bits(*bits) >= first as f64);
         match self.segment(frames, progress)? {
             Some(segment) => self.segments.push(segment),
             None => {
@@ -165,10 +184,10 @@ impl<'a> Course<'a> {
     ) -> Result<Option<Segment>, AnimationError> {
         let ends = [first as f64, last as f64];
         let frames = last - first + 1;
-        let before = self.nodes.len();
+        let before = self.solved;
         for intervals in LEVELS {
             if 2 * intervals >= frames || self.patience == 0 {
-                return self.frame_by_frame([first, last], progress).map(Some);
+                return Ok(Some(Segment::by_frames(ends)));
             }
             let point =
                 |k: usize| 0.5 * (ends[0] + ends[1] + (ends[1] - ends[0]) * chebyshev::point(k, intervals));
@@ -177,7 +196,7 @@ impl<'a> Course<'a> {
             let nodes: Vec<Arc<Node>> = match nodes.collect() {
                 Ok(nodes) => nodes,
                 Err(AnimationError::Scene(_)) => {
-                    return self.frame_by_frame([first, last], progress).map(Some);
+                    return Ok(Some(Segment::by_frames(ends)));
                 }
                 Err(error) => return Err(error),
             };
@@ -202,8 +221,8 @@ impl<'a> Course<'a> {
                 break;
             }
         }
-        self.patience = self.patience.saturating_sub(self.nodes.len() - before);
-        if frames <= FEW { self.frame_by_frame([first, last], progress).map(Some) } else { Ok(None) }
+        self.patience = self.patience.saturating_sub(self.solved - before);
+        Ok((frames <= FEW).then(|| Segment::by_frames(ends)))
     }
 
     /// The segment, with the error of this frame if that is more.
@@ -219,16 +238,6 @@ impl<'a> Course<'a> {
             false => f64::INFINITY,
         };
         Ok(Segment { error: segment.error.map(|error| error.max(apart)), ..segment })
-    }
-
-    fn frame_by_frame(
-        &mut self,
-        [first, last]: [usize; 2],
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Segment, AnimationError> {
-        let nodes = (first..=last).map(|frame| self.node(frame as f64, progress));
-        let nodes = nodes.collect::<Result<_, _>>()?;
-        Ok(Segment { ends: [first as f64, last as f64], nodes, error: None })
     }
 
     /// The light at a moment.
@@ -248,6 +257,7 @@ impl<'a> Course<'a> {
             elements: solution.shared_elements(),
             noise: sampling.and_then(|sampling| sampling.error).unwrap_or(0.0),
         });
+        self.solved += 1;
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)
     }
@@ -259,22 +269,16 @@ impl Segment {
         self.nodes.iter().map(|node| node.noise).fold(0.0, f64::max)
     }
 
-    /// The light of each group at a moment, which is that of a frame.
-    fn light(&self, moment: f64) -> Vec<GroupLight> {
-        let [first, last] = self.ends;
-        if self.error.is_none() {
-            return self.nodes[(moment - first) as usize].light.clone();
-        }
-        let place = (2.0 * moment - first - last) / (last - first);
-        interpolated(&self.nodes, &chebyshev::factors(self.nodes.len() - 1, place))
+    /// One whose frames are solved one by one.
+    fn by_frames(ends: [f64; 2]) -> Self {
+        Self { ends, nodes: Vec::new(), error: None }
     }
 
-    /// The elements of a frame: those it was solved with, or those of the first point, where things are now.
-    fn elements(&self, frame: usize, scene: &Scene) -> Result<Arc<Elements>, ElementError> {
-        match self.error {
-            None => Ok(Arc::clone(&self.nodes[frame - self.ends[0] as usize].elements)),
-            Some(_) => self.nodes[0].elements.moved(scene).map(Arc::new),
-        }
+    /// The interpolated light of each group at a moment.
+    fn light(&self, moment: f64) -> Vec<GroupLight> {
+        let [first, last] = self.ends;
+        let place = (2.0 * moment - first - last) / (last - first);
+        interpolated(&self.nodes, &chebyshev::factors(self.nodes.len() - 1, place))
     }
 }
 

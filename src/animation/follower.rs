@@ -68,8 +68,7 @@ impl<'a> Follower<'a> {
             }
         };
         self.solved += 1;
-        let rays = solved.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
-        Ok(Frame { scene: solved.scene, solution: solved.outcome.solution, interpolated: None, rays })
+        Ok(Frame::of(solved))
     }
 
     /// Number of moments that were solved so far.

@@ -2,6 +2,7 @@
 
 use crate::scene::Scene;
 use crate::solution::Solution;
+use crate::solved::Solved;
 
 /// The light of a frame.
 #[derive(Debug)]
@@ -14,4 +15,12 @@ pub struct Frame {
     pub interpolated: Option<f64>,
     /// Estimated relative error that rays left in it, where they carried the pairs; else 0.
     pub rays: f64,
+}
+
+impl Frame {
+    /// That of a frame that was solved itself.
+    pub(super) fn of(solved: Solved) -> Self {
+        let rays = solved.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
+        Self { scene: solved.scene, solution: solved.outcome.solution, interpolated: None, rays }
+    }
 }

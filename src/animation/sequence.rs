@@ -2,8 +2,8 @@
 //!
 //! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks ([`Memory`]); what has is
 //! integrated again, and so are the pairs between which it came or went. The solution of a frame does not depend on the
-//! frames before it, not in a bit, so nothing can drift. Whether rays or exact blocks carry the pairs is decided once, for the scene at rest;
-//! rays are sent anew for every frame.
+//! frames before it, not in a bit, so nothing can drift. Whether rays or exact blocks carry the pairs is decided once, for the
+//! scene at rest; rays are sent anew for every frame.
 
 use crate::scene::Scene;
 use crate::solve::{Choice, Failure, Model, Options, Progress};

@@ -2,8 +2,8 @@
 //!
 //! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. Where a moved flat
 //! sheet comes into the plane of another one, it is set apart from it, as at rest; what did not move stays where it is. So a
-//! surface that does not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in each, in the
-//! same order, with the same names and parameters.
+//! surface that does not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in
+//! each, in the same order, with the same names and parameters.
 
 use std::sync::Arc;
 

@@ -2,8 +2,8 @@
 //!
 //! G is geometry only. Reflectance and emission enter the system that is made of it, so that a change of materials
 //! needs no new blocks. Light that was reflected once is linear in the reflectance of what reflected it: where direct
-//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a model was assembled are choices: which
-//! pairs are left out because neither side ever sends light, and where rays were sent from.
+//! light is split off, a change of reflectance does not gather it anew. What depends on the materials of the scene from which a
+//! model was assembled are choices: which pairs are left out because neither side ever sends light, and where rays were sent from.
 
 use std::sync::Arc;
 use std::time::Duration;

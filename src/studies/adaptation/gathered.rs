@@ -15,17 +15,17 @@
 //!
 //! e is estimated at sensors by walks: cosine-distributed rays from the sensor and on from where they end, with the
 //! probability of the largest reflectance there. Each end y adds r(y) times the reflectances so far over these probabilities.
-//! r is gathered by cells ([`CellEnds`]), or where rays are what light is read by ([`Goal::by`]) by one further ray ([`RayGather::missed`]). Two halves
-//! of the walks give e′ and e″, independent of each other: the mean of their product is e², that of a square would have the
-//! noise of the walks as well. With weights w_k of the sensors,
+//! r is gathered by cells ([`CellEnds`]), or where rays are what light is read by ([`Goal::by`]) by one further ray
+//! ([`RayGather::missed`]). Two halves of the walks give e′ and e″, independent of each other: the mean of their product is e²,
+//! that of a square would have the noise of the walks as well. With weights w_k of the sensors,
 //!
 //! ```text
 //! ‖e‖² ≈ Σ_k w_k e′e″ + s ,     s² = Σ_k (w_k e′e″)² ,
 //! ```
 //!
-//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or could be why it is larger than wanted. The part e_j of e
-//! that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″) of ‖e‖²: this is the importance
-//! that light from j has for the sensors, all reflections included.
+//! s so that few sensors do not promise too much. Walks are doubled while their noise is much of the sum, or could be why it is
+//! larger than wanted. The part e_j of e that comes from ends on element j makes it responsible for ½ Σ_k w_k (e′e″_j + e′_j e″)
+//! of ‖e‖²: this is the importance that light from j has for the sensors, all reflections included.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -177,7 +177,8 @@ struct Missing<'a> {
 }
 
 /// The estimated error of what `sensors` read; no better than tells whether it is below `wanted`, and not much worse.
-/// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the work.
+/// Light is gathered as an error of about `expected` needs it. `goes_on` is told the sensors done and to be done, and may end the
+/// work.
 pub(super) fn missed(
     outcome: &Outcome,
     visibility: &Visibility,

@@ -141,8 +141,9 @@ impl Scene<'_> {
             && self.visibility.has_outlines(&task.blockers)
     }
 
-    /// For each row the largest `entry(task, [element of the row, other element])`, rounded down: where things move and the largest entry of a row
-    /// changes a little, the goals of its other blocks mostly stay, and so do these ([`crate::transport::memory`]).
+    /// For each row the largest `entry(task, [element of the row, other element])`, rounded down: where things move and the
+    /// largest entry of a row changes a little, the goals of its other blocks mostly stay, and so do these
+    /// ([`crate::transport::memory`]).
     fn largest(&self, tasks: &[Task], entry: impl Fn(&Task, [usize; 2]) -> f64) -> Vec<f64> {
         let mut rows = vec![0.0f64; self.list.len()];
         for task in tasks {
