@@ -9,7 +9,7 @@
 //! ```
 //!
 //! norms over all elements, for the worst of the bands and light groups. For analytic functions d falls geometrically: the
-//! interpolant through all 2 m + 1 points errs by about d_m r², of which [`SURE`] d_m r is told. Where that is above what is
+//! interpolant through all 2 m + 1 points errs by about d_m r², of which three times d_m r is told. Where that is above what is
 //! wanted, and twice as many points are not expected to do (d_m r³), the segment is halved. Before a segment is accepted, its
 //! frame farthest from all points is solved as well: what comes and goes between the points is seen if it is there, and what that
 //! frame errs by is told if it is more.

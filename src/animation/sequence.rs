@@ -1,7 +1,7 @@
 //! Frames solved one after the other, each as it would be alone.
 //!
-//! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks ([`Memory`]); what has is
-//! integrated again, and so are the pairs between which it came or went. The solution of a frame does not depend on the
+//! Nothing is known of the path: any frame may follow any other. What has not moved keeps its blocks (`src/transport/memory.rs`);
+//! what has is integrated again, and so are the pairs between which it came or went. The solution of a frame does not depend on the
 //! frames before it, not in a bit, so nothing can drift. Whether rays or exact blocks carry the pairs is decided once, for the
 //! scene at rest; rays are sent anew for every frame.
 
