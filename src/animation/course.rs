@@ -206,11 +206,10 @@ impl<'a> Course<'a> {
             let [missed, coarser] = [2, 4].map(|part| missed(&nodes, intervals / part));
             let falls = if coarser > 0.0 { (missed / coarser).min(1.0) } else { 1.0 };
             let error = SURE * missed * falls;
-            let noise = nodes.iter().map(|node| node.noise).fold(0.0, f64::max);
-            let tolerance = self.tolerance.max(OF_NOISE * noise);
+            let segment = Segment { ends, nodes, error: Some(error) };
+            let tolerance = self.tolerance.max(OF_NOISE * segment.noise());
             if error <= tolerance {
                 let points: Vec<f64> = (0..=intervals).map(point).collect();
-                let segment = Segment { ends, nodes, error: Some(error) };
                 let checked = self.checked(segment, farthest([first, last], &points), progress)?;
                 if checked.error.is_some_and(|error| error <= tolerance) {
                     return Ok(Some(checked));
@@ -250,13 +249,9 @@ impl<'a> Course<'a> {
             return Ok(Arc::clone(known));
         }
         let outcome = self.sequence.at(moment, progress)?.outcome;
-        let (solution, sampling) = (outcome.solution, outcome.sampling);
+        let (noise, solution) = (outcome.noise(), outcome.solution);
         let light = solution.light().ok_or(AnimationError::Masked)?;
-        let node = Arc::new(Node {
-            light,
-            elements: solution.shared_elements(),
-            noise: sampling.and_then(|sampling| sampling.error).unwrap_or(0.0),
-        });
+        let node = Arc::new(Node { light, elements: solution.shared_elements(), noise });
         self.solved += 1;
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)

@@ -20,7 +20,7 @@ pub struct Frame {
 impl Frame {
     /// That of a frame that was solved itself.
     pub(super) fn of(solved: Solved) -> Self {
-        let rays = solved.outcome.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0);
+        let rays = solved.outcome.noise();
         Self { scene: solved.scene, solution: solved.outcome.solution, interpolated: None, rays }
     }
 }

@@ -235,8 +235,12 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
                 return Ok(());
             }
             let raster = shutter.take(&frame, &visibility)?;
-            let picture = shutter.developed(&raster, &frame);
-            if is_there { Ok(()) } else { film.add(number, &raster, &picture) }
+            let mut develop = || shutter.developed(&raster, &frame);
+            if is_there {
+                drop(develop());
+                return Ok(());
+            }
+            film.add(number, &raster, develop)
         })??;
     }
     film.map_or(Ok(()), Film::finish)?;

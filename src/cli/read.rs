@@ -76,10 +76,15 @@ impl ReadArgs {
     /// As typed, the rest as the quality says.
     pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
         let usual = method.quality.reading();
+        self.typed(usual, method.eps.unwrap_or(usual.eps))
+    }
+
+    /// As typed; `eps` where no accuracy was, and the rest as usual.
+    fn typed(&self, usual: Reading, eps: f64) -> Reading {
         Reading {
             read: self.read.unwrap_or(usual.read),
             by: self.by(),
-            eps: self.read_eps.or(method.eps).unwrap_or(usual.eps),
+            eps: self.read_eps.unwrap_or(eps),
             rates: usual.rates,
         }
     }
@@ -93,12 +98,7 @@ impl ReadArgs {
         let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), run.saved_accuracy()]
             .into_iter()
             .flatten();
-        Reading {
-            read: self.read.unwrap_or(usual.read),
-            by: self.by(),
-            eps: self.read_eps.unwrap_or(asked.fold(of_solution, f64::min)),
-            rates: usual.rates,
-        }
+        self.typed(usual, asked.fold(of_solution, f64::min))
     }
 }
 

@@ -53,6 +53,11 @@ pub struct Outcome {
 }
 
 impl Outcome {
+    /// Estimated relative error that rays left, where they carried the pairs; else 0.
+    pub(crate) fn noise(&self) -> f64 {
+        self.sampling.and_then(|sampling| sampling.error).unwrap_or(0.0)
+    }
+
     /// The same light at the factors of the groups of `scene`, which is the scene of this solution; None if the light of
     /// its groups is not kept apart.
     pub fn relit(&self, scene: &Scene) -> Option<Self> {

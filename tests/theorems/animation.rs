@@ -43,6 +43,23 @@ parallelogram = {{ origin = [0.1, 0.5, 0.6], edge1 = [0.3, 0, 0], edge2 = [0, 0.
     Scene::from_toml(&text, "room.toml").expect("the room is valid")
 }
 
+/// A closed cube with `things` in it, of walls or a lamp of this reflectance.
+fn cube(frames: usize, of_lamp: f64, things: &str) -> Scene {
+    let text = format!(
+        r#"
+frames = {frames}
+materials.wall = {{ reflectance = 0.5 }}
+materials.lamp = {{ reflectance = {of_lamp}, emission = 1 }}
+[[surfaces]]
+name = "room"
+material = "wall"
+box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
+{things}
+"#
+    );
+    Scene::from_toml(&text, "cube.toml").expect("it is valid")
+}
+
 const PANEL: &str = "surfaces = 'panel'
 translate = { points = [[0, 0, 0], [0.4, 0, 0]] }
 rotate = { center = [0.25, 0.65, 0.6], axis = [1, 1, 0], angles = [0, 25] }";
@@ -93,14 +110,7 @@ fn frames_one_after_the_other_are_those_alone_to_the_bit() {
 
 #[test]
 fn a_curved_thing_that_moves_leaves_other_blocks_as_they_are() {
-    let text = r#"
-frames = 5
-materials.wall = { reflectance = 0.5 }
-materials.lamp = { reflectance = 0.5, emission = 1 }
-[[surfaces]]
-name = "room"
-material = "wall"
-box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+    let things = r#"
 [[surfaces]]
 name = "lamp"
 material = "lamp"
@@ -121,7 +131,7 @@ sphere = { center = [0.2, 0.2, 0.3], radius = 0.08 }
 surfaces = "ball"
 translate = { points = [[0, 0, 0], [0.1, 0, 0]] }
 "#;
-    let scene = Scene::from_toml(text, "ball.toml").expect("it is valid");
+    let scene = cube(5, 0.5, things);
     let options = options(Direct::Projected);
     let mut sequence = Sequence::new(&scene, &options);
     for moment in [0.0, 1.0, 4.0] {
@@ -139,14 +149,7 @@ translate = { points = [[0, 0, 0], [0.1, 0, 0]] }
 
 #[test]
 fn nothing_drifts_over_a_thousand_frames() {
-    let text = r#"
-frames = 1000
-materials.wall = { reflectance = 0.5 }
-materials.lamp = { reflectance = 0.2, emission = 1 }
-[[surfaces]]
-name = "room"
-material = "wall"
-box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+    let things = r#"
 [[surfaces]]
 name = "lamp"
 material = "lamp"
@@ -155,7 +158,7 @@ parallelogram = { origin = [0.2, 0.4, 0.5], edge1 = [0, 0.2, 0], edge2 = [0.2, 0
 surfaces = "lamp"
 rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0.1, 1], angles = [0, 1000] }
 "#;
-    let scene = Scene::from_toml(text, "round.toml").expect("it is valid");
+    let scene = cube(1000, 0.2, things);
     let options = Options { order: 0, ..options(Direct::Projected) };
     let numbers: Vec<usize> = (0..1000).collect();
     let followed = frames(&scene, &options, Way::Selective, &numbers);

@@ -100,16 +100,23 @@ impl Film {
     }
 
     /// Takes the picture of a frame; files are written at once.
-    pub(super) fn add(&mut self, frame: usize, raster: &Raster, picture: &Picture) -> Result<(), CliError> {
+    pub(super) fn add(
+        &mut self,
+        frame: usize,
+        raster: &Raster,
+        picture: impl FnOnce() -> Picture,
+    ) -> Result<(), CliError> {
         match self {
             Self::Files(pattern) => {
                 let output = OutputFile::reserve(&pattern.path(frame))?;
                 if pattern.is_exr {
                     return output.write(|writer| write_exr(raster, writer));
                 }
+                let picture = picture();
                 output.write(|writer| picture.write_png(writer))
             }
             Self::Gif { fps, size, frames, .. } => {
+                let picture = picture();
                 let [width, height] = picture.size().map(|pixels| pixels as u16);
                 let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
                 // Each ends at the nearest unit to where it should: rounding does not add up.

@@ -1,6 +1,6 @@
 //! Irradiance at points, frame after frame.
 
-use std::io::{self, Write, stdout};
+use std::io;
 
 use radiosity::animation::frame::Frame;
 use radiosity::output::probe::{Reading, probe};
@@ -8,6 +8,7 @@ use radiosity::output::quality;
 use radiosity::output::reader::Reader;
 use radiosity::visibility::Visibility;
 
+use crate::cli::destination::Destination;
 use crate::cli::error::CliError;
 use crate::cli::points::{COLUMNS, Points};
 use crate::cli::sensors::Sensors;
@@ -56,9 +57,6 @@ impl Readings {
             }
         }
         let table = writer.into_inner().map_err(|error| error.into_error())?;
-        match stdout().lock().write_all(&table) {
-            Err(error) if error.kind() == io::ErrorKind::BrokenPipe => Ok(()),
-            ended => Ok(ended?),
-        }
+        Destination::Stdout.write(|writer| writer.write_all(&table))
     }
 }
