@@ -73,7 +73,7 @@ impl Elements {
         Self::of_shapes(scene, how, None, bare_shapes(scene), &covers(scene))
     }
 
-    /// Cuts `scene` into the cells of `mesh`, which was refined from what `how` says, without its footings.
+    /// Cuts `scene` into the cells of `mesh`, whatever `how` says of them, without its footings.
     ///
     /// # Errors
     /// As for [`Elements::new`].
@@ -81,13 +81,17 @@ impl Elements {
         Self::of_shapes(scene, how, Some(mesh), bare_shapes(scene), &covers(scene))
     }
 
-    /// Cuts `scene` as `how` says, with whole surfaces whatever stands on them.
+    /// Cuts `scene` as `how` says, or into the cells of `mesh`, with whole surfaces whatever stands on them.
     ///
     /// # Errors
     /// As for [`Elements::new`].
-    pub fn of_whole_surfaces(scene: &Scene, how: &Discretization) -> Result<Self, ElementError> {
+    pub fn of_whole_surfaces(
+        scene: &Scene,
+        how: &Discretization,
+        mesh: Option<Mesh>,
+    ) -> Result<Self, ElementError> {
         let whole = scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
-        Self::of_shapes(scene, how, None, whole, &[])
+        Self::of_shapes(scene, how, mesh, whole, &[])
     }
 
     /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are copied.
@@ -102,15 +106,16 @@ impl Elements {
     fn of_shapes(
         scene: &Scene,
         how: &Discretization,
-        refined: Option<Mesh>,
+        mesh: Option<Mesh>,
         shapes: Vec<Arc<dyn Surface>>,
         covers: &[Cover],
     ) -> Result<Self, ElementError> {
         if !how.layers.is_valid() {
             return Err(ElementError::Layers { layers: how.layers });
         }
-        let is_refined = refined.is_some();
-        let mesh = refined.unwrap_or_else(|| usual_mesh(scene, how));
+        let usual = usual_mesh(scene, how);
+        let is_refined = mesh.as_ref().is_some_and(|mesh| *mesh != usual);
+        let mesh = mesh.unwrap_or(usual);
         Self::cut(scene, how, (mesh, is_refined), shapes, covers, None)
     }
 
@@ -277,7 +282,7 @@ impl Elements {
 }
 
 /// The mesh that follows from `how`.
-fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
+pub(crate) fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
     let resolution = Resolution::new(scene, how);
     let tree = |(index, surface): (usize, &SceneSurface)| {
         let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));

@@ -101,6 +101,7 @@ pub use schema::schema;
 pub use sensor_plane::SensorPlane;
 pub use sky::{Sky, SkyModel, Sun};
 pub use source::{Line, Place, Source};
+pub use still::Stills;
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
 pub use track::{Curve, Mixed, Track};

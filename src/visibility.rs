@@ -293,6 +293,16 @@ impl Visibility {
         self.rays.nearest_from(surface, origin, direction)
     }
 
+    /// How rays start on a surface ([`RayTree::start_on`]).
+    pub(crate) fn start_on(&self, surface: usize) -> [u64; 2] {
+        self.rays.start_on(surface)
+    }
+
+    /// How far from its start a ray may still meet what it starts on ([`RayTree::reach`]).
+    pub(crate) fn reach(&self) -> f64 {
+        self.rays.reach()
+    }
+
     /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`, which is a unit vector.
     pub(crate) fn met_along(
         &self,

@@ -64,6 +64,15 @@ impl Motion {
         }
     }
 
+    /// All of its numbers: motions of the same ones do the same to the bit.
+    pub fn bits(&self) -> [u64; 13] {
+        let columns = self.rotation.to_cols_array();
+        let numbers = columns.iter().chain(self.translation.as_ref()).chain([&self.scale]);
+        let mut bits = [0; 13];
+        bits.iter_mut().zip(numbers).for_each(|(bits, number)| *bits = number.to_bits());
+        bits
+    }
+
     /// The factor by which lengths grow.
     pub fn scale(&self) -> f64 {
         self.scale

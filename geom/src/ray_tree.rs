@@ -38,6 +38,9 @@ const OVERHANG: f64 = 1e-8;
 /// Hits of t no farther apart than this part of them are one hit.
 const TIE: f64 = 1e-12;
 
+/// Beyond [`TIE`] by far.
+const MARGIN: f64 = 1e-10;
+
 /// What a ray leaves a curved surface by before it may meet it again, as a part of the surface's size: more than a root of the ray's
 /// polynomial moves by the rounding δ of where it starts, δ / cos θ, for all but one in 10¹² of the rays that leave diffusely.
 const LEAVING: f64 = 1e-6;
@@ -121,6 +124,25 @@ impl RayTree {
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         let (ray, start) = self.leaving(own, origin, direction, f64::INFINITY);
         Search::new(self, ray, Some(start)).nearest()
+    }
+
+    /// How far behind its start, and before it, a ray may still meet what it starts on.
+    pub fn reach(&self) -> f64 {
+        NEAR * self.size
+    }
+
+    /// How rays start on the surface of place `own`: as long as this and the surfaces that they may meet stay the same, so does what
+    /// [`RayTree::nearest_from`] says, to the bit.
+    pub fn start_on(&self, own: usize) -> [u64; 2] {
+        [self.size.to_bits(), u64::from(self.twins[own])]
+    }
+
+    /// Whether a ray as of [`RayTree::nearest_from`] through other surfaces, with this [`RayTree::reach`], might meet one of these
+    /// before `end`, in multiples of `direction`, or as near to it as two that are met at once.
+    pub fn may_come_before(&self, origin: DVec3, direction: DVec3, end: f64, reach: f64) -> bool {
+        let room = 2.0 * reach / direction.length();
+        let range = [-room, end + room + MARGIN * end.abs()];
+        self.nearest(&Ray { origin, direction, range }).is_some()
     }
 
     /// Whether a ray as of [`RayTree::nearest_from`] meets nothing before `end`, in multiples of `direction`.

@@ -26,7 +26,9 @@ use crate::scene::Animation;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::solve::Progress;
+use crate::visibility::Visibility;
 
+use super::account::Account;
 use super::chebyshev;
 use super::error::AnimationError;
 use super::frame::Frame;
@@ -61,7 +63,6 @@ pub struct Course<'a> {
     segments: Vec<Segment>,
     /// Moments that may still be solved in vain.
     patience: usize,
-    solved: usize,
     /// Light that was solved and may be needed again, by the bits of the moment, which is not negative.
     nodes: BTreeMap<u64, Arc<Node>>,
 }
@@ -96,14 +97,13 @@ impl<'a> Course<'a> {
             tolerance,
             segments: Vec::new(),
             patience: PATIENCE.max((last.max(first) - first) / FRAMES_EACH),
-            solved: 0,
             nodes: BTreeMap::new(),
         }
     }
 
-    /// Number of moments that were solved so far.
-    pub fn solved(&self) -> usize {
-        self.solved
+    /// What the moments that were solved so far cost, and what they miss.
+    pub fn account(&self) -> &Account {
+        self.sequence.account()
     }
 
     /// Number of segments so far.
@@ -141,7 +141,9 @@ impl<'a> Course<'a> {
             let elements = elements.map_err(|source| AnimationError::of(moment, source.into()))?;
             if carry_alike(&elements, &segment.nodes[0].elements) {
                 let solution = Solution::of_groups(Arc::new(elements), &scene, segment.light(moment));
-                return Ok(Frame { scene, solution, interpolated: segment.error, rays: segment.noise() });
+                let visibility = Visibility::new(&scene, self.sequence.options().into());
+                let rays = segment.noise();
+                return Ok(Frame { scene, visibility, solution, interpolated: segment.error, rays });
             }
         }
         self.alone(moment, progress)
@@ -152,10 +154,10 @@ impl<'a> Course<'a> {
         if let Some(node) = self.nodes.get(&moment.to_bits()) {
             let scene = self.sequence.scene().at_moment(moment)?;
             let solution = Solution::of_groups(Arc::clone(&node.elements), &scene, node.light.clone());
-            return Ok(Frame { scene, solution, interpolated: None, rays: node.noise });
+            let visibility = Visibility::new(&scene, self.sequence.options().into());
+            return Ok(Frame { scene, visibility, solution, interpolated: None, rays: node.noise });
         }
-        self.solved += 1;
-        Ok(Frame::of(self.sequence.at(moment, progress)?))
+        self.sequence.at(moment, progress)
     }
 
     /// Solves a segment, or halves it.
@@ -184,7 +186,7 @@ impl<'a> Course<'a> {
     ) -> Result<Option<Segment>, AnimationError> {
         let ends = [first as f64, last as f64];
         let frames = last - first + 1;
-        let before = self.solved;
+        let before = self.account().moments;
         for intervals in LEVELS {
             if 2 * intervals >= frames || self.patience == 0 {
                 return Ok(Some(Segment::by_frames(ends)));
@@ -220,7 +222,7 @@ impl<'a> Course<'a> {
                 break;
             }
         }
-        self.patience = self.patience.saturating_sub(self.solved - before);
+        self.patience = self.patience.saturating_sub(self.account().moments - before);
         Ok((frames <= FEW).then(|| Segment::by_frames(ends)))
     }
 
@@ -248,11 +250,9 @@ impl<'a> Course<'a> {
         if let Some(known) = self.nodes.get(&moment.to_bits()) {
             return Ok(Arc::clone(known));
         }
-        let outcome = self.sequence.at(moment, progress)?.outcome;
-        let (noise, solution) = (outcome.noise(), outcome.solution);
+        let Frame { solution, rays: noise, .. } = self.sequence.at(moment, progress)?;
         let light = solution.light().ok_or(AnimationError::Masked)?;
         let node = Arc::new(Node { light, elements: solution.shared_elements(), noise });
-        self.solved += 1;
         self.nodes.insert(moment.to_bits(), Arc::clone(&node));
         Ok(node)
     }

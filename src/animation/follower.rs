@@ -3,6 +3,7 @@
 use crate::scene::Scene;
 use crate::solve::{Options, Progress};
 
+use super::account::Account;
 use super::course::Course;
 use super::error::AnimationError;
 use super::frame::Frame;
@@ -26,13 +27,12 @@ pub enum Way {
 #[derive(Debug)]
 pub struct Follower<'a> {
     kind: Kind<'a>,
-    solved: usize,
 }
 
 #[derive(Debug)]
 enum Kind<'a> {
-    Fresh(&'a Scene, Options),
-    Selective(Sequence<'a>),
+    /// By a sequence that keeps what has not changed, or nothing.
+    Frames(Sequence<'a>),
     Path(Course<'a>),
 }
 
@@ -40,13 +40,13 @@ impl<'a> Follower<'a> {
     /// For the frames `first` to `last` of `scene`, solved with `options`; nothing is solved yet.
     pub fn new(scene: &'a Scene, options: &Options, way: Way, frames: [usize; 2]) -> Self {
         let kind = match way {
-            Way::Fresh => Kind::Fresh(scene, *options),
-            Way::Selective => Kind::Selective(Sequence::new(scene, options)),
+            Way::Fresh => Kind::Frames(Sequence::fresh(scene, options)),
+            Way::Selective => Kind::Frames(Sequence::new(scene, options)),
             Way::Path { tolerance } => {
                 Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance))
             }
         };
-        Self { kind, solved: 0 }
+        Self { kind }
     }
 
     /// The light of a frame, one of those that were asked for; `progress` may be called from any thread.
@@ -58,22 +58,23 @@ impl<'a> Follower<'a> {
         frame: usize,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Frame, AnimationError> {
-        let solved = match &mut self.kind {
-            Kind::Fresh(scene, options) => Sequence::new(scene, options).at(frame as f64, progress)?,
-            Kind::Selective(sequence) => sequence.at(frame as f64, progress)?,
-            Kind::Path(course) => {
-                let now = course.frame(frame, progress)?;
-                self.solved = course.solved();
-                return Ok(now);
-            }
-        };
-        self.solved += 1;
-        Ok(Frame::of(solved))
+        match &mut self.kind {
+            Kind::Frames(sequence) => sequence.at(frame as f64, progress),
+            Kind::Path(course) => course.frame(frame, progress),
+        }
+    }
+
+    /// What the moments that were solved so far cost, and what they miss.
+    pub fn account(&self) -> &Account {
+        match &self.kind {
+            Kind::Frames(sequence) => sequence.account(),
+            Kind::Path(course) => course.account(),
+        }
     }
 
     /// Number of moments that were solved so far.
     pub fn solved(&self) -> usize {
-        self.solved
+        self.account().moments
     }
 
     /// Number of segments of the path so far, where light is interpolated.

@@ -2,13 +2,16 @@
 
 use crate::scene::Scene;
 use crate::solution::Solution;
-use crate::solved::Solved;
+use crate::solve::Outcome;
+use crate::visibility::Visibility;
 
 /// The light of a frame.
 #[derive(Debug)]
 pub struct Frame {
     /// The still scene.
     pub scene: Scene,
+    /// The same as obstacles, with the shadows it is solved with.
+    pub visibility: Visibility,
     /// The polynomials of its light.
     pub solution: Solution,
     /// Estimated relative error of what was interpolated; None where the frame itself was solved.
@@ -19,8 +22,8 @@ pub struct Frame {
 
 impl Frame {
     /// That of a frame that was solved itself.
-    pub(super) fn of(solved: Solved) -> Self {
-        let rays = solved.outcome.noise();
-        Self { scene: solved.scene, solution: solved.outcome.solution, interpolated: None, rays }
+    pub(super) fn of(scene: Scene, visibility: Visibility, outcome: Outcome) -> Self {
+        let rays = outcome.noise();
+        Self { scene, visibility, solution: outcome.solution, interpolated: None, rays }
     }
 }

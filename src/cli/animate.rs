@@ -19,7 +19,6 @@ use radiosity::output::render::{render, usual_read, white_balance};
 use radiosity::output::shown::Shown;
 use radiosity::output::tone::Tone;
 use radiosity::solve::{Algorithm, Options, in_threads};
-use radiosity::visibility::Visibility;
 
 use crate::cli::{
     error::CliError,
@@ -179,8 +178,9 @@ struct Shutter<'a> {
 
 impl Shutter<'_> {
     /// The picture of a frame, through its own camera.
-    fn take(&mut self, frame: &Frame, visibility: &Visibility) -> Result<Raster, CliError> {
+    fn take(&mut self, frame: &Frame) -> Result<Raster, CliError> {
         let camera = super::render::camera(self.args.size, &frame.scene)?;
+        let visibility = &frame.visibility;
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
         let samples = self.args.samples.unwrap_or(SAMPLES);
@@ -225,16 +225,15 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
         let frame = follower.frame(number, &|_| ())?;
         made += 1;
         rays = rays.max(frame.rays);
-        let visibility = Visibility::new(&frame.scene, (&asked).into());
         in_threads(asked.threads, || {
             if let Some(readings) = &mut readings {
-                readings.read(number, &frame, &visibility)?;
+                readings.read(number, &frame)?;
             }
             let Some(film) = &mut film else { return Ok(()) };
             if is_there && done > 0 {
                 return Ok(());
             }
-            let raster = shutter.take(&frame, &visibility)?;
+            let raster = shutter.take(&frame)?;
             let mut develop = || shutter.developed(&raster, &frame);
             if is_there {
                 drop(develop());

@@ -3,7 +3,8 @@
 //! Shapes are fitted together once, at rest, and then moved: each frame starts from rest, so nothing drifts. Where a moved flat
 //! sheet comes into the plane of another one, it is set apart from it, as at rest; what did not move stays where it is. So a
 //! surface that does not move, or whose pose is that of rest, is the same to the bit in every frame; there are as many surfaces in
-//! each, in the same order, with the same names and parameters.
+//! each, in the same order, with the same names and parameters. Of scenes made one after the other ([`Stills`]), surfaces that are
+//! where they were in the one before are the same ones in memory, too.
 
 use std::sync::Arc;
 
@@ -23,6 +24,46 @@ use crate::scene::{
     stacked::{Sheet, Step, steps},
     surface::SceneSurface,
 };
+
+/// The still scenes of a scene that moves, one after the other, in any order.
+#[derive(Debug)]
+pub struct Stills<'a> {
+    scene: &'a Scene,
+    /// Where the surfaces of the last one were put, and their shapes.
+    before: Vec<(Placement, Arc<dyn Surface>)>,
+}
+
+/// What a surface was moved by from rest, as bits: by its mover, and off another sheet.
+type Placement = Vec<[u64; 13]>;
+
+impl<'a> Stills<'a> {
+    /// None yet.
+    pub fn of(scene: &'a Scene) -> Self {
+        Self { scene, before: Vec::new() }
+    }
+
+    /// The scene with its motions.
+    pub fn scene(&self) -> &'a Scene {
+        self.scene
+    }
+
+    /// The still scene at a moment, to the bit that of [`Scene::at_moment`].
+    ///
+    /// # Errors
+    /// As [`Scene::at_moment`].
+    pub fn at(&mut self, moment: f64) -> Result<Scene, SceneError> {
+        let (mut still, placements) = self.scene.placed_at(moment)?;
+        let shapes = still.surfaces.iter_mut().map(|surface| &mut surface.shape);
+        for ((shape, placement), (before, known)) in shapes.zip(&placements).zip(&self.before) {
+            if placement == before {
+                *shape = Arc::clone(known);
+            }
+        }
+        let shapes = still.surfaces.iter().map(|surface| Arc::clone(&surface.shape));
+        self.before = placements.into_iter().zip(shapes).collect();
+        Ok(still)
+    }
+}
 
 impl Scene {
     /// Number of frames; 0 of a scene without motions.
@@ -45,18 +86,27 @@ impl Scene {
     /// [`Fault::NoFrames`] for a scene without motions, [`Fault::NoSuchFrame`], [`Fault::MovesInto`] where a surface that
     /// moves lies in another one, and [`Fault::MovesAway`].
     pub fn at_moment(&self, moment: f64) -> Result<Self, SceneError> {
+        Ok(self.placed_at(moment)?.0)
+    }
+
+    /// The same, with what each surface was moved by.
+    fn placed_at(&self, moment: f64) -> Result<(Self, Vec<Placement>), SceneError> {
         let (animation, poses) = self.posed(moment)?;
         let movers = self.moved_by(animation, &poses);
         let mut still = Self { animation: None, ..self.clone() };
         still.name = format!("{}-{moment}", self.name);
         still.source = still.source.map(|source| source.at(moment));
+        let mut placements: Vec<Placement> = vec![Vec::new(); movers.len()];
         let moved = movers.iter().enumerate().filter_map(|(index, mover)| Some((index, poses[(*mover)?])));
         for (index, pose) in moved {
             let surface = &mut still.surfaces[index];
             put(surface, pose.motion());
+            placements[index].push(pose.motion().bits());
             turn_radiance(surface, &pose);
         }
-        still.set_apart(&movers);
+        for (index, off) in still.set_apart(&movers) {
+            placements[index].push(off.bits());
+        }
         for (mover, pose) in animation.movers.iter().zip(&poses).filter(|(_, pose)| !pose.is_rest()) {
             for index in &mover.luminaires {
                 let own = &mut still.luminaires[*index];
@@ -67,7 +117,7 @@ impl Scene {
             }
         }
         still.check_clear(&movers, moment)?;
-        Ok(still)
+        Ok((still, placements))
     }
 
     /// The still scene that the source asks for, or this one.
@@ -104,12 +154,13 @@ impl Scene {
         movers
     }
 
-    /// Moves moved flat sheets off those in whose plane they lie.
-    fn set_apart(&mut self, movers: &[Option<usize>]) {
+    /// Moves moved flat sheets off those in whose plane they lie; tells which surfaces, and how.
+    fn set_apart(&mut self, movers: &[Option<usize>]) -> Vec<(usize, Motion)> {
         let fronts: Vec<usize> =
             (0..self.surfaces.len()).filter(|index| self.is_flat_front(*index)).collect();
+        let mut moved = Vec::new();
         if fronts.iter().all(|index| movers[*index].is_none()) {
-            return;
+            return moved;
         }
         let sheets: Vec<Sheet> = fronts.iter().map(|index| self.sheet(*index, movers)).collect();
         self.fitted.lying.retain(|own| may_lie(&sheets, own));
@@ -117,10 +168,14 @@ impl Scene {
             let off = Motion::rigid(DQuat::IDENTITY, by);
             let front = fronts[sheet];
             let sides = if self.has_back(front) { front..front + 2 } else { front..front + 1 };
-            sides.for_each(|side| put(&mut self.surfaces[side], &off));
+            for side in sides {
+                put(&mut self.surfaces[side], &off);
+                moved.push((side, off));
+            }
             let name = |sheet: usize| sheets[sheet].name.clone();
             self.fitted.lying.push(Lying { surface: name(sheet), on: name(on) });
         }
+        moved
     }
 
     fn sheet(&self, index: usize, movers: &[Option<usize>]) -> Sheet {

@@ -12,45 +12,79 @@ use super::fit::Fit;
 use super::memory::Footprint;
 use super::options::Options;
 
-/// Bytes that a run takes at the most, by that many rays if any.
-pub(super) fn peak_memory(scene: &Scene, how: &Discretization, options: &Options, rays: Option<u64>) -> u64 {
-    match rays {
-        Some(rays) => Footprint::of_rays(scene, how, options.method, rays).peak(),
-        None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method).peak(),
-        None => Footprint::of(scene, how, options.method).peak(),
-    }
+/// A run as far as its memory goes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Need<'a> {
+    pub scene: &'a Scene,
+    pub how: Discretization,
+    pub options: &'a Options,
+    /// Rays that carry its pairs, if any.
+    pub rays: Option<u64>,
+    /// Whether a memory of it is kept for the next scene.
+    pub is_kept: bool,
 }
 
-/// Refuses a run that needs more memory than allowed.
-pub(super) fn require_memory(
-    scene: &Scene,
-    how: &Discretization,
-    options: &Options,
-    rays: Option<u64>,
-) -> Result<(), Failure> {
-    let Some(allowed) = options.memory else { return Ok(()) };
-    if let Some(rays) = rays {
-        return require_memory_of_rays(scene, how, options.method, rays, allowed);
+impl Need<'_> {
+    /// Bytes that it takes at the most.
+    pub(super) fn peak(&self) -> u64 {
+        let Self { scene, how, options, .. } = self;
+        let footprint = match self.rays {
+            Some(rays) => Footprint::of_rays(scene, how, options.method, rays),
+            None if options.kernel.is_some() => Footprint::of_1993(scene, how, options.method),
+            None => Footprint::of(scene, how, options.method),
+        };
+        if self.is_kept { footprint.peak_with_memory() } else { footprint.peak() }
     }
-    let peak = |how: &Discretization, method| peak_memory(scene, how, &Options { method, ..*options }, None);
-    let needed = peak(how, options.method);
-    if needed <= allowed {
-        return Ok(());
+
+    /// Refuses a run that needs more memory than allowed.
+    pub(super) fn require(&self) -> Result<(), Failure> {
+        let Some(allowed) = self.options.memory else { return Ok(()) };
+        let needed = self.peak();
+        if needed <= allowed {
+            return Ok(());
+        }
+        let mut fits = Vec::new();
+        if self.is_kept && (Self { is_kept: false, ..*self }).peak() <= allowed {
+            fits.push(Fit::FreshFrames);
+        }
+        match self.rays {
+            Some(rays) => fits.extend(self.fewer_rays(rays, allowed)),
+            None => fits.extend(self.less(allowed)),
+        }
+        Err(Failure::Memory { needed, allowed, fits })
     }
-    let mut fits = Vec::new();
-    let cg = Method::named("cg").expect("cg is always listed");
-    if peak(how, cg) <= allowed {
-        fits.push(Fit::ConjugateGradients);
+
+    /// What would fit of exact blocks.
+    fn less(&self, allowed: u64) -> Vec<Fit> {
+        let Self { how, options, .. } = *self;
+        let fits =
+            |how, method| (Need { how, options: &Options { method, ..*options }, ..*self }).peak() <= allowed;
+        let mut less = Vec::new();
+        if fits(how, Method::named("cg").expect("cg is always listed")) {
+            less.push(Fit::ConjugateGradients);
+        }
+        let lower =
+            (0..how.order).rev().find(|order| fits(Discretization { order: *order, ..how }, options.method));
+        less.extend(lower.map(Fit::Order));
+        let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..how };
+        if fits(whole, options.method) {
+            less.push(Fit::WholeSurfaces);
+        }
+        less
     }
-    let lower = (0..how.order)
-        .rev()
-        .find(|order| peak(&Discretization { order: *order, ..*how }, options.method) <= allowed);
-    fits.extend(lower.map(Fit::Order));
-    let whole = Discretization { subdivide: Subdivide::Uniform(1), layers: Layers::NONE, ..*how };
-    if peak(&whole, options.method) <= allowed {
-        fits.push(Fit::WholeSurfaces);
+
+    /// The half, quarter, … of the rays that would fit; elements follow from their number where nothing else is asked for.
+    fn fewer_rays(&self, rays: u64, allowed: u64) -> Option<Fit> {
+        let peak = |rays: u64| {
+            let subdivide = match self.how.subdivide {
+                Subdivide::Graded { .. } => Subdivide::Graded { rays },
+                given => given,
+            };
+            (Self { rays: Some(rays), how: Discretization { subdivide, ..self.how }, ..*self }).peak()
+        };
+        let mut fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
+        fewer.find(|rays| peak(*rays) <= allowed).map(Fit::Rays)
     }
-    Err(Failure::Memory { needed, allowed, fits })
 }
 
 /// Refuses a run on elements of a refined mesh that needs more memory than allowed.
@@ -63,28 +97,4 @@ pub(super) fn require_memory_of_mesh(
     let Some(allowed) = options.memory else { return Ok(()) };
     let needed = Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak();
     if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
-}
-
-/// The same for the sampled transport, whose elements follow from the number of rays where nothing else is asked for.
-fn require_memory_of_rays(
-    scene: &Scene,
-    how: &Discretization,
-    method: &Method,
-    rays: u64,
-    allowed: u64,
-) -> Result<(), Failure> {
-    let peak = |rays: u64| {
-        let subdivide = match how.subdivide {
-            Subdivide::Graded { .. } => Subdivide::Graded { rays },
-            given => given,
-        };
-        Footprint::of_rays(scene, &Discretization { subdivide, ..*how }, method, rays).peak()
-    };
-    let needed = peak(rays);
-    if needed <= allowed {
-        return Ok(());
-    }
-    let fewer = (1..u64::BITS).map(|halvings| rays >> halvings).take_while(|rays| *rays > 0);
-    let fits = fewer.filter(|rays| peak(*rays) <= allowed).take(1).map(Fit::Rays).collect();
-    Err(Failure::Memory { needed, allowed, fits })
 }

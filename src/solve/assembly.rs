@@ -26,7 +26,7 @@ pub(super) fn discretization(
     Discretization { order: options.order, space: options.space, subdivide, layers: options.layers }
 }
 
-/// The blocks, by that many rays or exactly; exact ones from `memory`, as far as it holds them.
+/// The blocks, by that many rays or exactly; from `memory`, as far as it holds them.
 pub(super) fn carried(
     scene: &Scene,
     subject: &Subject,
@@ -35,7 +35,7 @@ pub(super) fn carried(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<(Blocks, Option<Sampling>), Failure> {
     if let Some(rays) = rays {
-        let (blocks, sampling) = subject.sample(rays, progress);
+        let (blocks, sampling) = subject.sample(rays, memory, progress);
         return Ok((blocks, Some(sampling)));
     }
     let report = |done, total| progress(Progress::Blocks(done, total));

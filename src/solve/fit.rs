@@ -15,6 +15,8 @@ pub enum Fit {
     OrderAlone(usize),
     /// No cuts of surfaces.
     WholeSurfaces,
+    /// Frames that keep nothing for the next ones.
+    FreshFrames,
 }
 
 impl fmt::Display for Fit {
@@ -25,6 +27,7 @@ impl fmt::Display for Fit {
             Self::Order(order) => write!(f, "order {order}"),
             Self::OrderAlone(order) => write!(f, "order {order} without a wanted accuracy"),
             Self::WholeSurfaces => write!(f, "one element a surface"),
+            Self::FreshFrames => write!(f, "--animation fresh"),
         }
     }
 }

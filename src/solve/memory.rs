@@ -9,6 +9,7 @@
 //! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
 //!            320 n above that for a method that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
+//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in the places of some things
 //! ```
 //!
 //! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the
@@ -20,6 +21,8 @@ use radiosity_solvers::method::Method;
 use crate::elements::{CutSize, Discretization, cut_sizes, shares};
 use crate::scene::Scene;
 use crate::solve::outline::Outline;
+use crate::transport::memory::met::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
+use crate::transport::price::LEAST;
 
 /// Bytes of an f64.
 const NUMBER: u64 = 8;
@@ -61,6 +64,8 @@ pub struct Footprint {
     pub pairs: u64,
     /// The matrix of one band, with its factors if the method makes some, and the light of groups.
     pub system: u64,
+    /// What a memory of the scene keeps for the next one, if there is one.
+    pub memory: u64,
 }
 
 impl Footprint {
@@ -91,7 +96,7 @@ impl Footprint {
         let elements =
             sizes.iter().map(|cut| cut.elements * (NUMBER * cut.functions * cut.functions + ELEMENT));
         let outlines: Vec<Outline> = scene.surfaces.iter().map(Outline::of).collect();
-        let (mut blocks, mut pairs, mut by_rays) = (0, 0, 0);
+        let (mut blocks, mut pairs, mut by_rays) = (0, 0, 0u64);
         for (i, cut) in sizes.iter().enumerate() {
             for (j, other) in sizes.iter().enumerate().take(i + 1) {
                 if outlines[i].exchanges_with(&outlines[j]) {
@@ -108,7 +113,9 @@ impl Footprint {
                 }
             }
         }
-        Self { elements: elements.sum(), blocks, pairs: pairs + by_rays, system: 0 }
+        let elements = elements.sum();
+        let rays = if by_rays > 0 { 2 * MOST_KEPT * KEPT_RAY } else { 0 };
+        Self { elements, blocks, pairs: pairs + by_rays, system: 0, memory: elements + blocks + pairs + rays }
     }
 
     /// The footprint of `scene`, cut as `how` says and carried by so many rays: an upper bound.
@@ -124,12 +131,21 @@ impl Footprint {
         let numbers = (NUMBER as f64 * entries) as u64;
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
         let system = numbers + system(method, unknowns, numbers) + groups(scene, &sizes);
-        Self { elements: elements.sum(), blocks: 2 * numbers, pairs: CHUNK, system }
+        let elements = elements.sum();
+        let kept = 2 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
+        // Pairs are carried exactly where more rays than their least price are expected.
+        let exact = rays / LEAST as u64 * (PAIR + NUMBER * (functions * functions) as u64);
+        Self { elements, blocks: 2 * numbers, pairs: CHUNK, system, memory: elements + kept + exact }
     }
 
-    /// Largest sum at any time.
+    /// Largest sum at any time, without a memory.
     pub fn peak(&self) -> u64 {
         PROGRAM + self.elements + self.blocks + self.system.max(self.blocks + self.pairs)
+    }
+
+    /// The same with a memory.
+    pub fn peak_with_memory(&self) -> u64 {
+        self.peak() + self.memory
     }
 }
 

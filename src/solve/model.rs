@@ -11,9 +11,9 @@ use std::time::Duration;
 use radiosity_solvers::Step;
 
 use crate::checks::{Balance, Checks, Lit};
-use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::elements::mesh::Mesh;
+use crate::elements::{Discretization, Elements};
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
@@ -21,7 +21,7 @@ use crate::system::{Coefficients, System};
 use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 
-use super::allowance::{peak_memory, require_memory, require_memory_of_mesh};
+use super::allowance::{Need, require_memory_of_mesh};
 use super::assembly::{carried, discretization};
 use super::band::{Effort, solve_band};
 use super::choice::Choice;
@@ -29,6 +29,7 @@ use super::direct::Direct;
 use super::emission::Emission;
 use super::failure::Failure;
 use super::first_light::{FirstLight, Reflected, Stage};
+use super::layout::Layout;
 use super::options::Options;
 use super::outcome::{Outcome, Stages};
 use super::pool::in_threads;
@@ -77,30 +78,29 @@ impl Model {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         let choice = Choice::of(scene, options);
-        in_threads(options.threads, || Self::assembled(scene, options, choice, None, None, progress))?
+        in_threads(options.threads, || Self::assembled(scene, options, Plan::of(choice), None, progress))?
     }
 
-    /// The same, to the bit, where blocks of earlier scenes are known that differ in the places of some surfaces.
+    /// One of this layout; what `memory` knows of earlier scenes, which differ in the places of some surfaces, is not found again.
     ///
     /// # Errors
     /// As [`Model::assemble`].
     pub(crate) fn assemble_again(
         scene: &Scene,
         options: &Options,
-        choice: &Choice,
-        memory: &mut Memory,
+        layout: &Layout,
+        memory: Option<&mut Memory>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
-        in_threads(options.threads, || {
-            Self::assembled(scene, options, choice.clone(), None, Some(memory), progress)
-        })?
+        let plan = Plan { choice: layout.choice.clone(), how: Some(layout.how), mesh: Some(&layout.mesh) };
+        in_threads(options.threads, || Self::assembled(scene, options, plan, memory, progress))?
     }
 
     /// Bytes that the model of `scene` and its solution take at the most, estimated.
     pub(crate) fn peak_memory(scene: &Scene, options: &Options) -> u64 {
         let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
-        let visibility = Visibility::new(scene, options.into());
-        peak_memory(scene, &discretization(&visibility, options, rays), options, rays)
+        let how = discretization(&Visibility::new(scene, options.into()), options, rays);
+        (Need { scene, how, options, rays, is_kept: false }).peak()
     }
 
     /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
@@ -111,30 +111,30 @@ impl Model {
         mesh: Option<&Mesh>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
-        let choice = Choice { sampled: false, why: why.to_owned() };
-        in_threads(options.threads, || Self::assembled(scene, options, choice, mesh, None, progress))?
+        let plan = Plan { mesh, ..Plan::of(Choice { sampled: false, why: why.to_owned() }) };
+        in_threads(options.threads, || Self::assembled(scene, options, plan, None, progress))?
     }
 
     fn assembled(
         scene: &Scene,
         options: &Options,
-        choice: Choice,
-        mesh: Option<&Mesh>,
+        Plan { choice, how, mesh }: Plan<'_>,
         mut memory: Option<&mut Memory>,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let is_refined = mesh.is_some() && how.is_none();
         let (visibility, how) = timed(&mut seconds.visibility, || {
             let visibility = Visibility::new(scene, options.into());
-            let how = discretization(&visibility, options, rays);
+            let how = how.unwrap_or_else(|| discretization(&visibility, options, rays));
             (visibility, how)
         });
         progress(Progress::Finished("visibility", seconds.visibility));
         match mesh {
-            Some(mesh) => require_memory_of_mesh(scene, &how, mesh, options)?,
-            None => require_memory(scene, &how, options, rays)?,
+            Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options)?,
+            _ => (Need { scene, how, options, rays, is_kept: memory.is_some() }).require()?,
         }
         let elements = timed(&mut seconds.elements, || options.elements(scene, &how, mesh))?;
         progress(Progress::Finished("elements", seconds.elements));
@@ -150,7 +150,7 @@ impl Model {
         let entries = &entries.into_iter().map(|own| own.entry).collect::<Vec<_>>();
         let subject = Subject { elements: &elements, bands, entries, visibility: &visibility, options };
         if let Some(memory) = &mut memory {
-            memory.turn_to(scene, &elements);
+            memory.turn_to(scene, &elements, &visibility);
         }
         let (blocks, sampling) =
             timed(&mut seconds.blocks, || carried(scene, &subject, rays, memory, progress))?;
@@ -193,6 +193,11 @@ impl Model {
     /// What stands between them.
     pub(crate) fn visibility(&self) -> &Visibility {
         &self.visibility
+    }
+
+    /// The same, when nothing else of the model is needed any more.
+    pub(crate) fn into_visibility(self) -> Visibility {
+        self.visibility
     }
 
     /// The same model with blocks that were corrected.
@@ -323,6 +328,22 @@ impl Model {
             GroupLight { group, bands, powers, masked: first.masked }
         };
         lit.map(group).collect()
+    }
+}
+
+/// What is decided before a model is assembled.
+struct Plan<'a> {
+    choice: Choice,
+    /// How surfaces are cut, if not as the scene needs.
+    how: Option<Discretization>,
+    /// Their cells, if not those that follow from it.
+    mesh: Option<&'a Mesh>,
+}
+
+impl Plan<'_> {
+    /// That of a scene of which nothing else is decided.
+    fn of(choice: Choice) -> Self {
+        Self { choice, how: None, mesh: None }
     }
 }
 

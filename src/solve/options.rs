@@ -109,8 +109,8 @@ impl Options {
         Accuracy { eps: self.eps, shadow_eps: self.shadows.accuracy(self.eps, self.shadow_eps) }
     }
 
-    /// The elements of `scene`, cut as `how` says or into the cells of a mesh that was refined from it; for the rules of
-    /// 1993, which know no footings and no such mesh, with whole surfaces.
+    /// The elements of `scene`, cut as `how` says or into the cells of `mesh`; for the rules of 1993, which know no footings, with
+    /// whole surfaces.
     ///
     /// # Errors
     /// As for [`Elements::new`].
@@ -118,10 +118,10 @@ impl Options {
         &self,
         scene: &Scene,
         how: &Discretization,
-        refined: Option<&Mesh>,
+        mesh: Option<&Mesh>,
     ) -> Result<Elements, ElementError> {
-        match refined {
-            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how),
+        match mesh {
+            _ if self.kernel.is_some() => Elements::of_whole_surfaces(scene, how, mesh.cloned()),
             Some(mesh) => Elements::of_mesh(scene, how, mesh.clone()),
             None => Elements::new(scene, how),
         }

@@ -19,7 +19,7 @@ use crate::elements::coating::Coating;
 use crate::elements::{Element, Elements};
 use crate::light::first_bounce::Entry;
 use crate::system::{Coefficients, System};
-use crate::transport::{Accuracy, Blocks, Rays, SampledTransport};
+use crate::transport::{Accuracy, Blocks, Memory, Rays, SampledTransport};
 use crate::visibility::Visibility;
 
 use super::band::solve_band;
@@ -78,10 +78,16 @@ pub(super) struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The blocks by `rays` rays after the pilot, and what they are worth.
-    pub(super) fn sample(&self, rays: u64, progress: &(dyn Fn(Progress) + Sync)) -> (Blocks, Sampling) {
+    /// The blocks by `rays` rays after the pilot, and what they are worth; what `memory` knows is not found again.
+    pub(super) fn sample(
+        &self,
+        rays: u64,
+        mut memory: Option<&mut Memory>,
+        progress: &(dyn Fn(Progress) + Sync),
+    ) -> (Blocks, Sampling) {
         let _listening = self.options.stop.map(Stop::listen);
-        let mut transport = SampledTransport::new(self.elements, self.visibility);
+        let mut transport =
+            SampledTransport::remembering(self.elements, self.visibility, memory.as_deref_mut());
         let sent = |done: u64| progress(Progress::Rays { done, total: rays, error: None });
         let pilot = (PILOT * rays as f64).min(ROUND as f64);
         transport.send(&self.by_area(pilot), &mut |done| self.goes_on(|| sent(done)));
@@ -93,7 +99,8 @@ impl Subject<'_> {
         let accuracy = self.accuracy(rays);
         let total = transport.sent().iter().sum::<u64>() + planned.iter().sum::<u64>();
         if !self.options.is_stopped() {
-            transport.settle(&planned, accuracy, &|done, total| progress(Progress::Blocks(done, total)));
+            let report = |done, total| progress(Progress::Blocks(done, total));
+            transport.settle_again(&planned, accuracy, memory.as_deref_mut(), &report);
             self.send_in_rounds(&mut transport, &planned, progress);
         }
         // The halves first: their blocks are gone when the whole ones are made.
@@ -110,6 +117,7 @@ impl Subject<'_> {
             exact_pairs: transport.exact_pairs(),
             error: error.map(|error| error.hypot(of_exact)),
         };
+        transport.remember(memory);
         (blocks, sampling)
     }
 

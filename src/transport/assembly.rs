@@ -70,13 +70,14 @@ fn assembled(
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
     visibility: &Visibility,
     (whole, accuracy): (Whole, Accuracy),
-    memory: Option<&mut Memory>,
+    mut memory: Option<&mut Memory>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Blocks {
     let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
-    let (mut blocks, left) = by_rules(elements, wanted, visibility, (accuracy, unreached), memory, progress);
+    let how = (accuracy, unreached);
+    let (mut blocks, left) = by_rules(elements, wanted, visibility, how, memory.as_deref_mut(), progress);
     if !left.is_empty() {
-        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), progress);
+        unreached::add(elements, visibility, &mut blocks, &left, (whole, accuracy), memory, progress);
     }
     blocks
 }

@@ -1,55 +1,58 @@
-//! Blocks that are kept from one scene to the next, in which some things have moved.
+//! What is kept of a scene for the next one, in which some things have moved: blocks, and what rays met.
 //!
 //! A block follows from its two elements, the surfaces that may stand between them, and the accuracy that the other pairs of
 //! its rows leave to it. Where all these are as they were, to the bit, so is the block: it is taken from memory, and the
-//! matrix is the one that would be integrated anew. What did not move is found by comparing what is given, not by what
-//! somebody says has moved.
+//! matrix is the one that would be integrated anew. So it is with rays ([`met`]). What did not move is found by comparing what is
+//! given, not by what somebody says has moved.
+
+mod change;
+pub(crate) mod met;
 
 use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
-use radiosity_geom::Surface;
+use radiosity_geom::RayTree;
 
-use crate::elements::basis::AreaBasis;
-use crate::elements::patch::Patch;
-use crate::elements::{Element, Elements};
+use crate::elements::Elements;
 use crate::scene::Scene;
 use crate::transport::blocks::block::Block;
+use crate::visibility::Visibility;
+use change::{Change, Seen};
+pub(in crate::transport) use met::{KnownRays, Met};
+use met::{MOST, Obstacles, RayCounts, Sent};
 
-/// Blocks of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with the same options.
+/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with the
+/// same options.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
     /// Number of the scene that was seen last, from 1.
     scenes: u64,
-    elements: Vec<Piece>,
-    surfaces: Vec<Arc<dyn Surface>>,
-    changed: Changes,
+    seen: Seen,
+    last_changes: LastChanges,
     blocks: HashMap<(u32, u32), Kept>,
     /// Blocks that were integrated for the last scene.
     integrated: usize,
     /// Blocks that the last scene has in common with the one before.
     recalled: usize,
+    /// What the rays of each sequence met.
+    sent: HashMap<usize, SentAll>,
+    obstacles: Option<Arc<Obstacles>>,
+    rays: RayCounts,
 }
 
 /// The number of the scene in which each element and surface last changed.
 #[derive(Debug, Default)]
-struct Changes {
+struct LastChanges {
     elements: Vec<u64>,
     surfaces: Vec<u64>,
 }
 
-/// What the blocks of an element follow from.
-#[derive(Debug, PartialEq)]
-struct Piece {
-    patches: Vec<Patch>,
-    basis: AreaBasis,
-    contact: Option<usize>,
-}
-
-impl Piece {
-    fn of(element: &Element) -> Self {
-        Self { patches: element.patches.clone(), basis: element.basis.clone(), contact: element.contact }
-    }
+/// The rays of a sequence, by elements; of those that have changed since then there are none.
+#[derive(Debug)]
+struct SentAll {
+    /// Number of the scene in which they were sent.
+    scene: u64,
+    elements: Vec<Sent>,
 }
 
 /// A block with what it was integrated for.
@@ -88,33 +91,66 @@ impl Answer {
 impl Memory {
     /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or elements
     /// is another, all is forgotten.
-    pub(crate) fn turn_to(&mut self, scene: &Scene, elements: &Elements) {
-        let surfaces: Vec<Arc<dyn Surface>> =
-            scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect();
-        let list: Vec<Piece> = elements.list().iter().map(Piece::of).collect();
-        if surfaces.len() != self.surfaces.len() || list.len() != self.elements.len() {
-            let changed = Changes { elements: vec![1; list.len()], surfaces: vec![1; surfaces.len()] };
-            *self = Self { changed, ..Self::default() };
-        }
+    pub(crate) fn turn_to(&mut self, scene: &Scene, elements: &Elements, visibility: &Visibility) {
+        let seen = Seen::of(scene, elements, visibility);
+        let change = seen.change(&self.seen).unwrap_or_else(|| {
+            let [elements, surfaces] = seen.counts();
+            let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
+            *self = Self { last_changes, ..Self::default() };
+            Change {
+                elements: vec![true; elements],
+                surfaces: vec![true; surfaces],
+                starts: vec![true; surfaces],
+            }
+        });
+        self.forget_rays(&seen, &change);
         self.scenes += 1;
-        let Changes { elements: moved, surfaces: shifted } = &mut self.changed;
-        for ((old, new), changed) in self.surfaces.iter().zip(&surfaces).zip(shifted) {
-            if !Arc::ptr_eq(old, new) {
-                *changed = self.scenes;
+        mark(&mut self.last_changes.elements, &change.elements, self.scenes);
+        mark(&mut self.last_changes.surfaces, &change.surfaces, self.scenes);
+        let tree = RayTree::new(seen.marked(&change.surfaces));
+        self.obstacles =
+            Some(Arc::new(Obstacles { changed: change.surfaces, tree, reach: visibility.reach() }));
+        self.rays = RayCounts::default();
+        self.seen = seen;
+    }
+
+    /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since then.
+    fn forget_rays(&mut self, seen: &Seen, change: &Change) {
+        self.sent.retain(|_, sent| sent.scene == self.scenes);
+        for sent in self.sent.values_mut() {
+            for ((sent, is_other), owner) in sent.elements.iter_mut().zip(&change.elements).zip(seen.owners())
+            {
+                if *is_other || change.surfaces[owner] || change.starts[owner] {
+                    *sent = Sent::default();
+                }
             }
         }
-        for ((old, new), changed) in self.elements.iter().zip(&list).zip(moved) {
-            if old != new {
-                *changed = self.scenes;
-            }
-        }
-        (self.surfaces, self.elements) = (surfaces, list);
+    }
+
+    /// Lends what is known of a sequence of rays, one of so many, until [`Memory::take`]: the rays of each element of this number.
+    pub(in crate::transport) fn lend(
+        &mut self,
+        sequence: usize,
+        sequences: usize,
+        numbers: Vec<u64>,
+    ) -> Option<KnownRays> {
+        let obstacles = Arc::clone(self.obstacles.as_ref()?);
+        let before = self.sent.remove(&sequence).map(|sent| sent.elements).unwrap_or_default();
+        Some(KnownRays::new(before, &numbers, obstacles, MOST / sequences as u64))
+    }
+
+    /// Keeps what the rays of a sequence met in this scene.
+    pub(in crate::transport) fn take(&mut self, sequence: usize, rays: KnownRays) {
+        let (elements, counts) = rays.into_sent();
+        self.rays.traced += counts.traced;
+        self.rays.recalled += counts.recalled;
+        self.sent.insert(sequence, SentAll { scene: self.scenes, elements });
     }
 
     /// The block that answers a request, where nothing has changed since it was integrated.
     pub(in crate::transport) fn recall(&self, request: &Request) -> Option<&Arc<Answer>> {
         let kept = self.blocks.get(&(request.row, request.column))?;
-        let Changes { elements, surfaces } = &self.changed;
+        let LastChanges { elements, surfaces } = &self.last_changes;
         let ends = [request.row, request.column].map(|element| elements[element as usize]);
         let blockers = request.surfaces.iter().map(|surface| surfaces[*surface]);
         let is_valid = ends.into_iter().chain(blockers).all(|changed| changed <= kept.scene);
@@ -145,4 +181,14 @@ impl Memory {
     pub(crate) fn recalled(&self) -> usize {
         self.recalled
     }
+
+    /// Rays that were sent for the last scene.
+    pub(crate) fn rays(&self) -> RayCounts {
+        self.rays
+    }
+}
+
+/// Sets the marked places to this number.
+fn mark(numbers: &mut [u64], marks: &[bool], number: u64) {
+    numbers.iter_mut().zip(marks).filter(|(_, mark)| **mark).for_each(|(own, _)| *own = number);
 }

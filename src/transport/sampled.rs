@@ -35,18 +35,20 @@ mod estimate;
 
 use std::collections::HashSet;
 
+use radiosity_geom::Encounter;
 use rayon::prelude::*;
 
 use crate::elements::{Element, Elements};
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::memory::{KnownRays, Memory, Met};
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
 pub(in crate::transport) use estimate::Fixed;
 use estimate::{Counts, Estimate};
 use hit::{Hit, hit};
 pub use rays::Rays;
-use sender::Sender;
+use sender::{Departure, Sender};
 use strong::Strong;
 use tally::{Sums, Tally, functions};
 
@@ -73,6 +75,8 @@ pub struct SampledTransport<'a> {
     strong: Strong,
     /// The pairs on which rays count, if not on all but the strong ones.
     only: Option<HashSet<(u32, u32)>>,
+    /// What they met in the scene before, if that is known.
+    known: Option<KnownRays>,
 }
 
 /// Rays of one element, one after the other.
@@ -93,6 +97,9 @@ struct Landed {
     /// The same of those that landed on pairs that are carried exactly.
     exact: [Vec<f64>; 2],
     hits: Vec<Hit>,
+    /// What each of them met, where that is to be kept, and how many were not traced for it.
+    met: Vec<Met>,
+    recalled: u64,
 }
 
 impl<'a> SampledTransport<'a> {
@@ -130,6 +137,34 @@ impl<'a> SampledTransport<'a> {
             tally: Tally::new(list.len()),
             strong: Strong::default(),
             only: None,
+            known: None,
+        }
+    }
+
+    /// The same rays, to the bit; those of which `known` tells what they meet are not traced.
+    pub(in crate::transport) fn knowing(self, known: Option<KnownRays>) -> Self {
+        Self { known, ..self }
+    }
+
+    /// What is known of its rays after they were sent.
+    pub(in crate::transport) fn into_known(self) -> Option<KnownRays> {
+        self.known
+    }
+
+    /// No rays yet; what `memory` knows of them is not traced again.
+    pub(crate) fn remembering(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        memory: Option<&mut Memory>,
+    ) -> Self {
+        let numbers = || (0..elements.list().len() as u64).collect();
+        Self::new(elements, visibility).knowing(memory.and_then(|memory| memory.lend(0, 1, numbers())))
+    }
+
+    /// Leaves to `memory` what its rays met.
+    pub(crate) fn remember(self, memory: Option<&mut Memory>) {
+        if let (Some(memory), Some(known)) = (memory, self.known) {
+            memory.take(0, known);
         }
     }
 
@@ -189,6 +224,17 @@ impl<'a> SampledTransport<'a> {
     /// pilot's own hits
     /// are forgotten: pairs that got many by chance are among those chosen.
     pub fn settle(&mut self, planned: &[u64], accuracy: Accuracy, progress: &(dyn Fn(usize, usize) + Sync)) {
+        self.settle_again(planned, accuracy, None, progress);
+    }
+
+    /// The same, to the bit; exact pairs that `memory` holds are not integrated again.
+    pub(crate) fn settle_again(
+        &mut self,
+        planned: &[u64],
+        accuracy: Accuracy,
+        memory: Option<&mut Memory>,
+        progress: &(dyn Fn(usize, usize) + Sync),
+    ) {
         let list = self.elements.list();
         let density = |index: usize| {
             let area = list[index].area;
@@ -202,7 +248,7 @@ impl<'a> SampledTransport<'a> {
             f64::from(sums.hits) * (a + c) / (b + d)
         };
         let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &expected);
-        self.strong = Strong::new(pairs, self.elements, self.visibility, accuracy, progress);
+        self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), progress);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
     }
@@ -220,7 +266,7 @@ impl<'a> SampledTransport<'a> {
     fn run(&mut self, tasks: &[Task]) {
         let results: Vec<Landed> = tasks.par_iter().map(|task| self.landed(task)).collect();
         let mut hits = Vec::with_capacity(results.iter().map(|landed| landed.hits.len()).sum());
-        for (Task { element, count, .. }, landed) in tasks.iter().zip(results) {
+        for (Task { element, first, count }, landed) in tasks.iter().zip(results) {
             self.sent[*element] += count;
             for half in 0..2 {
                 self.counts.weights[*element][half] += landed.weights[half];
@@ -229,6 +275,9 @@ impl<'a> SampledTransport<'a> {
                     let sums = sums[half][self.starts[*element]..].iter_mut();
                     sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
                 }
+            }
+            if let Some(known) = &mut self.known {
+                known.keep(*element, *first, &landed.met, landed.recalled);
             }
             hits.extend(landed.hits);
         }
@@ -240,13 +289,20 @@ impl<'a> SampledTransport<'a> {
         let sender = &self.senders[task.element];
         let element = &self.elements.list()[task.element];
         let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
-        let mut landed = Landed { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits: Vec::new() };
+        let mut landed = Landed {
+            weights: [0.0; 2],
+            missed: nothing(),
+            exact: nothing(),
+            hits: Vec::new(),
+            met: Vec::new(),
+            recalled: 0,
+        };
         for index in task.first..task.first + task.count {
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
             landed.weights[half] += departure.weight;
-            let met = hit(self.elements, self.visibility, task.element, index, &departure);
-            let sums = match met {
+            let met = self.met(task.element, index, &departure, &mut landed);
+            let sums = match hit(self.elements, task.element, index, &departure, met) {
                 Some(hit) if !self.counts(hit.source, hit.target) => &mut landed.exact[half],
                 Some(hit) => {
                     landed.hits.push(hit);
@@ -258,6 +314,25 @@ impl<'a> SampledTransport<'a> {
             sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
         }
         landed
+    }
+
+    /// What a ray meets first: what it is known to meet, or else what it is found to.
+    fn met(
+        &self,
+        element: usize,
+        index: u64,
+        departure: &Departure,
+        landed: &mut Landed,
+    ) -> Option<Encounter> {
+        let (origin, direction) = (departure.node.position, departure.direction);
+        let surface = self.elements.list()[element].surface;
+        let found = || self.visibility.nearest_from(surface, origin, direction);
+        let Some(known) = &self.known else { return found() };
+        let recalled = known.recall(element, index, [origin, direction]);
+        landed.recalled += u64::from(recalled.is_some());
+        let met = recalled.unwrap_or_else(found);
+        landed.met.push(Met::of(met.as_ref()));
+        met
     }
 
     /// Whether rays count on the pair of two elements.

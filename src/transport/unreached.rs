@@ -24,6 +24,7 @@ use crate::elements::{Element, Elements};
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::blocks::miss::Miss;
+use crate::transport::memory::Memory;
 use crate::transport::sampled::{Fixed, SampledTransport};
 use crate::transport::schedule::Left;
 use crate::transport::schedule::order::Rank;
@@ -62,23 +63,25 @@ const AGREED: f64 = 3.0;
 /// Relative error of rays that is enough to check a value by rules. Chosen.
 const CHECKED: f64 = 1e-3;
 
-/// Adds the blocks that are `left` to `blocks`, and tells their error there.
+/// Adds the blocks that are `left` to `blocks`, and tells their error there; rays that `memory` knows are not traced.
 pub(in crate::transport) fn add(
     elements: &Elements,
     visibility: &Visibility,
     blocks: &mut Blocks,
     left: &[Left],
     (whole, accuracy): (Whole, Accuracy),
+    mut memory: Option<&mut Memory>,
     progress: &(dyn Fn(usize, usize) + Sync),
 ) {
     let wholes = Wholes::new(elements.list(), whole);
     let pairs: HashSet<(u32, u32)> = left.iter().map(|pair| (pair.row as u32, pair.column as u32)).collect();
     let ranks = ranks(elements.list());
-    let batch = |batch: usize| {
+    let mut batch = |batch: usize| {
         let numbers: Vec<u64> = ranks.iter().map(|rank| (batch * ranks.len() + rank) as u64).collect();
-        SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers)
+        let rays = SampledTransport::of_pairs(elements, visibility, pairs.clone(), &numbers);
+        rays.knowing(memory.as_mut().and_then(|memory| memory.lend(batch, BATCHES, numbers)))
     };
-    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(batch).collect();
+    let mut batches: Vec<SampledTransport> = (0..BATCHES).map(&mut batch).collect();
     let touched: HashSet<usize> = left.iter().flat_map(|pair| [pair.row, pair.column]).collect();
     let most = most_rays(accuracy.eps, touched.len());
     let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
@@ -110,6 +113,12 @@ pub(in crate::transport) fn add(
         }
         rays = next;
     };
+    if let Some(memory) = memory {
+        let known = batches.into_iter().map(SampledTransport::into_known).enumerate();
+        known
+            .filter_map(|(batch, known)| Some((batch, known?)))
+            .for_each(|(batch, known)| memory.take(batch, known));
+    }
     blocks.rays += sent;
     blocks.pairs.by_rays += left.len();
     for (Found { row, column, values, relative, .. }, pair) in found.into_iter().zip(left) {

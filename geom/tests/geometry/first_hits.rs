@@ -100,6 +100,41 @@ proptest! {
         }
     }
 
+    /// What is met stays met, to the bit, unless what has moved comes before it.
+    #[test]
+    fn what_moves_changes_what_is_met_only_where_it_comes_before_it(seed in any::<u64>(), share in 0.02..0.5_f64) {
+        let mut random = Random(seed);
+        let before = crowd(&mut random, 1.0, DVec3::ZERO);
+        let moves: Vec<bool> = before.iter().map(|_| random.between(0.0, 1.0) < share).collect();
+        let mut moved = |shape: &Shape| -> Shape {
+            let motion = Motion::new(random.vector(-1.0, 1.0), random.direction(), 1.0, 1.0).expect("a motion");
+            Arc::new(Placed::new(Box::new(shape.clone()), motion))
+        };
+        let after: Vec<Shape> =
+            before.iter().zip(&moves).map(|(shape, moves)| if *moves { moved(shape) } else { shape.clone() }).collect();
+        let changed = after.iter().zip(&moves).filter(|(_, moves)| **moves).map(|(shape, _)| shape.clone());
+        let [old, new, changed] = [before, after.clone(), changed.collect()].map(RayTree::new);
+        let (mut kept, mut other) = (0, 0);
+        for k in 0..400 {
+            let own = k % after.len();
+            if moves[own] || old.start_on(own)[1] != new.start_on(own)[1] {
+                continue;
+            }
+            let jet = after[own].jet(random.between(-0.9, 0.9), random.between(-0.9, 0.9));
+            let direction = jet.normal + 0.9 * random.direction();
+            let [was, is] = [&old, &new].map(|tree| tree.nearest_from(own, jet.position, direction));
+            let end = was.map_or(f64::INFINITY, |met| met.hit.t);
+            let reach = old.reach().max(new.reach());
+            if was.is_some_and(|met| moves[met.surface]) || changed.may_come_before(jet.position, direction, end, reach) {
+                other += usize::from(was != is);
+                continue;
+            }
+            kept += 1;
+            prop_assert!(was == is, "{was:?} {is:?}");
+        }
+        prop_assert!(kept > 0 || other > 0 || !moves.contains(&true) || moves.iter().all(|moves| *moves));
+    }
+
     #[test]
     fn closed_boxes_do_not_leak(seed in any::<u64>(), kind in 0usize..4, shift in -3.0..3.0_f64) {
         let mut random = Random(seed);

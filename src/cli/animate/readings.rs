@@ -6,7 +6,6 @@ use radiosity::animation::frame::Frame;
 use radiosity::output::probe::{Reading, probe};
 use radiosity::output::quality;
 use radiosity::output::reader::Reader;
-use radiosity::visibility::Visibility;
 
 use crate::cli::destination::Destination;
 use crate::cli::error::CliError;
@@ -28,14 +27,9 @@ impl Readings {
     }
 
     /// Reads the points in a frame.
-    pub(super) fn read(
-        &mut self,
-        number: usize,
-        frame: &Frame,
-        visibility: &Visibility,
-    ) -> Result<(), CliError> {
+    pub(super) fn read(&mut self, number: usize, frame: &Frame) -> Result<(), CliError> {
         let how = &self.how;
-        let reader = Reader::by(how.by, &frame.solution, visibility, how.read, how.eps);
+        let reader = Reader::by(how.by, &frame.solution, &frame.visibility, how.read, how.eps);
         let read = probe(&reader, &self.sensors.probes(), frame.scene.middle, &|_, _| ());
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         self.frames.push((number, read));

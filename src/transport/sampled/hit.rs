@@ -4,7 +4,6 @@ use radiosity_geom::{DVec2, DVec3, Encounter};
 
 use crate::elements::{Element, Elements};
 use crate::transport::sampled::sender::Departure;
-use crate::visibility::Visibility;
 
 /// A ray from one element that first meets the front of another, or of its own.
 #[derive(Clone, Copy, Debug)]
@@ -23,19 +22,18 @@ pub(super) struct Hit {
     pub to: [f64; 2],
 }
 
-/// What the ray of number `index` from element `source` meets; none where it leaves the scene or meets a back, which
-/// absorbs it.
+/// The hit of the ray of number `index` from element `source`, given what it meets first; none where it leaves the scene or meets a
+/// back, which absorbs it.
 pub(super) fn hit(
     elements: &Elements,
-    visibility: &Visibility,
     source: usize,
     index: u64,
     departure: &Departure,
+    met: Option<Encounter>,
 ) -> Option<Hit> {
     let Departure { node, direction, weight } = departure;
     let sender = &elements.list()[source];
-    let Encounter { surface, hit, front } =
-        visibility.nearest_from(sender.surface, node.position, *direction)?;
+    let Encounter { surface, hit, front } = met?;
     if !front {
         return None;
     }

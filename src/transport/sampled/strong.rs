@@ -10,6 +10,7 @@ use std::collections::HashSet;
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::memory::Memory;
 use crate::transport::price::{Couple, LEAST, price};
 use crate::transport::sampled::tally::{Sums, Tally};
 use crate::transport::schedule::{Unreached, by_rules};
@@ -43,12 +44,12 @@ impl Strong {
         tally.iter().filter(is_worth).map(|sums| (sums.row as u32, sums.column as u32)).collect()
     }
 
-    /// These pairs with their exact blocks, without those whose accuracy rules do not reach.
+    /// These pairs with their exact blocks, from memory as far as it holds them, without those whose accuracy rules do not reach.
     pub(super) fn new(
         mut pairs: HashSet<(u32, u32)>,
         elements: &Elements,
         visibility: &Visibility,
-        accuracy: Accuracy,
+        (accuracy, memory): (Accuracy, Option<&mut Memory>),
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Self {
         if pairs.is_empty() {
@@ -56,7 +57,7 @@ impl Strong {
         }
         let wanted = |row: usize, column: usize| pairs.contains(&(row as u32, column as u32));
         let how = (accuracy, Unreached::Left);
-        let (blocks, left) = by_rules(elements, &wanted, visibility, how, None, progress);
+        let (blocks, left) = by_rules(elements, &wanted, visibility, how, memory, progress);
         for pair in left {
             pairs.remove(&(pair.row as u32, pair.column as u32));
         }

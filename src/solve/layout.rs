@@ -1,0 +1,29 @@
+//! What carries the pairs of a scene, and how its surfaces are cut.
+
+use crate::elements::mesh::Mesh;
+use crate::elements::{Discretization, usual_mesh};
+use crate::scene::Scene;
+use crate::visibility::Visibility;
+
+use super::assembly::discretization;
+use super::choice::Choice;
+use super::options::Options;
+
+/// What carries the pairs of a scene, and how its surfaces are cut. Of scenes that differ in the places of some things only it is the
+/// same: what carries the light of things that turn does not depend on how they stand to the axes.
+#[derive(Clone, Debug)]
+pub(crate) struct Layout {
+    pub(super) choice: Choice,
+    pub(super) how: Discretization,
+    pub(super) mesh: Mesh,
+}
+
+impl Layout {
+    /// That of `scene` by these options.
+    pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
+        let choice = Choice::of(scene, options);
+        let rays = choice.sampled.then(|| options.ray_budget(scene));
+        let how = discretization(&Visibility::new(scene, options.into()), options, rays);
+        Self { choice, how, mesh: usual_mesh(scene, &how) }
+    }
+}
