@@ -1,10 +1,11 @@
 //! Ways to follow moving things: seconds of CPU for a frame, and how far the light is from that of a fresh solution.
 //!
-//! `cargo run --release --example animation -- [--frames N] [--order N] [--projected] SCENE...`
+//! `cargo run --release --example animation -- [--frames N] [--order N] [--projected] [--auto] SCENE...`
 //!
 //! All ways solve the same frames of a scene with the same options. `fresh` solves each by itself, ten of them at most, spread
 //! over the path; `selective` one after the other; `path` interpolates. The error is the largest of any frame that was solved
-//! fresh: the relative L2 of the coefficients of irradiance. The last columns are the times of fresh frames over those of this
+//! fresh: the relative L2 of the coefficients of irradiance. Of the rays between elements, where these carry the pairs (`--auto`),
+//! it is told which part was traced for frames after the first. The last columns are the times of fresh frames over those of this
 //! way, for all frames together, and for one more after all segments are known.
 
 #![expect(clippy::print_stdout, reason = "a table for people")]
@@ -15,6 +16,7 @@ use radiosity::animation::follower::{Follower, Way};
 use radiosity::animation::frame::Frame;
 use radiosity::scene::Scene;
 use radiosity::solve::{Direct, Options, Transport};
+use radiosity::transport::RayCounts;
 
 /// Fresh solutions.
 const FRESH: usize = 10;
@@ -30,8 +32,10 @@ struct Asked {
 
 fn main() {
     let Asked { frames, options, scenes } = asked();
-    println!("| scene | way | frames | solved | CPU s a frame | error | bits | fresh over it | afterwards |");
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- |");
+    println!(
+        "| scene | way | frames | solved | CPU s a frame | error | bits | rays traced | fresh over it | afterwards |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- | --- | --- | --- |");
     for name in &scenes {
         let scene = Scene::load(name).expect("a scene with motions");
         let count = frames.unwrap_or(scene.frames()).min(scene.frames());
@@ -67,15 +71,18 @@ fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
     let begun = ProcessTime::now();
     let fresh: Vec<Frame> = sample.iter().map(|frame| frame_of(&mut follower, *frame)).collect();
     let alone = begun.elapsed().as_secs_f64() / sample.len() as f64;
-    println!("| {name} | fresh | {} | {} | {alone:.4} | | | 1 | |", sample.len(), sample.len());
+    println!("| {name} | fresh | {} | {} | {alone:.4} | | | | 1 | |", sample.len(), sample.len());
     for (way, title) in [(Way::Selective, "selective"), (Way::Path { tolerance: TOLERANCE }, "path")] {
         let mut follower = Follower::new(scene, options, way, [0, last]);
         let begun = ProcessTime::now();
         let (mut error, mut same) = (0.0f64, true);
-        let mut lost = 0.0;
+        let (mut lost, mut first) = (0.0, RayCounts::default());
         for frame in 0..count {
             let now = frame_of(&mut follower, frame);
             let compared = ProcessTime::now();
+            if frame == 0 {
+                first = follower.account().rays;
+            }
             if let Ok(place) = sample.binary_search(&frame) {
                 error = error.max(apart(&now, &fresh[place]));
                 same &= bits(&now) == bits(&fresh[place]);
@@ -83,17 +90,28 @@ fn compare(name: &str, scene: &Scene, options: &Options, count: usize) {
             lost += compared.elapsed().as_secs_f64();
         }
         let each = (begun.elapsed().as_secs_f64() - lost) / count as f64;
+        let rays = follower.account().rays;
         let begun = ProcessTime::now();
         let again = if title == "path" { count } else { 1 };
         (0..again).for_each(|frame| drop(frame_of(&mut follower, frame)));
         let afterwards = begun.elapsed().as_secs_f64() / again as f64;
         println!(
-            "| {name} | {title} | {count} | {} | {each:.4} | {error:.1e} | {} | {:.1} | {:.0} |",
+            "| {name} | {title} | {count} | {} | {each:.4} | {error:.1e} | {} | {} | {:.1} | {:.0} |",
             follower.solved(),
             if same { "same" } else { "other" },
+            traced(&first, &rays),
             alone / each,
             alone / afterwards
         );
+    }
+}
+
+/// The part of the rays after the first ones that was traced.
+fn traced(first: &RayCounts, all: &RayCounts) -> String {
+    let (traced, recalled) = (all.traced - first.traced, all.recalled - first.recalled);
+    match traced + recalled {
+        0 => String::new(),
+        sent => format!("{:.1} %", 100.0 * traced as f64 / sent as f64),
     }
 }
 

@@ -73,6 +73,17 @@ impl Visibility {
     /// Candidate blockers between the hulls of the points `a` and `b`, ascending: without the two `surfaces`, and
     /// without faces of a convex body that one of them belongs to.
     pub fn candidates(&self, a: &[DVec3], b: &[DVec3], surfaces: [usize; 2]) -> Vec<usize> {
+        self.some_candidates(a, b, surfaces, usize::MAX)
+    }
+
+    /// The same, so many of them at the most.
+    pub(crate) fn some_candidates(
+        &self,
+        a: &[DVec3],
+        b: &[DVec3],
+        surfaces: [usize; 2],
+        most: usize,
+    ) -> Vec<usize> {
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
             return found;
@@ -85,7 +96,7 @@ impl Visibility {
             }
         });
         found.sort_unstable();
-        self.narrow(&found, a, b)
+        self.reaching_between(&found, |index| self.own_hull(index), [a, b], most)
     }
 
     /// `surfaces` sorted by their coordinates, so that the order does not depend on the scene's list.
@@ -120,17 +131,22 @@ impl Visibility {
 
     /// The `blockers` that may stand between the hulls of `a` and `b`.
     pub fn narrow(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        let part = |index: usize| (&self.obstacles[index].ball, &self.obstacles[index].hull[..]);
-        self.reaching_between(blockers, part, a, b)
+        self.reaching_between(blockers, |index| self.own_hull(index), [a, b], usize::MAX)
     }
 
-    /// The `blockers` whose `part`, given by a ball and hull points, reaches between the hulls of `a` and `b`.
+    /// A ball around a surface, and points whose convex hull contains it.
+    fn own_hull(&self, surface: usize) -> (&Ball, &[DVec3]) {
+        let Obstacle { ball, hull, .. } = &self.obstacles[surface];
+        (ball, hull)
+    }
+
+    /// The first of the `blockers`, `most` at the most, whose `part`, given by a ball and hull points, reaches between two hulls.
     fn reaching_between<'a>(
         &'a self,
         blockers: &[usize],
         part: impl Fn(usize) -> (&'a Ball, &'a [DVec3]),
-        a: &[DVec3],
-        b: &[DVec3],
+        [a, b]: [&[DVec3]; 2],
+        most: usize,
     ) -> Vec<usize> {
         let (Shadows::Rays(tolerance) | Shadows::Outlines(tolerance)) = self.shadows else {
             return Vec::new();
@@ -143,7 +159,7 @@ impl Visibility {
             let tolerance = if self.obstacles[*index].pieces.is_some() { END } else { tolerance };
             !ball.misses_between(&around_a, &around_b) && !separated(a, b, hull, tolerance * size)
         };
-        blockers.iter().copied().filter(reaches).collect()
+        blockers.iter().copied().filter(reaches).take(most).collect()
     }
 
     /// Whether a single one of `blockers` hides the hulls of `a` and `b` wholly from each other.

@@ -3,6 +3,7 @@
 mod film;
 mod frames;
 mod readings;
+mod summary;
 
 use std::io::{Write, stderr};
 use std::path::PathBuf;
@@ -212,9 +213,9 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());
     let mut readings = points.map(|points| Readings::new(points, args.read.plain(&args.method)));
     let mut shutter = Shutter { args, exposure: args.exposure, read: args.read.read };
-    let (mut made, mut rays) = (0, 0.0f64);
+    let mut made = 0;
     for (done, number) in range.numbers().enumerate() {
-        progress.show("frames", done, range.count());
+        progress.say_whole(standing(done, range.count(), made, begun));
         // The first picture exposes all others.
         let is_there = args.resume && film.as_ref().is_some_and(|film| film.has(number));
         let is_unset = shutter.exposure.is_none() || shutter.read.is_none();
@@ -222,9 +223,8 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
         if !is_needed {
             continue;
         }
-        let frame = follower.frame(number, &|_| ())?;
+        let frame = follower.frame(number, &|stage| progress.show_stage(stage, scene.bands.len()))?;
         made += 1;
-        rays = rays.max(frame.rays);
         in_threads(asked.threads, || {
             if let Some(readings) = &mut readings {
                 readings.read(number, &frame)?;
@@ -243,29 +243,21 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
         })??;
     }
     film.map_or(Ok(()), Film::finish)?;
+    let read_error = readings.as_ref().and_then(Readings::error);
     readings.map_or(Ok(()), |readings| readings.write(&scene.bands))?;
     drop(progress);
     if !args.quiet {
-        tell(&follower, made, rays, begun);
+        let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
+        lines.extend(read_error.map(|error| error.to_string()));
+        // A closed stderr is no error: nobody would see the lines.
+        drop(stderr().write_all((lines.join("\n") + "\n").as_bytes()));
     }
     Ok(())
 }
 
-/// A line on what it took, on stderr; `rays` is the largest error that rays left.
-fn tell(follower: &Follower<'_>, frames: usize, rays: f64, begun: Instant) {
-    let seconds = begun.elapsed().as_secs_f64();
-    let solved = follower.solved();
-    let mut line = format!("{frames} frames in {seconds:.1} s, {:.2} a second; ", frames as f64 / seconds);
-    line += &match follower.segments() {
-        Some(segments) => format!("light solved at {solved} moments, in {segments} segments of the path"),
-        None => format!("light solved {solved} times"),
-    };
-    if let Some(error) = follower.error() {
-        line += &format!(", interpolated to {error:.1e}");
-    }
-    if rays > 0.0 {
-        line += &format!(", rays leave an error of {rays:.1e}");
-    }
-    // A closed stderr is no error: nobody would see the line.
-    drop(writeln!(stderr(), "{line}"));
+/// Where the frames stand: `done` of `count` are behind, of which so many were made.
+fn standing(done: usize, count: usize, made: usize, begun: Instant) -> String {
+    let rate = made as f64 / begun.elapsed().as_secs_f64();
+    let rate = if made > 0 { format!(", {rate:.2} a second") } else { String::new() };
+    format!("; frame {} of {count}{rate}", done + 1)
 }

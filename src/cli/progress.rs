@@ -1,16 +1,20 @@
 //! A bar on stderr for long work: stage, done and total, rate, time left.
 
 use std::io::{IsTerminal, Write, stderr};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radiosity::output::round::round_above;
+use radiosity::solve::Progress as Stage;
 
 /// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
 #[derive(Debug)]
 pub(crate) struct Progress {
     bar: ProgressBar,
     quiet: bool,
+    /// What stands at the end of every line.
+    whole: Mutex<String>,
 }
 
 /// Seconds from which waiting is announced. Chosen.
@@ -27,7 +31,11 @@ impl Progress {
         )
         .expect("the template is correct")
         .progress_chars("=> ");
-        Progress { bar: ProgressBar::with_draw_target(Some(0), target).with_style(style), quiet }
+        Progress {
+            bar: ProgressBar::with_draw_target(Some(0), target).with_style(style),
+            quiet,
+            whole: Mutex::default(),
+        }
     }
 
     /// Shows that `done` of `total` steps of a stage are done; may be called from any thread.
@@ -41,13 +49,30 @@ impl Progress {
         self.show_with("rays", &error.unwrap_or_default(), done, total);
     }
 
+    /// Shows how far a stage of a solution is, in so many bands.
+    pub(crate) fn show_stage(&self, stage: Stage, bands: usize) {
+        match stage {
+            Stage::Blocks(done, total) => self.show("blocks", done, total),
+            Stage::Rays { done, total, error } => self.show_rays(done, total, error),
+            Stage::Estimate(done, total) => self.show("estimate", done, total),
+            Stage::Solve(band, _, _) => self.show("solve", band, bands),
+            Stage::Finished(..) => {}
+        }
+    }
+
+    /// From now on says of what whole the stages are a part, at the end of every line.
+    pub(crate) fn say_whole(&self, whole: String) {
+        *self.whole.lock().unwrap_or_else(PoisonError::into_inner) = whole;
+    }
+
     /// Shows a stage, with a remark at the end of the line.
     fn show_with(&self, stage: &'static str, remark: &str, done: u64, total: u64) {
         if self.bar.message() != stage {
             self.bar.reset();
             self.bar.set_message(stage);
         }
-        self.bar.set_prefix(remark.to_owned());
+        let whole = self.whole.lock().unwrap_or_else(PoisonError::into_inner);
+        self.bar.set_prefix(format!("{remark}{whole}"));
         self.bar.set_length(total);
         self.bar.set_position(done);
     }

@@ -261,12 +261,8 @@ impl Run {
         let start = Start::of(&loaded, asked.threads, report)?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
-            Stage::Blocks(done, total) => progress.show("blocks", done, total),
-            Stage::Rays { done, total, error } => progress.show_rays(done, total, error),
-            Stage::Estimate(done, total) => progress.show("estimate", done, total),
-            Stage::Solve(band, _, _) => progress.show("solve", band, bands),
             Stage::Finished(name, duration) if report.verbose => progress.tell(name, duration),
-            Stage::Finished(..) => {}
+            stage => progress.show_stage(stage, bands),
         };
         let scene = loaded.scene;
         let solved = match (loaded.saved, goal) {
@@ -442,16 +438,7 @@ impl Run {
             estimate
                 .map(|estimate| format!("estimated relative error of {} {estimate:.1e}", self.estimated())),
         );
-        lines.extend(self.report.read_error.map(|error| {
-            let [rms, largest] = [error.rms, error.largest].map(|error| decimals(100.0 * error, 2));
-            let dark = match error.dark {
-                0 => String::new(),
-                dark => format!("; of {dark} dark readings in % of 2 % of the scene's mean radiosity"),
-            };
-            format!(
-                "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most{dark}"
-            )
-        }));
+        lines.extend(self.report.read_error.map(|error| error.to_string()));
         if self.verbose {
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(

@@ -1,8 +1,11 @@
 //! What light gathered by rays is in error by, over all points or cells.
 
+use std::fmt;
+
 use serde::Serialize;
 
 use crate::gather::by_rays::Deviation;
+use crate::output::round::decimals;
 
 /// Standard deviations of readings by rays, relative to each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -23,5 +26,16 @@ impl ReadError {
         let largest = deviations.iter().map(|deviation| deviation.relative).reduce(f64::max)?;
         let dark = deviations.iter().filter(|deviation| deviation.is_dark).count();
         Some(Self { rms: (squares / deviations.len() as f64).sqrt(), largest, dark })
+    }
+}
+
+impl fmt::Display for ReadError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [rms, largest] = [self.rms, self.largest].map(|error| decimals(100.0 * error, 2));
+        write!(f, "light gathered by rays: standard deviation {rms} % of what is read, {largest} % at most")?;
+        match self.dark {
+            0 => Ok(()),
+            dark => write!(f, "; of {dark} dark readings in % of 2 % of the scene's mean radiosity"),
+        }
     }
 }

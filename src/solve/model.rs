@@ -136,7 +136,13 @@ impl Model {
             Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options)?,
             _ => (Need { scene, how, options, rays, is_kept: memory.is_some() }).require()?,
         }
-        let elements = timed(&mut seconds.elements, || options.elements(scene, &how, mesh))?;
+        let before =
+            memory.as_ref().and_then(|memory| memory.elements()).filter(|_| options.kernel.is_none());
+        let elements = timed(&mut seconds.elements, || match before {
+            Some(before) => before.moved(scene),
+            None => options.elements(scene, &how, mesh),
+        })?;
+        let elements = Arc::new(elements);
         progress(Progress::Finished("elements", seconds.elements));
         let emissions = Emission::all(scene, elements.list());
         let stage = Stage { scene, elements: &elements, visibility: &visibility, options };
@@ -158,7 +164,7 @@ impl Model {
         Ok(Self {
             scene: scene.clone(),
             options: *options,
-            elements: Arc::new(elements),
+            elements,
             visibility,
             blocks,
             choice,

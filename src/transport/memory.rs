@@ -27,7 +27,7 @@ use met::{MOST, Obstacles, RayCounts, Sent};
 pub(crate) struct Memory {
     /// Number of the scene that was seen last, from 1.
     scenes: u64,
-    seen: Seen,
+    seen: Option<Seen>,
     last_changes: LastChanges,
     blocks: HashMap<(u32, u32), Kept>,
     /// Blocks that were integrated for the last scene.
@@ -91,9 +91,9 @@ impl Answer {
 impl Memory {
     /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or elements
     /// is another, all is forgotten.
-    pub(crate) fn turn_to(&mut self, scene: &Scene, elements: &Elements, visibility: &Visibility) {
+    pub(crate) fn turn_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
         let seen = Seen::of(scene, elements, visibility);
-        let change = seen.change(&self.seen).unwrap_or_else(|| {
+        let change = self.seen.as_ref().and_then(|before| seen.change(before)).unwrap_or_else(|| {
             let [elements, surfaces] = seen.counts();
             let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
             *self = Self { last_changes, ..Self::default() };
@@ -111,7 +111,12 @@ impl Memory {
         self.obstacles =
             Some(Arc::new(Obstacles { changed: change.surfaces, tree, reach: visibility.reach() }));
         self.rays = RayCounts::default();
-        self.seen = seen;
+        self.seen = Some(seen);
+    }
+
+    /// The elements of the last scene.
+    pub(crate) fn elements(&self) -> Option<&Elements> {
+        self.seen.as_ref().map(|seen| seen.elements.as_ref())
     }
 
     /// Forgets the rays that were not sent in the last scene, and those of elements that have changed since then.

@@ -28,11 +28,24 @@ pub(crate) struct Couple<'a> {
 
 /// About how many rays take as long as the exact block of a couple.
 pub(crate) fn price(couple: &Couple, visibility: &Visibility) -> f64 {
+    price_up_to(f64::INFINITY, couple, visibility)
+}
+
+/// The same up to a limit; a price above it may be told as any other one above it. Fewer blockers are looked for the lower it is.
+pub(crate) fn price_up_to(limit: f64, couple: &Couple, visibility: &Visibility) -> f64 {
     let Couple { surfaces, hulls: [a, b], are_flat } = *couple;
-    let blockers = visibility.candidates(a, b, surfaces);
+    if !are_flat {
+        return CURVED;
+    }
+    let most = match limit {
+        limit if limit < CURVED => ((limit - PARTLY_HIDDEN) / BLOCKER).max(0.0) as usize,
+        _ => usize::MAX - 1,
+    };
+    let blockers = visibility.some_candidates(a, b, surfaces, most + 1);
     match blockers.len() {
-        0 if are_flat => FREE,
-        count if are_flat && visibility.has_outlines(&blockers) => PARTLY_HIDDEN + BLOCKER * count as f64,
+        0 => FREE,
+        count if count > most => f64::INFINITY,
+        count if visibility.has_outlines(&blockers) => PARTLY_HIDDEN + BLOCKER * count as f64,
         _ => CURVED,
     }
 }

@@ -10,7 +10,7 @@ use crate::visibility::shadow_volume::Pyramid;
 impl Visibility {
     /// The `blockers`, one face per body, that may stand between the hulls of `a` and `b`, bodies as a whole.
     pub fn narrow_bodies(&self, blockers: &[usize], a: &[DVec3], b: &[DVec3]) -> Vec<usize> {
-        self.reaching_between(blockers, |index| (self.ball_of(index), self.hull(index)), a, b)
+        self.reaching_between(blockers, |index| (self.ball_of(index), self.hull(index)), [a, b], usize::MAX)
     }
 
     /// Bounding box of a surface, or of the convex body it belongs to.

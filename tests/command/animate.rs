@@ -1,6 +1,15 @@
 //! `animate`: pictures and readings of frames.
 
+#[cfg(unix)]
+use std::collections::BTreeMap;
 use std::fs;
+#[cfg(unix)]
+use std::{
+    path::Path,
+    process::{Command, Stdio},
+    thread::sleep,
+    time::{Duration, SystemTime},
+};
 
 use crate::program::{done, refused};
 
@@ -79,6 +88,121 @@ fn pictures_have_numbers_and_those_that_are_there_stay() {
     done(folder, &resumed);
     assert_eq!(read("f-03.png"), b"mine");
     assert!(read("f-04.png") == all[2], "the same exposure as before");
+}
+
+/// The files of a folder with their content and the time they were written.
+#[cfg(unix)]
+fn pictures(folder: &Path) -> BTreeMap<String, (Vec<u8>, SystemTime)> {
+    let files = fs::read_dir(folder).expect("a folder").map(|entry| entry.expect("an entry"));
+    let file = |entry: fs::DirEntry| {
+        let name = entry.file_name().into_string().expect("text");
+        let written = entry.metadata().and_then(|data| data.modified()).expect("it has a time");
+        (name, (fs::read(entry.path()).expect("it can be read"), written))
+    };
+    files.map(file).filter(|(name, _)| !name.ends_with(".toml") && !name.ends_with(".csv")).collect()
+}
+
+#[test]
+#[cfg(unix)]
+fn ctrl_c_keeps_the_frames_that_are_finished_and_the_rest_is_made_later() {
+    let [stopped, whole] = [folder(), folder()];
+    let (stopped, whole) = (stopped.path(), whole.path());
+    let args = [
+        "animate",
+        "room.toml",
+        "--animation",
+        "selective",
+        "--order",
+        "6",
+        "-o",
+        "f-##.png",
+        "--samples",
+        "1",
+    ];
+    let mut program = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+    let mut child = program.current_dir(stopped).args(args).stderr(Stdio::null()).spawn().expect("it runs");
+    while !stopped.join("f-02.png").exists() {
+        assert!(child.try_wait().expect("it can be asked").is_none(), "it is at work");
+        sleep(Duration::from_millis(2));
+    }
+    let killed = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(killed.expect("there is such a command").success());
+    assert_eq!(child.wait().expect("it ends").code(), Some(130));
+    let before = pictures(stopped);
+    assert!((3..12).contains(&before.len()), "{:?}", before.keys());
+    assert!(before.keys().eq((0..before.len()).map(|k| format!("f-{k:02}.png")).collect::<Vec<_>>().iter()));
+    done(stopped, &[&args[..], &["--resume"]].concat());
+    done(whole, &args);
+    let (resumed, undisturbed) = (pictures(stopped), pictures(whole));
+    assert!(before.iter().all(|(name, file)| resumed[name] == *file), "finished frames stay as they are");
+    assert_eq!(resumed.len(), 12);
+    assert!(
+        resumed.iter().all(|(name, (picture, _))| undisturbed[name].0 == *picture),
+        "all are those of one run"
+    );
+}
+
+#[test]
+fn what_frames_keep_for_the_next_ones_is_a_part_of_their_memory() {
+    let folder = folder();
+    let folder = folder.path();
+    let args = |way: &'static str| {
+        [
+            "animate",
+            "room.toml",
+            "--frames",
+            "0",
+            "--animation",
+            way,
+            "--probe",
+            "points.csv",
+            "--memory",
+            "11.4M",
+        ]
+    };
+    refused(folder, &args("selective"), &["not enough memory", "--animation fresh", "help: "]);
+    done(folder, &args("fresh"));
+}
+
+#[test]
+fn the_errors_of_rays_and_of_transfers_are_told() {
+    let folder = folder();
+    let folder = folder.path();
+    let by_rays = ["--transport", "sampled", "--rays", "20000", "--read-by", "rays", "--probe", "points.csv"];
+    let frames = ["animate", "room.toml", "--frames", "0..3", "--animation", "selective"];
+    let [_, told] = done(folder, &[&frames[..], &by_rays].concat());
+    for part in [
+        " rays, ",
+        " % of them traced anew",
+        "rays leave an error of",
+        "light gathered by rays: standard deviation",
+    ] {
+        assert!(told.contains(part), "{part:?} is missing in:\n{told}");
+    }
+    // A ring on the floor, which rules do not reach.
+    let ring = "[[surfaces]]\nname = 'ring'\nmaterial = 'wall'\ntorus = { center = [0.6, 0.6, 0.1], axis = [0, 0, 1], major = 0.2, minor = 0.1 }";
+    let (start, motion) = ROOM.split_once("[[motion]]").expect("it moves");
+    fs::write(folder.join("ring.toml"), format!("{start}{ring}\n[[motion]]{motion}"))
+        .expect("it can be written");
+    let how = [
+        "--order",
+        "3",
+        "--subdivide",
+        "1",
+        "--eps",
+        "3e-3",
+        "--transport",
+        "exact",
+        "--direct",
+        "projected",
+    ];
+    let [_, alone] = done(folder, &[&["solve", "ring.toml", "--frame", "0"][..], &how].concat());
+    let warned =
+        alone.lines().find_map(|line| line.strip_prefix("warning: the transfers")).expect("a warning");
+    let frame =
+        ["animate", "ring.toml", "--frames", "0", "--read", "basis", "-o", "r-#.png", "--samples", "1"];
+    let [_, told] = done(folder, &[&frame[..], &how].concat());
+    assert!(told.contains(&format!("warning: at 1 of 1 moments the transfers{warned}")), "{told}");
 }
 
 #[test]

@@ -5,6 +5,7 @@ use std::io;
 use radiosity::animation::frame::Frame;
 use radiosity::output::probe::{Reading, probe};
 use radiosity::output::quality;
+use radiosity::output::read_error::ReadError;
 use radiosity::output::reader::Reader;
 
 use crate::cli::destination::Destination;
@@ -34,6 +35,12 @@ impl Readings {
         let read = read.map_err(|(index, fault)| self.sensors.unreadable(index, fault))?;
         self.frames.push((number, read));
         Ok(())
+    }
+
+    /// The error of readings by rays, of all frames.
+    pub(super) fn error(&self) -> Option<ReadError> {
+        let readings = self.frames.iter().flat_map(|(_, readings)| readings);
+        ReadError::of(readings.map(|reading| reading.deviation))
     }
 
     /// Prints `frame,point,x,y,z,nx,ny,nz,E_<band>…`, a row for each frame and point.

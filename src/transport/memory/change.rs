@@ -4,28 +4,17 @@ use std::sync::Arc;
 
 use radiosity_geom::Surface;
 
-use crate::elements::basis::AreaBasis;
-use crate::elements::patch::Patch;
 use crate::elements::{Element, Elements};
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
 /// A scene, as far as blocks and rays follow from it.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Seen {
-    elements: Vec<Piece>,
+    pub elements: Arc<Elements>,
     surfaces: Vec<Arc<dyn Surface>>,
     /// How rays start on each surface.
     starts: Vec<[u64; 2]>,
-}
-
-/// What the blocks of an element follow from.
-#[derive(Debug, PartialEq)]
-struct Piece {
-    surface: usize,
-    patches: Vec<Patch>,
-    basis: AreaBasis,
-    contact: Option<usize>,
 }
 
 /// Whether each element and surface is another than in the scene before, and whether rays start on each surface in another way.
@@ -36,17 +25,10 @@ pub(super) struct Change {
     pub starts: Vec<bool>,
 }
 
-impl Piece {
-    fn of(element: &Element) -> Self {
-        let Element { surface, patches, basis, contact, .. } = element;
-        Self { surface: *surface, patches: patches.clone(), basis: basis.clone(), contact: *contact }
-    }
-}
-
 impl Seen {
-    pub(super) fn of(scene: &Scene, elements: &Elements, visibility: &Visibility) -> Self {
+    pub(super) fn of(scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) -> Self {
         Self {
-            elements: elements.list().iter().map(Piece::of).collect(),
+            elements: Arc::clone(elements),
             surfaces: scene.surfaces.iter().map(|surface| Arc::clone(&surface.shape)).collect(),
             starts: (0..scene.surfaces.len()).map(|surface| visibility.start_on(surface)).collect(),
         }
@@ -54,10 +36,9 @@ impl Seen {
 
     /// What differs from the scene before; None where that has other numbers of surfaces or elements.
     pub(super) fn change(&self, before: &Self) -> Option<Change> {
-        let are_as_many =
-            self.surfaces.len() == before.surfaces.len() && self.elements.len() == before.elements.len();
-        are_as_many.then(|| Change {
-            elements: differing(&self.elements, &before.elements, |a, b| a == b),
+        let is_alike = self.counts() == before.counts();
+        is_alike.then(|| Change {
+            elements: differing(self.elements.list(), before.elements.list(), is_same),
             surfaces: differing(&self.surfaces, &before.surfaces, Arc::ptr_eq),
             starts: differing(&self.starts, &before.starts, |a, b| a == b),
         })
@@ -71,13 +52,19 @@ impl Seen {
 
     /// The surface of each element.
     pub(super) fn owners(&self) -> impl Iterator<Item = usize> {
-        self.elements.iter().map(|piece| piece.surface)
+        self.elements.list().iter().map(|element| element.surface)
     }
 
     /// Numbers of elements and of surfaces.
     pub(super) fn counts(&self) -> [usize; 2] {
-        [self.elements.len(), self.surfaces.len()]
+        [self.elements.list().len(), self.surfaces.len()]
     }
+}
+
+/// Whether the same blocks follow from two elements.
+fn is_same(a: &Element, b: &Element) -> bool {
+    let is_one = a.surface == b.surface && a.contact == b.contact;
+    is_one && a.patches == b.patches && a.basis == b.basis
 }
 
 /// Where two lists differ.

@@ -11,7 +11,7 @@ use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::memory::Memory;
-use crate::transport::price::{Couple, LEAST, price};
+use crate::transport::price::{Couple, LEAST, price_up_to};
 use crate::transport::sampled::tally::{Sums, Tally};
 use crate::transport::schedule::{Unreached, by_rules};
 use crate::visibility::Visibility;
@@ -39,7 +39,8 @@ impl Strong {
         }
         let is_worth = |sums: &Sums| {
             let expected = expected(sums);
-            expected > LEAST && expected > price_of(elements, visibility, [sums.row, sums.column])
+            expected > LEAST
+                && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)
         };
         tally.iter().filter(is_worth).map(|sums| (sums.row as u32, sums.column as u32)).collect()
     }
@@ -94,13 +95,12 @@ impl Strong {
     }
 }
 
-/// About how many rays take as long as the exact block of a pair.
-fn price_of(elements: &Elements, visibility: &Visibility, pair: [usize; 2]) -> f64 {
+/// Two elements whose block may be made.
+fn couple(elements: &Elements, pair: [usize; 2]) -> Couple<'_> {
     let [a, b] = pair.map(|index| &elements.list()[index]);
-    let couple = Couple {
+    Couple {
         surfaces: [a.surface, b.surface],
         hulls: [&a.hull, &b.hull],
         are_flat: a.plane.is_some() && b.plane.is_some(),
-    };
-    price(&couple, visibility)
+    }
 }
