@@ -1,8 +1,8 @@
 //! Light that follows moving things, frame after frame.
 //!
 //! `series` expands the transfer between two flat elements in powers of the displacement between them; `sequence` solves any frame
-//! after any other and keeps what has not changed (`account`: what that cost, and what is missed); `course` interpolates the light along a known path (`chebyshev`); `follower`
-//! chooses among them.
+//! after any other and keeps what has not changed (`account`: what that cost, and what is missed); `course` interpolates the light
+//! along a known path (`chebyshev`); `follower` chooses among them.
 
 pub mod error;
 pub mod frame;

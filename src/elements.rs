@@ -94,7 +94,8 @@ impl Elements {
         Self::of_shapes(scene, how, mesh, whole, &[])
     }
 
-    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are copied.
+    /// The same elements where the surfaces of `scene` are, which has the same ones, some of them moved; those of the others are
+    /// copied.
     ///
     /// # Errors
     /// As for [`Elements::new`].

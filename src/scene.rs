@@ -156,9 +156,9 @@ impl Scene {
     /// Loads a built-in scene by its name, standard input for `-`, or else the file at the path `source`.
     ///
     /// A file whose ending names a format of another program ([`Format`](radiosity_formats::format::Format)) is read in
-    /// that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of polygons. Text
-    /// of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything else is
-    /// TOML.
+    /// that and repaired. A file named `.json`, and any text that starts with `{`, is JSON; one named `.csv` is a list of
+    /// polygons. Text of unknown name may also start as a list of polygons in JSON, `[[[`, or in CSV, `name,x,y,z`; everything
+    /// else is TOML.
     ///
     /// # Errors
     /// A file that cannot be read, an unknown name, or anything wrong in the text.

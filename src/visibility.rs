@@ -303,8 +303,8 @@ impl Visibility {
         self.rays.nearest(ray)
     }
 
-    /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`: not that surface itself, but
-    /// where it bends back.
+    /// The first surface that a ray meets which starts at `origin`, on `surface`, and goes along `direction`: not that surface
+    /// itself, but where it bends back.
     pub fn nearest_from(&self, surface: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         self.rays.nearest_from(surface, origin, direction)
     }
@@ -319,7 +319,8 @@ impl Visibility {
         self.rays.reach()
     }
 
-    /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`, which is a unit vector.
+    /// The surfaces that a ray meets one after another, from `x`, on `surface` if on any, along `direction`, which is a unit
+    /// vector.
     pub(crate) fn met_along(
         &self,
         surface: Option<usize>,

@@ -41,8 +41,9 @@ const TIE: f64 = 1e-12;
 /// Beyond [`TIE`] by far.
 const MARGIN: f64 = 1e-10;
 
-/// What a ray leaves a curved surface by before it may meet it again, as a part of the surface's size: more than a root of the ray's
-/// polynomial moves by the rounding δ of where it starts, δ / cos θ, for all but one in 10¹² of the rays that leave diffusely.
+/// What a ray leaves a curved surface by before it may meet it again, as a part of the surface's size: more than a root of the
+/// ray's polynomial moves by the rounding δ of where it starts, δ / cos θ, for all but one in 10¹² of the rays that leave
+/// diffusely.
 const LEAVING: f64 = 1e-6;
 
 /// Distance between places that agree but for rounding, as a part of the largest coordinate.
@@ -119,8 +120,8 @@ impl RayTree {
         Search::new(self, *ray, None).nearest()
     }
 
-    /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes along `direction`, of any
-    /// length but zero.
+    /// The first surface that a ray meets which starts at `origin`, on the surface of place `own`, and goes along `direction`, of
+    /// any length but zero.
     pub fn nearest_from(&self, own: usize, origin: DVec3, direction: DVec3) -> Option<Encounter> {
         let (ray, start) = self.leaving(own, origin, direction, f64::INFINITY);
         Search::new(self, ray, Some(start)).nearest()
@@ -131,8 +132,8 @@ impl RayTree {
         NEAR * self.size
     }
 
-    /// How rays start on the surface of place `own`: as long as this and the surfaces that they may meet stay the same, so does what
-    /// [`RayTree::nearest_from`] says, to the bit.
+    /// How rays start on the surface of place `own`: as long as this and the surfaces that they may meet stay the same, so does
+    /// what [`RayTree::nearest_from`] says, to the bit.
     pub fn start_on(&self, own: usize) -> [u64; 2] {
         [self.size.to_bits(), u64::from(self.twins[own])]
     }

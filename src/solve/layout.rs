@@ -9,8 +9,8 @@ use super::assembly::discretization;
 use super::choice::Choice;
 use super::options::Options;
 
-/// What carries the pairs of a scene, and how its surfaces are cut. Of scenes that differ in the places of some things only it is the
-/// same: what carries the light of things that turn does not depend on how they stand to the axes.
+/// What carries the pairs of a scene, and how its surfaces are cut. Of scenes that differ in the places of some things only it is
+/// the same: what carries the light of things that turn does not depend on how they stand to the axes.
 #[derive(Clone, Debug)]
 pub(crate) struct Layout {
     pub(super) choice: Choice,

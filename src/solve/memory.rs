@@ -9,7 +9,8 @@
 //! system     8 n² , twice for a method that factors the matrix, up to 3000 unknowns and for such a method;
 //!            320 n above that for a method that only multiplies, and twice the blocks for others
 //! groups     8 g (2 b + 8) Σ m_i          (g light groups in b bands: what is kept, and the work on one band)
-//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in the places of some things
+//! memory     elements and blocks once more, 300 |P|, and 64 for each ray, where the next scene differs in the places of some
+//! things
 //! ```
 //!
 //! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the

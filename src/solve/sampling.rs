@@ -27,8 +27,8 @@ use super::options::Options;
 use super::progress::Progress;
 use super::stop::Stop;
 
-/// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors changed by less than a tenth of
-/// themselves.
+/// Share of the rays that the pilot sends, one round of them at most. Chosen; between 0.05 and 0.2 errors changed by less than a
+/// tenth of themselves.
 const PILOT: f64 = 0.1;
 
 /// β: weight of brightness against area. An office needs a third of its rays from its lamps; here a lamp that sends

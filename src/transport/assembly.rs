@@ -41,7 +41,8 @@ pub fn assemble_pairs(
     assembled(elements, wanted, visibility, (Whole::Element, accuracy), None, progress)
 }
 
-/// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated again.
+/// The same as [`assemble_senders`], to the bit; blocks that `memory` holds, which was turned to this scene, are not integrated
+/// again.
 pub(crate) fn assemble_again(
     elements: &Elements,
     sends: &(dyn Fn(usize) -> bool + Sync),

@@ -21,8 +21,8 @@ use change::{Change, Seen};
 pub(in crate::transport) use met::{KnownRays, Met};
 use met::{MOST, Obstacles, RayCounts, Sent};
 
-/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with the
-/// same options.
+/// Blocks and rays of earlier scenes. The scenes have the same surfaces in the same order, each here or there, and are solved with
+/// the same options.
 #[derive(Debug, Default)]
 pub(crate) struct Memory {
     /// Number of the scene that was seen last, from 1.

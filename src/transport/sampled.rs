@@ -293,8 +293,8 @@ impl<'a> SampledTransport<'a> {
             weights: [0.0; 2],
             missed: nothing(),
             exact: nothing(),
-            hits: Vec::new(),
-            met: Vec::new(),
+            hits: Vec::with_capacity(task.count as usize),
+            met: Vec::with_capacity(if self.known.is_some() { task.count as usize } else { 0 }),
             recalled: 0,
         };
         for index in task.first..task.first + task.count {

@@ -1,8 +1,8 @@
 //! Blocks that no rule reaches, by rays from both sides.
 //!
-//! Curved surfaces that touch, come very near, or hide each other or themselves leave pairs whose rules do not converge, or do not know their
-//! error. Cosine-distributed rays know no singular pair ([`crate::transport::sampled`]). [`BATCHES`] independent sequences
-//! of equal length estimate each of these blocks; with the standard deviation s of the batches
+//! Curved surfaces that touch, come very near, or hide each other or themselves leave pairs whose rules do not converge, or do not
+//! know their error. Cosine-distributed rays know no singular pair ([`crate::transport::sampled`]). [`BATCHES`] independent
+//! sequences of equal length estimate each of these blocks; with the standard deviation s of the batches
 //!
 //! ```text
 //! G = mean ,     error = SURE · max_kl s_kl / √BATCHES + 1 / (D √(A_i A_j)) ,     D = n_i/A_i + n_j/A_j ,
