@@ -10,7 +10,7 @@
 //! The submodules, each built on those before it: `moments` (sums over pairs of points), `contact` (how two patches
 //! meet), `estimates` (sizes of blocks before integration), `blocks` (the matrix), `rules` (quadrature for each kind of
 //! contact), `occlusion` (what blockers hide), `pair` (one pair of elements), `terms` (kernels that are sums of terms),
-//! `memory` (blocks and rays of an earlier scene), `schedule` (all pairs),
+//! `known` (blocks from elsewhere), `memory` (blocks and rays of an earlier scene), `schedule` (all pairs),
 //! `price` (what a block costs), `sampled` (blocks from rays), `unreached` (rays where rules fail), `assembly` (all
 //! blocks) and `carrier` (blocks or links, as checks see them).
 
@@ -22,6 +22,7 @@ pub(in crate::transport) mod rules;
 pub(in crate::transport) mod occlusion;
 pub(in crate::transport) mod pair;
 pub(crate) mod terms;
+pub(crate) mod known;
 pub(crate) mod memory;
 mod schedule;
 pub(crate) mod price;
@@ -38,6 +39,7 @@ pub use blocks::miss::Miss;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
 pub use carrier::Carrier;
+pub(crate) use known::{Known, KnownBlocks};
 pub(crate) use memory::Memory;
 pub use memory::met::RayCounts;
 pub use moments::integrand::kernel;

@@ -106,6 +106,11 @@ impl<'a> Course<'a> {
         self.sequence.account()
     }
 
+    /// What was solved so far, in solutions of a frame alone ([`Sequence::spent`]).
+    pub fn spent(&self) -> f64 {
+        self.sequence.spent()
+    }
+
     /// Number of segments so far.
     pub fn segments(&self) -> usize {
         self.segments.len()

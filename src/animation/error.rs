@@ -9,6 +9,9 @@ pub enum AnimationError {
     /// The scene of the frame cannot be.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// Series where rays carry the pairs.
+    #[error("rays carry the pairs of this scene: series are for exact blocks")]
+    ByRays,
     /// Direct light through masks, which are no polynomials.
     #[error(
         "light that goes through shadow masks cannot be interpolated along a path: follow it frame by frame"

@@ -7,6 +7,7 @@ use super::account::Account;
 use super::course::Course;
 use super::error::AnimationError;
 use super::frame::Frame;
+use super::ledger::Ledger;
 use super::sequence::Sequence;
 
 /// How the light of one frame follows from that of others.
@@ -21,12 +22,21 @@ pub enum Way {
         /// Relative error that interpolation may have.
         tolerance: f64,
     },
+    /// As [`Way::Selective`]; blocks of what is translated are sums of series ([`super::series`]) as far as that pays, where exact
+    /// blocks carry the pairs. Curved and rotated things, and pairs with something between, are integrated.
+    Series {
+        /// Error that a block may have, relative to its largest entry.
+        tolerance: f64,
+    },
 }
 
 /// The light of the frames of a scene.
 #[derive(Debug)]
 pub struct Follower<'a> {
     kind: Kind<'a>,
+    ledger: Ledger,
+    /// Largest error told of series so far.
+    error: Option<f64>,
 }
 
 #[derive(Debug)]
@@ -42,11 +52,12 @@ impl<'a> Follower<'a> {
         let kind = match way {
             Way::Fresh => Kind::Frames(Sequence::fresh(scene, options)),
             Way::Selective => Kind::Frames(Sequence::new(scene, options)),
+            Way::Series { tolerance } => Kind::Frames(Sequence::by_series(scene, options, tolerance)),
             Way::Path { tolerance } => {
                 Kind::Path(Course::new(Sequence::new(scene, options), frames, tolerance))
             }
         };
-        Self { kind }
+        Self { kind, ledger: Ledger::default(), error: None }
     }
 
     /// The light of a frame, one of those that were asked for; `progress` may be called from any thread.
@@ -58,10 +69,16 @@ impl<'a> Follower<'a> {
         frame: usize,
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Frame, AnimationError> {
-        match &mut self.kind {
-            Kind::Frames(sequence) => sequence.at(frame as f64, progress),
-            Kind::Path(course) => course.frame(frame, progress),
-        }
+        let (now, spent) = match &mut self.kind {
+            Kind::Frames(sequence) => {
+                let now = sequence.at(frame as f64, progress)?;
+                self.error = larger(self.error, now.interpolated);
+                (now, sequence.spent())
+            }
+            Kind::Path(course) => (course.frame(frame, progress)?, course.spent()),
+        };
+        self.ledger.take(spent);
+        Ok(now)
     }
 
     /// What the moments that were solved so far cost, and what they miss.
@@ -72,9 +89,23 @@ impl<'a> Follower<'a> {
         }
     }
 
+    /// The number of frames after which the set-up was repaid, as far as frames were asked for: from then on all cost less, in
+    /// blocks that were integrated or rays that were traced, than if each had been solved alone. None if they do not.
+    pub fn repaid(&self) -> Option<usize> {
+        self.ledger.repaid()
+    }
+
     /// Number of moments that were solved so far.
     pub fn solved(&self) -> usize {
         self.account().moments
+    }
+
+    /// Whether something is set up that later frames repay: points of a path, or expansions.
+    pub fn has_set_up(&self) -> bool {
+        match &self.kind {
+            Kind::Frames(sequence) => sequence.has_series(),
+            Kind::Path(_) => true,
+        }
     }
 
     /// Number of segments of the path so far, where light is interpolated.
@@ -85,11 +116,16 @@ impl<'a> Follower<'a> {
         }
     }
 
-    /// Largest relative error told of light that was interpolated so far.
+    /// Largest relative error told of light that was interpolated so far, or that follows from series.
     pub fn error(&self) -> Option<f64> {
         match &self.kind {
             Kind::Path(course) => course.error(),
-            _ => None,
+            _ => self.error,
         }
     }
+}
+
+/// The larger one of two errors that are known.
+fn larger(own: Option<f64>, other: Option<f64>) -> Option<f64> {
+    own.into_iter().chain(other).reduce(f64::max)
 }

@@ -5,12 +5,15 @@
 //! pairs between which it came or went. The solution of a frame does not depend on the frames before it, not in a bit, so nothing
 //! can drift. Whether rays or exact blocks carry the pairs, and how surfaces are cut, is decided once, for the scene at rest.
 
+use std::sync::Arc;
+
 use crate::scene::{Scene, Stills};
 use crate::solve::{Failure, Layout, Model, Options, Progress};
 use crate::transport::{Memory, RayCounts};
 
 use super::account::Account;
 use super::error::AnimationError;
+use super::expansions::{Expansions, ORDERS, known};
 use super::frame::Frame;
 
 /// The frames of a scene that moves.
@@ -22,6 +25,12 @@ pub struct Sequence<'a> {
     /// What is known of the frame before; None where nothing is kept.
     memory: Option<Memory>,
     account: Account,
+    /// Series of what is translated, where blocks may be sums of them.
+    expansions: Option<Arc<Expansions>>,
+    /// What was solved so far, in solutions of a frame alone.
+    spent: f64,
+    /// Bound of the relative difference that series made in the last frame.
+    error: Option<f64>,
 }
 
 impl<'a> Sequence<'a> {
@@ -38,7 +47,23 @@ impl<'a> Sequence<'a> {
             layout: Layout::of(scene, options),
             memory: None,
             account: Account::default(),
+            expansions: None,
+            spent: 0.0,
+            error: None,
         }
+    }
+
+    /// As [`Sequence::new`], but blocks between flat elements that are translated, with nothing between them, are sums of series as
+    /// far as that pays; they may be off by `tolerance` times their largest entries.
+    pub fn by_series(scene: &'a Scene, options: &Options, tolerance: f64) -> Self {
+        let expansions = Arc::new(Expansions::new(tolerance, options.eps));
+        let memory = Some(Memory::beside(known(&expansions)));
+        Self { memory, expansions: Some(expansions), ..Self::fresh(scene, options) }
+    }
+
+    /// Whether blocks may be sums of series.
+    pub fn has_series(&self) -> bool {
+        self.expansions.is_some()
     }
 
     /// The scene with its motions.
@@ -54,9 +79,13 @@ impl<'a> Sequence<'a> {
     /// The light at a moment, a real number of frames; `progress` may be called from any thread.
     ///
     /// # Errors
-    /// As [`Scene::at_moment`] and [`solve`](crate::solve::solve).
+    /// As [`Scene::at_moment`] and [`solve`](crate::solve::solve); series where rays carry the pairs.
     pub fn at(&mut self, moment: f64, progress: &(dyn Fn(Progress) + Sync)) -> Result<Frame, AnimationError> {
+        if self.expansions.is_some() && self.layout.is_by_rays() {
+            return Err(AnimationError::ByRays);
+        }
         let still = self.stills.at(moment)?;
+        self.expansions.iter().for_each(|expansions| expansions.begin());
         let failed = |failure: Failure| AnimationError::of(moment, failure);
         let memory = self.memory.as_mut();
         let model =
@@ -65,8 +94,11 @@ impl<'a> Sequence<'a> {
         let traced =
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
         let rays = self.memory.as_ref().map_or_else(traced, Memory::rays);
+        self.spent += self.share(&rays);
+        self.error = self.expansions.as_ref().and_then(|expansions| expansions.error(&outcome.solution));
         self.account.take(&still, &outcome, rays);
-        Ok(Frame::of(still, model.into_visibility(), outcome))
+        let frame = Frame::of(still, model.into_visibility(), outcome);
+        Ok(Frame { interpolated: self.error, ..frame })
     }
 
     /// What all moments so far cost, and what they miss.
@@ -74,9 +106,42 @@ impl<'a> Sequence<'a> {
         &self.account
     }
 
+    /// What was solved so far, in solutions of a frame alone: by the numbers of blocks that were integrated, of which an expansion
+    /// counts for one a term, or of rays that were traced.
+    pub fn spent(&self) -> f64 {
+        self.spent
+    }
+
+    /// Bound of the relative difference between the light of the last frame and that of the frame alone, L2 of its coefficients,
+    /// that series make; None where there were none.
+    pub fn error(&self) -> Option<f64> {
+        self.error
+    }
+
+    /// The last frame, for which these rays were sent, in solutions of a frame alone.
+    fn share(&self, RayCounts { traced, recalled }: &RayCounts) -> f64 {
+        let integrals = self.integrated() + self.expanded() * (ORDERS + 1);
+        let blocks = self.integrated() + self.summed() + self.recalled();
+        let (made, all) = match self.layout.is_by_rays() {
+            true => (*traced, traced + recalled),
+            false => (integrals as u64, blocks as u64),
+        };
+        if all == 0 { 1.0 } else { made as f64 / all as f64 }
+    }
+
     /// Blocks that were integrated for the last frame.
     pub fn integrated(&self) -> usize {
-        self.memory.as_ref().map_or(0, Memory::integrated)
+        self.memory.as_ref().map_or(0, Memory::integrated) - self.summed()
+    }
+
+    /// Blocks of the last frame that are sums of series.
+    pub fn summed(&self) -> usize {
+        self.expansions.as_ref().map_or(0, |expansions| expansions.summed())
+    }
+
+    /// Blocks that were expanded for the last frame.
+    pub fn expanded(&self) -> usize {
+        self.expansions.as_ref().map_or(0, |expansions| expansions.expanded())
     }
 
     /// Blocks that the last frame has in common with the one before.

@@ -1,5 +1,6 @@
 //! `radiosity animate`: the frames of a scene in which things move.
 
+mod encoder;
 mod film;
 mod frames;
 mod readings;
@@ -45,12 +46,14 @@ and interpolated between them, to --path-eps.
 Examples:
   radiosity animate billiard -o out/billiard-####.png
   radiosity animate billiard --frames 20..40 --size 320x240 -o swing.gif
+  radiosity animate sliding-light --animation series --shadows off --transport exact -o light.mp4
   radiosity animate room.toml --probe desk.csv > lux-over-time.csv")]
 pub(crate) struct AnimateArgs {
     #[command(flatten)]
     pub(crate) scene: SceneArg,
 
-    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film, .gif
+    /// Files of the pictures, .png or .exr, in which #### stands for the number of the frame; or one film: .gif, or
+    /// .mp4 or .webm, which ffmpeg makes
     /// [default: SCENE-####.png, and none with --probe]
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -71,7 +74,8 @@ pub(crate) struct AnimateArgs {
     #[arg(long = "animation", value_name = "WAY", default_value = "path")]
     way: Follow,
 
-    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these leave, if that is more
+    /// Relative error that light interpolated along a path may have; by rays 0.3 of the error that these leave, if that is more.
+    /// With series that of a block, relative to its largest entry
     #[arg(long, value_name = "E", default_value = "1e-4", value_parser = fraction)]
     path_eps: f64,
 
@@ -111,6 +115,8 @@ enum Follow {
     Selective,
     /// Solved at some moments of the path, interpolated between them.
     Path,
+    /// One frame after the other; blocks of flat things that are translated, with nothing between, are sums of power series.
+    Series,
 }
 
 impl AnimateArgs {
@@ -119,6 +125,7 @@ impl AnimateArgs {
             Follow::Fresh => Way::Fresh,
             Follow::Selective => Way::Selective,
             Follow::Path => Way::Path { tolerance: self.path_eps },
+            Follow::Series => Way::Series { tolerance: self.path_eps },
         }
     }
 

@@ -180,6 +180,10 @@ impl From<AnimationError> for CliError {
             AnimationError::Unsolved { moment, failure } => {
                 Self::Frame { moment, cause: Box::new(Self::Solve(*failure)) }
             }
+            AnimationError::ByRays => Self::Refused {
+                message: error.to_string(),
+                cure: "add --transport exact, or choose another --animation".to_owned(),
+            },
             AnimationError::Masked => Self::Refused {
                 message: error.to_string(),
                 cure: "add --animation selective, or choose other --shadows".to_owned(),
@@ -189,7 +193,8 @@ impl From<AnimationError> for CliError {
 }
 
 impl CliError {
-    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard output is no error.
+    /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard
+    /// output is no error.
     pub(crate) fn exit_code(&self) -> ExitCode {
         match self {
             CliError::Scene(_)

@@ -7,6 +7,7 @@
 use std::collections::BTreeSet;
 use std::io::{Write, stderr};
 use std::path::PathBuf;
+use std::process::Child;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use radiosity::solve::Stop;
@@ -16,12 +17,29 @@ const EXIT_CODE: i32 = 130;
 
 static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
+/// A program that works for this one.
+static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
+
 /// Raised by Ctrl-C to let work finish with what it has.
 pub(crate) static STOP: Stop = Stop::new();
 
 /// All temporary files; the set has to be locked while one is made, renamed or removed.
 pub(crate) fn temporary_files() -> MutexGuard<'static, BTreeSet<PathBuf>> {
     TEMPORARY.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Ctrl-C ends this program as well, before it removes the files that it may be writing.
+pub(crate) fn employ(program: Child) {
+    *employed() = Some(program);
+}
+
+/// The program that was employed; Ctrl-C leaves it alone from now on.
+pub(crate) fn dismiss() -> Option<Child> {
+    employed().take()
+}
+
+fn employed() -> MutexGuard<'static, Option<Child>> {
+    EMPLOYED.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// From now on Ctrl-C removes the temporary files and ends the program.
@@ -33,6 +51,10 @@ pub(crate) fn watch() {
             return;
         }
         let files = temporary_files();
+        if let Some(mut program) = dismiss() {
+            let _ = program.kill();
+            let _ = program.wait();
+        }
         for file in files.iter() {
             let _ = std::fs::remove_file(file);
         }

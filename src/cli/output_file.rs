@@ -82,7 +82,30 @@ impl OutputFile {
         Ok(Filled { output: self, temporary })
     }
 
-    fn unwritten(&self, reason: io::Error) -> CliError {
+    /// An empty file for another program to fill, which [`OutputFile::put`] puts in place; nothing stays of it if it never is.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritten`]
+    pub(crate) fn draft(&self) -> Result<Draft, CliError> {
+        match &self.target {
+            Target::Special => Ok(Draft { path: self.typed.clone(), temporary: None }),
+            Target::Regular(path) => {
+                let temporary = Temporary::beside(path).map_err(|reason| self.unwritten(reason))?;
+                Ok(Draft { path: temporary.file.path().to_owned(), temporary: Some(temporary) })
+            }
+        }
+    }
+
+    /// Puts in place what another program filled.
+    ///
+    /// # Errors
+    /// [`CliError::Unwritten`]; the old file at the path is then unchanged.
+    pub(crate) fn put(&self, draft: Draft) -> Result<(), CliError> {
+        Filled { output: self, temporary: draft.temporary }.put()
+    }
+
+    /// That writing failed.
+    pub(crate) fn unwritten(&self, reason: io::Error) -> CliError {
         CliError::Unwritten { path: self.typed.clone(), reason }
     }
 
@@ -104,6 +127,20 @@ impl OutputFile {
                 Ok(Some(temporary))
             }
         }
+    }
+}
+
+/// A file for another program to fill.
+#[derive(Debug)]
+pub(crate) struct Draft {
+    path: PathBuf,
+    temporary: Option<Temporary>,
+}
+
+impl Draft {
+    /// The file.
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
     }
 }
 
@@ -154,6 +191,7 @@ fn folder(path: &Path) -> &Path {
 }
 
 /// A temporary file that Ctrl-C removes.
+#[derive(Debug)]
 struct Temporary {
     file: NamedTempFile,
 }

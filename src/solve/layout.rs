@@ -19,6 +19,11 @@ pub(crate) struct Layout {
 }
 
 impl Layout {
+    /// Whether rays carry the pairs.
+    pub(crate) fn is_by_rays(&self) -> bool {
+        self.choice.sampled
+    }
+
     /// That of `scene` by these options.
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
         let choice = Choice::of(scene, options);

@@ -16,6 +16,7 @@ use radiosity_geom::RayTree;
 use crate::elements::Elements;
 use crate::scene::Scene;
 use crate::transport::blocks::block::Block;
+use crate::transport::known::KnownBlocks;
 use crate::visibility::Visibility;
 use change::{Change, Seen};
 pub(in crate::transport) use met::{KnownRays, Met};
@@ -38,6 +39,8 @@ pub(crate) struct Memory {
     sent: HashMap<usize, SentAll>,
     obstacles: Option<Arc<Obstacles>>,
     rays: RayCounts,
+    /// What may know blocks that have changed.
+    known: Option<Arc<dyn KnownBlocks>>,
 }
 
 /// The number of the scene in which each element and surface last changed.
@@ -89,6 +92,16 @@ impl Answer {
 }
 
 impl Memory {
+    /// Nothing yet; blocks that have changed are asked of `known` before they are integrated.
+    pub(crate) fn beside(known: Arc<dyn KnownBlocks>) -> Self {
+        Self { known: Some(known), ..Self::default() }
+    }
+
+    /// What may know blocks that have changed.
+    pub(in crate::transport) fn known(&self) -> Option<&dyn KnownBlocks> {
+        self.known.as_deref()
+    }
+
     /// Takes note of what differs in the next scene from the one before. Where the number of surfaces or elements
     /// is another, all is forgotten.
     pub(crate) fn turn_to(&mut self, scene: &Scene, elements: &Arc<Elements>, visibility: &Visibility) {
@@ -96,7 +109,7 @@ impl Memory {
         let change = self.seen.as_ref().and_then(|before| seen.change(before)).unwrap_or_else(|| {
             let [elements, surfaces] = seen.counts();
             let last_changes = LastChanges { elements: vec![1; elements], surfaces: vec![1; surfaces] };
-            *self = Self { last_changes, ..Self::default() };
+            *self = Self { last_changes, known: self.known.take(), ..Self::default() };
             Change {
                 elements: vec![true; elements],
                 surfaces: vec![true; surfaces],
@@ -160,6 +173,12 @@ impl Memory {
         let blockers = request.surfaces.iter().map(|surface| surfaces[*surface]);
         let is_valid = ends.into_iter().chain(blockers).all(|changed| changed <= kept.scene);
         (is_valid && kept.request == *request).then_some(&kept.answer)
+    }
+
+    /// The block that answered the same request in the scene before, whatever has changed since.
+    pub(in crate::transport) fn before(&self, request: &Request) -> Option<&Arc<Answer>> {
+        let kept = self.blocks.get(&(request.row, request.column))?;
+        (kept.request == *request).then_some(&kept.answer)
     }
 
     /// Keeps the answers to the requests of this scene, and forgets all others.

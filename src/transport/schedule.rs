@@ -10,6 +10,7 @@ pub(in crate::transport) mod order;
 mod congruent;
 mod task;
 mod goal;
+mod recalled;
 
 use std::borrow::Cow;
 use std::collections::{HashMap, HashSet};
@@ -30,7 +31,7 @@ use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
-use crate::transport::memory::{Answer, Memory, Request};
+use crate::transport::memory::{Answer, Memory};
 use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
 use crate::transport::rules::covering;
@@ -88,8 +89,8 @@ pub(in crate::transport) struct Left {
     pub partly_hidden: bool,
 }
 
-/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds, which was turned to this
-/// scene, is not integrated again. `progress` is called with (pairs done, pairs to do), from any thread.
+/// The blocks of the pairs that are `wanted`, by rules, and the pairs that these leave; what `memory` holds, which was turned to
+/// this scene, is not integrated again. `progress` is called with (pairs done, pairs to do), from any thread.
 pub(in crate::transport) fn by_rules(
     elements: &Elements,
     wanted: &(dyn Fn(usize, usize) -> bool + Sync),
@@ -143,7 +144,10 @@ pub(in crate::transport) fn by_rules(
     let is_stored = |task: &Task| !is_left.contains(&[task.row as usize, task.column as usize]);
     blocks.reciprocity = scene.reciprocity(&tasks, &is_stored, &goals, &sources, &integrated);
     if let Some(memory) = memory {
-        memory.keep(scene.answers(&tasks, &goals, &sources, integrated));
+        let asked =
+            tasks.iter().zip(&goals).zip(&sources).filter(|(_, source)| matches!(source, Source::Own(_)));
+        let requests = asked.map(|((task, goal), _)| goal.request(task, visibility));
+        memory.keep(requests.zip(integrated).collect());
     }
     (blocks, left)
 }
@@ -381,25 +385,12 @@ impl Scene<'_> {
             .with_max_len(1)
             .map(|index| {
                 let (task, goal) = (&tasks[*index], goals[*index]);
-                let known =
-                    memory.and_then(|memory| memory.recall(&goal.request(task, self.visibility)).cloned());
+                let known = memory.and_then(|memory| self.recalled(task, goal, memory));
                 let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
                 progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
                 answer
             })
             .collect()
-    }
-
-    /// What was asked and found for the tasks that are not copies.
-    fn answers(
-        &self,
-        tasks: &[Task],
-        goals: &[Goal],
-        sources: &[Source],
-        integrated: Vec<Arc<Answer>>,
-    ) -> Vec<(Request, Arc<Answer>)> {
-        let own = tasks.iter().zip(goals).zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
-        own.map(|((task, goal), _)| goal.request(task, self.visibility)).zip(integrated).collect()
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
@@ -416,8 +407,8 @@ impl Scene<'_> {
         self.block_of(places, task, goal)
     }
 
-    /// Integrates a sample of the pairs that were stored, one in a hundred, with the roles of the elements exchanged; none above mean
-    /// cost.
+    /// Integrates a sample of the pairs that were stored, one in a hundred, with the roles of the elements exchanged; none above
+    /// mean cost.
     fn reciprocity(
         &self,
         tasks: &[Task],

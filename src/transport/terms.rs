@@ -48,8 +48,7 @@ impl Demand {
 
     /// The distance of two flat patches, the second one displaced.
     pub(crate) fn distance(&self, p: &Patch, q: &Patch) -> f64 {
-        let displaced: Vec<DVec3> = q.polygon().iter().map(|y| y + self.shift).collect();
-        polygon_distance(&p.polygon(), &displaced)
+        displaced_distance(p, q, self.shift)
     }
 
     fn divide(&self, p: &Patch, q: &Patch, levels: usize, pairs: &mut Vec<PatchPair>) -> bool {
@@ -69,6 +68,12 @@ impl Demand {
             q.halves(along_q).iter().all(|half| self.divide(p, half, levels - 1, pairs))
         }
     }
+}
+
+/// The distance of two flat patches, the second one displaced by `shift`.
+pub(crate) fn displaced_distance(p: &Patch, q: &Patch, shift: DVec3) -> f64 {
+    let displaced: Vec<DVec3> = q.polygon().iter().map(|y| y + shift).collect();
+    polygon_distance(&p.polygon(), &displaced)
 }
 
 /// The block of every term of `kernel` between two elements, row-major, receiver's functions by emitter's, and the

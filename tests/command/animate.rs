@@ -232,7 +232,7 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
     refuse(&["--frames", "3..12"], &["12", "11"]);
     refuse(&["--frames", "5..3"], &["0..99"]);
     refuse(&["-o", "all.png"], &["one name for all frames", "frame-####.png"]);
-    refuse(&["-o", "film.mp4"], &["names no kind of pictures", ".gif"]);
+    refuse(&["-o", "film.avi"], &["names no kind of pictures", ".gif"]);
     refuse(&["-o", "no/f-#.png"], &["its folder does not exist"]);
     refuse(&["-o", "f.gif", "--fps", "100"], &["50 pictures a second", "--fps 50"]);
     refuse(&["-o", "f-#.png", "--fps", "10"], &["files have no speed"]);
@@ -240,6 +240,143 @@ fn what_cannot_be_animated_is_refused_with_a_cure() {
     refuse(&["--accuracy", "1e-2"], &["--accuracy", "--quality"]);
     refuse(&["--method", "hierarchical"], &["links of one frame", "solve --frame"]);
     refuse(&["--path-eps", "0"], &["above 0"]);
+    refuse(&["--animation", "series", "--transport", "sampled"], &["rays carry", "--transport exact"]);
     let left = fs::read_dir(folder).expect("a folder").count();
     assert_eq!(left, 2, "nothing was written");
+}
+
+#[test]
+fn series_tell_their_error_and_when_they_are_repaid() {
+    let folder = folder();
+    let animate = ["animate", "room.toml", "--probe", "points.csv", "--transport", "exact", "--order", "1"];
+    let told = |more: &[&str]| done(folder.path(), &[&animate[..], more].concat());
+    let [table, line] = told(&["--animation", "series"]);
+    assert!(line.contains("by series to ") && line.contains("set-up "), "{line}");
+    let [fresh, line] = told(&["--animation", "fresh"]);
+    assert!(!line.contains("set-up"), "{line}");
+    for (own, right) in rows(&table).iter().zip(rows(&fresh)) {
+        assert!((own[8] - right[8]).abs() < 1e-3 * right[8], "{own:?} {right:?}");
+    }
+}
+
+/// Films by a program in the place of ffmpeg.
+#[cfg(unix)]
+mod films {
+    use std::ffi::OsString;
+    use std::os::unix::fs::PermissionsExt;
+    use std::path::Path;
+    use std::process::{Command, Output, Stdio};
+    use std::{fs, thread, time::Duration};
+
+    use crate::program::command;
+
+    const FILM: [&str; 9] =
+        ["animate", "room.toml", "--frames", "2..4", "--size", "23x15", "--samples", "1", "-o"];
+
+    /// A folder `bin` with a program of this name and text.
+    fn stand_in(folder: &Path, script: &str) -> OsString {
+        let bin = folder.join("bin");
+        fs::create_dir_all(&bin).expect("a folder");
+        let program = bin.join("ffmpeg");
+        fs::write(&program, format!("#!/bin/sh\n[ \"$1\" = -version ] && exit 0\n{script}\n"))
+            .expect("a file");
+        fs::set_permissions(&program, fs::Permissions::from_mode(0o755)).expect("its mode");
+        let mut path = bin.into_os_string();
+        path.push(":/usr/bin:/bin");
+        path
+    }
+
+    fn film(folder: &Path, path: &OsString, name: &str) -> Output {
+        command(folder, &[&FILM[..], &[name]].concat()).env("PATH", path).output().expect("it runs")
+    }
+
+    /// Names of the files in a folder, hidden ones too.
+    fn files(folder: &Path) -> Vec<String> {
+        let entries = fs::read_dir(folder).expect("a folder");
+        let mut names: Vec<String> = entries
+            .map(|entry| entry.expect("it is there").file_name().to_string_lossy().into_owned())
+            .collect();
+        names.sort();
+        names
+    }
+
+    const KEEPS: &str =
+        r#"cat > "$0.pixels"; echo "$@" > "$0.arguments"; for last; do :; done; echo film > "$last""#;
+
+    #[test]
+    fn pictures_go_through_a_pipe_and_the_film_takes_its_name_at_the_end() {
+        let folder = super::folder();
+        let folder = folder.path();
+        let path = stand_in(folder, KEEPS);
+        for (name, kind) in [("light.mp4", "-f mp4"), ("light.webm", "-f webm")] {
+            let output = film(folder, &path, name);
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+            assert_eq!(fs::read(folder.join(name)).expect("the film"), b"film\n");
+            let arguments = fs::read_to_string(folder.join("bin/ffmpeg.arguments")).expect("it was called");
+            for part in
+                ["-video_size 24x16", "-framerate 4 ", "-pix_fmt yuv420p", "-pixel_format rgb24", kind]
+            {
+                assert!(arguments.contains(part), "{part:?} is missing in {arguments}");
+            }
+            let pixels = fs::read(folder.join("bin/ffmpeg.pixels")).expect("the pictures");
+            assert_eq!(pixels.len(), 3 * 24 * 16 * 3);
+            let pictures: Vec<&[u8]> = pixels.chunks(24 * 16 * 3).collect();
+            assert!(pictures[0] != pictures[2], "the light moves");
+            // Odd sizes: the last column and row twice.
+            let row = |k: usize| &pictures[0][k * 72..(k + 1) * 72];
+            assert_eq!(row(14), row(15));
+            assert!((0..16).all(|k| row(k)[66..69] == row(k)[69..72]));
+        }
+        assert_eq!(files(folder), ["bin", "light.mp4", "light.webm", "points.csv", "room.toml"]);
+    }
+
+    #[test]
+    fn a_program_that_fails_leaves_the_old_film() {
+        let folder = super::folder();
+        let folder = folder.path();
+        fs::write(folder.join("light.mp4"), "old").expect("it can be written");
+        for script in ["cat > /dev/null; echo no such codec >&2; exit 3", "echo no such codec >&2; exit 3"] {
+            let output = film(folder, &stand_in(folder, script), "light.mp4");
+            let said = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{said}");
+            assert!(said.contains("no such codec") && said.contains("light.mp4"), "{said}");
+            assert_eq!(fs::read(folder.join("light.mp4")).expect("it is there"), b"old");
+            assert_eq!(files(folder), ["bin", "light.mp4", "points.csv", "room.toml"]);
+        }
+    }
+
+    #[test]
+    fn without_the_program_the_cure_is_told_before_any_work() {
+        let folder = super::folder();
+        let folder = folder.path();
+        let output = film(folder, &folder.join("none").into_os_string(), "light.mp4");
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        for part in ["light.mp4", "ffmpeg", "not found", "apt install ffmpeg", ".gif", "frame-####.png"] {
+            assert!(said.contains(part), "{part:?} is missing in {said}");
+        }
+        assert_eq!(files(folder), ["points.csv", "room.toml"]);
+    }
+
+    #[test]
+    fn ctrl_c_leaves_nothing_and_ends_the_program_too() {
+        let folder = super::folder();
+        let folder = folder.path();
+        let path = stand_in(folder, r#"echo $$ > "$0.begun"; exec sleep 100"#);
+        let mut command = command(folder, &[&FILM[..], &["light.mp4"]].concat());
+        let mut run = command.env("PATH", path).stderr(Stdio::null()).spawn().expect("it runs");
+        let begun = folder.join("bin/ffmpeg.begun");
+        let number = || fs::read_to_string(&begun).ok().filter(|number| number.ends_with('\n'));
+        while number().is_none() {
+            thread::sleep(Duration::from_millis(5));
+        }
+        let signal = |signal: &str, number: &str| {
+            let mut kill = Command::new("kill");
+            kill.args([signal, number]).stderr(Stdio::null()).status().expect("it runs").success()
+        };
+        assert!(signal("-INT", &run.id().to_string()));
+        assert_eq!(run.wait().expect("it ends").code(), Some(130));
+        assert!(!signal("-0", number().expect("it is there").trim()), "the program goes on");
+        assert_eq!(files(folder), ["bin", "points.csv", "room.toml"]);
+    }
 }

@@ -1,24 +1,12 @@
 //! What a user may rely on beside the numbers: exit codes, interruption, partial results, messages.
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output},
-};
+use std::{fs, path::Path, process::Command};
 
 use radiosity::{elements::Discretization, scene::Scene, solve::memory::Footprint};
 use radiosity_solvers::method::Method;
 use serde_json::Value;
 
-fn command(folder: &Path, args: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args);
-    command
-}
-
-fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    command(folder, args).output().expect("the binary runs")
-}
+use crate::program::{command, radiosity};
 
 fn json(path: &Path) -> Value {
     serde_json::from_str(&fs::read_to_string(path).expect("the file was written")).expect("it is JSON")

@@ -3,10 +3,16 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
+/// The program, to be called in `folder`.
+pub(crate) fn command(folder: &Path, args: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
+    command.current_dir(folder).args(args);
+    command
+}
+
 /// What the program leaves when it is called in `folder`.
 pub(crate) fn radiosity(folder: &Path, args: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_radiosity"));
-    command.current_dir(folder).args(args).output().expect("the binary runs")
+    command(folder, args).output().expect("the binary runs")
 }
 
 /// Standard output and standard error of a command that succeeds.

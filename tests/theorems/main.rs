@@ -1,6 +1,7 @@
 //! What must hold whatever the numbers, of scenes, whole solutions and the sources themselves.
 
 mod animation;
+mod animation_by_series;
 mod animation_series;
 mod boxes;
 mod builder;

@@ -90,7 +90,7 @@ impl BlockSeries {
     pub fn new(pair: &TranslatedPair, centre: f64, settings: Settings) -> Result<Self, SeriesError> {
         settings.checked()?;
         let Settings { orders, tolerance } = settings;
-        let shift = pair.direction * centre;
+        let shift = pair.offset + pair.direction * centre;
         let facing = facing(pair, centre, &settings)?;
         let mut samples = Samples { shift, direction: pair.direction, orders };
         let elements = [pair.receiver, pair.emitter];
@@ -169,11 +169,11 @@ impl BlockSeries {
 
 /// The parts of a pair that face each other at p = `centre`, with points for rules as `settings` demand.
 fn facing(pair: &TranslatedPair, centre: f64, settings: &Settings) -> Result<Facing, SeriesError> {
-    let TranslatedPair { receiver, emitter, direction } = *pair;
+    let TranslatedPair { receiver, emitter, direction, offset } = *pair;
     let [small, large] = [f64::min, f64::max].map(|of| of(receiver.extent, emitter.extent));
     let degrees = [receiver, emitter].map(|element| element.basis.total_degree());
     let (nearest, eps) = (1.0 - settings.reach(), 0.5 * settings.tolerance);
-    let demand = Demand { shift: direction * centre, degrees, nearest, eps };
+    let demand = Demand { shift: offset + direction * centre, degrees, nearest, eps };
     let mut facing = Facing { pairs: Vec::new(), span: Span::ALL, distance: f64::INFINITY };
     let pairs = receiver.patches.iter().flat_map(|p| emitter.patches.iter().map(move |q| [p, q]));
     for [p, q] in pairs {

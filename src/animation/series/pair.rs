@@ -4,6 +4,7 @@ use radiosity_geom::DVec3;
 
 use super::error::SeriesError;
 use crate::elements::Element;
+use crate::transport::terms::displaced_distance;
 
 /// Two flat elements of which one is translated relative to the other.
 #[derive(Clone, Copy, Debug)]
@@ -11,6 +12,8 @@ pub struct TranslatedPair<'a> {
     pub(crate) receiver: &'a Element,
     pub(crate) emitter: &'a Element,
     pub(crate) direction: DVec3,
+    /// Displacement of the emitter at p = 0 (scene length).
+    pub(crate) offset: DVec3,
 }
 
 impl<'a> TranslatedPair<'a> {
@@ -26,8 +29,21 @@ impl<'a> TranslatedPair<'a> {
         }
         match [receiver, emitter].iter().find(|element| element.plane.is_none()) {
             Some(curved) => Err(SeriesError::Curved { surface: curved.surface }),
-            None => Ok(Self { receiver, emitter, direction }),
+            None => Ok(Self { receiver, emitter, direction, offset: DVec3::ZERO }),
         }
+    }
+
+    /// The same with the emitter displaced by `offset` (scene length) at p = 0.
+    #[must_use]
+    pub fn displaced(self, offset: DVec3) -> Self {
+        Self { offset, ..self }
+    }
+
+    /// Least distance of the elements at p = 0 (scene length).
+    pub(crate) fn distance(&self) -> f64 {
+        let pairs =
+            self.receiver.patches.iter().flat_map(|p| self.emitter.patches.iter().map(move |q| (p, q)));
+        pairs.map(|(p, q)| displaced_distance(p, q, self.offset)).fold(f64::INFINITY, f64::min)
     }
 
     /// The surfaces of receiver and emitter.

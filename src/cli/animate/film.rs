@@ -3,11 +3,12 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use gif::{Encoder, Repeat};
+use gif::Repeat;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::picture::Picture;
 use radiosity::output::raster::Raster;
 
+use super::encoder::{Container, Encoder, require_program};
 use crate::cli::error::CliError;
 use crate::cli::output_file::OutputFile;
 use crate::cli::run::Loaded;
@@ -31,6 +32,8 @@ pub(super) enum Film {
     Files(Pattern),
     /// One animated GIF, written at the end.
     Gif { output: OutputFile, fps: f64, size: [u16; 2], frames: Vec<gif::Frame<'static>> },
+    /// One film by a program that gets the pictures as they are made; none before the first.
+    Encoded { output: Option<OutputFile>, container: Container, fps: f64, encoder: Option<Encoder> },
 }
 
 /// A name in which a run of # stands for the number of a frame.
@@ -43,7 +46,8 @@ pub(super) struct Pattern {
 }
 
 impl Film {
-    /// For a name as typed; finds out whether it can be written. Pictures a second are those that were typed, or those of the scene.
+    /// For a name as typed; finds out whether it can be written. Pictures a second are those that were typed, or those of the
+    /// scene.
     pub(super) fn new(
         name: &Path,
         (typed, of_scene): (Option<f64>, Option<f64>),
@@ -69,9 +73,10 @@ impl Film {
                 size: [0; 2],
                 frames: Vec::new(),
             }),
-            Some("png" | "exr") if typed.is_some() => {
-                refused("files have no speed".to_owned(), "leave out --fps, or choose a file ending in .gif")
-            }
+            Some("png" | "exr") if typed.is_some() => refused(
+                "files have no speed".to_owned(),
+                "leave out --fps, or choose a film ending in .gif, .mp4 or .webm",
+            ),
             Some(ending @ ("png" | "exr")) => match Pattern::of(name, ending == "exr") {
                 Some(pattern) => {
                     loaded.apart(OutputFile::reserve(&pattern.path(first))?)?;
@@ -82,9 +87,14 @@ impl Film {
                     "write #### where the number of the frame goes, as in frame-####.png",
                 ),
             },
+            Some(ending) if let Some(container) = Container::of(ending) => {
+                require_program(name)?;
+                let output = Some(loaded.apart(OutputFile::reserve(name)?)?);
+                Ok(Self::Encoded { output, container, fps, encoder: None })
+            }
             _ => refused(
                 "the ending names no kind of pictures".to_owned(),
-                "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif",
+                "choose names such as frame-####.png or frame-####.exr, or a film ending in .gif, .mp4 or .webm",
             ),
         }
     }
@@ -126,14 +136,25 @@ impl Film {
                 frames.push(frame);
                 Ok(())
             }
+            Self::Encoded { output, container, fps, encoder } => {
+                let picture = picture();
+                if let Some(output) = output.take() {
+                    *encoder = Some(Encoder::start(output, *container, picture.size(), *fps)?);
+                }
+                encoder.as_mut().map_or(Ok(()), |encoder| encoder.add(picture.codes()))
+            }
         }
     }
 
     /// Writes the film, where it is one.
     pub(super) fn finish(self) -> Result<(), CliError> {
-        let Self::Gif { output, size: [width, height], frames, .. } = self else { return Ok(()) };
+        let (output, [width, height], frames) = match self {
+            Self::Files(_) => return Ok(()),
+            Self::Encoded { encoder, .. } => return encoder.map_or(Ok(()), Encoder::finish),
+            Self::Gif { output, size, frames, .. } => (output, size, frames),
+        };
         output.write(|writer| {
-            let mut encoder = Encoder::new(writer, width, height, &[]).map_err(io::Error::other)?;
+            let mut encoder = gif::Encoder::new(writer, width, height, &[]).map_err(io::Error::other)?;
             encoder.set_repeat(Repeat::Infinite).map_err(io::Error::other)?;
             frames.iter().try_for_each(|frame| encoder.write_frame(frame)).map_err(io::Error::other)
         })

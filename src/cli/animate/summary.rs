@@ -19,7 +19,15 @@ fn cost(follower: &Follower<'_>, frames: usize, seconds: f64) -> String {
         None => format!("light solved {moments} times"),
     };
     if let Some(error) = follower.error() {
-        line += &format!(", interpolated to {error:.1e}");
+        let what = if follower.segments().is_some() { "interpolated" } else { "by series" };
+        line += &format!(", {what} to {error:.1e}");
+    }
+    if follower.has_set_up() {
+        let counted = if *noise > 0.0 { "rays" } else { "blocks" };
+        line += &match follower.repaid() {
+            None => format!(", set-up not repaid (counted in {counted})"),
+            Some(frames) => format!(", set-up repaid after {frames} frames (counted in {counted})"),
+        };
     }
     line += &told(rays);
     if *noise > 0.0 {

@@ -1,0 +1,169 @@
+//! Blocks of the pairs of which one element is translated, by series, frame after frame.
+//!
+//! G(p) = Σ Φ_n (p − c)ⁿ for flat elements with nothing between them ([`super::series`]), p along the line on which the pair
+//! moves. It is always summed from its centre c, never from the frame before, so that nothing adds up. Where a displacement leaves
+//! the line, where the bound of what is left out exceeds what is allowed, or where other parts begin to face each other, the pair
+//! is expanded anew, if enough frames will lie within the range; else, as where it is rotated, curved, touching or has something
+//! between, it is integrated like that of any other scene.
+
+mod places;
+mod expansion;
+mod told;
+
+use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+use radiosity_geom::DVec3;
+
+use super::series::MovedBlock;
+use crate::elements::Element;
+use crate::solution::Solution;
+use crate::transport::blocks::block::{Block, Kind};
+use crate::transport::{Known, KnownBlocks};
+use expansion::Expansion;
+pub(super) use expansion::ORDERS;
+use places::{Place, Places};
+use told::{Summed, carried};
+
+/// Steps of this part of the extents of a pair are rounding.
+const ROUNDED: f64 = 1e-13;
+
+/// The loosest tolerance of a block that is small beside others of its row. Chosen.
+const LOOSEST: f64 = 0.05;
+
+/// The series of the pairs of a scene that moves.
+#[derive(Debug)]
+pub(super) struct Expansions {
+    /// Error that the series of blocks may have, relative to their largest entries, where rules are allowed `eps`.
+    tolerance: f64,
+    eps: f64,
+    places: Mutex<Places>,
+    pairs: Mutex<HashMap<[usize; 2], Pair>>,
+    /// Blocks of this frame.
+    summed: Mutex<Vec<Summed>>,
+    expanded: AtomicUsize,
+}
+
+/// What is known of a pair.
+#[derive(Debug)]
+struct Pair {
+    /// How often each element was seen anew.
+    turns: [u32; 2],
+    /// Of the second element relative to the first, since both were seen anew (scene length).
+    displacement: DVec3,
+    /// Whether the block that memory holds was integrated, at this displacement.
+    is_integrated: bool,
+    expansion: Option<Expansion>,
+}
+
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Expansions {
+    /// None yet; series may be off by `tolerance` times the largest entries of blocks, where rules are allowed `eps`.
+    pub(super) fn new(tolerance: f64, eps: f64) -> Self {
+        Self {
+            tolerance,
+            eps,
+            places: Mutex::default(),
+            pairs: Mutex::default(),
+            summed: Mutex::default(),
+            expanded: AtomicUsize::new(0),
+        }
+    }
+
+    /// Begins another frame.
+    pub(super) fn begin(&self) {
+        locked(&self.summed).clear();
+        self.expanded.store(0, Ordering::Relaxed);
+    }
+
+    /// Blocks of this frame that are sums of series.
+    pub(super) fn summed(&self) -> usize {
+        locked(&self.summed).len()
+    }
+
+    /// Blocks that were expanded for this frame.
+    pub(super) fn expanded(&self) -> usize {
+        self.expanded.load(Ordering::Relaxed)
+    }
+
+    /// Bound of the relative difference that the series of this frame make in its light; None where there were none.
+    pub(super) fn error(&self, solution: &Solution) -> Option<f64> {
+        let mut summed = locked(&self.summed);
+        // Threads came in any order.
+        summed.sort_by_key(|block| block.places);
+        (!summed.is_empty()).then(|| carried(&summed, solution))
+    }
+
+    /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and the samples of its
+    /// expansion if it was expanded anew.
+    fn moved(
+        &self,
+        pair: &mut Pair,
+        ends: &[Place; 2],
+        step: DVec3,
+        tolerance: f64,
+    ) -> Option<(MovedBlock, u64)> {
+        let now = pair.displacement;
+        if let Some(block) = pair.expansion.as_ref().and_then(|known| known.at(now, tolerance)) {
+            return Some((block, 0));
+        }
+        let elements = ends.each_ref().map(|place| &*place.reference);
+        pair.expansion = Expansion::ahead(elements, now, step, tolerance);
+        let expansion = pair.expansion.as_ref()?;
+        self.expanded.fetch_add(1, Ordering::Relaxed);
+        Some((expansion.at(now, tolerance)?, expansion.samples()))
+    }
+}
+
+impl KnownBlocks for Expansions {
+    fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {
+        let ends = {
+            let mut seen = locked(&self.places);
+            [0, 1].map(|end| seen.of(places[end], elements[end]))
+        };
+        let turns = ends.each_ref().map(|place| place.turn);
+        let now = ends[1].shift - ends[0].shift;
+        let mut pairs = locked(&self.pairs);
+        let Some(mut pair) = pairs.remove(&places).filter(|pair| pair.turns == turns) else {
+            // How a pair moves is not known before it was seen twice.
+            pairs.insert(places, Pair { turns, displacement: now, is_integrated: true, expansion: None });
+            return None;
+        };
+        drop(pairs);
+        let step = now - pair.displacement;
+        let rests = step.length() <= ROUNDED * (elements[0].extent + elements[1].extent);
+        if rests && pair.is_integrated {
+            // The displacement stays that of the integral, so that rounding does not add up.
+            locked(&self.pairs).insert(places, pair);
+            return Some(Known::Same);
+        }
+        pair.displacement = now;
+        let factor = (eps / self.eps).clamp(1.0, (LOOSEST / self.tolerance).max(1.0));
+        let found = self.moved(&mut pair, &ends, step, factor * self.tolerance);
+        pair.is_integrated = found.is_none();
+        locked(&self.pairs).insert(places, pair);
+        let (MovedBlock { values, error }, samples) = found?;
+        let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        locked(&self.summed).push(Summed { places, error: error + eps * largest });
+        Some(Known::Block(Block {
+            values,
+            kind: Kind::Separated,
+            partly_hidden: false,
+            unresolved: false,
+            untried: false,
+            error,
+            samples,
+            distinct: samples,
+            rays: 0,
+        }))
+    }
+}
+
+/// A shared reference, as [`crate::transport::Memory`] asks for.
+pub(super) fn known(expansions: &Arc<Expansions>) -> Arc<dyn KnownBlocks> {
+    Arc::<Expansions>::clone(expansions)
+}

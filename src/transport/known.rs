@@ -1,0 +1,22 @@
+//! Blocks that are known otherwise than by rules, such as by a series of what moves.
+
+use std::fmt::Debug;
+
+use crate::elements::Element;
+use crate::transport::blocks::block::Block;
+
+/// A block that is known.
+#[derive(Debug)]
+pub(crate) enum Known {
+    /// It is that of the scene before, if that was integrated for the same accuracy.
+    Same,
+    /// It is this one.
+    Block(Block),
+}
+
+/// Blocks that are known otherwise than by rules.
+pub(crate) trait KnownBlocks: Debug + Send + Sync {
+    /// The block of two flat elements with nothing between them, at these places among all elements, if it is known; `eps` is the
+    /// error that rules are allowed, relative to its largest entry. Called once for a pair of a scene, from any thread.
+    fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known>;
+}

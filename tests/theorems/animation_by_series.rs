@@ -1,0 +1,175 @@
+//! Frames whose blocks are sums of power series against frames that are solved alone.
+
+use radiosity::animation::follower::{Follower, Way};
+use radiosity::animation::frame::Frame;
+use radiosity::animation::sequence::Sequence;
+use radiosity::geom::DVec3;
+use radiosity::scene::Scene;
+use radiosity::solve::{Direct, Options, Transport};
+use radiosity::visibility::Hiding;
+
+/// Rules far finer than the series, so that the difference of both is that of the series.
+fn options(shadows: bool) -> Options {
+    let usual = Options::default();
+    Options {
+        order: 1,
+        subdivide: Some(1),
+        transport: Transport::Exact,
+        direct: Direct::Projected,
+        eps: 1e-9,
+        shadows: if shadows { usual.shadows } else { Hiding::Off },
+        ..usual
+    }
+}
+
+fn frame(follower: &mut Follower<'_>, number: usize) -> Frame {
+    follower.frame(number, &|_| ()).expect("it can be solved")
+}
+
+fn alone(scene: &Scene, options: &Options, number: usize) -> Frame {
+    frame(&mut Follower::new(scene, options, Way::Fresh, [0, scene.frames() - 1]), number)
+}
+
+/// Relative L2 difference of the coefficients, the largest of any band.
+fn apart(frame: &Frame, right: &Frame) -> f64 {
+    let pairs = frame.solution.bands().iter().zip(right.solution.bands());
+    let relative = pairs.map(|(own, other)| {
+        let [own, other] = [own, other].map(|band| &band.coefficients.irradiance);
+        let difference: f64 = own.iter().zip(other).map(|(a, b)| (a - b).powi(2)).sum();
+        (difference / other.iter().map(|h| h * h).sum::<f64>()).sqrt()
+    });
+    relative.fold(0.0, f64::max)
+}
+
+/// A closed room with quads that float in it, of which two are moved, one of them along a broken line; numbers of a fixed sequence.
+fn random_room(seed: u64) -> Scene {
+    let mut state = seed;
+    let mut next = || {
+        state = state.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = state;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 11) as f64 * 2f64.powi(-53)
+    };
+    let mut quad = |name: &str, material: &str, z: f64| {
+        let mut point = |scale: f64| DVec3::new(next(), next(), next()) * scale;
+        let (along, turn) = ((point(1.0) - 0.5).normalize(), point(1.0) - 0.5);
+        let across = along.cross(turn).normalize();
+        let [along, across] = [along, across].map(|edge| (0.1 * edge).to_array());
+        let origin = [0.25 + 0.4 * next(), 0.25 + 0.4 * next(), z];
+        format!(
+            "[[surfaces]]\nname = \"{name}\"\nmaterial = \"{material}\"\ntwo_sided = true\n\
+             parallelogram = {{ origin = {origin:?}, edge1 = {along:?}, edge2 = {across:?} }}\n"
+        )
+    };
+    let things =
+        [quad("shelf", "wall", 0.25), quad("glow", "glow", 0.5), quad("lamp", "lamp", 0.75)].concat();
+    let text = format!(
+        r#"
+frames = 61
+materials.wall = {{ reflectance = 0.6 }}
+materials.lamp = {{ reflectance = 0, emission = 10 }}
+materials.glow = {{ reflectance = 0.3, emission = 2 }}
+[[surfaces]]
+name = "room"
+material = "wall"
+box = {{ origin = [0, 0, 0], size = [1, 1, 1], inward = true }}
+{things}
+[[motion]]
+surfaces = "lamp"
+translate = {{ points = [[0, 0, 0], [0.06, 0.03, 0], [0.02, 0.06, 0.03]] }}
+[[motion]]
+surfaces = "glow"
+translate = {{ points = [[0, 0, 0], [0, -0.05, 0.04]] }}
+"#
+    );
+    Scene::from_toml(&text, "random.toml").expect("the room is valid")
+}
+
+/// Every fifth frame against that alone; returns how many blocks were sums of series in all.
+fn compared(scene: &Scene, options: &Options, tolerance: f64) -> usize {
+    let mut sequence = Sequence::by_series(scene, options, tolerance);
+    let mut summed = 0;
+    for number in 0..scene.frames() {
+        let found = sequence.at(number as f64, &|_| ()).expect("it can be solved");
+        summed += sequence.summed();
+        if number % 10 != 7 {
+            continue;
+        }
+        let right = alone(scene, options, number);
+        let (apart, told) = (apart(&found, &right), found.interpolated.unwrap_or(0.0));
+        // What the solver leaves, and rules.
+        assert!(apart <= told + 1e-9, "{number}: {apart:e} > {told:e}");
+        assert!(told <= 20.0 * tolerance, "{number}: {told:e}");
+    }
+    summed
+}
+
+#[test]
+fn frames_are_those_alone_to_the_error_that_is_told() {
+    let sliding = Scene::builtin("sliding-light").expect("it is built in");
+    for shadows in [false, true] {
+        assert!(compared(&sliding, &options(shadows), 1e-4) > 500);
+    }
+    for seed in 1..4 {
+        assert!(compared(&random_room(seed), &options(false), 1e-5) > 100, "{seed}");
+    }
+}
+
+#[test]
+fn nothing_is_left_of_where_things_were_meanwhile() {
+    let (scene, options) = (random_room(5), options(false));
+    let mut sequence = Sequence::by_series(&scene, &options, 1e-4);
+    let mut light = |number: usize| {
+        let solved = sequence.at(number as f64, &|_| ()).expect("it can be solved");
+        let bands = solved.solution.bands().iter();
+        let light: Vec<f64> = bands.flat_map(|band| band.coefficients.irradiance.clone()).collect();
+        (light, sequence.expanded())
+    };
+    // The first steps tell how things move: then all pairs are expanded that will be.
+    (0..4).for_each(|number| drop(light(number)));
+    let first = light(3).0;
+    for number in [4, 5, 6, 5, 4] {
+        assert_eq!(light(number).1, 0, "one range");
+    }
+    let again = light(3).0;
+    assert!(first.iter().zip(&again).all(|(a, b)| a.to_bits() == b.to_bits()));
+}
+
+#[test]
+fn what_is_rotated_or_curved_is_integrated() {
+    let text = r#"
+frames = 21
+materials.wall = { reflectance = 0.5 }
+materials.lamp = { reflectance = 0, emission = 1 }
+[[surfaces]]
+name = "room"
+material = "wall"
+box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+[[surfaces]]
+name = "lamp"
+material = "lamp"
+SHAPE
+[[motion]]
+surfaces = "lamp"
+MOTION
+"#;
+    let quad = "parallelogram = { origin = [0.3, 0.4, 0.5], edge1 = [0, 0.2, 0], edge2 = [0.2, 0, 0] }";
+    let ball = "sphere = { center = [0.4, 0.5, 0.5], radius = 0.1 }";
+    let turned = "rotate = { center = [0.5, 0.5, 0.5], axis = [0, 0.1, 1], angles = [0, 40] }";
+    let moved = "translate = { points = [[0, 0, 0], [0.02, 0.01, 0]] }";
+    for (shape, motion, sums) in [(quad, turned, false), (ball, moved, false), (quad, moved, true)] {
+        let text = text.replace("SHAPE", shape).replace("MOTION", motion);
+        let scene = Scene::from_toml(&text, "room.toml").expect("it is valid");
+        let options = Options { eps: 1e-5, ..options(false) };
+        let mut follower = Follower::new(&scene, &options, Way::Series { tolerance: 1e-4 }, [0, 20]);
+        for number in 0..4 {
+            let found = frame(&mut follower, number);
+            let is_summed = sums && number > 0;
+            assert_eq!(found.interpolated.is_some(), is_summed, "{shape} {motion} {number}");
+            if !is_summed {
+                assert!(apart(&found, &alone(&scene, &options, number)) == 0.0, "{shape} {motion} {number}");
+            }
+        }
+    }
+}
