@@ -32,7 +32,6 @@ use crate::covers::{self, Cover, covers};
 use crate::footings::bare_shapes;
 use crate::scene::{Scene, SceneSurface};
 use basis::HIGHEST_ORDER;
-use cells::breaks;
 pub use discretization::{Discretization, Subdivide};
 pub(crate) use element::flat_patches;
 pub use element::{Element, clip_to_cell};
@@ -41,7 +40,7 @@ pub use fault::ElementError;
 use mesh::{Mesh, Refinement, Tree};
 use patch::Patch;
 use resolution::Resolution;
-pub(crate) use resolution::shares;
+pub(crate) use resolution::{shares, usual_mesh};
 use space::Space;
 
 /// All elements of a scene, surface by surface.
@@ -280,16 +279,6 @@ impl Elements {
     pub fn coefficients(&self) -> usize {
         self.list.iter().map(|element| element.basis.len()).sum()
     }
-}
-
-/// The mesh that follows from `how`.
-pub(crate) fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
-    let resolution = Resolution::new(scene, how);
-    let tree = |(index, surface): (usize, &SceneSurface)| {
-        let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
-        Tree::grid(&breaks, resolution.order(index, surface))
-    };
-    Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
 }
 
 /// Makes the elements of one surface.

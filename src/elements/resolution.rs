@@ -3,7 +3,9 @@
 use radiosity_geom::{Aabb, Rect};
 use rayon::prelude::*;
 
+use super::cells::breaks;
 use super::discretization::{Discretization, Subdivide};
+use super::mesh::{Mesh, Tree};
 use crate::scene::{Scene, SceneSurface};
 
 /// Order and cuts of each surface of a scene.
@@ -78,6 +80,16 @@ impl Resolution {
         let own = rays as f64 * self.shares[index];
         GRADES.iter().find(|grade| own >= grade.rays)
     }
+}
+
+/// The mesh that follows from `how`.
+pub(crate) fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
+    let resolution = Resolution::new(scene, how);
+    let tree = |(index, surface): (usize, &SceneSurface)| {
+        let breaks = resolution.parts(index, surface).map(|parts| breaks(parts, how.layers));
+        Tree::grid(&breaks, resolution.order(index, surface))
+    };
+    Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
 }
 
 /// Share of each surface in the area of all.
