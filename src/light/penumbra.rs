@@ -118,6 +118,7 @@ pub(crate) enum Shade {
 }
 
 /// What is known of the things between a point and an emitter.
+#[expect(clippy::large_enum_variant, reason = "one for each beam, made for one point: boxes would cost more")]
 enum Between<'a> {
     /// Nothing stands there.
     Nothing,
