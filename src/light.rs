@@ -26,8 +26,8 @@
 //! plus δB) for Lambert's formula (`traversal`). Possible blockers are listed once per site, which is a point or a small
 //! piece of a surface (`occluders`); from cell to cell of a tree only those that may still hide a part of it are kept.
 
-pub(crate) mod hierarchy;
 pub(crate) mod occluders;
+pub(crate) mod hierarchy;
 pub mod receiver_point;
 pub(crate) mod lamps;
 pub(crate) mod lines;
@@ -39,6 +39,7 @@ pub(crate) mod blockers;
 pub(crate) mod traversal;
 pub mod direct;
 mod lamp_cells;
+mod sources;
 pub(crate) mod penumbra;
 pub(crate) mod coats;
 pub(crate) mod reflected;

@@ -184,7 +184,7 @@ impl Visibility {
     pub fn free_between(&self, own: [usize; 2], blockers: &[usize], x: DVec3, y: DVec3) -> bool {
         !blockers.iter().any(|index| {
             let margin = if own.contains(index) { OWN_END } else { END };
-            !self.obstacles[*index].ball.misses(x, y) && self.blocks(*index, x, y, margin)
+            self.blocks(*index, x, y, margin)
         })
     }
 
@@ -230,8 +230,9 @@ impl Visibility {
 
     /// Whether `surface` meets the segment from `x` to `y`, without the part `margin` of its length at either end.
     pub fn blocks(&self, surface: usize, x: DVec3, y: DVec3, margin: f64) -> bool {
+        let Obstacle { ball, shape, .. } = &self.obstacles[surface];
         let ray = Ray { origin: x, direction: y - x, range: [margin, 1.0 - margin] };
-        self.obstacles[surface].shape.occludes(&ray)
+        !ball.misses(x, y) && shape.occludes(&ray)
     }
 
     /// Centre and radius of the single blocker, if it is a whole ball.

@@ -19,7 +19,7 @@
 
 use std::f64::consts::TAU;
 
-use radiosity_geom::{DVec2, DVec3, Surface};
+use radiosity_geom::{DVec2, DVec3, Surface, extreme_points, sides};
 
 use crate::irradiance::lambert;
 use crate::light::lines::projection::ProjectionPlane;
@@ -41,6 +41,9 @@ const ROOM: f64 = 0.42;
 
 /// Least cosine between the normal of the projection plane and the directions to the outline. Chosen; not tuned.
 const STEEPEST: f64 = 0.2;
+
+/// Part of the area of a flat surface by which its convex outline may differ. Chosen: chords differ by 1e-5.
+const ALIKE: f64 = 1e-4;
 
 /// A side of an outline: two points.
 pub(crate) type Side = [DVec3; 2];
@@ -132,10 +135,7 @@ impl<'a> AreaLight<'a> {
             [true, false] => [a, self.crossing(eye, a, b)],
             [false, true] => [self.crossing(eye, a, b), b],
         };
-        let [low, high] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
-        let middle = self.shape().jet(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)).position;
-        let chord = start.position.midpoint(end.position);
-        push_arc(start.position, chord + CHORDS * (middle - chord), end.position, sides);
+        push_arc(start.position, apex(self.shape(), [start, end]), end.position, sides);
     }
 
     /// The point where the silhouette crosses the edge from `a` to `b`, at which g has different signs.
@@ -215,6 +215,43 @@ pub(crate) fn irradiance(eye: DVec3, normal: DVec3, sides: &[Side]) -> f64 {
     };
     let sum: f64 = sides.iter().map(seen).sum();
     sum.abs() / TAU
+}
+
+/// The corners, in order, of the convex polygon that a flat curved-edged surface of the area `area` is but for its
+/// chords, and that normal; None of other surfaces.
+pub(crate) fn flat_outline(
+    visibility: &Visibility,
+    surface: usize,
+    area: f64,
+) -> Option<(Vec<DVec3>, DVec3)> {
+    if visibility.pieces(surface).is_some() || visibility.hides_itself(surface) {
+        return None;
+    }
+    let net = visibility.net(surface);
+    let Knot { position, normal, .. } = net.quads().next()?.knots[0];
+    let most = BEHIND * visibility.bounds_of(surface).diagonal();
+    let is_level = |knot: &Knot| (knot.position - position).dot(normal).abs() <= most;
+    let mut corners = Vec::new();
+    for quad in net.quads() {
+        if !quad.knots.iter().all(is_level) {
+            return None;
+        }
+        let edges = (0..4).map(|k| [quad.knots[k], quad.knots[(k + 1) % 4]]);
+        for [a, b] in edges.filter(|[a, b]| is_border(a, b)) {
+            corners.extend([a.position, apex(net.shape(), [a, b]), b.position]);
+        }
+    }
+    let corners = extreme_points(&corners, normal);
+    let twice: DVec3 = sides(&corners).map(|[a, b]| (a - position).cross(b - position)).sum();
+    ((0.5 * twice.length() - area).abs() <= ALIKE * area).then_some((corners, normal))
+}
+
+/// The end that two chords of an arc on the border share.
+fn apex(shape: &dyn Surface, [start, end]: [Knot; 2]) -> DVec3 {
+    let [low, high] = [start, end].map(|knot| DVec2::from_array(knot.parameters));
+    let middle = shape.jet(0.5 * (low.x + high.x), 0.5 * (low.y + high.y)).position;
+    let chord = start.position.midpoint(end.position);
+    chord + CHORDS * (middle - chord)
 }
 
 /// Whether an edge of a quad lies on the border of the surface's parameters.

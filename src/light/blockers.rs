@@ -41,6 +41,20 @@ pub(crate) struct Before {
     end: usize,
 }
 
+/// What may be hidden: points whose convex hull contains it, in a ball.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Extent<'a> {
+    pub hull: &'a [DVec3],
+    pub center: DVec3,
+    pub radius: f64,
+}
+
+impl<'a> Extent<'a> {
+    fn of(cell: &'a Cell) -> Self {
+        Self { hull: &cell.hull, center: cell.center, radius: cell.radius }
+    }
+}
+
 impl Before {
     /// Whether no blocker stands before the cell.
     pub(crate) fn is_nothing(&self) -> bool {
@@ -162,17 +176,30 @@ impl<'a> Shadows<'a> {
 
     /// Pushes the blockers in `above` that may hide a part of `cell` onto the stack; None where one hides all of it.
     pub(crate) fn narrow(&mut self, above: Before, cell: &Cell) -> Option<Before> {
+        self.kept(above, |shadows, blocker| match blocker {
+            Blocker::Flat(pyramid) => match &cell.quad {
+                Some((quad, radius)) => pyramid.cover_of_quad(quad, *radius),
+                None => pyramid.cover(&cell.hull, cell.center, cell.radius),
+            },
+            Blocker::Curved(surface) if cell.is_flat() => shadows.cover_of_ball(*surface, &Extent::of(cell)),
+            Blocker::Curved(surface) => shadows.curved_cover(*surface, &Extent::of(cell)),
+        })
+    }
+
+    /// As [`Shadows::narrow`], for anything.
+    pub(crate) fn narrow_to(&mut self, above: Before, extent: &Extent) -> Option<Before> {
+        self.kept(above, |shadows, blocker| match blocker {
+            Blocker::Flat(pyramid) => pyramid.cover(extent.hull, extent.center, extent.radius),
+            Blocker::Curved(surface) => shadows.curved_cover(*surface, extent),
+        })
+    }
+
+    /// Pushes the blockers in `above` that do not leave everything clear onto the stack; None where one hides everything.
+    fn kept(&mut self, above: Before, cover: impl Fn(&Self, &Blocker) -> Cover) -> Option<Before> {
         self.asked.truncate(above.end);
         for place in above.start..above.end {
             let blocker = self.asked[place];
-            let cover = match &self.blockers[blocker] {
-                Blocker::Flat(pyramid) => match &cell.quad {
-                    Some((quad, radius)) => pyramid.cover_of_quad(quad, *radius),
-                    None => pyramid.cover(&cell.hull, cell.center, cell.radius),
-                },
-                Blocker::Curved(surface) => self.curved_cover(*surface, cell),
-            };
-            match cover {
+            match cover(self, &self.blockers[blocker]) {
                 Cover::Clear => {}
                 Cover::Hidden => return None,
                 Cover::Mixed => self.asked.push(blocker),
@@ -230,21 +257,28 @@ impl<'a> Shadows<'a> {
         self.asked[before.start..before.end].iter().map(|blocker| &self.blockers[*blocker])
     }
 
-    /// A curved surface hides no part of a cell if a plane separates it from both the cell and the point.
-    fn curved_cover(&self, surface: usize, cell: &Cell) -> Cover {
-        let hull = self.visibility.hull(surface);
-        let eye = [self.vantage.position];
-        let shaft = Aabb::around(cell.hull.iter().copied().chain(eye));
+    /// A curved surface hides nothing if a plane separates it from both the extent and the point.
+    fn curved_cover(&self, surface: usize, extent: &Extent) -> Cover {
+        let apart = || {
+            let eye = [self.vantage.position];
+            separated(&eye, extent.hull, self.visibility.hull(surface), 0.0)
+        };
+        match self.cover_of_ball(surface, extent) {
+            Cover::Mixed if apart() => Cover::Clear,
+            cover => cover,
+        }
+    }
+
+    /// A surface hides nothing if it is outside the box around the extent and the point, or too far from the segment between them.
+    fn cover_of_ball(&self, surface: usize, extent: &Extent) -> Cover {
+        let eye = self.vantage.position;
+        let shaft = Aabb::around(extent.hull.iter().copied().chain([eye]));
         let bounds = self.visibility.bounds_of(surface);
         let far = || {
-            let reach = 0.5 * bounds.diagonal() + cell.radius;
-            distance_squared(bounds.center(), eye[0], cell.center) > reach * reach
+            let reach = 0.5 * bounds.diagonal() + extent.radius;
+            distance_squared(bounds.center(), eye, extent.center) > reach * reach
         };
-        let apart = || !cell.is_flat() && separated(&eye, &cell.hull, hull, 0.0);
-        match !shaft.overlaps(&bounds) || far() || apart() {
-            true => Cover::Clear,
-            false => Cover::Mixed,
-        }
+        if !shaft.overlaps(&bounds) || far() { Cover::Clear } else { Cover::Mixed }
     }
 }
 

@@ -130,7 +130,7 @@ impl<'a> DirectLight<'a> {
 
     /// Possible occluders between the emitters and a site.
     pub fn around(&self, site: &Site) -> Occluders {
-        let surroundings = Occluders::new(self.visibility, &self.trees, site);
+        let surroundings = Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site);
         if surroundings.obstacles.len() > FEW {
             return surroundings;
         }

@@ -15,6 +15,7 @@ use radiosity_geom::{Aabb, DVec3};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
+use crate::elements::patch::Patch;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::spread::{Place, Spread};
 
@@ -66,34 +67,11 @@ pub(crate) struct Target {
 impl Lamps {
     /// The open elements that emit, with one coating and the mean radiosity `scale` per band.
     pub(crate) fn new(elements: &[Element], coatings: &[&Coating], scale: &[f64]) -> Self {
-        let brightness = |element: usize| {
-            let relative =
-                coatings.iter().zip(scale).map(|(coating, scale)| coating.exitance[element] / scale);
-            relative.sum::<f64>() / scale.len() as f64
-        };
-        let emits = |element: &usize| elements[*element].contact.is_none() && brightness(*element) > 0.0;
-        let lamp = |element: usize| {
-            let Element { area, plane, hull, .. } = &elements[element];
-            let bounds = Aabb::around(hull.iter().copied());
-            Lamp {
-                element,
-                center: bounds.center(),
-                radius: 0.5 * bounds.diagonal(),
-                area: *area,
-                plane: *plane,
-                brightness: brightness(element),
-                spread: Spread::over(&elements[element]),
-            }
-        };
-        let list: Vec<Lamp> = (0..elements.len()).filter(emits).map(lamp).collect();
+        let lamp = |element: usize| Lamp::of(elements, element, brightness(coatings, scale, element));
+        let list: Vec<Lamp> = (0..elements.len()).filter_map(lamp).collect();
         let mut places = vec![None; elements.len()];
         list.iter().enumerate().for_each(|(place, lamp)| places[lamp.element] = Some(place as u32));
         Self { list, places }
-    }
-
-    /// All of them.
-    pub(crate) fn list(&self) -> &[Lamp] {
-        &self.list
     }
 
     /// Whether an emitter that may send light to a point is within so many of its radii.
@@ -118,10 +96,51 @@ impl Lamps {
     }
 }
 
+/// Mean over the bands of the exitance of an element over the band's scale.
+pub(crate) fn brightness(coatings: &[&Coating], scale: &[f64], element: usize) -> f64 {
+    let relative = coatings.iter().zip(scale).map(|(coating, scale)| coating.exitance[element] / scale);
+    relative.sum::<f64>() / scale.len() as f64
+}
+
 impl Lamp {
+    /// An open element of this brightness; None where it is dark or covered.
+    pub(crate) fn of(elements: &[Element], element: usize, brightness: f64) -> Option<Self> {
+        let own = &elements[element];
+        let bounds = Aabb::around(own.hull.iter().copied());
+        (own.contact.is_none() && brightness > 0.0).then(|| Self {
+            element,
+            center: bounds.center(),
+            radius: 0.5 * bounds.diagonal(),
+            area: own.area,
+            plane: own.plane,
+            brightness,
+            spread: Spread::over(own),
+        })
+    }
+
+    /// The whole of a surface of which this is an element, with all that emits there, in `plane` if it is flat.
+    pub(crate) fn whole(self, elements: &[&Element], plane: Option<(DVec3, DVec3)>) -> Self {
+        let bounds = Aabb::around(elements.iter().flat_map(|element| element.hull.iter().copied()));
+        let patches: Vec<Patch> =
+            elements.iter().flat_map(|element| element.patches.iter().cloned()).collect();
+        Self {
+            center: bounds.center(),
+            radius: 0.5 * bounds.diagonal(),
+            area: elements.iter().map(|element| element.area).sum(),
+            plane,
+            spread: Spread::of(&patches),
+            ..self
+        }
+    }
+
     /// Distance of a point from its middle (scene length).
     pub(crate) fn distance(&self, point: DVec3) -> f64 {
         self.center.distance(point)
+    }
+
+    /// A point of its plane and the unit normal, if it is flat.
+    pub(crate) fn plane(&self) -> Option<(DVec3, DVec3)> {
+        self.plane
     }
 
     /// Radius of a ball around its middle that contains it (scene length).

@@ -6,7 +6,6 @@
 use radiosity_geom::{Aabb, COINCIDENT, DVec3};
 
 use crate::elements::Element;
-use crate::light::hierarchy::tree::Tree;
 use crate::visibility::Visibility;
 
 /// A point or a small piece of surface that receives light.
@@ -28,6 +27,17 @@ impl<'a> Site<'a> {
     }
 }
 
+/// What sends light to a site: an element, or a whole surface.
+#[derive(Clone, Copy, Debug)]
+pub struct Sender {
+    /// Index of its surface.
+    pub surface: usize,
+    /// A point of its plane and the unit normal, if it is flat.
+    pub plane: Option<(DVec3, DVec3)>,
+    /// Its bounding box.
+    pub bounds: Aabb,
+}
+
 /// The obstacles between a site and each of several elements.
 #[derive(Clone, Debug)]
 pub struct Occluders {
@@ -40,40 +50,41 @@ pub struct Occluders {
 }
 
 impl Occluders {
-    /// The occluders between a site and the elements of `trees`.
-    pub fn new(visibility: &Visibility, trees: &[Tree], site: &Site) -> Self {
+    /// The occluders between a site and each of `senders`.
+    pub fn new(visibility: &Visibility, senders: impl Iterator<Item = Sender> + Clone, site: &Site) -> Self {
         let Site { points: site, horizon, surface } = *site;
         let around = Aabb::around(site.iter().copied());
-        let everywhere = trees.iter().fold(around, |bounds, tree| bounds.union(tree.bounds));
+        let everywhere = senders.clone().fold(around, |bounds, sender| bounds.union(sender.bounds));
         let ground = horizon.map(|normal| (normal, lowest(site, normal)));
         let rises = |hull: &[DVec3]| {
             ground.is_none_or(|(normal, point)| hull.iter().any(|x| is_over(*x, point, normal)))
         };
-        let is_before = |points: &[DVec3], tree: &Tree| {
-            tree.plane.is_none_or(|(point, normal)| points.iter().any(|x| is_over(*x, point, normal)))
+        let is_before = |points: &[DVec3], sender: &Sender| {
+            sender.plane.is_none_or(|(point, normal)| points.iter().any(|x| is_over(*x, point, normal)))
         };
         let mut obstacles = visibility.reaching_into(&everywhere, surface.is_none());
         let own = |other: usize, surface: usize| other == surface && !visibility.hides_itself(surface);
-        let within = |tree: &Tree| surface == Some(tree.surface) && visibility.is_hollow(tree.surface);
+        let within =
+            |sender: &Sender| surface == Some(sender.surface) && visibility.is_hollow(sender.surface);
         let is_of_body = |other: usize, surface: usize| visibility.are_of_one_body(other, surface);
         let is_ground =
             |other: usize| surface.is_some_and(|surface| own(other, surface) || is_of_body(other, surface));
         obstacles.retain(|other| !is_ground(*other) && rises(visibility.hull(*other)));
         let mut places = Vec::new();
-        let ranges = trees.iter().map(|tree| {
-            if !rises(&tree.bounds.corners()) || !is_before(site, tree) {
+        let ranges = senders.map(|sender| {
+            if !rises(&sender.bounds.corners()) || !is_before(site, &sender) {
                 return None;
             }
-            let shaft = around.union(tree.bounds);
+            let shaft = around.union(sender.bounds);
             let stands = |place: &usize| {
                 let hull = visibility.hull(obstacles[*place]);
                 let reaches = visibility.bounds_of(obstacles[*place]).overlaps(&shaft);
-                let itself = obstacles[*place] == tree.surface && within(tree);
-                let touches = || is_of_body(obstacles[*place], tree.surface);
+                let itself = obstacles[*place] == sender.surface && within(&sender);
+                let touches = || is_of_body(obstacles[*place], sender.surface);
                 reaches
-                    && is_before(hull, tree)
+                    && is_before(hull, &sender)
                     && !itself
-                    && !own(obstacles[*place], tree.surface)
+                    && !own(obstacles[*place], sender.surface)
                     && !touches()
             };
             let start = places.len();

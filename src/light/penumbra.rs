@@ -4,32 +4,49 @@
 //! D(x) = Σ_l E₀ U_l v_l ,     v_l = Σ_k w_k κ(x, y_k) V(x, y_k) / Σ_k w_k κ(x, y_k) ,     U_l = ∫ κ dA      W m⁻²
 //! ```
 //!
-//! U_l of a flat emitter is exact (Lambert's formula), that of a curved one is the mean of w_k κ times its area. The
-//! points y_k are a Kronecker sequence on the emitter, or on its cells where it is near ([`super::lamp_cells`]). Where V is 1
-//! or 0 for all of them D is taken for exact; else rays are doubled until 0.9 σ E₀ U_l n^(−3/4) is small beside all light that
-//! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. For a
-//! curved emitter σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
+//! U_l of flat emitters and of whole curved surfaces has a closed form ([`super::sources`]), that of others is the mean of w_k κ
+//! times their area. What may stand between a point and an emitter is listed first ([`super::occluders`], [`super::blockers`]).
+//! Where that is nothing, or a flat thing or convex body that hides all of the emitter, no ray is sent; nor where a few flat
+//! things hide a part of a flat emitter: D is exact. Else rays ask what is listed. Weak emitters are not worth a list; their rays
+//! ask all surfaces.
 //!
-//! For openings to a sky κ holds the light towards x over that of a diffuse emitter, and U_l is a mean as for curved ones. The
-//! light of luminaires is exact ([`super::point_lights`]) and comes on top.
+//! The points y_k are a Kronecker sequence on the emitter, or on its cells where it is near ([`super::lamp_cells`]). Where V is 1
+//! or 0 for all of them D is taken for exact; else rays are doubled until 0.9 σ E₀ U_l n^(−3/4) is small beside all light that
+//! arrives, reflected light with it: the error behind straight edges, where σ ≤ ½ is the standard deviation of V. Where U_l has no
+//! closed form σ ≥ ½ is the relative standard deviation of w κ V, which varies more.
+//!
+//! For openings to a sky κ holds the light towards x over that of a diffuse emitter. The
+//! light of luminaires is exact ([`crate::light::point_lights`]) and comes on top.
 //!
 //! Few rays may miss something small. So each point tells which emitters it sees ([`Shade`]); where points beside each
 //! other differ in that, rays are doubled until one of them is worth no more than the error allowed.
 
+use std::iter;
+
+use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
-use crate::elements::Element;
+use crate::light::blockers::{Before, Shadows};
 use crate::light::emitters::{Emitters, Radiances};
 use crate::light::lamp_cells::LampCells;
-use crate::light::lamps::{Lamp, Lamps};
+use crate::light::lamps::Lamp;
+use crate::light::occluders::Occluders;
 use crate::light::point_lights::PointLights;
 use crate::light::receiver_point::ReceiverPoint;
+use crate::light::sources::Source;
 use crate::sampling::shift::{number_of, shift};
 use crate::visibility::Visibility;
 
 /// Rays to an emitter that sends all direct light, before they are compared; fewer to weaker ones, but some. Chosen.
 const FIRST: f64 = 24.0;
 const FEWEST: u64 = 4;
+
+/// Share of all light that an emitter sends at least for which it is listed what may stand before it. Chosen: a list costs about as
+/// much as [`FEWEST`] rays.
+const LISTED: f64 = 0.1;
+
+/// Shadow volumes of flat things, at most, that are cut out of a flat emitter. Chosen: the cost doubles with each that overlaps.
+const CUT_OUT: usize = 8;
 
 /// Rays to a curved emitter, at most, before they are compared: half of its points may face away. Chosen.
 const FIRST_TO_CURVED: f64 = 32.0;
@@ -55,9 +72,8 @@ const NEAR: f64 = 3.0;
 /// Direct light by rays.
 #[derive(Debug)]
 pub(crate) struct Penumbra<'a> {
-    elements: &'a [Element],
     visibility: &'a Visibility,
-    lamps: Lamps,
+    sources: Vec<Source<'a>>,
     radiances: &'a Radiances,
     points: &'a PointLights,
     bands: usize,
@@ -101,12 +117,26 @@ pub(crate) enum Shade {
     Sees(u64),
 }
 
-/// Rays from a point to an emitter.
+/// What is known of the things between a point and an emitter.
+#[expect(clippy::large_enum_variant, reason = "one for each beam, made for one point: boxes would cost more")]
+enum Between<'a> {
+    /// Nothing stands there.
+    Nothing,
+    /// Some of these may.
+    Some(Shadows<'a>, Before),
+    /// Anything may.
+    Anything,
+}
+
+/// The light between a point and an emitter.
 struct Beam<'a> {
-    lamp: &'a Lamp,
+    source: &'a Source<'a>,
+    /// U_l v_l, where that needs no rays.
+    known: Option<f64>,
+    between: Between<'a>,
     cells: LampCells<'a>,
     offset: [f64; 3],
-    /// U_l of a flat emitter.
+    /// U_l, where that needs no rays.
     whole: Option<f64>,
     sent: u64,
     /// Σ w κ over all rays, and over those that arrive; Σ (w κ)² over these.
@@ -118,10 +148,8 @@ struct Beam<'a> {
 impl<'a> Penumbra<'a> {
     /// The direct light of `sources`, to the accuracy `eps` of what arrives.
     pub(crate) fn new(sources: &Emitters<'a>, visibility: &'a Visibility, eps: f64) -> Self {
-        let Emitters { elements, ref coatings, radiances, points } = *sources;
-        let bands = coatings.len();
-        let lamps = Lamps::new(elements, coatings, &vec![1.0; bands]);
-        Self { elements, visibility, lamps, radiances, points, bands, eps }
+        let (radiances, points, bands) = (sources.radiances, sources.points, sources.coatings.len());
+        Self { visibility, sources: Source::all(sources, visibility), radiances, points, bands, eps }
     }
 
     /// The direct light at a point where `beside` it other light arrives (W m⁻², mean over the bands).
@@ -129,37 +157,82 @@ impl<'a> Penumbra<'a> {
         let mut points = vec![0.0; self.bands];
         self.points.add(vantage, self.visibility, &mut points);
         let beside = beside + points.iter().sum::<f64>() / self.bands as f64;
-        let bounds: Vec<f64> = self.lamps.list().iter().map(|lamp| lamp.bound(vantage)).collect();
+        let bounds: Vec<f64> = self.sources.iter().map(|source| source.lamp.bound(vantage)).collect();
         let all: f64 = bounds.iter().sum();
-        let some = self.lamps.list().iter().zip(bounds).filter(|(_, bound)| *bound > 0.0);
-        let beams = some.map(|(lamp, bound)| self.beam(vantage, lamp, bound / all));
-        let mut beams: Vec<Beam> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
-        let arrives: f64 = beams.iter().map(|beam| beam.lamp.brightness * beam.factor()).sum();
+        let shares = self.sources.iter().zip(bounds.iter().map(|bound| bound / all));
+        let some: SmallVec<[(&Source, f64, Option<Occluders>); 4]> = shares
+            .filter(|(_, share)| *share > 0.0)
+            .map(|(source, share)| (source, share, self.listed(vantage, source, share)))
+            .collect();
+        let beams =
+            some.iter().map(|(source, share, listed)| self.beam(vantage, source, *share, listed.as_ref()));
+        let mut beams: SmallVec<[Beam; 1]> = beams.filter(|beam| beam.whole != Some(0.0)).collect();
+        let arrives: f64 = beams.iter().map(|beam| beam.source.lamp.brightness * beam.factor()).sum();
         let tolerance = care.rough * self.eps * (beside + arrives).max(DARK * all);
         self.refine(vantage, &mut beams, tolerance, care.sure);
-        let factor = |beam: &Beam| Factor { element: beam.lamp.element, value: beam.factor() };
+        let factor = |beam: &Beam| Factor { element: beam.source.lamp.element, value: beam.factor() };
         Sight { shade: shade(&beams), factors: beams.iter().map(factor).collect(), points }
     }
 
-    /// The first rays to an emitter that sends about the part `share` of all light without shadows.
-    fn beam<'l>(&'l self, vantage: &ReceiverPoint, lamp: &'l Lamp, share: f64) -> Beam<'l> {
-        let position = vantage.position.to_array();
-        let whole = self.without_shadows(vantage, lamp);
+    /// What may stand between a point and an emitter of the part `share` of all light, if that is worth a list.
+    fn listed(&self, vantage: &ReceiverPoint, source: &Source, share: f64) -> Option<Occluders> {
+        let list = || Occluders::new(self.visibility, iter::once(source.sender()), &vantage.site());
+        (share >= LISTED).then(list)
+    }
+
+    /// The light from an emitter that sends about the part `share` of all light without shadows: known, or by the first rays.
+    fn beam<'l>(
+        &'l self,
+        vantage: &'l ReceiverPoint,
+        source: &'l Source,
+        share: f64,
+        listed: Option<&'l Occluders>,
+    ) -> Beam<'l> {
+        let whole = source.whole(vantage);
+        let between = listed.map_or(Some(Between::Anything), |listed| self.between(vantage, source, listed));
+        let known = match &between {
+            None => Some(0.0),
+            Some(Between::Nothing) => whole,
+            Some(Between::Some(shadows, before)) => cut_out(vantage, source, shadows, *before),
+            Some(Between::Anything) => None,
+        };
+        let place = vantage.position.to_array().into_iter();
         let mut beam = Beam {
-            cells: cells(lamp, vantage),
-            offset: shift(number_of(position.into_iter().chain([lamp.element as f64]))),
-            lamp,
+            cells: cells(&source.lamp, vantage),
+            offset: shift(number_of(place.chain([source.lamp.element as f64]))),
+            source,
+            known,
+            between: between.unwrap_or(Between::Nothing),
             whole,
             sent: 0,
             all: 0.0,
             seen: 0.0,
             squares: 0.0,
         };
-        if whole != Some(0.0) {
+        if whole != Some(0.0) && known.is_none() {
             let first = if whole.is_some() { FIRST * share } else { self.first_to_curved(share) };
             self.send(vantage, &mut beam, (first as u64).max(FEWEST));
         }
         beam
+    }
+
+    /// What stands between a point and an emitter, of what is listed; None where it hides all.
+    fn between<'l>(
+        &'l self,
+        vantage: &'l ReceiverPoint,
+        source: &Source,
+        listed: &'l Occluders,
+    ) -> Option<Between<'l>> {
+        let places = listed.before(0)?;
+        let closes = |place: &usize| source.is_closed_by(self.visibility.faces(&listed.obstacles[*place]));
+        let places: SmallVec<[usize; 16]> = places.iter().copied().filter(|place| !closes(place)).collect();
+        if places.is_empty() {
+            return Some(Between::Nothing);
+        }
+        let mut shadows = Shadows::new(vantage, self.visibility, listed);
+        let asked = shadows.ask(&places, source.bounds());
+        let before = shadows.narrow_to(asked, &source.extent())?;
+        Some(if before.is_nothing() { Between::Nothing } else { Between::Some(shadows, before) })
     }
 
     /// Rays by which a curved emitter of the part `share` of all light errs by the accuracy, if so many are not too many.
@@ -179,33 +252,37 @@ impl<'a> Penumbra<'a> {
         }
     }
 
-    /// U_l of a flat diffuse emitter.
-    fn without_shadows(&self, vantage: &ReceiverPoint, lamp: &Lamp) -> Option<f64> {
-        let element = &self.elements[lamp.element];
-        element.plane?;
-        if self.radiances.of_surface(element.surface).is_some() {
-            return None;
-        }
-        let nothing = || [].iter();
-        Some(element.patches.iter().map(|patch| vantage.factor(&patch.polygon(), nothing())).sum())
-    }
-
     /// Sends `count` rays more.
     fn send(&self, vantage: &ReceiverPoint, beam: &mut Beam, count: u64) {
         for index in beam.sent..beam.sent + count {
             let target = beam.cells.target(index, &beam.offset);
             let Some(kernel) = vantage.kernel_to(&target.node) else { continue };
             let into = (vantage.position - target.node.position).normalize_or_zero();
-            let surface = self.elements[beam.lamp.element].surface;
-            let value = target.weight * kernel * self.radiances.relative(surface, into);
+            let value = target.weight * kernel * self.radiances.relative(beam.source.surface, into);
             beam.all += value;
-            if self.visibility.is_free(vantage.surface, vantage.position, target.node.position) {
+            if self.is_free(vantage, beam, target.node.position) {
                 beam.seen += value;
                 beam.squares += value * value;
             }
         }
         beam.sent += count;
     }
+
+    /// Whether the point `y` of the emitter is seen.
+    fn is_free(&self, vantage: &ReceiverPoint, beam: &Beam, y: DVec3) -> bool {
+        match &beam.between {
+            Between::Nothing => true,
+            Between::Some(shadows, before) => !shadows.hide(*before, y, beam.source.surface),
+            Between::Anything => self.visibility.is_free(vantage.surface, vantage.position, y),
+        }
+    }
+}
+
+/// U_l v_l of a flat emitter behind few things, all flat; None of others.
+fn cut_out(vantage: &ReceiverPoint, source: &Source, shadows: &Shadows, before: Before) -> Option<f64> {
+    let polygons = source.polygons()?;
+    let is_exact = shadows.are_flat(before) && shadows.pyramids(before).count() <= CUT_OUT;
+    is_exact.then(|| polygons.iter().map(|polygon| vantage.factor(polygon, shadows.pyramids(before))).sum())
 }
 
 /// The targets on an emitter as seen from a point.
@@ -221,24 +298,27 @@ fn shade(beams: &[Beam]) -> Shade {
     if beams.iter().any(Beam::is_mixed) {
         return Shade::Partial;
     }
-    let seen = beams.iter().filter(|beam| beam.seen > 0.0);
-    Shade::Sees(number_of(seen.map(|beam| beam.lamp.element as f64)))
+    let seen = beams.iter().filter(|beam| beam.factor() > 0.0);
+    Shade::Sees(number_of(seen.map(|beam| beam.source.lamp.element as f64)))
 }
 
 impl Beam<'_> {
     /// U_l, or what rays say of it.
     fn size(&self) -> f64 {
-        self.whole.unwrap_or(self.all * self.lamp.area / self.sent as f64)
+        self.whole.unwrap_or(self.all * self.source.lamp.area / self.sent as f64)
     }
 
     /// U_l v_l.
     fn factor(&self) -> f64 {
-        if self.all > 0.0 { self.size() * self.seen / self.all } else { 0.0 }
+        self.known.unwrap_or_else(|| if self.all > 0.0 { self.size() * self.seen / self.all } else { 0.0 })
     }
 
     /// Error of its light; of light that is seen wholly or not at all only if one must be `sure` of that.
     fn error(&self, sure: bool) -> f64 {
-        let size = self.lamp.brightness * self.size();
+        if self.known.is_some() {
+            return 0.0;
+        }
+        let size = self.source.lamp.brightness * self.size();
         match self.is_mixed() || self.whole.is_none() {
             true => EDGE * self.deviation() * size * (self.sent as f64).powf(-0.75),
             false if sure => MISSED * size / self.sent as f64,
@@ -256,8 +336,11 @@ impl Beam<'_> {
         ((squares.max(0.0) * rays).sqrt() / self.all).max(LEAST)
     }
 
-    /// Whether some rays arrive, and some not.
+    /// Whether it is seen partly.
     fn is_mixed(&self) -> bool {
-        self.seen > 0.0 && self.seen < self.all
+        match (self.known, self.whole) {
+            (Some(known), Some(whole)) => known > 0.0 && known < whole,
+            _ => self.seen > 0.0 && self.seen < self.all,
+        }
     }
 }

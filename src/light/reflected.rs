@@ -80,7 +80,7 @@ impl<'a> Reflection<'a> {
 
     /// Possible occluders between a site and the reflecting elements.
     pub fn around(&self, site: &Site) -> Occluders {
-        Occluders::new(self.visibility, &self.trees, site)
+        Occluders::new(self.visibility, self.trees.iter().map(Tree::sender), site)
     }
 
     /// Irradiance (W m⁻²) per band at a point of a site; `other` light arrives too: the tolerance is relative to both.

@@ -2,7 +2,7 @@
 //!
 //! The camera is a pinhole; a ray that meets the back of a surface, or nothing, is black. Light is
 //! computed at the middles of the pixels (`frame_light`).
-//! Pixels that differ from one beside them average `samples × samples` points of a regular grid.
+//! Pixels that an edge of a surface crosses or that differ from one beside them average `samples × samples` points of a regular grid.
 
 use std::ops::Range;
 
@@ -49,6 +49,9 @@ const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
 
 /// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
 const ROWS: usize = 4;
+
+/// The corners of the unit square.
+const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
 
 /// How far a picture is. Counts are (done, all).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,7 +164,8 @@ impl Shot<'_> {
             .flat_map_iter(|row| {
                 let start = (row - first) * width;
                 let pixel = |pixel: usize| {
-                    let is_fine = self.samples > 1 && differs(&frame, &middles, pixel);
+                    let is_fine = self.samples > 1
+                        && (self.is_edge(&frame, pixel, first) || differs(&frame, &middles, pixel));
                     let sampled = || self.sampled(&lit, pixel, first, &middles[pixel]);
                     let value = if is_fine { sampled() } else { middles[pixel].clone() };
                     done.add();
@@ -185,14 +189,40 @@ impl Shot<'_> {
         Pixel { radiosity: vec![0.0; self.light.solution().bands().len()], coverage: 0.0, samples: None }
     }
 
+    /// Whether an edge of a surface crosses a pixel of a frame that begins with the row `first`. That does not depend on light, so that
+    /// pixels at edges of little contrast are sampled alike in all frames of a film.
+    fn is_edge(&self, frame: &Frame, pixel: usize, first: usize) -> bool {
+        let Some(middle) = frame.seen(pixel) else { return false };
+        let [column, row] = frame.place(pixel).map(|at| at as isize);
+        let mut beside = (-1..=1).flat_map(|j| (-1..=1).map(move |i| [column + i, row + j]));
+        let goes = |at: [isize; 2]| {
+            frame.pixel(at).is_none_or(|other| frame.seen(other).is_some_and(|other| middle.goes_with(other)))
+        };
+        !beside.all(goes)
+            && CORNERS.iter().any(|place| {
+                let [x, y] = self.point(frame, pixel, place.map(|at| at * (self.samples - 1)));
+                !self
+                    .eye
+                    .along(&self.view.ray(x, y + first as f64))
+                    .is_some_and(|seen| middle.goes_with(&seen))
+            })
+    }
+
+    /// Where one point of the regular grid of a pixel lies in the frame.
+    fn point(&self, frame: &Frame, pixel: usize, place: [u32; 2]) -> [f64; 2] {
+        let [column, row] = frame.place(pixel);
+        let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
+        [column as f64 + x, row as f64 + y]
+    }
+
     /// The mean over a pixel of a frame that begins with the row `first`; `middle` is what its middle sees. Where the corners
     /// see about the same, they and the middle are enough.
     fn sampled(&self, lit: &FrameLight, pixel: usize, first: usize, middle: &Pixel) -> Pixel {
         let sample = |place: [u32; 2]| self.sample(lit, pixel, first, place);
         let most = self.samples - 1;
-        let corners = [[0, 0], [most, 0], [0, most], [most, most]];
+        let corners = CORNERS.map(|corner| corner.map(|at| at * most));
         let few: Vec<Pixel> = corners.into_iter().map(sample).chain([middle.clone()]).collect();
-        if few.iter().all(|one| !apart(one, middle)) {
+        if few.iter().all(|one| !apart(one, middle)) && !self.is_edge(lit.frame(), pixel, first) {
             return self.mean(&few);
         }
         let is_corner = |place: &[u32; 2]| corners.contains(place);
@@ -203,9 +233,7 @@ impl Shot<'_> {
 
     /// What one point of the regular grid of a pixel sees.
     fn sample(&self, lit: &FrameLight, pixel: usize, first: usize, place: [u32; 2]) -> Pixel {
-        let [column, row] = lit.frame().place(pixel);
-        let [x, y] = place.map(|k| (f64::from(k) + 0.5) / f64::from(self.samples));
-        let at = [column as f64 + x, row as f64 + y];
+        let at = self.point(lit.frame(), pixel, place);
         let seen = self.eye.along(&self.view.ray(at[0], at[1] + first as f64));
         let Some(seen) = seen else { return self.nothing() };
         let direct = self.light.direct(&seen, ONE_OF_SEVERAL).bands;

@@ -7,6 +7,7 @@ mod closure;
 mod cornell;
 mod edges;
 mod curved_shadows;
+mod films;
 mod footings;
 mod gather;
 mod groups;

@@ -36,48 +36,48 @@ const LEVEL: f64 = 0.999;
 
 /// A patch with the values of a field at its Gauss points.
 #[derive(Clone, Debug)]
-pub struct Cell {
+pub(crate) struct Cell {
     patch: Patch,
     /// Number of quarterings that made it.
     level: u8,
     quarters: OnceLock<Box<[Cell; 4]>>,
     /// Points whose convex hull contains the cell: its corners if it is flat.
-    pub hull: SmallVec<[DVec3; 4]>,
+    pub(crate) hull: SmallVec<[DVec3; 4]>,
     /// The Gauss points; the area of each is its share of the cell's.
-    pub nodes: [Node; POINTS],
+    pub(crate) nodes: [Node; POINTS],
     /// The positions of the Gauss points, component by component.
-    pub lanes: [[f64; POINTS]; 3],
+    pub(crate) lanes: [[f64; POINTS]; 3],
     /// Values of the field, point after point, channels fastest.
     values: SmallVec<[f64; 12]>,
     /// Mean of each channel over the cell's area, by its finest parts.
     means: SmallVec<[f64; 3]>,
     /// Positions and normals at the corners and the Gauss points of a curved cell.
-    pub facets: Vec<(DVec3, DVec3)>,
+    pub(crate) facets: Vec<(DVec3, DVec3)>,
     /// Mean of the points of the hull.
-    pub center: DVec3,
+    pub(crate) center: DVec3,
     /// Radius of the ball about the centre that contains the hull.
-    pub radius: f64,
+    pub(crate) radius: f64,
     /// The corners, and the radius about their mean, where the cell counts as a flat quadrilateral.
-    pub quad: Option<(Quad, f64)>,
+    pub(crate) quad: Option<(Quad, f64)>,
     /// Largest mean of a channel over its scale.
-    pub brightness: f64,
+    pub(crate) brightness: f64,
     /// Largest difference of a value from the mean, over the channel's scale.
-    pub spread: f64,
+    pub(crate) spread: f64,
     /// Largest difference between the mean by the cell's points and that by its finest parts, over the channel's scale.
-    pub detail: f64,
+    pub(crate) detail: f64,
     /// Whether the bilinear function of the four values may be continued beyond their range.
     is_smooth: bool,
     /// Smallest cosine between two normals.
-    pub bend: f64,
+    pub(crate) bend: f64,
     /// Whether its border is the polygon of its hull, which Lambert's formula follows.
-    pub is_straight: bool,
+    pub(crate) is_straight: bool,
     /// Sagitta over radius: about how far a curved cell lies off the quadrilateral of its corners.
-    pub warp: f64,
+    pub(crate) warp: f64,
 }
 
 impl Cell {
     /// A cell without a field.
-    pub fn bare(patch: Patch) -> Self {
+    pub(crate) fn bare(patch: Patch) -> Self {
         Self::at_level(patch, 0)
     }
 
@@ -128,7 +128,7 @@ impl Cell {
     }
 
     /// The cell with `values` of a field at its points; `scale` has one positive number per channel.
-    pub fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
+    pub(crate) fn with_values(mut self, values: SmallVec<[f64; 12]>, scale: &[f64]) -> Self {
         self.values = values;
         self.means = (0..scale.len()).map(|channel| self.mean(channel)).collect();
         for (channel, scale) in scale.iter().enumerate() {
@@ -142,7 +142,7 @@ impl Cell {
     }
 
     /// The cell of an emitter of the exitance 1 that spreads its light so, in one channel of this scale, as a point sees it.
-    pub fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Self {
+    pub(crate) fn seen(&self, radiance: &Radiance, point: DVec3, scale: f64) -> Self {
         let towards = |y: DVec3| radiance.relative((point - y).normalize_or_zero());
         let values = self.nodes.iter().map(|node| towards(node.position)).collect();
         let bare = Self {
@@ -171,7 +171,7 @@ impl Cell {
     }
 
     /// Value of a channel at a Gauss point.
-    pub fn value(&self, point: usize, channel: usize) -> f64 {
+    pub(crate) fn value(&self, point: usize, channel: usize) -> f64 {
         self.values[point * (self.values.len() / POINTS) + channel]
     }
 
@@ -183,12 +183,12 @@ impl Cell {
     }
 
     /// Area by the Gauss rule (scene length²).
-    pub fn area(&self) -> f64 {
+    pub(crate) fn area(&self) -> f64 {
         self.nodes.iter().map(|node| node.area).sum()
     }
 
     /// The corners in order, without repetitions (to 1e-9 of the radius).
-    pub fn outline(&self) -> Vec<DVec3> {
+    pub(crate) fn outline(&self) -> Vec<DVec3> {
         let mut corners = self.patch.corners().to_vec();
         let same = |a: &DVec3, b: &DVec3| a.distance(*b) <= 1e-9 * self.radius;
         corners.dedup_by(|a, b| same(a, b));
@@ -199,22 +199,22 @@ impl Cell {
     }
 
     /// Whether the cell lies in a plane.
-    pub fn is_flat(&self) -> bool {
+    pub(crate) fn is_flat(&self) -> bool {
         self.patch.is_flat()
     }
 
     /// Whether the field is constant over the cell.
-    pub fn is_uniform(&self) -> bool {
+    pub(crate) fn is_uniform(&self) -> bool {
         self.spread == 0.0 && self.detail == 0.0
     }
 
     /// Whether the cell is a flat parallelogram.
-    pub fn is_parallelogram(&self) -> bool {
+    pub(crate) fn is_parallelogram(&self) -> bool {
         self.patch.is_parallelogram()
     }
 
     /// Largest difference of the values of `quarters` from the bilinear function of this cell, over the channel's scale.
-    pub fn misfit(&self, quarters: &[Cell; 4], scale: &[f64]) -> f64 {
+    pub(crate) fn misfit(&self, quarters: &[Cell; 4], scale: &[f64]) -> f64 {
         let continued = self.continued(scale.len());
         let differences = quarters.iter().zip(&continued).flat_map(|(quarter, continued)| {
             let channels = scale.iter().cycle();
@@ -229,14 +229,14 @@ impl Cell {
     }
 
     /// Marks the field as one that may jump.
-    pub fn mark_rough(&mut self) {
+    pub(crate) fn mark_rough(&mut self) {
         self.is_smooth = false;
     }
 
     /// Stores its quarters, which carry the same field and have their own, and updates spread, detail and brightness from them:
     /// a cell whose points all miss a peak knows it so. Its values are shifted to have their mean, so that a cell that is taken
     /// undivided errs alike in both directions.
-    pub fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
+    pub(crate) fn divide(&mut self, quarters: [Cell; 4], scale: &[f64]) {
         let whole: f64 = quarters.iter().map(Cell::area).sum();
         let channels = scale.len();
         for (channel, scale) in scale.iter().enumerate() {
@@ -258,7 +258,7 @@ impl Cell {
     }
 
     /// The four quarters, index 2 a + b as for the points.
-    pub fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
+    pub(crate) fn quarters(&self, scale: &[f64]) -> Quarters<'_> {
         if self.level < KEPT || self.quarters.get().is_some() {
             Quarters::Kept(self.quarters.get_or_init(|| Box::new(self.interpolated(scale))))
         } else {
@@ -278,7 +278,7 @@ impl Cell {
     }
 
     /// The four quarters without a field, index 2 a + b, a for the first halving and b for the second.
-    pub fn bare_quarters(&self) -> [Cell; 4] {
+    pub(crate) fn bare_quarters(&self) -> [Cell; 4] {
         let [first, second] = self.directions();
         let halves = self.patch.halves(first).map(|half| half.halves(second));
         let [[a, b], [c, d]] = halves;
@@ -334,7 +334,7 @@ impl Cell {
 }
 
 /// The quarters of a cell.
-pub enum Quarters<'a> {
+pub(crate) enum Quarters<'a> {
     /// Kept by the cell.
     Kept(&'a [Cell; 4]),
     /// Made for this call.

@@ -23,6 +23,7 @@ use crate::elements::Element;
 use crate::elements::patch::Node;
 use crate::light::hierarchy::border::Border;
 use crate::light::hierarchy::cell::{Cell, POINTS};
+use crate::light::occluders::Sender;
 use crate::scene::Radiance;
 
 /// Levels of quarters below the patches of an element that are all made where the field varies, so that no small shadow is
@@ -45,18 +46,18 @@ const FINE: f64 = 30.0;
 
 /// An element as a sender of light.
 #[derive(Debug)]
-pub struct Tree {
+pub(crate) struct Tree {
     /// The cells that cover the element, one per patch.
     roots: Vec<Cell>,
     scale: Vec<f64>,
     /// Index of its surface.
-    pub surface: usize,
+    pub(crate) surface: usize,
     /// A point of the element's plane and the unit normal, if it is flat.
-    pub plane: Option<(DVec3, DVec3)>,
+    pub(crate) plane: Option<(DVec3, DVec3)>,
     /// Bounding box of the element.
-    pub bounds: Aabb,
+    pub(crate) bounds: Aabb,
     /// How it spreads its light, if it is no diffuse emitter: the field is then multiplied by the light towards the receiver.
-    pub radiance: Option<Radiance>,
+    pub(crate) radiance: Option<Radiance>,
 }
 
 /// A field over an element: writes the value of each channel at a node of a patch.
@@ -64,20 +65,25 @@ pub(crate) type Field<'a> = &'a dyn Fn(&Node, &mut [f64]);
 
 impl Tree {
     /// The tree of an element of exitance 1 in one channel, whose brightness is `brightness` > 0 times the scale.
-    pub fn uniform(element: &Element, brightness: f64) -> Self {
+    pub(crate) fn uniform(element: &Element, brightness: f64) -> Self {
         Self::grown(element, &[1.0 / brightness], |bare, scale| {
             with_field(bare, scale, &|_, out| out.fill(1.0))
         })
     }
 
     /// The tree of an element that spreads its light so, if it is no diffuse emitter.
-    pub fn spread(self, radiance: Option<Radiance>) -> Self {
+    pub(crate) fn spread(self, radiance: Option<Radiance>) -> Self {
         Self { radiance, ..self }
+    }
+
+    /// What it is to those who look for occluders.
+    pub(crate) fn sender(&self) -> Sender {
+        Sender { surface: self.surface, plane: self.plane, bounds: self.bounds }
     }
 
     /// The tree of an element with `field`, whose channels have the positive `scale`; it resolves the field to about
     /// the accuracy `eps` relative to the scale.
-    pub fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
+    pub(crate) fn new(element: &Element, scale: &[f64], eps: f64, field: Field<'_>) -> Self {
         // ⌈N/4⌉ quarterings: the 2 × 2 points per cell then see every polynomial of the element.
         let least = element.basis.total_degree().div_ceil(4);
         Self::grown(element, scale, |bare, scale| {
@@ -98,12 +104,12 @@ impl Tree {
     }
 
     /// The cells that cover the element, one per patch.
-    pub fn roots(&self) -> &[Cell] {
+    pub(crate) fn roots(&self) -> &[Cell] {
         &self.roots
     }
 
     /// The scale of each channel.
-    pub fn scale(&self) -> &[f64] {
+    pub(crate) fn scale(&self) -> &[f64] {
         &self.scale
     }
 }
