@@ -33,7 +33,8 @@ pub(super) fn coated(scene: &Scene, roles: &Roles, coat: impl Fn(&Role) -> (f64,
     "W/m²".clone_into(&mut scene.unit);
     for (surface, role) in scene.surfaces.iter_mut().zip(&roles.list) {
         let (reflectance, emission) = coat(role);
-        surface.material = Material { reflectance: vec![reflectance], emission: vec![emission] };
+        surface.material =
+            Material { reflectance: vec![reflectance], emission: vec![emission], ..Material::black(1) };
         surface.flux = None;
         surface.radiance = None;
         surface.group = match role {

@@ -207,6 +207,7 @@ impl SurfaceDraft {
             material: material.clone(),
             radiance: radiance.clone(),
             material_name: self.material_name.clone(),
+            other_side: None,
             group: self.group.as_ref().map(LightGroup::new),
             flux: self
                 .flux

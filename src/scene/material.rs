@@ -1,14 +1,23 @@
 //! Materials: reflectance ρ and emission, per band.
 
-use crate::scene::{error::Fault, ranges::check_range};
+use std::sync::Arc;
+
+use crate::scene::{error::Fault, pattern::Pattern, ranges::check_range};
 
 /// A Lambertian material. [`Material::new`] checks the ranges; scenes hold only checked ones.
 #[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Material {
-    /// Reflectance ρ of each band, 0 ≤ ρ < 1.
+    /// Reflectance ρ of each band, 0 ≤ ρ < 1; its mean over the parameters where it is patterned.
     pub reflectance: Vec<f64>,
-    /// Emitted exitance of each band, W m⁻², ≥ 0.
+    /// Emitted exitance of each band, W m⁻², ≥ 0; its mean over the parameters where it is patterned.
     pub emission: Vec<f64>,
+    /// Diffuse transmittance τ of each band, the part of what arrives on the other side that leaves here; 0 ≤ τ, ρ + τ < 1.
+    pub transmittance: Vec<f64>,
+    /// How ρ varies over a surface.
+    pub reflectance_pattern: Option<Arc<Pattern>>,
+    /// How the emitted exitance varies over a surface.
+    pub emission_pattern: Option<Arc<Pattern>>,
 }
 
 impl Material {
@@ -21,7 +30,7 @@ impl Material {
     /// lengths differ.
     pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
         let bands = reflectance.len();
-        let material = Material { reflectance, emission };
+        let material = Material { reflectance, emission, ..Material::black(bands) };
         material.check(bands)?;
         Ok(material)
     }
@@ -36,7 +45,13 @@ impl Material {
 
     /// The material that neither reflects nor emits.
     pub fn black(bands: usize) -> Self {
-        Material { reflectance: vec![0.0; bands], emission: vec![0.0; bands] }
+        Material {
+            reflectance: vec![0.0; bands],
+            emission: vec![0.0; bands],
+            transmittance: vec![0.0; bands],
+            reflectance_pattern: None,
+            emission_pattern: None,
+        }
     }
 
     /// Whether it emits in any band.
@@ -46,7 +61,7 @@ impl Material {
 
     /// Whether any light can leave it: it emits or reflects in some band.
     pub fn sends(&self) -> bool {
-        self.emits() || self.reflectance.iter().any(|&rho| rho > 0.0)
+        self.emits() || self.reflectance.iter().chain(&self.transmittance).any(|&rho| rho > 0.0)
     }
 }
 

@@ -39,6 +39,9 @@ impl Scene {
 /// Gives a surface the material; one of a given flux, or an opening to a sky, goes on emitting that.
 fn paint(surface: &mut SceneSurface, material: &Material) {
     let keeps = surface.flux.is_some() || surface.radiance.is_some();
-    let emission = if keeps { &surface.material.emission } else { &material.emission };
-    surface.material = Material { reflectance: material.reflectance.clone(), emission: emission.clone() };
+    let own = std::mem::replace(&mut surface.material, material.clone());
+    if keeps {
+        surface.material.emission = own.emission;
+        surface.material.emission_pattern = own.emission_pattern;
+    }
 }

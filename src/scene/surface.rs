@@ -22,6 +22,8 @@ pub struct SceneSurface {
     pub material: Material,
     /// The material's name in the file, if one is given.
     pub material_name: Option<String>,
+    /// The index of its other side, where it is two-sided.
+    pub other_side: Option<usize>,
     /// Its light group, if it has one: its own, or else that of its material.
     pub group: Option<LightGroup>,
     /// Flux of each band (W) that it emits, not dimmed, where that is given instead of the emission of its material.

@@ -75,7 +75,11 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
             });
             let maker = || Maker { draft: index, front: sides[0].name.clone() };
             makers.extend(sides.iter().map(|_| maker()));
-            surfaces.extend(sides);
+            let (first, count) = (surfaces.len(), sides.len());
+            surfaces.extend(sides.into_iter().enumerate().map(|(side, own)| SceneSurface {
+                other_side: (count == 2).then_some(first + 1 - side),
+                ..own
+            }));
         }
     }
     check_apart(&claims)?;
