@@ -121,7 +121,7 @@ impl<'a> Errors<'a> {
     fn exact(&self, seen: &Seen) -> f64 {
         let irradiance = self.reader.irradiance(seen.element, &seen.place, seen.normal).irradiance;
         let bands = self.solution.bands().iter().zip(irradiance);
-        bands.map(|(band, e)| band.coating.radiosity(seen.element, e)).sum()
+        bands.map(|(band, e)| band.coating.radiosity(seen.element, seen.place.parameters, e, 0.0)).sum()
     }
 
     fn error(&self, pixel: usize) -> Option<f64> {

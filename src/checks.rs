@@ -140,16 +140,18 @@ fn row_sums(list: &[Element], which: &[usize], starts: &[usize], transported: &[
     which.iter().map(sum).collect()
 }
 
-/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = √ρ G √ρ from the constant: an eigenvalue lies
-/// in the interval of that radius about λ.
+/// λ + ‖A v − λ v‖ after at most [`MOST_STEPS`] power iterations with A = S^½ G S^½ from the constant: an eigenvalue lies
+/// in the interval of that radius about λ. Where surfaces let light through, A = S G is not symmetric, and λ + ‖A v − λ v‖ is an
+/// estimate.
 ///
 /// The kernel is not negative, so the eigenfunction of the largest eigenvalue is positive, and the constant is near it.
 fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 {
-    let mut roots = Vec::with_capacity(ones.len());
-    for (range, reflectance) in blocks.starts().windows(2).zip(&coating.reflectance) {
-        roots.resize(roots.len() + range[1] - range[0], reflectance.sqrt());
-    }
-    let mut v: Vec<f64> = ones.iter().zip(&roots).map(|(c, root)| c * root).collect();
+    let starts = blocks.starts();
+    let step = |v: &[f64]| match coating.transmits() {
+        true => coating.reflected(starts, &blocks.apply(v)),
+        false => coating.halved(starts, &blocks.apply(&coating.halved(starts, v))),
+    };
+    let mut v = if coating.transmits() { ones.to_vec() } else { coating.halved(starts, ones) };
     let settled = if blocks.is_noisy() { SETTLED_BY_RAYS } else { SETTLED };
     let mut bound = 0.0;
     for _ in 0..MOST_STEPS {
@@ -158,8 +160,7 @@ fn spectral_bound(blocks: &dyn Carrier, coating: &Coating, ones: &[f64]) -> f64 
             return 0.0;
         }
         v.iter_mut().for_each(|x| *x /= norm);
-        let weighted: Vec<f64> = v.iter().zip(&roots).map(|(x, root)| x * root).collect();
-        let next: Vec<f64> = blocks.apply(&weighted).iter().zip(&roots).map(|(x, root)| x * root).collect();
+        let next = step(&v);
         let lambda: f64 = v.iter().zip(&next).map(|(x, y)| x * y).sum();
         let error = v.iter().zip(&next).map(|(x, y)| (y - lambda * x).powi(2)).sum::<f64>().sqrt();
         bound = lambda + error;

@@ -16,6 +16,7 @@ pub(crate) mod products;
 pub(crate) mod spectrum;
 pub(crate) mod measure;
 pub mod basis;
+pub(crate) mod parameters;
 mod fault;
 mod element;
 pub mod coating;
@@ -251,13 +252,7 @@ impl Elements {
     /// Disjoint patches that cover the part of element `element` over the parameters `rect`.
     pub fn patches_over(&self, element: usize, rect: &Rect) -> Vec<Patch> {
         let element = &self.list[element];
-        let Some(common) = overlap(&element.rect, rect) else { return Vec::new() };
-        let Some((_, normal)) = element.plane else {
-            return element.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
-        };
-        let pieces: Vec<Vec<DVec3>> = element.patches.iter().map(Patch::polygon).collect();
-        let parts = clip_to_cell(self.shape(element.surface), &pieces, rect);
-        parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
+        element.patches_over(self.shape(element.surface), rect)
     }
 
     /// Coefficients c of the constant 1, element by element.
@@ -316,12 +311,6 @@ fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     open.into_iter()
         .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
         .collect()
-}
-
-fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
-    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
-    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
-    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
 /// Upper bounds of what a surface is cut into.

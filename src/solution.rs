@@ -289,8 +289,17 @@ impl Solution {
         }
     }
 
+    /// The element and the place on the other side of an element that lets light through in some band.
+    pub fn behind(&self, element: usize, place: &Place) -> Option<(usize, Place)> {
+        let behind = self.bands.iter().find_map(|band| band.coating.behind(element, place.parameters))?;
+        Some((behind, Place { surface: self.elements.list()[behind].surface, ..*place }))
+    }
+
     /// Radiosity (W m⁻²) of one band on element `element`, at a place of its surface.
     pub fn radiosity(&self, band: usize, element: usize, place: &Place) -> f64 {
-        self.bands[band].coating.radiosity(element, self.irradiance(band, element, place))
+        let behind = self.behind(element, place);
+        let behind = behind.map_or(0.0, |(element, place)| self.irradiance(band, element, &place));
+        let irradiance = self.irradiance(band, element, place);
+        self.bands[band].coating.radiosity(element, place.parameters, irradiance, behind)
     }
 }

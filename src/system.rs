@@ -12,6 +12,17 @@
 //! by ρ. Elements with ρ = 0 have no unknowns: they only enter the right-hand side. The irradiance is h = G b
 //! everywhere.
 //!
+//! Where the reflectance varies over elements, the matrix S takes the place of ρ ([`crate::elements::coating`]), its
+//! symmetric root that of √ρ, and all of this holds: S^½ G S^½ is symmetric, and its norm is below the largest ρ. Where
+//! surfaces let light through, S couples both of their sides, and has negative eigenvalues as soon as τ² > ρ ρ'. Then the
+//! unknown is the radiosity that is not known itself, and
+//!
+//! ```text
+//! (I − S G) r = S G e ,     b = e + r
+//! ```
+//!
+//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: GMRES and Gauss–Seidel converge as fast as before.
+//!
 //! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of irradiance
 //! that was reflected exactly once are known; s of the irradiance that was reflected at least once is unknown. With s =
 //! g + G √ρ z,
@@ -38,7 +49,7 @@ use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
 use crate::elements::Element;
-use crate::elements::coating::Coating;
+use crate::elements::coating::{Coating, Root};
 use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
 
@@ -155,19 +166,30 @@ impl<'a> System<'a> {
         values.iter_mut().step_by(dim + 1).for_each(|diagonal| *diagonal = 1.0);
         let place =
             |element: usize| self.reflecting.binary_search(&element).ok().map(|b| partition.range(b).start);
-        for (row, column, block) in self.blocks.iter() {
-            let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
-            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
+        let mut subtract = |row: usize, column: usize, block: &[f64], both: bool| {
+            let (Some(i), Some(j)) = (place(row), place(column)) else { return };
             let columns = self.elements[column].basis.len();
             for (index, g) in block.iter().enumerate() {
                 let (k, l) = (i + index / columns, j + index % columns);
-                values[k + l * dim] -= root * g;
-                if self.blocks.symmetric() && row != column {
-                    values[l + k * dim] -= root * g;
+                values[k + l * dim] -= g;
+                if both {
+                    values[l + k * dim] -= g;
                 }
             }
+        };
+        for (row, column, block) in self.blocks.iter() {
+            let both = self.blocks.symmetric() && row != column;
+            if !self.coating.transmits() {
+                subtract(row, column, &self.halved([row, column], &block), both);
+                continue;
+            }
+            self.scattered([row, column], &block, &mut |row, own| subtract(row, column, own, false));
+            if both {
+                let block = transposed(&block, self.elements[column].basis.len());
+                self.scattered([column, row], &block, &mut |column, own| subtract(column, row, own, false));
+            }
         }
-        Dense::new(partition, values, self.blocks.symmetric())
+        Dense::new(partition, values, self.is_symmetric())
     }
 
     /// I − √ρ G √ρ on the reflecting elements for the solver `method`: entry by entry where it is small and not thin;
@@ -180,7 +202,7 @@ impl<'a> System<'a> {
         let only_multiplies = ["auto", "cg", "gmres"].contains(&method);
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
         let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
-        if unknowns <= most || !self.blocks.symmetric() {
+        if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
             return Ok(Box::new(self.matrix()?));
         }
         if only_multiplies {
@@ -205,35 +227,32 @@ impl<'a> System<'a> {
         }
         for (row, column, values) in self.blocks.iter() {
             let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
-            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
-            blocks.push((i, j, values.iter().map(|g| -root * g).collect()));
+            let halved = self.halved([row, column], &values);
+            blocks.push((i, j, halved.iter().map(|g| -g).collect()));
         }
         let borrowed: Vec<SparseBlock<'_>> =
             blocks.iter().map(|(i, j, values)| (*i, *j, &values[..])).collect();
         BlockSparse::symmetric(Partition::new(&sizes), &borrowed)
     }
 
-    /// √ρ times the irradiance of the first transport, on the reflecting elements.
+    /// √ρ times the irradiance of the first transport, on the reflecting elements; S times it where surfaces transmit.
     pub fn right_hand_side(&self) -> Vec<f64> {
-        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * self.first[offset])
+        let halved = self.halved_light(&self.first);
+        self.unknowns(|_, offset| halved[offset])
     }
 
     /// Shooting measure of the unknowns, √ρ ∬ |φ_k| dA: times |y_k| it is the power that an unknown has yet to shoot
     /// (Zatz 1993, eq. 25, corrected).
     pub fn shooting_measure(&self) -> Vec<f64> {
         let absolute = per_element(self.elements, |i, out| out.extend(self.elements[i].absolute_integrals()));
-        self.unknowns(|i, offset| self.coating.reflectance[i].sqrt() * absolute[offset])
+        let root = |i: usize| if self.coating.transmits() { 1.0 } else { self.coating.reflectance[i].sqrt() };
+        self.unknowns(|i, offset| root(i) * absolute[offset])
     }
 
     /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times the unknown
     /// radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
-        let mut unknown = vec![0.0; self.known.len()];
-        let mut next = unknowns.iter();
-        for i in &self.reflecting {
-            let root = self.coating.reflectance[*i].sqrt();
-            unknown[self.range(*i)].iter_mut().zip(&mut next).for_each(|(b, y)| *b = root * y);
-        }
+        let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
         let solved = sum(&self.known, &unknown);
         let irradiance = match &self.apart {
             None => self.blocks.apply(&solved),
@@ -255,6 +274,58 @@ impl<'a> System<'a> {
         &self.emitted
     }
 
+    /// Whether I − √ρ G √ρ is symmetric.
+    fn is_symmetric(&self) -> bool {
+        self.blocks.symmetric() && !self.coating.transmits()
+    }
+
+    /// √ρ_i G_ij √ρ_j for a block G_ij, row-major.
+    fn halved<'b>(&self, [row, column]: [usize; 2], block: &'b [f64]) -> Cow<'b, [f64]> {
+        if let (Root::Number(_), Root::Number(_)) = (self.coating.root(row), self.coating.root(column)) {
+            let root = (self.coating.reflectance[row] * self.coating.reflectance[column]).sqrt();
+            return block.iter().map(|g| root * g).collect();
+        }
+        let columns = self.elements[column].basis.len();
+        let left = multiplied(self.coating.root(row), block, columns);
+        let turned = transposed(&left, columns);
+        let both = multiplied(self.coating.root(column), &turned, block.len() / columns);
+        transposed(&both, block.len() / columns).into()
+    }
+
+    /// Calls `visit` with the rows of S G that a block of G makes, for each element that reflects or transmits what arrives
+    /// on the element of the block's rows.
+    fn scattered(&self, [row, column]: [usize; 2], block: &[f64], visit: &mut dyn FnMut(usize, &[f64])) {
+        let columns = self.elements[column].basis.len();
+        for element in self.coating.all_behind(row).chain([row]) {
+            let mut rows = vec![0.0; self.elements[element].basis.len() * columns];
+            self.coating.add_reflected_rows([element, row], block, columns, &mut rows);
+            visit(element, &rows);
+        }
+    }
+
+    /// √ρ times coefficients of irradiance, element by element; S times them where surfaces transmit.
+    fn halved_light(&self, irradiance: &[f64]) -> Vec<f64> {
+        if self.coating.transmits() {
+            return self.coating.reflected(self.blocks.starts(), irradiance);
+        }
+        self.coating.halved(self.blocks.starts(), irradiance)
+    }
+
+    /// Coefficients of the radiosity that unknowns of the reflecting elements number `blocks` stand for, element by element: √ρ
+    /// times them, or themselves where surfaces transmit.
+    fn unknown_radiosity(&self, blocks: Range<usize>, unknowns: &[f64]) -> Vec<f64> {
+        let mut radiosity = vec![0.0; self.known.len()];
+        let mut rest = unknowns;
+        for i in &self.reflecting[blocks] {
+            let range = self.range(*i);
+            let (own, others) = rest.split_at(range.len());
+            rest = others;
+            let root = if self.coating.transmits() { Root::Number(1.0) } else { self.coating.root(*i) };
+            root.multiply(own, &mut radiosity[range]);
+        }
+        radiosity
+    }
+
     fn range(&self, element: usize) -> Range<usize> {
         let starts = self.blocks.starts();
         starts[element]..starts[element + 1]
@@ -268,12 +339,10 @@ impl<'a> System<'a> {
     }
 }
 
-/// I − √ρ G √ρ on the reflecting elements, multiplied by the blocks of G as they are stored.
+/// I − √ρ G √ρ on the reflecting elements, or I − S G, multiplied by the blocks of G as they are stored.
 struct Product<'a> {
     system: &'a System<'a>,
     partition: Partition,
-    /// √ρ of all coefficients.
-    roots: Vec<f64>,
     /// Blocks G_ii of the elements that see themselves.
     own: HashMap<usize, Cow<'a, [f64]>>,
 }
@@ -281,26 +350,16 @@ struct Product<'a> {
 impl<'a> Product<'a> {
     fn new(system: &'a System<'a>) -> Self {
         let sizes: Vec<usize> = system.reflecting.iter().map(|i| system.elements[*i].basis.len()).collect();
-        let mut roots = vec![0.0; system.blocks.dim()];
-        for (i, reflectance) in system.coating.reflectance.iter().enumerate() {
-            roots[system.range(i)].fill(reflectance.sqrt());
-        }
         let own = system.blocks.iter().filter(|(row, column, _)| row == column);
         let own = own.map(|(row, _, values)| (row, values)).collect();
-        Self { system, partition: Partition::new(&sizes), roots, own }
+        Self { system, partition: Partition::new(&sizes), own }
     }
 
     /// √ρ G √ρ x on the unknowns, for the unknowns x of the reflecting elements number `blocks`.
     fn reflected(&self, blocks: Range<usize>, x: &[f64]) -> Vec<f64> {
-        let mut sent = vec![0.0; self.roots.len()];
-        let mut next = x.iter();
-        for i in &self.system.reflecting[blocks] {
-            let range = self.system.range(*i);
-            let scaled = sent[range.clone()].iter_mut().zip(&self.roots[range]);
-            scaled.zip(&mut next).for_each(|((sent, root), x)| *sent = root * x);
-        }
-        let received = self.system.blocks.apply_in_chunks(&sent);
-        self.system.unknowns(|_, k| self.roots[k] * received[k])
+        let sent = self.system.unknown_radiosity(blocks, x);
+        let received = self.system.halved_light(&self.system.blocks.apply_in_chunks(&sent));
+        self.system.unknowns(|_, k| received[k])
     }
 }
 
@@ -327,43 +386,65 @@ impl Operator for Product<'_> {
     }
 
     fn diagonal(&self, block: usize, out: &mut [f64]) {
-        let element = self.system.reflecting[block];
-        let reflectance = self.system.coating.reflectance[element];
+        let (system, element) = (self.system, self.system.reflecting[block]);
         let size = self.partition.size(block);
+        let mut reflected = vec![0.0; size * size];
+        if let Some(values) = self.own.get(&element) {
+            match system.coating.transmits() {
+                true => system.coating.add_reflected_rows([element; 2], values, size, &mut reflected),
+                false => reflected.copy_from_slice(&system.halved([element; 2], values)),
+            }
+        }
         for (k, out) in out.iter_mut().enumerate() {
-            let own = self.own.get(&element).map_or(0.0, |values| values[k % size * size + k / size]);
-            *out = f64::from(u8::from(k % size == k / size)) - reflectance * own;
+            *out = f64::from(u8::from(k % size == k / size)) - reflected[k % size * size + k / size];
         }
     }
 
     fn symmetric(&self) -> bool {
-        true
+        !self.system.coating.transmits()
     }
 }
 
-/// Elements with ρ > 0, ascending.
+/// Elements that reflect or transmit, ascending.
 fn reflecting(coating: &Coating) -> Vec<usize> {
-    (0..coating.reflectance.len()).filter(|i| coating.reflectance[*i] > 0.0).collect()
+    (0..coating.reflectance.len()).filter(|i| coating.scatters(*i)).collect()
 }
 
 /// e, the coefficients of the emitted exitance.
 fn emitted(elements: &[Element], coating: &Coating) -> Vec<f64> {
-    per_element(elements, |i, out| {
-        out.extend(elements[i].constant.iter().map(|c| c * coating.exitance[i]));
-    })
+    let ones: Vec<f64> = elements.iter().flat_map(|element| &element.constant).copied().collect();
+    coating.emitted(&starts(elements), &ones)
 }
 
-/// b = e + ρ h.
+/// b = e + S h.
 fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec<f64> {
-    let mut radiosity = emitted(elements, coating);
-    let mut start = 0;
-    for (element, reflectance) in elements.iter().zip(&coating.reflectance) {
-        let range = start..start + element.basis.len();
-        start = range.end;
-        let own = radiosity[range.clone()].iter_mut().zip(&irradiance[range]);
-        own.for_each(|(b, h)| *b += reflectance * h);
+    sum(&emitted(elements, coating), &coating.reflected(&starts(elements), irradiance))
+}
+
+/// Where the coefficients of each element start, and their number.
+fn starts(elements: &[Element]) -> Vec<usize> {
+    let ends = elements.iter().scan(0, |end, element| {
+        *end += element.basis.len();
+        Some(*end)
+    });
+    [0].into_iter().chain(ends).collect()
+}
+
+/// √ρ M for a row-major matrix M of so many columns.
+fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
+    let turned = transposed(matrix, columns);
+    let mut out = vec![0.0; matrix.len()];
+    let rows = matrix.len() / columns;
+    for (out, column) in out.chunks_exact_mut(rows).zip(turned.chunks_exact(rows)) {
+        root.multiply(column, out);
     }
-    radiosity
+    transposed(&out, rows)
+}
+
+/// The transpose of a row-major matrix of so many columns.
+fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
+    let rows = matrix.len() / columns;
+    (0..matrix.len()).map(|k| matrix[k % rows * columns + k / rows]).collect()
 }
 
 fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {

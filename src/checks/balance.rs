@@ -46,24 +46,26 @@ impl Balance {
             sums[0].add(*flux);
             // What of it arrives is taken off below.
             sums[2].add(*flux);
-            for (i, range) in self.starts.windows(2).enumerate() {
-                let (exitance, reflectance) = (coating.exitance[i], coating.reflectance[i]);
-                for k in range[0]..range[1] {
-                    let (one, lost) = (self.ones[k], self.lost[k]);
-                    sums[0].add(exitance * one * one);
-                    sums[1].add((1.0 - reflectance) * one * irradiance[k]);
-                    match entry {
-                        Entry::Carried => sums[2].add(radiosity[k] * lost),
-                        Entry::Lit(lit) => {
-                            sums[2].add(radiosity[k] * lost);
-                            sums[2].add(-one * lit[index][k]);
-                        }
-                        Entry::Split(Bounce { direct, reflected }) => {
-                            let (direct, once) = (direct[index][k], reflected[index][k]);
-                            sums[2].add(one * (exitance * one - direct));
-                            sums[2].add(one * (reflectance * direct - once));
-                            sums[2].add(reflectance * (irradiance[k] - direct) * lost);
-                        }
+            let exitance = coating.emitted(&self.starts, &self.ones);
+            let scattered = coating.reflected(&self.starts, irradiance);
+            let beside = match entry {
+                Entry::Split(Bounce { direct, .. }) => coating.reflected(&self.starts, &direct[index]),
+                _ => Vec::new(),
+            };
+            for (k, (one, lost)) in self.ones.iter().zip(&self.lost).enumerate() {
+                sums[0].add(exitance[k] * one);
+                sums[1].add(one * (irradiance[k] - scattered[k]));
+                match entry {
+                    Entry::Carried => sums[2].add(radiosity[k] * lost),
+                    Entry::Lit(lit) => {
+                        sums[2].add(radiosity[k] * lost);
+                        sums[2].add(-one * lit[index][k]);
+                    }
+                    Entry::Split(Bounce { direct, reflected }) => {
+                        let (direct, once) = (direct[index][k], reflected[index][k]);
+                        sums[2].add(one * (exitance[k] - direct));
+                        sums[2].add(one * (beside[k] - once));
+                        sums[2].add((scattered[k] - beside[k]) * lost);
                     }
                 }
             }

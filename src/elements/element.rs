@@ -81,10 +81,28 @@ impl Element {
         self.patches.iter().any(|patch| overhang(&patch.corners(), normal, x) <= tolerance)
     }
 
+    /// Disjoint patches that cover the part of it over the parameters `rect`; `shape` is that of its surface.
+    pub fn patches_over(&self, shape: &dyn Surface, rect: &Rect) -> Vec<Patch> {
+        let Some(common) = overlap(&self.rect, rect) else { return Vec::new() };
+        let Some((_, normal)) = self.plane else {
+            return self.patches.iter().map(|patch| patch.with_parameters(&common)).collect();
+        };
+        let pieces: Vec<Vec<DVec3>> = self.patches.iter().map(Patch::polygon).collect();
+        let parts = clip_to_cell(shape, &pieces, rect);
+        parts.iter().flat_map(|part| Patch::of_polygon(part, normal)).collect()
+    }
+
     /// Bounding box.
     pub fn bounds(&self) -> Aabb {
         Aabb::around(self.hull.iter().copied())
     }
+}
+
+/// What two rectangles of parameters share, if it has an area.
+pub(super) fn overlap(a: &Rect, b: &Rect) -> Option<Rect> {
+    let common = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].min(b[1])];
+    let (u, v) = (common(a.u, b.u), common(a.v, b.v));
+    (u[0] < u[1] && v[0] < v[1]).then_some(Rect { u, v })
 }
 
 /// The part of a surface that becomes an element.

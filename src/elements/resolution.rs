@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::cells::breaks;
 use super::discretization::{Discretization, Subdivide};
 use super::mesh::{Mesh, Tree};
-use crate::scene::{Scene, SceneSurface};
+use crate::scene::{Pattern, Scene, SceneSurface};
 
 /// Order and cuts of each surface of a scene.
 #[derive(Debug)]
@@ -72,7 +72,8 @@ impl Resolution {
                     if occluded && large { 2 } else { 1 }
                 }
             };
-            [parts, parts]
+            let glow = surface.material.emission_pattern.as_deref().map_or([1, 1], parts_of_glow);
+            glow.map(|least| parts.max(least))
         })
     }
 
@@ -90,6 +91,23 @@ pub(crate) fn usual_mesh(scene: &Scene, how: &Discretization) -> Mesh {
         Tree::grid(&breaks, resolution.order(index, surface))
     };
     Mesh::new(scene.surfaces.iter().enumerate().map(tree).collect())
+}
+
+/// Most elements along each direction for the sake of emission that varies, and elements for a polynomial. Chosen; not tuned.
+const MOST_OF_GLOW: usize = 8;
+const OF_POLYNOMIAL: usize = 4;
+
+/// Elements of an emitter along u and v. Direct light takes the exitance of each as constant, so that what it misses falls with
+/// their size over the distance; elements as texels, where these are few, miss nothing.
+fn parts_of_glow(pattern: &Pattern) -> [usize; 2] {
+    match pattern.degree() {
+        Some(0) => [1, 1],
+        Some(_) => [OF_POLYNOMIAL; 2],
+        None => pattern.breaks().map(|breaks| {
+            let texels = breaks.len() + 1;
+            if texels <= 2 * MOST_OF_GLOW { texels } else { MOST_OF_GLOW }
+        }),
+    }
 }
 
 /// Share of each surface in the area of all.

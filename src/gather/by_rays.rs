@@ -323,25 +323,45 @@ impl<'a> RayGather<'a> {
                 kernel / (kernel + density)
             }
         });
-        let mut irradiance = vec![0.0; radiosity.len()];
         let there = || ReceiverPoint::on(surface, position, normal());
+        let irradiance = self.arriving((element, &place), &there, hit.t, far);
+        let beyond = self.solution.behind(element, &place).map(|(element, place)| {
+            let there = || ReceiverPoint::on(place.surface, position, -normal());
+            self.arriving((element, &place), &there, hit.t, far)
+        });
+        let weight = weight * self.radiances.relative(surface, -direction);
+        for (index, (out, band)) in radiosity.iter_mut().zip(self.solution.bands()).enumerate() {
+            let coating = &band.coating;
+            let reflected = coating.reflectance_at(element, place.parameters) * irradiance[index];
+            *out += reflected + weight * coating.exitance[element];
+            if let Some(beyond) = &beyond {
+                *out += coating.transmittance(element) * beyond[index];
+            }
+        }
+    }
+
+    /// An estimate of the irradiance (W m⁻²) per band where a ray ends, so far from where it began.
+    fn arriving(
+        &self,
+        (element, place): (usize, &Place),
+        there: &dyn Fn() -> ReceiverPoint,
+        distance: f64,
+        far: Far,
+    ) -> Vec<f64> {
+        let mut irradiance = vec![0.0; self.solution.bands().len()];
         match far {
-            Far::Polynomials => self.add_held(element, &place, &mut irradiance),
+            Far::Polynomials => self.add_held(element, place, &mut irradiance),
             Far::Direct { chance, small } => {
-                if self.is_rough(element, &there(), small * hit.t) {
-                    self.add_held(element, &place, &mut irradiance);
+                if self.is_rough(element, &there(), small * distance) {
+                    self.add_held(element, place, &mut irradiance);
                 } else {
-                    self.add_reflected(element, &place, 1.0, &mut irradiance);
+                    self.add_reflected(element, place, 1.0, &mut irradiance);
                     self.add_direct(&there(), chance, &mut irradiance);
                 }
             }
             Far::Gathered(chance) => self.add_estimate(&there(), chance, &mut irradiance),
         }
-        let weight = weight * self.radiances.relative(surface, -direction);
-        for ((out, band), irradiance) in radiosity.iter_mut().zip(self.solution.bands()).zip(irradiance) {
-            let coating = &band.coating;
-            *out += coating.reflectance[element] * irradiance + weight * coating.exitance[element];
-        }
+        irradiance
     }
 
     /// Whether readings take all light at a point of an element from its polynomials, because it is near an emitter or smaller

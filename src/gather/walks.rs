@@ -1,8 +1,8 @@
 //! Walks: paths of rays from a receiver from surface to surface, against the light.
 //!
 //! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the probability of
-//! the largest reflectance there, at most [`LIKELIEST`]. The product w of the reflectances so far over these probabilities
-//! makes sums over the ends y unbiased estimates of the Neumann series:
+//! the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light through it goes on from either side,
+//! in proportion to ρ and τ. The product w of the reflectances so far over these probabilities makes sums over the ends y unbiased estimates of the Neumann series:
 //!
 //! ```text
 //! E[ Σ_ends w f(y) ] = (G + GρG + GρGρG + …) f    at the receiver,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y .
@@ -28,28 +28,33 @@ pub(crate) struct Walks<'a> {
 /// Where a ray of a walk ends.
 pub(crate) struct End {
     pub(crate) element: usize,
-    pub(crate) place: Place,
-    /// The same as a receiver.
-    pub(crate) there: ReceiverPoint,
+    /// Where the light came from that it sends on.
+    pub(crate) lit: Lit,
     /// How far the ray came.
     pub(crate) distance: f64,
     /// A number of its own for whatever is chosen there.
     pub(crate) chance: u64,
 }
 
+/// The side of a surface whose light is sent on: that which a ray met, or the other of one that lets light through.
+pub(crate) struct Lit {
+    pub(crate) element: usize,
+    pub(crate) place: Place,
+    pub(crate) there: ReceiverPoint,
+    /// Per band, ρ of the side that a ray met, or τ, over the probability of the choice between them.
+    pub(crate) factors: Vec<f64>,
+}
+
+impl Lit {
+    /// The largest factor.
+    pub(crate) fn brightest(&self) -> f64 {
+        self.factors.iter().copied().fold(0.0, f64::max)
+    }
+}
+
 impl<'a> Walks<'a> {
     pub(crate) fn new(solution: &'a Solution, visibility: &'a Visibility) -> Self {
         Self { solution, visibility }
-    }
-
-    /// The reflectances of an element, band by band.
-    pub(crate) fn reflectances(&self, element: usize) -> impl Iterator<Item = f64> {
-        self.solution.bands().iter().map(move |band| band.coating.reflectance[element])
-    }
-
-    /// The largest reflectance of an element.
-    pub(crate) fn brightest(&self, element: usize) -> f64 {
-        self.reflectances(element).fold(0.0, f64::max)
     }
 
     /// Walks from a receiver in a direction of its hemisphere, given by a point of the unit square; `visit` gets every end with
@@ -64,16 +69,16 @@ impl<'a> Walks<'a> {
         let mut weights = vec![1.0; self.solution.bands().len()];
         while let Some(end) = self.end(&from, lambert(from.normal, direction), chance) {
             visit(&end, &weights);
-            let likely = self.brightest(end.element).min(LIKELIEST);
+            let likely = end.lit.brightest().min(LIKELIEST);
             // Other numbers than those that `visit` makes of `chance`: what the dice allow must not choose its rays.
             let [dice, polar, turn] = shift(number_of([f64::from_bits(chance), 1.0]));
             chance = number_of([f64::from_bits(chance), 2.0]);
             if dice >= likely {
                 return;
             }
-            let reflected = self.reflectances(end.element).map(|reflectance| reflectance / likely);
+            let reflected = end.lit.factors.iter().map(|factor| factor / likely);
             weights.iter_mut().zip(reflected).for_each(|(weight, factor)| *weight *= factor);
-            (from, direction) = (end.there, [polar, turn]);
+            (from, direction) = (end.lit.there, [polar, turn]);
         }
     }
 
@@ -92,6 +97,30 @@ impl<'a> Walks<'a> {
         let jet = elements.shape(surface).jet(hit.u, hit.v);
         let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
         let there = ReceiverPoint::on(surface, jet.position, jet.normal);
-        Some(End { element, place, there, distance: hit.t, chance })
+        let lit = self.lit(element, &place, &there, chance);
+        Some(End { element, lit, distance: hit.t, chance })
+    }
+
+    /// The side whose light a place sends on, which `chance` chooses.
+    fn lit(&self, element: usize, place: &Place, there: &ReceiverPoint, chance: u64) -> Lit {
+        let coatings = || self.solution.bands().iter().map(|band| &band.coating);
+        let mut factors: Vec<f64> =
+            coatings().map(|coating| coating.reflectance_at(element, place.parameters)).collect();
+        let own = Lit { element, place: *place, there: *there, factors: Vec::new() };
+        let Some((behind, beyond)) = self.solution.behind(element, place) else {
+            return Lit { factors, ..own };
+        };
+        let transmitted: Vec<f64> = coatings().map(|coating| coating.transmittance(element)).collect();
+        let [reflects, transmits] =
+            [&factors, &transmitted].map(|each| each.iter().copied().fold(0.0, f64::max));
+        let share = reflects / (reflects + transmits);
+        let [dice]: [f64; 1] = shift(number_of([f64::from_bits(chance), 4.0]));
+        if dice < share {
+            factors.iter_mut().for_each(|factor| *factor /= share);
+            return Lit { factors, ..own };
+        }
+        let factors = transmitted.iter().map(|factor| factor / (1.0 - share)).collect();
+        let there = ReceiverPoint::on(beyond.surface, there.position, -there.normal);
+        Lit { element: behind, place: beyond, there, factors }
     }
 }

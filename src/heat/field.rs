@@ -19,7 +19,7 @@ pub(super) fn levels(solution: &Solution, surfaces: &[SurfaceHeat]) -> Solution 
     let elements = solution.elements();
     let coats = elements.list().iter().map(|element| coat(&surfaces[element.surface]));
     let (reflectance, exitance) = coats.unzip();
-    let coating = Coating { reflectance, exitance };
+    let coating = Coating::constant(reflectance, exitance);
     let own = &solution.bands()[0];
     let irradiance = own.coefficients.irradiance.clone();
     let direct = vec![0.0; irradiance.len()];

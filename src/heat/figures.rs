@@ -73,7 +73,7 @@ pub(super) fn figures(
         let irradiance = if area > 0.0 { power / area } else { 0.0 };
         // All elements of a surface have the same coating; a surface without elements exchanges nothing.
         let own = elements.of_surface(surface).next();
-        let radiosity = own.map_or(0.0, |element| band.coating.radiosity(element, irradiance));
+        let radiosity = own.map_or(0.0, |element| band.coating.radiosity(element, [0.0; 2], irradiance, 0.0));
         let flux = match roles.list[surface] {
             Role::Flux { flux, .. } => flux,
             _ => radiosity - irradiance,

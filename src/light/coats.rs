@@ -50,12 +50,18 @@ impl Coats {
     }
 
     /// For each coat its reflectances by `new` coatings over those by `old` ones, band by band. None where the elements
-    /// of a coat differ, or where some change too much against others.
+    /// of a coat differ, where some change too much against others, and where other patterns vary.
     pub(crate) fn change(&self, old: &[&Coating], new: &[&Coating]) -> Option<Vec<Vec<f64>>> {
+        if old.iter().zip(new).any(|(old, new)| !old.varies_as(new)) {
+            return None;
+        }
         let mut factors = vec![vec![None; old.len()]; self.count];
         for (element, coat) in self.of_element.iter().enumerate() {
             for (band, factor) in factors[*coat].iter_mut().enumerate() {
                 let own = ratio(new[band].reflectance[element], old[band].reflectance[element])?;
+                if own != 1.0 && old[band].transmittance(element) > 0.0 {
+                    return None;
+                }
                 if factor.replace(own).is_some_and(|known| known != own) {
                     return None;
                 }

@@ -185,11 +185,13 @@ impl CoatedBounce {
 
 /// Mean reflected radiosity ρ D (W m⁻²) of each band over the scene.
 fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
+    let ends = elements.iter().scan(0, |end, element| {
+        *end += element.basis.len();
+        Some(*end)
+    });
+    let starts: Vec<usize> = [0].into_iter().chain(ends).collect();
     let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
-        let reflectances = elements.iter().zip(&coating.reflectance);
-        let reflectances =
-            reflectances.flat_map(|(element, rho)| std::iter::repeat_n(rho, element.constant.len()));
-        reflected::scale(elements, reflectances.zip(direct).map(|(rho, d)| rho * d))
+        reflected::scale(elements, coating.reflected(&starts, direct).into_iter())
     };
     coatings.iter().zip(direct).map(mean).collect()
 }

@@ -1,9 +1,11 @@
 //! Reflected light, gathered at a point from all surfaces with all shadows.
 //!
 //! ```text
-//! S(x) = ∫ κ(x, y) V(x, y) ρ(y) E(y) dA_y        W m⁻²
+//! S(x) = ∫ κ(x, y) V(x, y) (ρ(y) E(y) + τ E'(y)) dA_y        W m⁻²
 //! ```
 //!
+//! with the irradiance E' of the other side of what lets light through.
+//!//!
 //! E(y) is any known irradiance at the points y, not projected on polynomials. The reflected radiosity ρ E is tabulated
 //! once per element; each point x sums over the tables ([`crate::light`]).
 
@@ -59,12 +61,19 @@ impl<'a> Reflection<'a> {
         scale: Vec<f64>,
         eps: f64,
     ) -> Self {
-        let reflects = |i: &usize| coatings.iter().any(|coating| coating.reflectance[*i] > 0.0);
+        let reflects = |i: &usize| coatings.iter().any(|coating| coating.scatters(*i));
         let reflecting: Vec<usize> = (0..elements.len()).filter(reflects).collect();
         let tree = |element: &usize| {
+            let is_flat = elements[*element].plane.is_some();
             let field = |node: &Node, out: &mut [f64]| {
                 for ((out, lit), coating) in out.iter_mut().zip(lit(*element, node)).zip(coatings) {
-                    *out = coating.reflectance[*element] * lit;
+                    *out = coating.reflectance_about(*element, node, is_flat) * lit;
+                }
+                let behind = coatings.iter().find_map(|own| own.behind_node(*element, node, is_flat));
+                let Some(behind) = behind else { return };
+                let other_side = Node { normal: -node.normal, ..*node };
+                for ((out, lit), coating) in out.iter_mut().zip(lit(behind, &other_side)).zip(coatings) {
+                    *out += coating.transmittance(*element) * lit;
                 }
             };
             Tree::new(&elements[*element], &scale, eps, &field)

@@ -11,12 +11,15 @@
 //! by Gauss rules over the pieces of the cell; direct light, cheap but with shadow edges, gets more points than
 //! gathered light.
 
+use std::collections::BTreeSet;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_area};
 use rayon::prelude::*;
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
+use crate::elements::coating::Means;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::gather::by_rays::{Deviation, Receiver};
@@ -38,6 +41,8 @@ pub struct Cell {
     pub irradiance: Vec<f64>,
     /// Mean radiosity per band (W m⁻²).
     pub radiosity: Vec<f64>,
+    /// Mean absorbed flux per band (W m⁻²): (1 − ρ − τ) E.
+    pub absorbed: Vec<f64>,
     /// Standard deviation of an irradiance by rays.
     pub deviation: Option<Deviation>,
     /// Area of the cell within the outer outline (scene length²).
@@ -106,10 +111,11 @@ fn outline(shape: &dyn Surface) -> Option<Vec<Vec<DVec3>>> {
     PlanarRegion::new(region.outer().to_vec(), Vec::new()).ok().map(|whole| whole.convex_pieces().to_vec())
 }
 
-/// ∫ E dA and ∫ B dA per band, and ∫ dA, over the part of a surface in a rectangle of its parameters.
+/// ∫ E dA, ∫ B dA and ∫ (1 − ρ − τ) E dA per band, and ∫ dA, over the part of a surface in a rectangle of its parameters.
 struct Integrals {
     irradiance: Vec<f64>,
     radiosity: Vec<f64>,
+    absorbed: Vec<f64>,
     covered: f64,
     /// Standard deviations of what rays gathered.
     deviations: Deviations,
@@ -145,9 +151,12 @@ impl Integrals {
         let mut sums = Self {
             irradiance: vec![0.0; bands.len()],
             radiosity: vec![0.0; bands.len()],
+            absorbed: vec![0.0; bands.len()],
             covered: 0.0,
             deviations: Deviations::default(),
         };
+        // Elements of the other side whose light comes through.
+        let mut behind = BTreeSet::new();
         for element in reader.solution().elements().of_surface(surface) {
             for patch in reader.solution().elements().patches_over(element, rect) {
                 let area = area(&patch);
@@ -158,9 +167,21 @@ impl Integrals {
                     sums.deviations.add(deviation, irradiance.iter().sum());
                 }
                 for (index, band) in bands.iter().enumerate() {
-                    let emitted = band.coating.exitance[element] * area;
+                    let Means { exitance, reflectance } = band.coating.means_over(element, &patch);
+                    let kept = 1.0 - reflectance - band.coating.transmittance(element);
                     sums.irradiance[index] += irradiance[index];
-                    sums.radiosity[index] += emitted + band.coating.reflectance[element] * irradiance[index];
+                    sums.radiosity[index] += exitance * area + reflectance * irradiance[index];
+                    sums.absorbed[index] += kept * irradiance[index];
+                }
+            }
+            behind.extend(bands.iter().flat_map(|band| band.coating.all_behind(element)));
+        }
+        for element in behind {
+            for patch in reader.solution().elements().patches_over(element, rect) {
+                let area = area(&patch);
+                let arriving = over_patch(reader, element, &patch, rates).irradiance;
+                for (index, band) in bands.iter().enumerate() {
+                    sums.radiosity[index] += band.coating.transmittance(element) * area * arriving[index];
                 }
             }
         }
@@ -174,8 +195,8 @@ impl Integrals {
         let mean =
             |sum: Vec<f64>| sum.into_iter().map(|sum| if area > 0.0 { sum / area } else { 0.0 }).collect();
         let deviation = self.deviations.over(self.irradiance.iter().sum());
-        let (irradiance, radiosity) = (mean(self.irradiance), mean(self.radiosity));
-        Cell { surface, index, irradiance, radiosity, deviation, area, exposed, position }
+        let [irradiance, radiosity, absorbed] = [self.irradiance, self.radiosity, self.absorbed].map(mean);
+        Cell { surface, index, irradiance, radiosity, absorbed, deviation, area, exposed, position }
     }
 }
 

@@ -127,7 +127,10 @@ fn place(reader: &Reader, spot: &Spot) -> Place {
 }
 
 fn on(reader: &Reader, spot: &Spot, irradiance: &[f64]) -> OnSurface {
-    let bands = reader.solution().bands().iter();
-    let radiosity = bands.zip(irradiance).map(|(band, e)| band.coating.radiosity(spot.element, *e)).collect();
-    OnSurface { surface: spot.place.surface, parameters: spot.foot, radiosity }
+    let behind = reader.behind(spot.element, &place(reader, spot), spot.normal);
+    let bands = reader.solution().bands().iter().zip(irradiance).zip(behind);
+    let radiosity = bands.map(|((band, irradiance), behind)| {
+        band.coating.radiosity(spot.element, spot.place.parameters, *irradiance, behind)
+    });
+    OnSurface { surface: spot.place.surface, parameters: spot.foot, radiosity: radiosity.collect() }
 }

@@ -136,6 +136,15 @@ impl<'a> Reader<'a> {
         }
     }
 
+    /// Irradiance per band (W m⁻²) on the other side of a place of an element that lets light through; 0 elsewhere. `normal` is
+    /// that of the element.
+    pub fn behind(&self, element: usize, place: &Place, normal: DVec3) -> Vec<f64> {
+        match self.solution.behind(element, place) {
+            Some((behind, place)) => self.irradiance(behind, &place, -normal).irradiance,
+            None => vec![0.0; self.solution.bands().len()],
+        }
+    }
+
     /// Irradiance per band at any point; None where light is not gathered.
     pub fn gathered(&self, vantage: &ReceiverPoint) -> Option<Value> {
         match &self.light {

@@ -13,13 +13,29 @@ pub enum Shown {
     Irradiance,
 }
 
+/// The light at a place of an element.
+#[derive(Clone, Copy, Debug)]
+pub struct Here {
+    /// Index of the element.
+    pub element: usize,
+    /// Parameters of its surface.
+    pub parameters: [f64; 2],
+    /// Irradiance (unit of exitance).
+    pub irradiance: f64,
+    /// Irradiance of the other side, where the element lets light through.
+    pub behind: f64,
+    /// Radiance of its own light towards the eye, over that of a diffuse emitter.
+    pub directed: f64,
+}
+
 impl Shown {
-    /// The quantity (unit of exitance, ≥ 0) of an element under the irradiance `irradiance`, which sends `directed` times the radiance of
-    /// a diffuse emitter of its exitance to the eye; negative values of polynomials are cut off at zero.
-    pub fn of(self, coating: &Coating, element: usize, irradiance: f64, directed: f64) -> f64 {
+    /// The quantity (unit of exitance, ≥ 0) at a place; negative values of polynomials are cut off at zero.
+    pub fn of(self, coating: &Coating, here: &Here) -> f64 {
+        let Here { element, parameters, irradiance, behind, directed } = *here;
         let value = match self {
             Self::Radiosity => {
-                coating.radiosity(element, irradiance) + (directed - 1.0) * coating.exitance[element]
+                let radiosity = coating.radiosity(element, parameters, irradiance, behind);
+                radiosity + (directed - 1.0) * coating.exitance_at(element, parameters)
             }
             Self::Irradiance => irradiance,
         };

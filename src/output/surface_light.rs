@@ -1,7 +1,7 @@
 //! The light of each surface: means and extremes of irradiance, and the powers that arrive, stay and are sent out.
 //!
 //! ```text
-//! Φ = ∫ E dA ,     mean E = Φ / A ,     absorbed (1 − ρ) Φ ,     emitted E₀ A ,
+//! Φ = ∫ E dA ,     mean E = Φ / A ,     absorbed ∫ (1 − ρ − τ) E dA ,     emitted ∫ E₀ dA ,
 //! ```
 //!
 //! from the means over cells ([`grid`](super::grid)), where A is the area of the elements: without holes, and without
@@ -41,7 +41,6 @@ impl SurfaceLight {
 
 fn light(solution: &Solution, cells: &[Cell]) -> SurfaceLight {
     let (surface, bands) = (cells[0].surface, solution.bands());
-    let element = solution.elements().of_surface(surface).start;
     let area: f64 = cells.iter().map(|cell| cell.exposed).sum();
     let received: Vec<f64> = (0..bands.len())
         .map(|band| cells.iter().map(|cell| cell.irradiance[band] * cell.area).sum())
@@ -51,18 +50,19 @@ fn light(solution: &Solution, cells: &[Cell]) -> SurfaceLight {
         .filter(|cell| cell.exposed > 0.0)
         .map(|cell| of_bands(&cell.irradiance, None) * cell.area / cell.exposed)
         .fold([f64::INFINITY, 0.0], |[least, most], value| [f64::min(least, value), f64::max(most, value)]);
-    // All elements of a surface have the same coating.
-    let coatings = || bands.iter().map(|band| &band.coating);
+    let absorbed = |band: usize| cells.iter().map(|cell| cell.absorbed[band] * cell.area).sum();
+    let emitted = |band: usize| {
+        let elements = solution.elements().of_surface(surface);
+        let list = solution.elements().list();
+        elements.map(|element| bands[band].coating.exitance[element] * list[element].area).sum()
+    };
     SurfaceLight {
         surface,
         area,
         irradiance: received.iter().map(|power| power / area).collect(),
         extremes,
-        absorbed: coatings()
-            .zip(&received)
-            .map(|(coating, power)| (1.0 - coating.reflectance[element]) * power)
-            .collect(),
-        emitted: coatings().map(|coating| coating.exitance[element] * area).collect(),
+        absorbed: (0..bands.len()).map(absorbed).collect(),
+        emitted: (0..bands.len()).map(emitted).collect(),
         received,
     }
 }

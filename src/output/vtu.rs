@@ -27,10 +27,8 @@ mod cell;
 
 use std::io::{self, Write};
 
-use radiosity_geom::{DVec3, Surface};
-
 use crate::elements::Element;
-use crate::elements::frame::duals;
+use crate::elements::parameters::parameters;
 use crate::scene::Scene;
 use crate::solution::{Place, Solution};
 
@@ -120,13 +118,17 @@ impl<'a> Grid<'a> {
         let bands = self.solution.bands();
         let mut irradiance = vec![0.0; bands.len()];
         self.solution.irradiance_bands(index, &place, &mut irradiance);
+        let mut beyond = vec![0.0; bands.len()];
+        if let Some((behind, place)) = self.solution.behind(index, &place) {
+            self.solution.irradiance_bands(behind, &place, &mut beyond);
+        }
         let points = &mut self.points;
         points.positions.extend((node.position + self.scene.middle).to_array());
         points.normals.extend(node.normal.to_array());
         points.parameters.extend(parameters);
         for (k, (band, irradiance)) in bands.iter().zip(irradiance).enumerate() {
             points.irradiance[k].push(irradiance);
-            points.radiosity[k].push(band.coating.radiosity(index, irradiance));
+            points.radiosity[k].push(band.coating.radiosity(index, parameters, irradiance, beyond[k]));
         }
     }
 
@@ -204,20 +206,4 @@ impl<'a> Grid<'a> {
         document.array("types", 1, Numbers::UInt8(&types))?;
         document.close("Cells")
     }
-}
-
-/// Part of a surface's extent by which two places count as one: rounding. Chosen; not tuned.
-const SAME_PLACE: f64 = 1e-9;
-
-/// Parameters of a point of a planar surface: affine in the plane, but for quads that are no parallelogram.
-fn parameters(shape: &dyn Surface, position: DVec3) -> [f64; 2] {
-    let middle = shape.jet(0.0, 0.0);
-    let offset = position - middle.position;
-    let [u, v] = duals([middle.du, middle.dv]).map(|dual| offset.dot(dual));
-    let size = middle.du.length() + middle.dv.length();
-    if shape.jet(u, v).position.distance(position) <= SAME_PLACE * size {
-        return [u, v];
-    }
-    let foot = shape.project(position);
-    [foot.u, foot.v]
 }

@@ -55,7 +55,7 @@ impl Emission {
         let mut coatings = self.coatings.iter().zip(&other.coatings);
         let is_same =
             self.group == other.group && self.points == other.points && self.radiances == other.radiances;
-        is_same && coatings.all(|(own, other)| own.exitance == other.exitance)
+        is_same && coatings.all(|(own, other)| own.emits_as(other))
     }
 
     /// For each band the coatings of all `emissions`.

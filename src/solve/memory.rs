@@ -20,7 +20,7 @@ use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 
 use crate::elements::{CutSize, Discretization, cut_sizes, shares};
-use crate::scene::Scene;
+use crate::scene::{Material, Scene};
 use crate::solve::outline::Outline;
 use crate::transport::memory::met::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
 use crate::transport::price::LEAST;
@@ -152,10 +152,14 @@ impl Footprint {
 
 fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {
     let of_band = |band: usize| {
-        let reflecting = scene.surfaces.iter().zip(sizes).filter(|(s, _)| s.material.reflectance[band] > 0.0);
+        let reflecting = scene.surfaces.iter().zip(sizes).filter(|(s, _)| scatters(&s.material, band));
         reflecting.map(|(_, cut)| cut.elements * cut.functions).sum()
     };
     (0..scene.bands.len()).map(of_band).max().unwrap_or(0)
+}
+
+fn scatters(material: &Material, band: usize) -> bool {
+    material.reflectance[band] > 0.0 || material.transmittance[band] > 0.0
 }
 
 /// Bytes of the light of groups, in a scene that has any.

@@ -36,10 +36,10 @@ fn dark(scene: &Scene) -> Solution {
     let coefficients =
         Coefficients { irradiance: zero.clone(), direct: zero.clone(), radiosity: zero, residual: 0.0 };
     let emission = |surface: usize| scene.surfaces[surface].material.emission[0].min(1.0);
-    let coating = Coating {
-        reflectance: vec![0.5; elements.list().len()],
-        exitance: elements.list().iter().map(|e| emission(e.surface)).collect(),
-    };
+    let coating = Coating::constant(
+        vec![0.5; elements.list().len()],
+        elements.list().iter().map(|e| emission(e.surface)).collect(),
+    );
     let band = Band::new("grey".into(), &elements, coating, coefficients);
     Solution::new(elements, vec![band])
 }

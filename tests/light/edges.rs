@@ -50,10 +50,10 @@ fn direct_alone(scene: &Scene) -> Solution {
     let none = || vec![0.0; elements.coefficients()];
     let coefficients = Coefficients { irradiance: none(), direct: none(), radiosity: none(), residual: 0.0 };
     let materials = || elements.list().iter().map(|element| &scene.surfaces[element.surface].material);
-    let coating = Coating {
-        reflectance: materials().map(|material| material.reflectance[0]).collect(),
-        exitance: materials().map(|material| material.emission[0]).collect(),
-    };
+    let coating = Coating::constant(
+        materials().map(|material| material.reflectance[0]).collect(),
+        materials().map(|material| material.emission[0]).collect(),
+    );
     let band = Band::new("grey".into(), &elements, coating, coefficients);
     Solution::new(elements, vec![band])
 }

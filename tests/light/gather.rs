@@ -50,10 +50,10 @@ fn solution(scene: &Scene, total: f64, direct: f64) -> Solution {
         radiosity: times(total),
         residual: 0.0,
     };
-    let coating = Coating {
-        reflectance: vec![0.5; elements.list().len()],
-        exitance: elements.list().iter().map(|e| scene.surfaces[e.surface].material.emission[0]).collect(),
-    };
+    let coating = Coating::constant(
+        vec![0.5; elements.list().len()],
+        elements.list().iter().map(|e| scene.surfaces[e.surface].material.emission[0]).collect(),
+    );
     let band = Band::new("grey".into(), &elements, coating, coefficients);
     Solution::new(elements, vec![band])
 }

@@ -26,7 +26,7 @@ fn model(scene: &Scene, options: &Options) -> Model {
 fn painted(scene: &Scene, name: &str, factor: f64, brightness: f64) -> Scene {
     let is_own = |own: &&str| *own == name;
     let own = scene.surfaces.iter().find(|own| own.material_name.as_deref().filter(is_own).is_some());
-    let Material { reflectance, emission } = own.expect("a surface has that material").material.clone();
+    let Material { reflectance, emission, .. } = own.expect("a surface has that material").material.clone();
     let reflectance = reflectance.iter().map(|rho| factor * rho).collect();
     let emission = emission.iter().map(|exitance| brightness * exitance).collect();
     let material = Material::new(reflectance, emission).expect("it is in range");

@@ -38,7 +38,7 @@ fn fitted_light_is_that_of_every_pixel() {
             let place = Place { surface, parameters: [hit.u, hit.v], position: jet.position };
             let irradiance = reader.irradiance(element, &place, jet.normal).irradiance;
             for ((value, e), band) in values.iter().zip(irradiance).zip(outcome.solution.bands()) {
-                let exact = band.coating.radiosity(element, e);
+                let exact = band.coating.radiosity(element, place.parameters, e, 0.0);
                 // Lamps are bright enough to hide all else.
                 if band.coating.exitance[element] == 0.0 {
                     squares += (value - exact).powi(2);

@@ -78,7 +78,9 @@ fn surfaces_do_not_lie_in_one_another() {
 fn materials_have_a_number_in_range_for_each_band() {
     let with = |reflectance: Vec<f64>, emission: Vec<f64>| {
         fault(Some("material \"odd\""), |room, _| {
-            room.material("odd", Material { reflectance, emission });
+            let mut odd = Material::black(1);
+            (odd.reflectance, odd.emission) = (reflectance, emission);
+            room.material("odd", odd);
         })
     };
     assert!(matches!(with(vec![1.0], vec![0.0]), Fault::OutOfRange { what: "the reflectance", .. }));

@@ -70,7 +70,7 @@ fn given(
     let irradiance: Vec<f64> = elements.list().iter().flat_map(|e| projection(e, &function)).collect();
     let count = elements.list().len();
     let band = |name: &String| {
-        let coating = Coating { reflectance: vec![0.5; count], exitance: vec![7.0; count] };
+        let coating = Coating::constant(vec![0.5; count], vec![7.0; count]);
         let direct = vec![0.0; irradiance.len()];
         let coefficients =
             Coefficients { irradiance: irradiance.clone(), radiosity: direct.clone(), direct, residual: 0.0 };

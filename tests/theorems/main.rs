@@ -14,6 +14,7 @@ mod hierarchy;
 mod includes;
 mod instances;
 mod layering;
+mod materials;
 mod motions;
 mod scene_format;
 mod schema;

@@ -54,7 +54,7 @@ fn furnace(order: usize, eps: f64) -> Vec<(&'static str, Solution, Checks, f64)>
     let blocks = assemble(&Elements::new(&scene, &how).expect("a cube has area"));
     let solve_with = |method: &'static Method| {
         let elements = Elements::new(&scene, &how).expect("a cube has area");
-        let coating = Coating { reflectance: vec![0.5; 6], exitance: vec![1.0; 6] };
+        let coating = Coating::constant(vec![0.5; 6], vec![1.0; 6]);
         let system = System::new(elements.list(), &blocks, &coating);
         let right = system.right_hand_side();
         let mut unknowns = vec![0.0; right.len()];

@@ -137,7 +137,7 @@ fn closed_cone() -> Shapes {
 /// Largest |b − 2c| / √area of the furnace: reflectance ½, exitance 1 everywhere, B = 2.
 fn furnace_error(transport: &Transport) -> f64 {
     let list = transport.elements.list();
-    let coating = Coating { reflectance: vec![0.5; list.len()], exitance: vec![1.0; list.len()] };
+    let coating = Coating::constant(vec![0.5; list.len()], vec![1.0; list.len()]);
     let system = System::new(list, &transport.blocks, &coating);
     let right = system.right_hand_side();
     let mut unknowns = vec![0.0; right.len()];

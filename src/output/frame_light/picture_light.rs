@@ -8,7 +8,7 @@ use crate::gather::choice::By;
 use crate::light::direct::DirectLight;
 use crate::light::penumbra::{Care, Factor, Penumbra, Shade};
 use crate::output::reader::Read;
-use crate::output::shown::Shown;
+use crate::output::shown::{Here, Shown};
 use crate::solution::Solution;
 use crate::visibility::Visibility;
 
@@ -25,6 +25,9 @@ pub(crate) const AVERAGED: f64 = 2.0;
 
 /// Error of direct light in penumbrae, over the accuracy asked for. Chosen: the eye finds no steps there.
 const IN_PENUMBRA: f64 = 2.0;
+
+/// How direct light is looked for on the other side of what lets light through: there is no frame to compare it with.
+const BEHIND: Care = Care { rough: 1.0, sure: true };
 
 /// Direct irradiance at a place.
 #[derive(Clone, Debug, Default)]
@@ -155,11 +158,26 @@ impl<'a> PictureLight<'a> {
     /// What is shown per band under this irradiance.
     pub(crate) fn shown(&self, seen: &Seen, irradiance: impl Iterator<Item = f64>) -> Vec<f64> {
         let bands = self.solution.bands().iter();
-        let directed = self.directed(seen);
-        bands
-            .zip(irradiance)
-            .map(|(band, e)| self.shown.of(&band.coating, seen.element, e, directed))
+        let (directed, behind) = (self.directed(seen), self.behind(seen));
+        let light = bands.zip(irradiance).zip(behind);
+        let (element, parameters) = (seen.element, seen.place.parameters);
+        light
+            .map(|((band, irradiance), behind)| {
+                let here = Here { element, parameters, irradiance, behind, directed };
+                self.shown.of(&band.coating, &here)
+            })
             .collect()
+    }
+
+    /// Irradiance per band (W m⁻²) on the other side of a place that lets light through: direct light, and polynomials for the
+    /// rest; else 0.
+    fn behind(&self, seen: &Seen) -> Vec<f64> {
+        let shows = self.shown == Shown::Radiosity;
+        let behind = if shows { self.solution.behind(seen.element, &seen.place) } else { None };
+        let Some((element, place)) = behind else { return vec![0.0; self.solution.bands().len()] };
+        let other_side = Seen { element, place, normal: -seen.normal };
+        let direct = self.direct(&other_side, BEHIND).bands;
+        direct.iter().zip(self.polynomials(&other_side)).map(|(d, s)| d + s).collect()
     }
 
     /// Radiance of the own light of a place towards the eye, over that of a diffuse emitter.

@@ -36,7 +36,7 @@ use rayon::prelude::*;
 use crate::gather::Gather;
 use crate::gather::by_rays::{RayGather, Receiver};
 use crate::gather::choice::USUAL_EPS;
-use crate::gather::walks::{End, Walks};
+use crate::gather::walks::{End, Lit, Walks};
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
@@ -257,23 +257,23 @@ impl<'a> Missing<'a> {
     fn walk_once(&self, found: &mut Found, half: usize, direction: [f64; 2], chance: u64) {
         let from = found.sensor.point;
         self.walks.walk(from, direction, chance, &mut |end, weights| {
-            if self.walks.brightest(end.element) == 0.0 {
+            if end.lit.brightest() == 0.0 {
                 return;
             }
             let missed = self.missed(end);
             let none = || [vec![0.0; weights.len()], vec![0.0; weights.len()]];
-            let sums = &mut found.parts.entry(end.element).or_insert_with(none)[half];
-            let reflected = weights.iter().zip(self.walks.reflectances(end.element));
+            let sums = &mut found.parts.entry(end.lit.element).or_insert_with(none)[half];
+            let reflected = weights.iter().zip(&end.lit.factors);
             sums.iter_mut()
                 .zip(reflected)
                 .zip(missed)
-                .for_each(|((sum, (weight, reflectance)), missed)| *sum += weight * reflectance * missed);
+                .for_each(|((sum, (weight, factor)), missed)| *sum += weight * factor * missed);
         });
     }
 
-    /// r per band where a walk ends.
+    /// r per band of the light that is sent on where a walk ends.
     fn missed(&self, end: &End) -> Vec<f64> {
-        let End { element, ref place, ref there, distance, chance } = *end;
+        let End { lit: Lit { element, ref place, ref there, .. }, distance, chance, .. } = *end;
         let gather = match &self.ends {
             Ends::Rays(gather) => return gather.missed((element, place), there, distance, chance),
             Ends::Cells(ends) => ends,

@@ -78,8 +78,7 @@ fn unlit(band: &Band, elements: &Elements, integrals: &[f64]) -> Band {
         // The first function of the basis is 1/√A.
         irradiance[start] = integral / element.area.sqrt();
     }
-    let mut coating = band.coating.clone();
-    coating.exitance.fill(0.0);
+    let coating = band.coating.clone().unlit();
     let direct = vec![0.0; irradiance.len()];
     let coefficients = Coefficients::of_irradiance(elements.list(), &coating, irradiance, direct, 0.0);
     Band::new(band.name.clone(), elements, coating, coefficients)

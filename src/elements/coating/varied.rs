@@ -1,0 +1,105 @@
+//! Integrals of a pattern q against the functions of an element,
+//!
+//! ```text
+//! S_kl = ∫ q φ_k φ_l dA ,      e_k = ∫ q φ_k dA .
+//! ```
+//!
+//! Where q is constant on texels, exact up to what [`tiles`](super::tiles) take together; where it is a polynomial in the
+//! parameters, exact on affine elements, and to the accuracy of the area element on curved ones.
+
+use std::sync::Arc;
+
+use radiosity_geom::Surface;
+
+use super::tiles::Tiles;
+use crate::elements::element::Element;
+use crate::elements::measure::Measure;
+use crate::elements::parameters::parameters;
+use crate::scene::Pattern;
+
+/// A band of a pattern on an element.
+#[derive(Clone, Debug)]
+pub(super) struct Varied {
+    pub(super) pattern: Arc<Pattern>,
+    pub(super) band: usize,
+    /// The shape of the element's surface.
+    pub(super) shape: Arc<dyn Surface>,
+}
+
+impl Varied {
+    /// q at parameters of the surface.
+    pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
+        self.pattern.at(self.band, parameters)
+    }
+
+    /// S, row-major.
+    pub(super) fn matrix(&self, element: &Element) -> Vec<f64> {
+        let n = element.basis.len();
+        let mut sums = vec![0.0; n * n];
+        self.integrate(element, 2, &mut |value, raw| {
+            for (k, x) in raw.iter().enumerate() {
+                let weighted = value * x;
+                sums[k * n..k * n + k + 1].iter_mut().zip(raw).for_each(|(sum, y)| *sum += weighted * y);
+            }
+        });
+        for k in 0..n {
+            for l in k + 1..n {
+                sums[k * n + l] = sums[l * n + k];
+            }
+        }
+        orthonormal_rows(element, &transposed(&orthonormal_rows(element, &sums), n))
+    }
+
+    /// e.
+    pub(super) fn vector(&self, element: &Element) -> Vec<f64> {
+        let mut sums = vec![0.0; element.basis.len()];
+        self.integrate(element, 1, &mut |value, raw| {
+            sums.iter_mut().zip(raw).for_each(|(sum, y)| *sum += value * y);
+        });
+        let n = sums.len();
+        let rows = element.basis.transform().chunks_exact(n);
+        rows.map(|row| row.iter().zip(&sums).map(|(t, sum)| t * sum).sum()).collect()
+    }
+
+    /// Calls `add` with q times the area that a point stands for, and the raw functions there, for points that are
+    /// exact for products of so many functions.
+    fn integrate(&self, element: &Element, functions: usize, add: &mut dyn FnMut(f64, &[f64])) {
+        let basis = &element.basis;
+        let mut raw = vec![0.0; basis.len()];
+        let degree = self.pattern.degree().map_or(0, |degree| degree as usize);
+        for tile in Tiles::of(&self.pattern, &element.rect).list() {
+            let patches = element.patches_over(self.shape.as_ref(), &tile.rect());
+            let own = basis.space().chart_degree(basis.order(), &patches);
+            let measure = Measure::new(&patches, (functions * own + degree).div_ceil(2));
+            let mean = self.pattern.degree().is_none().then(|| tile.mean(&self.pattern, self.band));
+            for (node, weight) in &measure.points {
+                let value = mean.unwrap_or_else(|| {
+                    let on_curve = || node.parameters.to_array();
+                    let on_plane = |_| parameters(self.shape.as_ref(), node.position);
+                    self.at(element.plane.map_or_else(on_curve, on_plane))
+                });
+                basis.raw(basis.frame().coordinates(node), &mut raw);
+                add(weight * value, &raw);
+            }
+        }
+    }
+}
+
+/// T M for a square matrix M of as many rows as the element has functions, row-major.
+pub(super) fn orthonormal_rows(element: &Element, matrix: &[f64]) -> Vec<f64> {
+    let n = element.basis.len();
+    let columns = matrix.len() / n;
+    let mut out = vec![0.0; matrix.len()];
+    for (row, t) in out.chunks_exact_mut(columns).zip(element.basis.transform().chunks_exact(n)) {
+        for (t, line) in t.iter().zip(matrix.chunks_exact(columns)) {
+            row.iter_mut().zip(line).for_each(|(out, x)| *out += t * x);
+        }
+    }
+    out
+}
+
+/// The transpose of a row-major matrix of so many columns.
+pub(super) fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
+    let rows = matrix.len() / columns;
+    (0..matrix.len()).map(|k| matrix[k % rows * columns + k / rows]).collect()
+}

@@ -1,0 +1,228 @@
+//! Reflectance and emission that vary over surfaces, and light that surfaces let through.
+
+use std::sync::Arc;
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngSeed};
+use radiosity::geom::DVec3;
+use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
+use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
+use radiosity::solve::{Options, Outcome, solve};
+
+/// The unit cube, its front inward, whose walls are made by `paint`.
+fn cube(builder: &mut SceneBuilder, mut paint: impl FnMut(usize) -> Material) {
+    let corner = |axis: usize, far: bool| {
+        let [x, y, z] = [axis, (axis + 1) % 3, (axis + 2) % 3].map(|k| DVec3::AXES[k]);
+        if far { (x, z, y) } else { (DVec3::ZERO, y, z) }
+    };
+    for wall in 0..6 {
+        let material = builder.material(format!("paint {wall}"), paint(wall));
+        let (origin, first, second) = corner(wall / 2, wall % 2 == 1);
+        let shape = Parallelogram::new(origin, first, second).expect("a square");
+        builder.surface(format!("wall {wall}"), shape, &material);
+    }
+}
+
+fn patterned(reflectance: Pattern, emission: Pattern) -> Material {
+    let mut material = Material::new(vec![0.5], vec![0.5]).expect("it is in range");
+    material.reflectance_pattern = Some(Arc::new(reflectance));
+    material.emission_pattern = Some(Arc::new(emission));
+    material
+}
+
+fn exact() -> Options {
+    Options { order: 4, tolerance: 1e-14, eps: 1e-13, shadow_eps: 1e-8, ..Options::default() }
+}
+
+fn solved(scene: &Scene, options: &Options) -> Outcome {
+    solve(scene, options, &|_| {}).expect("a solution")
+}
+
+/// Largest |E − 1| over coefficients, against those of the constant 1.
+fn off_one(outcome: &Outcome) -> f64 {
+    let ones = outcome.solution.elements().constant();
+    let light = &outcome.solution.bands()[0].coefficients;
+    let parts = [&light.irradiance, &light.radiosity];
+    parts.iter().flat_map(|own| own.iter().zip(&ones)).map(|(x, c)| (x - c).abs()).fold(0.0, f64::max)
+}
+
+/// 1 − q.
+fn rest(pattern: &[f64]) -> Vec<f64> {
+    pattern.iter().map(|q| 1.0 - q).collect()
+}
+
+proptest! {
+    #![proptest_config(Config { cases: 6, rng_seed: RngSeed::Fixed(30), ..Config::default() })]
+
+    /// In a closed room of any reflectances ρ(x) that emits 1 − ρ(x), the radiosity is 1.
+    #[test]
+    fn a_textured_furnace_is_uniform(
+        texels in prop::collection::vec(prop::collection::vec(0.0..0.95f64, 12), 6),
+        columns in prop::sample::select(vec![1usize, 2, 3, 4, 6, 12]),
+    ) {
+        let mut builder = SceneBuilder::new("furnace", ["grey"]);
+        cube(&mut builder, |wall| {
+            let grid = |values| Pattern::texels(columns, vec![values], Placement::default()).expect("a grid");
+            patterned(grid(texels[wall].clone()), grid(rest(&texels[wall])))
+        });
+        let outcome = solved(&builder.build().expect("a scene"), &exact());
+        prop_assert!(off_one(&outcome) < 1e-12, "{}", off_one(&outcome));
+    }
+
+    /// The same for polynomials of degree 4.
+    #[test]
+    fn a_furnace_of_polynomial_reflectance_is_uniform(
+        terms in prop::collection::vec(prop::collection::vec(-0.06..0.06f64, 8), 6),
+    ) {
+        let powers = [[1, 0], [0, 1], [2, 0], [1, 1], [0, 3], [4, 0], [2, 2], [1, 3]];
+        let polynomial = |constant: f64, sign: f64, factors: &[f64]| {
+            let own = powers.iter().zip(factors);
+            let own = own.map(|([u, v], factor)| Term { u: *u, v: *v, factor: sign * factor });
+            Pattern::polynomial(vec![Polynomial::new(own.chain([Term { u: 0, v: 0, factor: constant }]))])
+        };
+        let mut builder = SceneBuilder::new("furnace", ["grey"]);
+        cube(&mut builder, |wall| {
+            patterned(polynomial(0.5, 1.0, &terms[wall]), polynomial(0.5, -1.0, &terms[wall]))
+        });
+        let outcome = solved(&builder.build().expect("a scene"), &exact());
+        prop_assert!(off_one(&outcome) < 1e-12, "{}", off_one(&outcome));
+    }
+
+    /// A sheet with ρ + τ < 1 that emits the rest on both sides, in a room of the same kind.
+    #[test]
+    fn a_furnace_with_a_sheet_that_lets_light_through_is_uniform(
+        share in 0.0..1.0f64, all in 0.1..0.95f64, wall in 0.0..0.95f64, split in 1usize..3,
+    ) {
+        let (reflectance, transmittance) = (share * all, (1.0 - share) * all);
+        let mut builder = SceneBuilder::new("furnace", ["grey"]);
+        cube(&mut builder, |_| Material::new(vec![wall], vec![1.0 - wall]).expect("it is in range"));
+        let mut sheet = Material::new(vec![reflectance], vec![1.0 - all]).expect("it is in range");
+        sheet.transmittance = vec![transmittance];
+        let sheet = builder.material("sheet", sheet);
+        let shape = Parallelogram::new(DVec3::new(0.2, 0.3, 0.5), DVec3::X * 0.5, DVec3::Y * 0.4);
+        let _: &mut SurfaceDraft =
+            builder.surface("sheet", shape.expect("a square"), &sheet).two_sided().subdivide(split, 1);
+        let outcome = solved(&builder.build().expect("a scene"), &Options { order: 2, ..exact() });
+        prop_assert!(off_one(&outcome) < 1e-7, "{}", off_one(&outcome));
+    }
+}
+
+/// Concentric spheres, the middle one letting light through: the irradiances solve a system of four.
+#[test]
+fn a_shade_between_spheres_is_as_its_closed_form() {
+    let (a, b, c) = (0.3f64, 0.6f64, 1.0f64);
+    let (core, shade, outer) = ((0.4, 1.0), (0.3, 0.55), 0.6);
+    let mut builder = SceneBuilder::new("shade", ["grey"]);
+    let paint = |rho: f64, exitance: f64| Material::new(vec![rho], vec![exitance]).expect("it is in range");
+    let ball =
+        |radius| Sphere::new(DVec3::ZERO, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball");
+    let material = builder.material("core", paint(core.0, core.1));
+    builder.surface("core", ball(a), &material);
+    let mut sheet = paint(shade.0, 0.0);
+    sheet.transmittance = vec![shade.1];
+    let material = builder.material("shade", sheet);
+    builder.surface("shade", ball(b), &material).two_sided();
+    let material = builder.material("outer", paint(outer, 0.0));
+    builder.surface("outer", ball(c), &material).flip();
+    let scene = builder.build().expect("a scene");
+    let outcome = solved(&scene, &Options { order: 1, eps: 1e-4, shadow_eps: 1e-4, ..exact() });
+    // Irradiances: on the core, on the inner side of the shade, on its outer side, on the outer sphere.
+    let (ab, bc) = ((a / b).powi(2), (b / c).powi(2));
+    let (mut e, mut last) = ([0.0f64; 4], [1.0f64; 4]);
+    while e.iter().zip(&last).any(|(x, y)| (x - y).abs() > 1e-15) {
+        last = e;
+        let radiosity = [
+            core.1 + core.0 * e[0],
+            shade.0 * e[1] + shade.1 * e[2],
+            shade.0 * e[2] + shade.1 * e[1],
+            outer * e[3],
+        ];
+        e = [
+            radiosity[1],
+            ab * radiosity[0] + (1.0 - ab) * radiosity[1],
+            radiosity[3],
+            bc * radiosity[2] + (1.0 - bc) * radiosity[3],
+        ];
+    }
+    let surface = |name: &str| scene.surface_named(name).expect("it has that name");
+    let names = ["core", "shade:back", "shade", "outer"];
+    for (name, exact) in names.into_iter().zip(e) {
+        let mean = outcome.solution.mean_irradiance(0, surface(name));
+        assert!((mean - exact).abs() < 2e-4 * exact, "{name}: {mean} {exact}");
+    }
+    let checks = outcome.checks;
+    let balance = checks.energy_in - checks.energy_absorbed - checks.energy_lost;
+    assert!(balance.abs() < 1e-12 * checks.energy_in, "{balance}");
+}
+
+/// A floor of 8 × 8 black and white fields as one element, against 64 squares.
+#[test]
+fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
+    let field = |k: usize| if (k % 8 + k / 8) % 2 == 0 { 0.85 } else { 0.05 };
+    let room = |fields: bool| {
+        let mut builder = SceneBuilder::new("room", ["grey"]);
+        let white = builder.material("white", Material::new(vec![0.6], vec![0.0]).expect("in range"));
+        let lamp = builder.material("lamp", Material::new(vec![0.2], vec![10.0]).expect("in range"));
+        let quad = |o: [f64; 3], a: DVec3, b: DVec3| Parallelogram::new(o.into(), a, b).expect("a square");
+        let [x, y, z] = DVec3::AXES;
+        builder.surface("x0", quad([0.0; 3], y, z), &white);
+        builder.surface("x1", quad([1.0, 0.0, 0.0], z, y), &white);
+        builder.surface("y0", quad([0.0; 3], z, x), &white);
+        builder.surface("y1", quad([0.0, 1.0, 0.0], x, z), &white);
+        builder.surface("ceiling", quad([0.0, 0.0, 1.0], y, x), &lamp);
+        if fields {
+            for k in 0..64 {
+                let own = Material::new(vec![field(k)], vec![0.0]).expect("in range");
+                let own = builder.material(format!("field {k}"), own);
+                let [i, j] = [k % 8, k / 8].map(|k| k as f64 / 8.0);
+                builder.surface(format!("field {k}"), quad([i, j, 0.0], x / 8.0, y / 8.0), &own).order(1);
+            }
+        } else {
+            let mut board = Material::new(vec![0.45], vec![0.0]).expect("in range");
+            let texels = (0..64).map(field).collect();
+            let pattern = Pattern::texels(8, vec![texels], Placement::default()).expect("a grid");
+            board.reflectance_pattern = Some(Arc::new(pattern));
+            let board = builder.material("board", board);
+            builder.surface("floor", quad([0.0; 3], x, y), &board);
+        }
+        builder.build().expect("a scene")
+    };
+    let options = Options { order: 3, ..exact() };
+    let [pattern, squares] = [false, true].map(|fields| (room(fields), solved(&room(fields), &options)));
+    let (one, many) = (pattern.1.solution.elements(), squares.1.solution.elements());
+    let floor = |outcome: &Outcome, scene: &Scene, name: &str| {
+        outcome.solution.mean_irradiance(0, scene.surface_named(name).expect("it has that name"))
+    };
+    for name in ["x0", "x1", "y0", "y1", "ceiling"] {
+        let [a, b] = [&pattern, &squares].map(|(scene, outcome)| floor(outcome, scene, name));
+        assert!((a - b).abs() < 5e-3 * b, "{name}: {a} {b}");
+    }
+    let walls: usize = one.list()[..5].iter().map(|element| element.basis.len()).sum();
+    let own = one.coefficients() - walls;
+    assert!(10 * own < many.coefficients() - walls, "{own} {}", many.coefficients());
+}
+
+/// A new pattern changes S alone: the blocks are those that were there.
+#[test]
+fn another_pattern_needs_no_new_blocks() {
+    use radiosity::Model;
+    let grid = |values: Vec<f64>| Pattern::texels(2, vec![values], Placement::default()).expect("a grid");
+    let scene = |first: [f64; 4]| {
+        let mut builder = SceneBuilder::new("room", ["grey"]);
+        cube(&mut builder, |_| patterned(grid(first.to_vec()), grid(vec![1.0; 4])));
+        builder.build().expect("a scene")
+    };
+    let before = scene([0.2, 0.7, 0.5, 0.0]);
+    let model = Model::assemble(&before, &exact(), &|_| {}).expect("a model");
+    let mut after = before;
+    for wall in 0..6 {
+        let paint = patterned(grid(vec![0.9, 0.1, 0.3, 0.6]), grid(vec![1.0; 4]));
+        after = after.with_material(&format!("paint {wall}"), paint).expect("it has that material");
+    }
+    let repainted = model.solve(&after, &|_| {}).expect("a solution");
+    let anew = solved(&scene([0.9, 0.1, 0.3, 0.6]), &exact());
+    let light = |outcome: &Outcome| outcome.solution.bands()[0].coefficients.irradiance.clone();
+    for (a, b) in light(&repainted).iter().zip(light(&anew)) {
+        assert!((a - b).abs() < 1e-12, "{a} {b}");
+    }
+}
