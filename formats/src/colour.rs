@@ -20,6 +20,11 @@ pub const TEXTURED_EMISSION: &str = "textures of emission are left out: what the
 /// not tuned.
 const GREY: f64 = 1e-12;
 
+/// The linear value of one that is coded as sRGB, 0 to 1. Source: IEC 61966-2-1:1999, item 5.2.
+pub fn of_srgb(coded: f64) -> f64 {
+    if coded <= 0.04045 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
+}
+
 /// Linear red, green and blue of a colour with chromaticity `x`, `y` (CIE 1931) and luminance 1, relative to the white of
 /// equal energy, x = y = 1/3, which formats that state chromaticities mean by grey. Values below 0, of colours outside
 /// the triangle of the primaries, are raised to 0 and the rest scaled so that the luminance stays 1.

@@ -4,6 +4,8 @@
 //! Flow: bytes → `read` → [`Model`](model::Model) → `repair` → a scene of `radiosity`, or text of another format.
 //!
 //! Luminaires: bytes → [`luminaire::read`] → [`Photometry`](photometry::Photometry).
+//!
+//! Pictures: bytes → [`picture::read`] → [`Picture`](picture::Picture).
 
 pub mod place;
 pub mod error;
@@ -15,6 +17,7 @@ pub mod format;
 pub mod fault;
 pub mod text;
 pub mod located;
+pub mod picture;
 mod numbers;
 pub mod budget;
 pub mod includes;

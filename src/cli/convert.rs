@@ -10,7 +10,7 @@ use radiosity::formats::{
     write::{WRITTEN, write},
 };
 use radiosity::output::solution_file::{is_solution, read};
-use radiosity::scene::{Notation, Scene};
+use radiosity::scene::{Notation, Scene, Source};
 
 use crate::cli::{
     error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
@@ -147,15 +147,20 @@ fn texts(args: &ConvertArgs, target: Target, materials: &str) -> Result<Texts, C
     }
 }
 
-/// Refuses to move a scene away from the files that it includes.
+/// Refuses to move a scene away from the files that it includes or names.
 fn check_includes(args: &ConvertArgs, scene: &Scene) -> Result<(), CliError> {
     let folder = |path: &Path| path.parent().map(Path::to_owned).unwrap_or_default();
-    let includes = scene.source.as_ref().is_some_and(|source| source.included().next().is_some());
+    let names_files =
+        |source: &Source| source.included().next().is_some() || source.pictures().next().is_some();
+    let includes = scene.source.as_ref().is_some_and(names_files);
     let moves = args.scene.path().is_some_and(|path| folder(path) != folder(&args.output));
     match includes && moves {
         false => Ok(()),
         true => Err(CliError::Refused {
-            message: format!("{}: the scene includes files beside it", args.output.display()),
+            message: format!(
+                "{}: the scene includes files or names pictures beside it",
+                args.output.display()
+            ),
             cure: "write it into the folder of the scene".to_owned(),
         }),
     }

@@ -1,6 +1,6 @@
 //! Scenes made in code, with the faults of scene files.
 
-use std::sync::Arc;
+use std::{collections::BTreeMap, sync::Arc};
 
 use radiosity_geom::Surface;
 
@@ -8,13 +8,15 @@ use crate::scene::{
     Scene,
     animation::{Animation, Clock},
     camera::Camera,
+    coat::Coat,
     draft::SurfaceDraft,
     error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
     luminous_surface::luminous_surfaces,
     material::Material,
     movement::{Handles, Movable, MoverDraft, movers},
-    names::UniqueNames,
+    named_material::NamedMaterial,
+    names::{UniqueNames, check_text},
     sensor_plane::SensorPlane,
     surfaces::{Surfaces, fitted_surfaces},
     thermal::Thermal,
@@ -50,10 +52,6 @@ pub struct SceneBuilder {
     movers: Vec<MoverDraft>,
 }
 
-/// A material of a scene in the making, given to its surfaces.
-#[derive(Clone, Debug)]
-pub struct NamedMaterial(Arc<(String, Material)>);
-
 impl SceneBuilder {
     /// A scene of that name and these bands, with nothing in it. The name stands before messages.
     pub fn new<B: Into<String>>(name: impl Into<String>, bands: impl IntoIterator<Item = B>) -> Self {
@@ -74,7 +72,7 @@ impl SceneBuilder {
 
     /// A material for surfaces, with a number per band.
     pub fn material(&mut self, name: impl Into<String>, material: Material) -> NamedMaterial {
-        let named = NamedMaterial(Arc::new((name.into(), material)));
+        let named = NamedMaterial::new(name.into(), material);
         self.materials.push(named.clone());
         named
     }
@@ -88,17 +86,16 @@ impl SceneBuilder {
         shape: impl Surface + 'static,
         material: &NamedMaterial,
     ) -> &mut SurfaceDraft {
-        if !self.materials.iter().any(|own| Arc::ptr_eq(&own.0, &material.0)) {
+        if !self.materials.iter().any(|own| own.is(material)) {
             self.materials.push(material.clone());
         }
         let name = name.into();
-        let (material_name, material) = (*material.0).clone();
         let draft = SurfaceDraft {
             kind: "surface",
             shapes: vec![(name.clone(), Arc::new(shape))],
             name,
-            material,
-            material_name: Some(material_name),
+            front: Coat::from(material),
+            back: None,
             group: None,
             flux: None,
             opening: None,
@@ -174,6 +171,7 @@ impl SceneBuilder {
         check_unit(&self.unit).map_err(|fault| Located::nowhere(fault).within(|| "unit".into()))?;
         check_planes(&self.planes)?;
         check_materials(&self.materials, self.bands.len())?;
+        check_backs(&self.surfaces, &self.materials, self.bands.len())?;
         check_luminaires(&self.luminaires, self.bands.len())?;
         let camera = self.camera.map(Camera::checked).transpose();
         let camera = camera.map_err(|fault| Located::nowhere(fault).within(|| "camera".into()))?;
@@ -246,8 +244,25 @@ fn check_luminaires(luminaires: &[Luminaire], bands: usize) -> Result<(), Locate
 fn check_materials(materials: &[NamedMaterial], bands: usize) -> Result<(), Located> {
     let mut names = UniqueNames::default();
     materials.iter().try_for_each(|named| {
-        let (name, material) = &*named.0;
-        let checked = names.add(name, None).and_then(|()| material.check(bands));
-        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))
+        let checked = names.add(named.name(), None).and_then(|()| named.material().check(bands));
+        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(named.name())))
     })
+}
+
+/// Checks the materials of backs, which may be given to nothing else: none has the name of another one.
+fn check_backs(drafts: &[SurfaceDraft], materials: &[NamedMaterial], bands: usize) -> Result<(), Located> {
+    let known = materials.iter().map(|own| (own.name(), own.material()));
+    let mut known: BTreeMap<&str, &Material> = known.collect();
+    for Coat { name, material, .. } in drafts.iter().filter_map(|draft| draft.back.as_ref()) {
+        let name = name.as_deref().unwrap_or_default();
+        let checked = check_text(name).and_then(|()| material.check(bands));
+        let checked = checked.and_then(|()| match known.insert(name, material) {
+            Some(other) if other != material => {
+                Err(Fault::DuplicateName { name: name.to_owned(), first: None })
+            }
+            _ => Ok(()),
+        });
+        checked.map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
+    }
+    Ok(())
 }

@@ -95,6 +95,19 @@ impl Fault {
             Fault::MissingKey { key } => format!("add `{key} = …`{}", example(key)),
             Fault::WrongCount { expected, .. } => format!("give {expected}"),
             Fault::OutOfRange { range, what, .. } => out_of_range(what, range),
+            Fault::PatternRange { value, .. } if *value < 0.0 => {
+                "add a constant to the pattern, or choose another one, so that it is nowhere below 0"
+                    .to_owned()
+            }
+            // Of white, 1, what is left is a bright paint.
+            Fault::PatternRange { value, .. } => format!(
+                "scale the pattern down: factor = {:.2}, times the factor that it may have already; white paint has ρ = 0.85 or so",
+                (0.9 / value).min(0.9)
+            ),
+            Fault::BadPicture { cure, .. } => cure.clone(),
+            Fault::UnknownWord { what, name, known } => {
+                choose(name, known.iter().copied(), &format!("known words for {what}"))
+            }
             Fault::DuplicateName { first: Some(line), .. } => {
                 format!("rename this one or the first, which stands on {line}")
             }
@@ -148,6 +161,13 @@ fn plain_cure(fault: &Fault) -> &'static str {
         }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
         Fault::Exclusive { .. } => "leave one of them out",
+        Fault::FluxAndEmission { is_patterned: true, .. } => {
+            "leave the flux out, and scale the pattern by its `factor`: the mean exitance is the flux over the area"
+        }
+        Fault::OneSided { .. } => "add two_sided = true to the surface",
+        Fault::OtherTransmittance { .. } => {
+            "give both materials the same transmittance: a diffuse sheet lets through as much either way"
+        }
         Fault::FluxAndEmission { .. } => {
             "leave the flux out, or give the surface a material of the same reflectance without emission"
         }
@@ -247,6 +267,9 @@ fn example(key: &str) -> &'static str {
         | "axis" | "direction" => ", three numbers in brackets",
         "vertices" => ", a list of points, each three numbers in brackets",
         "edges" => ", two vectors, each three numbers in brackets",
+        "image" => {
+            " for a picture, `cells = …` for rows of numbers or `polynomial = …` for terms [i, j, c] of u^i v^j"
+        }
         "part" => ", the name of one of [parts.…]",
         "count" => ", a number, or up to three in brackets",
         "step" => ", a vector, or one for each number of count",

@@ -8,9 +8,11 @@ use std::sync::Arc;
 use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::scene::{
+    coat::Coat,
     error::{Fault, Located, surface_title},
     light_group::LightGroup,
-    material::{Material, check_count, check_flux},
+    material::{Material, check_count, check_flux, check_sheet},
+    named_material::NamedMaterial,
     names::check_text,
     outlook::{KnownOutlooks, Opening},
     radiance::Radiance,
@@ -26,13 +28,16 @@ pub struct SurfaceDraft {
     pub(super) name: String,
     pub(super) kind: &'static str,
     pub(super) shapes: Vec<NamedShape>,
-    pub(super) material: Material,
-    pub(super) material_name: Option<String>,
+    pub(super) front: Coat,
+    /// Of the back, if that is another one.
+    pub(super) back: Option<Coat>,
+    /// Its own light group, instead of those of its materials.
     pub(super) group: Option<String>,
     pub(super) flux: Option<Vec<f64>>,
     pub(super) opening: Option<Opening>,
     /// How its light is spread, if it is known before what openings see.
     pub(super) radiance: Option<Radiance>,
+    /// What is known of its heat, instead of what its materials say.
     pub(super) thermal: Thermal,
     pub(super) order: Option<usize>,
     pub(super) subdivide: Option<[usize; 2]>,
@@ -51,6 +56,8 @@ pub(super) struct Typed {
     pub name: Span,
     pub name_line: Line,
     pub shape: Span,
+    /// Of its material and that of its back.
+    pub materials: [Option<Span>; 2],
     pub flux: Option<Span>,
     pub opening: Option<Span>,
 }
@@ -65,6 +72,12 @@ impl SurfaceDraft {
     /// Lets its back emit and receive too, as a surface named `name:back` that follows it.
     pub fn two_sided(&mut self) -> &mut Self {
         self.two_sided = true;
+        self
+    }
+
+    /// Covers its back with another material, where it is [two-sided](Self::two_sided). What both let through has to be the same.
+    pub fn back_material(&mut self, material: &NamedMaterial) -> &mut Self {
+        self.back = Some(Coat::from(material));
         self
     }
 
@@ -124,26 +137,51 @@ impl SurfaceDraft {
         }
     }
 
-    /// Turns its flux into the emission of its material; checks an opening.
+    /// Turns its flux into the emission of its materials; checks an opening, and what its sides let through.
     pub(super) fn lit(mut self) -> Result<Self, Located> {
+        self.check_sides()?;
         self.check_opening()?;
         let span = self.typed.as_ref().and_then(|typed| typed.flux.clone());
-        match self.flux.as_deref().map(|flux| self.emission(flux)).transpose() {
-            Ok(emission) => {
-                self.material.emission = emission.unwrap_or(self.material.emission);
+        let emission = self.flux.as_deref().map(|flux| self.emission(flux)).transpose();
+        match emission {
+            Ok(None) => Ok(self),
+            Ok(Some(emission)) => {
+                self.coats_mut().for_each(|coat| coat.material.emission.clone_from(&emission));
                 Ok(self)
             }
             Err(fault) => Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name))),
         }
     }
 
+    /// What covers it, the front first.
+    fn coats(&self) -> impl Iterator<Item = &Coat> {
+        [&self.front].into_iter().chain(&self.back)
+    }
+
+    fn coats_mut(&mut self) -> impl Iterator<Item = &mut Coat> {
+        [&mut self.front].into_iter().chain(&mut self.back)
+    }
+
+    /// Refuses a back of one side, and sides that do not let through alike.
+    fn check_sides(&self) -> Result<(), Located> {
+        let [front, back] = self.typed.as_ref().map_or([None, None], |typed| typed.materials.clone());
+        let other = self.back.as_ref().map(|coat| &coat.material);
+        let (span, checked) = match other {
+            Some(_) if !self.two_sided => (back, Err(Fault::OneSided { what: "a back material" })),
+            Some(other) => (back, check_sheet(&self.front.material, Some(other))),
+            None if self.two_sided => return Ok(()),
+            None => (front, check_sheet(&self.front.material, None)),
+        };
+        checked.map_err(|fault| self.located(span.as_ref(), fault).within(|| surface_title(&self.name)))
+    }
+
     /// The exitance of each band (W m⁻²) that makes this flux (W).
     fn emission(&self, flux: &[f64]) -> Result<Vec<f64>, Fault> {
-        check_count("the flux", flux, self.material.reflectance.len())?;
+        check_count("the flux", flux, self.front.material.reflectance.len())?;
         flux.iter().try_for_each(|flux| check_flux(*flux))?;
-        if self.material.emits() {
-            let material = self.material_name.clone().unwrap_or_default();
-            return Err(Fault::FluxAndEmission { material });
+        if let Some(Coat { material, name, .. }) = self.coats().find(|coat| coat.material.emits()) {
+            let is_patterned = material.emission_pattern.is_some();
+            return Err(Fault::FluxAndEmission { material: name.clone().unwrap_or_default(), is_patterned });
         }
         let sides = if self.two_sided { 2.0 } else { 1.0 };
         let area = sides * self.shapes.iter().map(|(_, shape)| shape.area()).sum::<f64>();
@@ -157,12 +195,12 @@ impl SurfaceDraft {
         let Some(opening) = &self.opening else { return Ok(()) };
         let span = self.typed.as_ref().and_then(|typed| typed.opening.clone());
         let is_flat = self.shapes.iter().all(|(_, shape)| shape.region().is_some());
-        let bands = self.material.reflectance.len();
+        let bands = self.front.material.reflectance.len();
         let fault = match () {
             () if !is_flat => Fault::BadOpening { problem: "it is curved" },
             () if self.two_sided => Fault::BadOpening { problem: "it has two sides" },
             () if self.flux.is_some() => Fault::BadOpening { problem: "it has a flux" },
-            () if self.material.emits() => Fault::BadOpening { problem: "its material emits" },
+            () if self.front.material.emits() => Fault::BadOpening { problem: "its material emits" },
             () => match check_count("the illuminance of the sky", opening.sky.irradiance(), bands) {
                 Ok(()) => return Ok(()),
                 Err(fault) => fault,
@@ -173,10 +211,12 @@ impl SurfaceDraft {
 
     /// How one of its shapes spreads its light, and its material with the light that comes in.
     fn radiance(&self, shape: &dyn Surface, known: &mut KnownOutlooks) -> (Option<Radiance>, Material) {
-        let Some(opening) = &self.opening else { return (self.radiance.clone(), self.material.clone()) };
+        let Some(opening) = &self.opening else {
+            return (self.radiance.clone(), self.front.material.clone());
+        };
         let normal = shape.jet(0.0, 0.0).normal;
         let outlook = known.of(opening, if self.flip { -normal } else { normal });
-        let material = Material { emission: outlook.exitance(), ..self.material.clone() };
+        let material = Material { emission: outlook.exitance(), ..self.front.material.clone() };
         (Some(Radiance::Sky(outlook)), material)
     }
 
@@ -200,26 +240,31 @@ impl SurfaceDraft {
     /// The surface of one of its shapes, and its back if it is two-sided; what openings see is shared with those `known`.
     pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
         let (radiance, material) = self.radiance(shape, known);
-        let side = |name: String, flip: bool| SceneSurface {
+        let front = Coat { material, ..self.front.clone() };
+        let side = |name: String, flip: bool, coat: &Coat| SceneSurface {
             name,
             kind: self.kind,
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
-            material: material.clone(),
+            material: coat.material.clone(),
             radiance: radiance.clone(),
-            material_name: self.material_name.clone(),
+            material_name: coat.name.clone(),
             other_side: None,
-            group: self.group.as_ref().map(LightGroup::new),
+            group: self.group.as_ref().or(coat.group.as_ref()).map(LightGroup::new),
             flux: self
                 .flux
                 .as_ref()
-                .map(|_| self.material.emission.iter().map(|own| own * shape.area()).collect()),
-            thermal: self.thermal,
+                .map(|_| coat.material.emission.iter().map(|own| own * shape.area()).collect()),
+            thermal: Thermal {
+                emissivity: self.thermal.emissivity.or(coat.thermal.emissivity),
+                condition: self.thermal.condition.or(coat.thermal.condition),
+            },
             order: self.order,
             subdivide: self.subdivide,
             place: self.typed.as_ref().map(|typed| typed.place.clone()),
         };
-        let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip));
-        [side(name.clone(), self.flip)].into_iter().chain(back).collect()
+        let other = self.back.as_ref().unwrap_or(&front);
+        let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip, other));
+        [side(name.clone(), self.flip, &front)].into_iter().chain(back).collect()
     }
 }
 

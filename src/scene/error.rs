@@ -234,6 +234,52 @@ pub enum Fault {
         /// The range, e.g. `0 ≤ ρ < 1`.
         range: &'static str,
     },
+    /// A pattern with a value outside its range.
+    #[error("{what} is {} {place}, outside {range}", shown(*value))]
+    PatternRange {
+        /// What it is a pattern of, e.g. `the reflectance`.
+        what: &'static str,
+        /// The number.
+        value: f64,
+        /// Where it is, e.g. `at u = 0.5, v = −1`.
+        place: String,
+        /// The range, e.g. `0 ≤ ρ < 1`.
+        range: &'static str,
+    },
+    /// A picture that cannot be taken for a pattern.
+    #[error("{path:?}: {cause}")]
+    BadPicture {
+        /// Its path, as it was opened.
+        path: String,
+        /// What is wrong with it.
+        cause: String,
+        /// How to mend it.
+        cure: String,
+    },
+    /// A surface of one side that has what needs two.
+    #[error("{what} needs a surface of two sides")]
+    OneSided {
+        /// What it has.
+        what: &'static str,
+    },
+    /// Two sides of one surface that do not let through alike.
+    #[error("the transmittances of its two sides differ: {front:?} and {back:?}")]
+    OtherTransmittance {
+        /// Of its front, per band.
+        front: Vec<f64>,
+        /// Of its back, per band.
+        back: Vec<f64>,
+    },
+    /// A word that is not among those that may stand here.
+    #[error("there is no {what} {name:?}")]
+    UnknownWord {
+        /// What it says, e.g. `wrap`.
+        what: &'static str,
+        /// What was typed.
+        name: String,
+        /// The words there are.
+        known: Vec<&'static str>,
+    },
     /// A text that has to say something.
     #[error("this text is empty")]
     EmptyText,
@@ -250,6 +296,8 @@ pub enum Fault {
     FluxAndEmission {
         /// The material.
         material: String,
+        /// Whether its emission varies over the surface.
+        is_patterned: bool,
     },
     /// A part that is not defined.
     #[error("unknown part {name:?}")]

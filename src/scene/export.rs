@@ -67,6 +67,9 @@ impl<'a> Export<'a> {
             if file.flip {
                 shape.turn_over();
             }
+            if file.back_material.is_some() {
+                self.model.note("materials of backs are left out: both sides have that of the front", None);
+            }
             let sides = if file.two_sided { Sides::Both } else { Sides::Front };
             self.push(&name, shape, sides);
         }
@@ -83,6 +86,12 @@ impl<'a> Export<'a> {
         let own = surface.material_name.as_ref()?;
         if surface.group.is_some() {
             self.model.note("light groups are left out", None);
+        }
+        if surface.material.is_patterned() {
+            self.model.note("what varies over surfaces becomes its mean", None);
+        }
+        if surface.material.transmits() {
+            self.model.note("transmittances are left out", None);
         }
         let reflectance = surface.material.reflectance.clone();
         let emission: Vec<f64> =

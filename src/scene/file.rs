@@ -1,6 +1,7 @@
 //! A scene as it is typed: keys, kinds and counts are right, every value knows its place, nothing else is checked.
 
 mod per_band;
+mod pattern;
 mod thermal;
 mod sky;
 mod surface;
@@ -24,6 +25,7 @@ use crate::scene::{
 };
 use motion::read_motions;
 use part::{read_content, read_parts};
+use pattern::amount;
 use per_band::per_band;
 use sky::read_sky;
 use thermal::{CONDITION_KEYS, emissivity, read_condition};
@@ -31,6 +33,7 @@ use thermal::{CONDITION_KEYS, emissivity, read_condition};
 pub(super) use luminaire::{DistributionFile, ExtentFile, LuminaireFile, StrengthFile};
 pub(super) use motion::{MOTION, MotionFile, RotateFile, TranslateFile, TurnsFile};
 pub(super) use part::{ContentFile, InstanceFile, PartFile};
+pub(super) use pattern::{Amount, EachBand, Encoding, PatternFile, PatternKind};
 pub(super) use per_band::PerBand;
 pub(super) use sky::{GlassFile, SkyFile, SunFile};
 pub(super) use surface::SurfaceFile;
@@ -84,13 +87,14 @@ pub(super) struct PlaneFile {
 pub(super) struct MaterialFile {
     pub name: At<String>,
     /// None where an emissivity is given instead.
-    pub reflectance: Option<PerBand>,
-    pub emission: Option<PerBand>,
+    pub reflectance: Option<Amount>,
+    pub emission: Option<Amount>,
+    pub transmittance: Option<PerBand>,
     pub thermal: Thermal,
     pub group: Option<At<String>>,
 }
 
-const MATERIAL_KEYS: [&str; 4] = ["reflectance", "emission", "emissivity", "group"];
+const MATERIAL_KEYS: [&str; 5] = ["reflectance", "emission", "transmittance", "emissivity", "group"];
 
 const SCENE_KEYS: [&str; 16] = [
     INCLUDE,
@@ -112,10 +116,11 @@ const SCENE_KEYS: [&str; 16] = [
 ];
 
 impl SceneFile {
-    /// Whether every reflectance, emission, flux and intensity is a single number.
+    /// Whether every reflectance, transmittance, emission, flux and intensity is a single number, or a pattern alike in all bands.
     pub(super) fn is_grey(&self) -> bool {
-        let materials = self.materials.iter();
-        let per_band = materials.flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
+        let amounts = self.materials.iter().flat_map(|own| [own.reflectance.as_ref(), own.emission.as_ref()]);
+        let amounts = amounts.flatten();
+        let transmittances = self.materials.iter().map(|own| own.transmittance.as_ref());
         let contents = self.parts.iter().map(|part| &part.content).chain([&self.content]);
         let fluxes = contents.flat_map(|content| {
             let luminaires = content.luminaires.iter().map(|own| own.strength.as_ref());
@@ -125,7 +130,8 @@ impl SceneFile {
         let skies = self.sky.iter().flat_map(|sky| {
             [Some(&sky.illuminance), sky.sun.as_ref().and_then(|sun| sun.illuminance.as_ref())]
         });
-        per_band.chain(fluxes).chain(skies).flatten().all(PerBand::is_one_number)
+        let mut numbers = transmittances.chain(fluxes).chain(skies).flatten();
+        numbers.all(PerBand::is_one_number) && amounts.into_iter().all(Amount::is_one_for_all)
     }
 
     /// Reads the tree of a file; `prefix` stands before the names of surfaces and instances that are given none.
@@ -229,11 +235,12 @@ fn read_material(name: &At<String>, node: &Node) -> Result<MaterialFile, Located
     Ok(MaterialFile {
         name: name.clone(),
         reflectance: match thermal.emissivity {
-            Some(_) => fields.optional("reflectance", per_band)?,
-            None => Some(fields.require("reflectance", per_band)?),
+            Some(_) => fields.optional("reflectance", amount)?,
+            None => Some(fields.require("reflectance", amount)?),
         },
         thermal,
-        emission: fields.optional("emission", per_band)?,
+        emission: fields.optional("emission", amount)?,
+        transmittance: fields.optional("transmittance", per_band)?,
         group: fields.optional("group", text)?,
     })
 }

@@ -1,6 +1,6 @@
 //! Scenes of several files: `include = ["lamps.toml"]`.
 //!
-//! Photometric files of luminaires are read with them.
+//! Photometric files of luminaires and pictures of materials are read with them.
 //!
 //! Each file is taken in once, however often it is included, and before the file that includes it. The texts are added to
 //! the [`Source`], so that a scene can be read again without its files.
@@ -27,6 +27,9 @@ pub(super) const INCLUDE: &str = "include";
 
 /// The key of a photometric file of a luminaire.
 pub(super) const PHOTOMETRY: &str = "photometry";
+
+/// The key of a picture of a material.
+pub(super) const IMAGE: &str = "image";
 
 /// Files within files. Chosen; not tuned.
 const DEEPEST: usize = 32;
@@ -78,6 +81,10 @@ impl Files<'_> {
             let file = beside(path.last().map_or("", String::as_str), &name.value);
             self.text(&file, input::western).map_err(|fault| Located::at(&name.span, fault))?;
         }
+        for name in pictures(&tree) {
+            let file = beside(path.last().map_or("", String::as_str), &name.value);
+            self.picture(&file).map_err(|fault| Located::at(&name.span, fault))?;
+        }
         self.trees.push(FileTree { tree, prefix });
         Ok(())
     }
@@ -108,6 +115,20 @@ impl Files<'_> {
         Ok(())
     }
 
+    /// Reads a picture.
+    fn picture(&mut self, file: &str) -> Result<(), Fault> {
+        if self.source.picture(file).is_some() {
+            return Ok(());
+        }
+        if !self.source.reads_files() {
+            return Err(Fault::NoIncludes { file: file.to_owned() });
+        }
+        let bytes =
+            input::bytes(if file == "-" { "./-" } else { file }).map_err(|error| unreadable(file, &error))?;
+        self.source.add_picture(file, bytes.into());
+        Ok(())
+    }
+
     /// The text of an included file, as `read` reads it, and its first byte in places of the whole.
     fn text(&mut self, file: &str, read: fn(&str) -> io::Result<String>) -> Result<(Arc<str>, usize), Fault> {
         if let Some(known) = self.source.included_text(file) {
@@ -116,11 +137,22 @@ impl Files<'_> {
         if !self.source.reads_files() {
             return Err(Fault::NoIncludes { file: file.to_owned() });
         }
-        let text = read(file)
-            .map_err(|error| Fault::UnreadableInclude { file: file.to_owned(), reason: error.to_string() })?;
+        let text = read(file).map_err(|error| unreadable(file, &error))?;
         self.source.include(file, &text);
         self.source.included_text(file).ok_or_else(|| Fault::NoIncludes { file: file.to_owned() })
     }
+}
+
+fn unreadable(file: &str, error: &io::Error) -> Fault {
+    Fault::UnreadableInclude { file: file.to_owned(), reason: error.to_string() }
+}
+
+/// The pictures of the materials of a tree, as far as they are given rightly.
+fn pictures(tree: &Node) -> Vec<At<String>> {
+    let materials = table(tree).ok().and_then(|entries| table(entry(entries, "materials")?).ok());
+    let entries = materials.unwrap_or_default().iter().filter_map(|(_, material)| table(material).ok());
+    let amounts = entries.flatten().filter_map(|(_, amount)| table(amount).ok());
+    amounts.filter_map(|amount| text(entry(amount, IMAGE)?).ok()).collect()
 }
 
 /// The files that a tree includes: a list, or one.

@@ -49,6 +49,7 @@ fn typed(LuminaireFile { name, span, extent, .. }: &LuminaireFile, source: &Sour
         name: name.span.clone(),
         name_line: source.line(name.span.start),
         shape: extent.as_ref().map_or(span, |extent| &extent.span).clone(),
+        materials: [None, None],
         flux: None,
         opening: None,
     }

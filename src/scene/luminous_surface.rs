@@ -6,6 +6,7 @@ use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity_geom::{ShapeError, Surface};
 
 use crate::scene::{
+    coat::Coat,
     draft::{SurfaceDraft, Typed},
     error::{Fault, Located, luminaire_title},
     extent::Extent,
@@ -67,8 +68,8 @@ fn draft(
         kind: LUMINAIRE,
         shapes: vec![(name.clone(), shape)],
         name,
-        material: Material { emission, ..Material::black(own.strength.len()) },
-        material_name: Some(LUMINAIRE.to_owned()),
+        front: Coat::new(LUMINAIRE, Material { emission, ..Material::black(own.strength.len()) }),
+        back: None,
         group: own.group.as_ref().map(|group| group.name.clone()),
         flux: None,
         opening: None,

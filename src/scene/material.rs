@@ -1,4 +1,4 @@
-//! Materials: reflectance ρ and emission, per band.
+//! Materials: reflectance ρ, diffuse transmittance τ and emission, per band.
 
 use std::sync::Arc;
 
@@ -30,17 +30,55 @@ impl Material {
     /// lengths differ.
     pub fn new(reflectance: Vec<f64>, emission: Vec<f64>) -> Result<Self, Fault> {
         let bands = reflectance.len();
-        let material = Material { reflectance, emission, ..Material::black(bands) };
-        material.check(bands)?;
-        Ok(material)
+        Material { reflectance, emission, ..Material::black(bands) }.checked()
+    }
+
+    /// The same, which lets through `transmittance` of what arrives on its other side, diffusely; it is for two-sided surfaces.
+    ///
+    /// # Errors
+    /// As [`Material::new`]; ρ + τ < 1 in each band, all over the surface.
+    pub fn with_transmittance(self, transmittance: Vec<f64>) -> Result<Self, Fault> {
+        Material { transmittance, ..self }.checked()
+    }
+
+    /// The same, whose reflectance varies over the surface.
+    ///
+    /// # Errors
+    /// [`Fault::PatternRange`] for a pattern that leaves 0 ≤ ρ < 1 − τ somewhere, [`Fault::WrongCount`] for one of other bands.
+    pub fn with_reflectance_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
+        check_pattern_bands("the reflectance", &pattern, self.reflectance.len())?;
+        let reflectance = pattern.means();
+        Material { reflectance, reflectance_pattern: Some(Arc::new(pattern)), ..self }.checked()
+    }
+
+    /// The same, whose emission (W m⁻²) varies over the surface.
+    ///
+    /// # Errors
+    /// [`Fault::PatternRange`] for a pattern that falls below 0 somewhere, [`Fault::WrongCount`] for one of other bands.
+    pub fn with_emission_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
+        check_pattern_bands("the emission", &pattern, self.emission.len())?;
+        let emission = pattern.means();
+        Material { emission, emission_pattern: Some(Arc::new(pattern)), ..self }.checked()
+    }
+
+    fn checked(self) -> Result<Self, Fault> {
+        self.check(self.reflectance.len())?;
+        Ok(self)
     }
 
     /// Checks that there is a number in range for each of `bands` bands.
     pub(super) fn check(&self, bands: usize) -> Result<(), Fault> {
         check_count("the reflectance", &self.reflectance, bands)?;
         check_count("the emission", &self.emission, bands)?;
-        self.reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?;
-        self.emission.iter().try_for_each(|&exitance| check_emission(exitance))
+        check_count("the transmittance", &self.transmittance, bands)?;
+        self.transmittance.iter().try_for_each(|&tau| check_transmittance(tau))?;
+        match &self.reflectance_pattern {
+            Some(pattern) => check_reflectances(pattern, &self.transmittance)?,
+            None => self.reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?,
+        }
+        self.emission.iter().try_for_each(|&exitance| check_emission(exitance))?;
+        self.emission_pattern.as_deref().map_or(Ok(()), |pattern| check_emissions(pattern, bands))?;
+        self.reflectance.iter().zip(&self.transmittance).try_for_each(|(rho, tau)| check_sum(rho + tau))
     }
 
     /// The material that neither reflects nor emits.
@@ -57,6 +95,16 @@ impl Material {
     /// Whether it emits in any band.
     pub fn emits(&self) -> bool {
         self.emission.iter().any(|&exitance| exitance != 0.0)
+    }
+
+    /// Whether it lets light through in some band.
+    pub fn transmits(&self) -> bool {
+        self.transmittance.iter().any(|&tau| tau > 0.0)
+    }
+
+    /// Whether its reflectance or its emission varies over the surface.
+    pub fn is_patterned(&self) -> bool {
+        self.reflectance_pattern.is_some() || self.emission_pattern.is_some()
     }
 
     /// Whether any light can leave it: it emits or reflects in some band.
@@ -82,9 +130,79 @@ pub(super) fn check_reflectance(rho: f64) -> Result<(), Fault> {
     check_range(rho, (0.0..1.0).contains(&rho), "the reflectance", "0 ≤ ρ < 1")
 }
 
+/// 0 ≤ τ < 1.
+pub(super) fn check_transmittance(tau: f64) -> Result<(), Fault> {
+    check_range(tau, (0.0..1.0).contains(&tau), "the transmittance", "0 ≤ τ < 1")
+}
+
+/// ρ + τ < 1.
+fn check_sum(sum: f64) -> Result<(), Fault> {
+    check_range(sum, sum < 1.0, "the sum of reflectance and transmittance", "ρ + τ < 1")
+}
+
+/// As many bands as there are.
+fn check_pattern_bands(what: &'static str, pattern: &Pattern, bands: usize) -> Result<(), Fault> {
+    match pattern.bands() == bands {
+        true => Ok(()),
+        false => {
+            let expected = format!("a pattern of {bands} {}", if bands == 1 { "band" } else { "bands" });
+            Err(Fault::WrongCount { what, expected, found: pattern.bands() })
+        }
+    }
+}
+
+/// 0 ≤ ρ < 1 − τ all over a pattern.
+pub(super) fn check_reflectances(pattern: &Pattern, transmittance: &[f64]) -> Result<(), Fault> {
+    check_pattern_bands("the reflectance", pattern, transmittance.len())?;
+    let what = "the reflectance";
+    check_pattern(pattern, what, |band, rho| match rho + transmittance[band] < 1.0 {
+        true => None,
+        false if rho < 1.0 => Some("ρ + τ < 1"),
+        false => Some("0 ≤ ρ < 1"),
+    })
+}
+
+/// Emission ≥ 0 all over a pattern.
+pub(super) fn check_emissions(pattern: &Pattern, bands: usize) -> Result<(), Fault> {
+    check_pattern_bands("the emission", pattern, bands)?;
+    check_pattern(pattern, "the emission", |_, exitance| (!exitance.is_finite()).then_some("emission ≥ 0"))
+}
+
+/// Checks that no value is below 0, and that the largest of each band is in the range that `above` names otherwise.
+fn check_pattern(
+    pattern: &Pattern,
+    what: &'static str,
+    above: impl Fn(usize, f64) -> Option<&'static str>,
+) -> Result<(), Fault> {
+    pattern.check()?;
+    (0..pattern.bands()).try_for_each(|band| {
+        let [least, most] = pattern.extremes(band);
+        let below = (least.value < -pattern.rounding(band)).then_some((least, "≥ 0 everywhere"));
+        match below.or_else(|| above(band, most.value).map(|range| (most, range))) {
+            None => Ok(()),
+            Some((extreme, range)) => {
+                let (value, place) = (extreme.value, extreme.spot.to_string());
+                Err(Fault::PatternRange { what, value, place, range })
+            }
+        }
+    })
+}
+
 /// Emission ≥ 0.
 pub(super) fn check_emission(exitance: f64) -> Result<(), Fault> {
     check_range(exitance, exitance >= 0.0, "the emission", "emission ≥ 0")
+}
+
+/// Refuses what a surface covered with `own` lets through, if it has no `other` side or one that lets through otherwise.
+pub(super) fn check_sheet(own: &Material, other: Option<&Material>) -> Result<(), Fault> {
+    match other {
+        None if own.transmits() => Err(Fault::OneSided { what: "a transmittance" }),
+        Some(other) if own.transmittance != other.transmittance => Err(Fault::OtherTransmittance {
+            front: own.transmittance.clone(),
+            back: other.transmittance.clone(),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// Flux ≥ 0.
@@ -95,6 +213,7 @@ pub(super) fn check_flux(flux: f64) -> Result<(), Fault> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::scene::pattern::{Placement, Polynomial, Term};
 
     #[test]
     fn reflectance_may_be_zero_but_not_one() {
@@ -111,5 +230,50 @@ mod tests {
         assert!(matches!(Material::new(vec![0.5], vec![f64::INFINITY]), Err(Fault::NotFinite { .. })));
         assert!(matches!(Material::new(vec![0.5], vec![-1.0]), Err(Fault::OutOfRange { .. })));
         assert!(matches!(Material::new(vec![0.5; 3], vec![1.0]), Err(Fault::WrongCount { .. })));
+    }
+
+    fn polynomial(terms: &[(u32, u32, f64)]) -> Pattern {
+        let terms = terms.iter().map(|&(u, v, factor)| Term { u, v, factor });
+        Pattern::polynomial(vec![Polynomial::new(terms)])
+    }
+
+    #[test]
+    fn reflectance_and_transmittance_stay_below_one_together() {
+        let grey =
+            |rho, tau| Material::new(vec![rho], vec![0.0]).and_then(|own| own.with_transmittance(vec![tau]));
+        assert!(grey(0.5, 0.49).is_ok_and(|own| own.transmits() && own.sends()));
+        assert!(grey(0.0, 0.9).is_ok_and(|own| own.sends()));
+        for (rho, tau) in [(0.5, 0.5), (0.6, 0.6), (0.0, 1.0), (0.1, -0.1)] {
+            assert!(matches!(grey(rho, tau), Err(Fault::OutOfRange { .. })), "{rho} {tau}");
+        }
+        let slope = polynomial(&[(0, 0, 0.5), (1, 0, 0.3)]);
+        let sheet = grey(0.1, 0.1).and_then(|own| own.with_reflectance_pattern(slope.clone()));
+        assert_eq!(sheet.map(|own| own.reflectance), Ok(vec![0.5]));
+        let sheet = grey(0.1, 0.2).and_then(|own| own.with_reflectance_pattern(slope));
+        assert!(matches!(sheet, Err(Fault::PatternRange { range: "ρ + τ < 1", .. })), "0.8 + 0.2 at u = 1");
+    }
+
+    #[test]
+    fn patterns_are_in_range_everywhere() {
+        let wall = || Material::black(1);
+        // 1 − u² is 0 at the border, and 4 (u − v)² is nowhere below 0.
+        let touching =
+            [polynomial(&[(0, 0, 1.0), (2, 0, -1.0)]), polynomial(&[(2, 0, 4.0), (1, 1, -8.0), (0, 2, 4.0)])];
+        for pattern in touching {
+            assert!(wall().with_emission_pattern(pattern).is_ok());
+        }
+        let dip = polynomial(&[(2, 0, 1.0), (1, 0, -0.6), (0, 0, 0.0899)]);
+        let fault = wall().with_emission_pattern(dip).expect_err("−10⁻⁴ at u = 0.3");
+        assert!(fault.to_string().contains("u = 0.3"), "{fault}");
+        let one = polynomial(&[(0, 0, 1.0), (2, 0, -0.5)]);
+        let fault = wall().with_reflectance_pattern(one).expect_err("1 at u = 0");
+        assert!(fault.to_string().contains("u = 0.0"), "{fault}");
+        let texels =
+            |value| Pattern::texels(2, vec![vec![0.1, 0.2, 0.3, value]], Placement::default()).unwrap();
+        assert!(wall().with_reflectance_pattern(texels(0.99)).is_ok_and(|own| own.reflectance[0] == 0.3975));
+        let fault = wall().with_reflectance_pattern(texels(1.0)).expect_err("no loss");
+        assert!(fault.to_string().contains("column 2, row 1 from the top"), "{fault}");
+        let two = Material::black(2).with_reflectance_pattern(texels(0.5));
+        assert!(matches!(two, Err(Fault::WrongCount { .. })));
     }
 }

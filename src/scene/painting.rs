@@ -2,8 +2,8 @@
 
 use crate::scene::{
     Scene,
-    error::{Fault, Located, SceneError, material_title},
-    material::Material,
+    error::{Fault, Located, SceneError, material_title, surface_title},
+    material::{Material, check_sheet},
     surface::SceneSurface,
 };
 
@@ -23,8 +23,22 @@ impl Scene {
             .map_err(|fault| Located::nowhere(fault).within(|| material_title(name)))?;
         let mut painted = Self { source: None, ..self.clone() };
         let own = painted.surfaces.iter_mut().filter(|own| own.material_name.as_deref() == Some(name));
-        let count = own.map(|own| paint(own, material)).count();
-        if count > 0 { Ok(painted) } else { Err(Located::nowhere(self.unknown_material(name))) }
+        if own.map(|own| paint(own, material)).count() == 0 {
+            return Err(Located::nowhere(self.unknown_material(name)));
+        }
+        painted.check_sides(name)?;
+        Ok(painted)
+    }
+
+    /// Refuses the material where a surface has no other side to let light through, or one that lets through otherwise.
+    fn check_sides(&self, material: &str) -> Result<(), Located> {
+        self.surfaces.iter().filter(|own| own.material_name.as_deref() == Some(material)).try_for_each(
+            |own| {
+                let other = own.other_side.map(|index| &self.surfaces[index].material);
+                check_sheet(&own.material, other)
+                    .map_err(|fault| Located::nowhere(fault).within(|| surface_title(&own.name)))
+            },
+        )
     }
 
     fn unknown_material(&self, name: &str) -> Fault {

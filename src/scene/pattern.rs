@@ -14,12 +14,35 @@
 //! texel (i, j) being i/m ≤ s < (i + 1)/m, j/n ≤ t < (j + 1)/n; beyond [0, 1)² the grid is repeated, mirrored, or its border
 //! is continued. Texels are not interpolated: the mean of a whole grid is then the mean of its numbers.
 
-use crate::scene::error::Fault;
-use crate::scene::ranges::check_range;
+mod placement;
+mod polynomial;
+mod extremes;
+mod texels;
+
+pub use placement::{Placement, Wrap};
+pub use polynomial::{Polynomial, Term};
+pub use texels::Texels;
+
+use std::{fmt, sync::Arc};
+
+use crate::scene::{
+    error::Fault,
+    ranges::{check_number, check_range},
+};
+use extremes::maximum;
+
+/// Highest power of u and of v, as the highest order of a basis. Chosen; not tuned.
+const HIGHEST: u32 = 20;
+
+/// Most texels along u or v across a surface, those that repeat counted again. Chosen; not tuned.
+const MOST_ACROSS: f64 = 1e6;
 
 /// How a number per band varies over a surface.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pattern(Kind);
+pub struct Pattern {
+    kind: Kind,
+    picture: Option<Arc<PictureFile>>,
+}
 
 #[derive(Clone, Debug, PartialEq)]
 enum Kind {
@@ -27,82 +50,76 @@ enum Kind {
     Texels(Texels),
 }
 
-/// Σ c_ij u^i v^j of one band.
+/// The file that the texels are from.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Polynomial(Vec<Term>);
+pub struct PictureFile {
+    /// Its path.
+    pub path: String,
+    /// What was done to its numbers.
+    pub remarks: Vec<String>,
+}
 
-/// c u^i v^j.
+/// An extreme value of a band and where it is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Term {
-    /// i.
-    pub u: u32,
-    /// j.
-    pub v: u32,
-    /// c.
-    pub factor: f64,
+pub(super) struct Extreme {
+    pub(super) value: f64,
+    pub(super) spot: Spot,
 }
 
-/// A grid of texels and how it lies on the surface.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Texels {
-    columns: usize,
-    rows: usize,
-    /// Band after band, row after row from v = −1, each along u.
-    values: Vec<Vec<f64>>,
-    placement: Placement,
-}
-
-/// How a grid lies on a surface; see the head of the file.
+/// A place in a pattern.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Placement {
-    /// (o_s, o_t).
-    pub offset: [f64; 2],
-    /// (k_s, k_t), how often the grid fits along u and along v.
-    pub scale: [f64; 2],
-    /// What is beyond the grid.
-    pub wrap: Wrap,
+pub(super) enum Spot {
+    /// Column from the left and row from the top, counted from 0.
+    Texel([usize; 2]),
+    /// (u, v).
+    Parameters([f64; 2]),
 }
 
-/// What is beyond a grid of texels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Wrap {
-    /// The grid again.
-    #[default]
-    Repeat,
-    /// The grid mirrored at its border.
-    Mirror,
-    /// The texels of its border.
-    Clamp,
-}
-
-impl Default for Placement {
-    /// Once over the whole surface.
-    fn default() -> Self {
-        Self { offset: [0.0; 2], scale: [1.0; 2], wrap: Wrap::Repeat }
+impl fmt::Display for Spot {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Spot::Texel([column, row]) => {
+                write!(f, "in the texel of column {}, row {} from the top", column + 1, row + 1)
+            }
+            Spot::Parameters([u, v]) => write!(f, "at u = {u:.4}, v = {v:.4}"),
+        }
     }
 }
 
 impl Pattern {
-    /// A polynomial per band.
+    /// A polynomial per band, of powers up to 20.
     pub fn polynomial(bands: Vec<Polynomial>) -> Self {
-        Self(Kind::Polynomial(bands))
+        Self { kind: Kind::Polynomial(bands), picture: None }
     }
 
     /// A grid of `columns` × `rows` texels; `values` are given band after band, row after row from v = −1, each along u.
     ///
     /// # Errors
-    /// [`Fault::OutOfRange`] where a band has another count of numbers, or none.
+    /// [`Fault::OutOfRange`] where a band has another count of numbers, or none; [`Fault::NotFinite`].
     pub fn texels(columns: usize, values: Vec<Vec<f64>>, placement: Placement) -> Result<Self, Fault> {
         let count = values.first().map_or(0, Vec::len);
         let is_full = columns > 0 && count > 0 && count % columns == 0;
         let is_full = is_full && values.iter().all(|band| band.len() == count);
         check_range(columns as f64, is_full, "the number of columns", "as many as make whole rows")?;
-        Ok(Self(Kind::Texels(Texels { columns, rows: count / columns, values, placement })))
+        values.iter().flatten().try_for_each(|value| check_number(*value))?;
+        let rows = count / columns;
+        check_placement(&placement, [columns, rows])?;
+        Ok(Self { kind: Kind::Texels(Texels { columns, rows, values, placement }), picture: None })
+    }
+
+    /// The same, from a file.
+    pub(super) fn of_file(self, path: &str, remarks: Vec<String>) -> Self {
+        Self { picture: Some(Arc::new(PictureFile { path: path.to_owned(), remarks })), ..self }
+    }
+
+    /// The file that it is from, if it is from one.
+    pub fn picture(&self) -> Option<&PictureFile> {
+        self.picture.as_deref()
     }
 
     /// Number of bands.
     pub fn bands(&self) -> usize {
-        match &self.0 {
+        match &self.kind {
             Kind::Polynomial(bands) => bands.len(),
             Kind::Texels(texels) => texels.values.len(),
         }
@@ -110,84 +127,113 @@ impl Pattern {
 
     /// q of a band at (u, v).
     pub fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
-        match &self.0 {
+        match &self.kind {
             Kind::Polynomial(bands) => bands[band].at(parameters),
-            Kind::Texels(texels) => texels.values[band][texels.index(parameters)],
+            Kind::Texels(texels) => texels.at(band, parameters),
         }
     }
 
     /// Total degree, where all bands are polynomials.
     pub fn degree(&self) -> Option<u32> {
-        match &self.0 {
-            Kind::Polynomial(bands) => {
-                bands.iter().flat_map(|band| &band.0).map(|term| term.u + term.v).max().or(Some(0))
-            }
+        match &self.kind {
+            Kind::Polynomial(bands) => bands.iter().map(Polynomial::degree).max().or(Some(0)),
             Kind::Texels(_) => None,
+        }
+    }
+
+    /// Columns and rows, where it is a grid.
+    pub fn grid(&self) -> Option<[usize; 2]> {
+        match &self.kind {
+            Kind::Polynomial(_) => None,
+            Kind::Texels(texels) => Some([texels.columns, texels.rows]),
+        }
+    }
+
+    /// How its grid lies on the surface, where it is one.
+    pub fn placement(&self) -> Option<&Placement> {
+        match &self.kind {
+            Kind::Polynomial(_) => None,
+            Kind::Texels(texels) => Some(&texels.placement),
         }
     }
 
     /// The parameters along u, and along v, at which q may jump, within (−1, 1), ascending.
     pub fn breaks(&self) -> [Vec<f64>; 2] {
-        match &self.0 {
+        match &self.kind {
             Kind::Polynomial(_) => [Vec::new(), Vec::new()],
-            Kind::Texels(Texels { columns, rows, placement, .. }) => {
-                [0, 1].map(|axis| placement.breaks(axis, [*columns, *rows][axis]))
-            }
+            Kind::Texels(texels) => texels.breaks(),
         }
     }
-}
 
-impl Polynomial {
-    /// The sum of these terms.
-    pub fn new(terms: impl IntoIterator<Item = Term>) -> Self {
-        Self(terms.into_iter().collect())
+    /// The mean of a band over the square of parameters.
+    pub fn mean(&self, band: usize) -> f64 {
+        match &self.kind {
+            Kind::Polynomial(bands) => bands[band].mean(),
+            Kind::Texels(texels) => texels.mean(band),
+        }
     }
 
-    fn at(&self, [u, v]: [f64; 2]) -> f64 {
-        self.0.iter().map(|term| term.factor * u.powi(term.u as i32) * v.powi(term.v as i32)).sum()
+    /// The means of all bands.
+    pub fn means(&self) -> Vec<f64> {
+        (0..self.bands()).map(|band| self.mean(band)).collect()
     }
-}
 
-impl Texels {
-    fn index(&self, parameters: [f64; 2]) -> usize {
-        let counts = [self.columns, self.rows];
-        let [i, j] = [0, 1].map(|axis| self.placement.texel(axis, counts[axis], parameters[axis]));
-        i + self.columns * j
+    /// The least and the largest value of a band: of all texels, laid on the surface or not; of a polynomial proven bounds, which are
+    /// within 10⁻⁹ of the sum of its coefficients (absolute) unless it is very uneven.
+    pub fn range(&self, band: usize) -> [f64; 2] {
+        self.extremes(band).map(|extreme| extreme.value)
     }
-}
 
-impl Placement {
-    /// The texel at a parameter along an axis of `count` texels.
-    fn texel(&self, axis: usize, count: usize, parameter: f64) -> usize {
-        let s = self.offset[axis] + self.scale[axis] * 0.5 * (parameter + 1.0);
-        let place = (s * count as f64).floor();
-        let all = count as f64;
-        let place = match self.wrap {
-            // The end of the surface belongs to its last texel, not to the first of a grid that is not there.
-            _ if parameter >= 1.0 && self.scale[axis] > 0.0 && place == (s * all) => place - 1.0,
-            _ => place,
-        };
-        let place = match self.wrap {
-            Wrap::Repeat => place.rem_euclid(all),
-            Wrap::Clamp => place.clamp(0.0, all - 1.0),
-            Wrap::Mirror => {
-                let place = place.rem_euclid(2.0 * all);
-                if place < all { place } else { 2.0 * all - 1.0 - place }
+    /// The least and the largest value of a band, with their places.
+    pub(super) fn extremes(&self, band: usize) -> [Extreme; 2] {
+        [-1.0, 1.0].map(|sign| match &self.kind {
+            Kind::Polynomial(bands) => {
+                let found = maximum(&bands[band].times(sign));
+                Extreme { value: sign * found.bound, spot: Spot::Parameters(found.at) }
             }
-        };
-        place as usize
+            Kind::Texels(texels) => {
+                let (value, place) = texels.maximum(band, sign);
+                Extreme { value: sign * value, spot: Spot::Texel(place) }
+            }
+        })
     }
 
-    /// The parameters along an axis between texels.
-    fn breaks(&self, axis: usize, count: usize) -> Vec<f64> {
-        let (offset, scale, all) = (self.offset[axis], self.scale[axis], count as f64);
-        let ends = [offset * all, (offset + scale) * all];
-        let (low, high) = (ends[0].min(ends[1]).ceil() as i64, ends[0].max(ends[1]).floor() as i64);
-        let at = |k: i64| 2.0 * (k as f64 / all - offset) / scale - 1.0;
-        let mut breaks: Vec<f64> = (low..=high).map(at).filter(|x| x.abs() < 1.0).collect();
-        breaks.sort_by(f64::total_cmp);
-        breaks
+    /// What is below 0 by no more than this is 0: bounds are not nearer.
+    pub(super) fn rounding(&self, band: usize) -> f64 {
+        match &self.kind {
+            Kind::Polynomial(bands) => {
+                2e-9 * bands[band].terms().iter().map(|term| term.factor.abs()).sum::<f64>()
+            }
+            Kind::Texels(_) => 0.0,
+        }
     }
+
+    /// Checks its numbers and powers.
+    pub(super) fn check(&self) -> Result<(), Fault> {
+        let Kind::Polynomial(bands) = &self.kind else { return Ok(()) };
+        bands.iter().flat_map(Polynomial::terms).try_for_each(check_term)
+    }
+}
+
+/// A finite factor, and powers up to [`HIGHEST`].
+pub(super) fn check_term(term: &Term) -> Result<(), Fault> {
+    check_number(term.factor)?;
+    [term.u, term.v]
+        .into_iter()
+        .try_for_each(|power| check_range(f64::from(power), power <= HIGHEST, "the power", "0 ≤ power ≤ 20"))
+}
+
+/// A scale above 0, and not more texels across the surface than can be told apart.
+fn check_placement(placement: &Placement, counts: [usize; 2]) -> Result<(), Fault> {
+    for (axis, count) in counts.into_iter().enumerate() {
+        let scale = placement.scale[axis];
+        check_range(scale, scale > 0.0, "the scale", "scale > 0")?;
+        let across = scale * count as f64;
+        check_range(across, across <= MOST_ACROSS, "the number of texels across the surface", "at most 10⁶")?;
+        let offset = placement.offset[axis];
+        check_range(offset, offset.abs() <= MOST_ACROSS, "the offset", "−10⁶ ≤ offset ≤ 10⁶")?;
+    }
+    Ok(())
 }
 
 #[cfg(test)]

@@ -6,6 +6,7 @@
 mod terms;
 mod shapes;
 mod motions;
+mod patterns;
 
 use serde_json::{Map, Value, json};
 
@@ -79,6 +80,7 @@ fn definitions() -> Vec<(&'static str, Value)> {
         ("sky", sky()),
         ("plane", plane()),
         ("material", material()),
+        ("pattern", patterns::pattern()),
         ("transform", transform()),
         ("surface", surface()),
         ("luminaire", luminaire()),
@@ -156,10 +158,20 @@ fn plane() -> Value {
 
 fn material() -> Value {
     let reflectance = json!({ "minimum": 0, "exclusiveMaximum": 1 });
-    let emission = per_band(at_least_zero(), "Exitance of the surface's own light, W/m²");
+    let transmittance =
+        per_band(reflectance.clone(), "Diffuse transmittance τ of two-sided surfaces, ρ + τ < 1");
+    let emission =
+        patterns::or_pattern(per_band(at_least_zero(), "Exitance of the surface's own light, W/m²"));
     let keys = vec![
-        ("reflectance", per_band(reflectance, "Reflectance ρ, for all bands or of each")),
+        (
+            "reflectance",
+            patterns::or_pattern(per_band(
+                reflectance,
+                "Reflectance ρ, for all bands, of each, or as it varies",
+            )),
+        ),
         ("emission", or(json!(0), emission)),
+        ("transmittance", or(json!(0), transmittance)),
         ("emissivity", emissivity()),
         ("group", text("Light group of its surfaces that name none")),
     ];
@@ -202,6 +214,7 @@ fn surface() -> Value {
     let mut keys = vec![
         ("name", text("Its name, given once in the scene")),
         ("material", text("The name of its material")),
+        ("back_material", text("The name of the material of its back, where it is two-sided")),
         ("group", text("Its light group")),
         (
             "flux",

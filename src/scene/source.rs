@@ -49,6 +49,8 @@ pub struct Source {
     pub imported: Option<Arc<Imported>>,
     /// The texts that it includes, or may include.
     included: Arc<Vec<Included>>,
+    /// The pictures that it names, or may name: the path and the bytes of each.
+    pictures: Arc<BTreeMap<String, Arc<[u8]>>>,
     /// Whether files that it includes may be read.
     reads_files: bool,
     index: LineIndex,
@@ -109,6 +111,7 @@ impl Source {
             moment: None,
             imported: None,
             included: Arc::default(),
+            pictures: Arc::default(),
             reads_files: false,
             index: LineIndex::of(text),
         }
@@ -150,6 +153,29 @@ impl Source {
     /// The texts that it includes, or may include: the name and the text of each.
     pub fn included(&self) -> impl Iterator<Item = (&str, &str)> {
         self.included.iter().map(|own| (&*own.origin, &*own.text))
+    }
+
+    /// The same text with a picture, a file of these bytes, that it may name: by the path `origin` itself, or one that leads
+    /// there from the text.
+    #[must_use]
+    pub fn with_picture(mut self, origin: &str, bytes: impl Into<Arc<[u8]>>) -> Self {
+        self.add_picture(origin, bytes.into());
+        self
+    }
+
+    /// The pictures that it names, or may name: the path and the bytes of each.
+    pub fn pictures(&self) -> impl Iterator<Item = (&str, &[u8])> {
+        self.pictures.iter().map(|(path, bytes)| (path.as_str(), &**bytes))
+    }
+
+    /// Adds a picture that it names.
+    pub(super) fn add_picture(&mut self, path: &str, bytes: Arc<[u8]>) {
+        Arc::make_mut(&mut self.pictures).insert(path.to_owned(), bytes);
+    }
+
+    /// The bytes of the picture of that path.
+    pub(super) fn picture(&self, path: &str) -> Option<Arc<[u8]>> {
+        self.pictures.get(path).cloned()
     }
 
     /// The same text, which may include files.

@@ -6,18 +6,20 @@ use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
+    coat::Coat,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, plane_title, surface_title},
-    file::{CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
+    file::{Amount, CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
     glass::Glass,
     instances::PlacedSurface,
     luminaire::across,
-    material::{Material, check_emission, check_flux, check_reflectance},
+    material::{Material, check_emission, check_flux, check_reflectance, check_transmittance},
     names::UniqueNames,
     outlook::Opening,
     sensor_plane::SensorPlane,
     sky::{Sky, Sun, check_elevation, check_irradiance},
     source::{At, Line, Source},
+    textures::pattern,
     thermal::Thermal,
     unit::{self, check_unit},
 };
@@ -27,15 +29,7 @@ const USUAL_INDEX: f64 = 1.52;
 const USUAL_GROUND: f64 = 0.2;
 
 /// Materials by name.
-pub(super) type Materials = BTreeMap<String, GroupedMaterial>;
-
-/// A material with the light group of the surfaces that have none of their own.
-#[derive(Clone, Debug)]
-pub(super) struct GroupedMaterial {
-    material: Material,
-    thermal: Thermal,
-    group: Option<String>,
-}
+pub(super) type Materials = BTreeMap<String, Coat>;
 
 /// The names of the bands; if none are given, a single one where no list has a number per band, else r, g, b.
 pub(super) fn bands(
@@ -94,10 +88,14 @@ pub(super) fn plane(file: PlaneFile) -> Result<SensorPlane, Located> {
 }
 
 /// Every material, checked number by number.
-pub(super) fn materials(files: Vec<MaterialFile>, bands: usize) -> Result<Materials, Located> {
+pub(super) fn materials(
+    files: Vec<MaterialFile>,
+    bands: usize,
+    source: &Source,
+) -> Result<Materials, Located> {
     let checked = |file: MaterialFile| {
         let name = file.name.value.clone();
-        match material(file, bands) {
+        match coat(file, bands, source) {
             Ok(material) => Ok((name, material)),
             Err(error) => Err(error.within(|| material_title(&name))),
         }
@@ -105,17 +103,56 @@ pub(super) fn materials(files: Vec<MaterialFile>, bands: usize) -> Result<Materi
     files.into_iter().map(checked).collect()
 }
 
-fn material(file: MaterialFile, bands: usize) -> Result<GroupedMaterial, Located> {
-    let given = file.reflectance.as_ref();
-    let given = given.map(|given| spread(given, bands, "the reflectance", check_reflectance)).transpose()?;
-    // A material of an emissivity alone is grey at all wavelengths.
-    let grey = || vec![1.0 - file.thermal.emissivity.unwrap_or(1.0); bands];
-    let reflectance = given.unwrap_or_else(grey);
-    let emission = file.emission.map(|emission| spread(&emission, bands, "the emission", check_emission));
-    let emission = emission.transpose()?.unwrap_or_else(|| vec![0.0; bands]);
-    let material = Material::new(reflectance, emission);
-    let material = material.map_err(|fault| Located::at(&file.name.span, fault))?;
-    Ok(GroupedMaterial { material, thermal: file.thermal, group: file.group.map(|group| group.value) })
+fn coat(file: MaterialFile, bands: usize, source: &Source) -> Result<Coat, Located> {
+    let given = file.transmittance.as_ref();
+    let given =
+        given.map(|given| spread(given, bands, "the transmittance", check_transmittance)).transpose()?;
+    let transmittance = given.unwrap_or_else(|| vec![0.0; bands]);
+    let bare = Material { transmittance, ..Material::black(bands) };
+    let material = match &file.reflectance {
+        Some(given) => reflecting(bare, given, source)?,
+        // A material of an emissivity alone is grey at all wavelengths.
+        None => Material { reflectance: vec![1.0 - file.thermal.emissivity.unwrap_or(1.0); bands], ..bare },
+    };
+    let material = match &file.emission {
+        Some(given) => emitting(material, given, source)?,
+        None => material,
+    };
+    let span = file.transmittance.as_ref().map_or(&file.name.span, PerBand::span);
+    material.check(bands).map_err(|fault| Located::at(span, fault))?;
+    let group = file.group.map(|group| group.value);
+    Ok(Coat { thermal: file.thermal, group, ..Coat::new(file.name.value, material) })
+}
+
+/// The material with this reflectance.
+fn reflecting(material: Material, given: &Amount, source: &Source) -> Result<Material, Located> {
+    let bands = material.transmittance.len();
+    match given {
+        Amount::Even(numbers) => Ok(Material {
+            reflectance: spread(numbers, bands, "the reflectance", check_reflectance)?,
+            ..material
+        }),
+        Amount::Varied(file) => {
+            let pattern = pattern(file, bands, source)?;
+            let patterned = material.with_reflectance_pattern(pattern);
+            patterned.map_err(|fault| Located::at(file.place(), fault))
+        }
+    }
+}
+
+/// The material with this emission.
+fn emitting(material: Material, given: &Amount, source: &Source) -> Result<Material, Located> {
+    let bands = material.transmittance.len();
+    match given {
+        Amount::Even(numbers) => {
+            Ok(Material { emission: spread(numbers, bands, "the emission", check_emission)?, ..material })
+        }
+        Amount::Varied(file) => {
+            let pattern = pattern(file, bands, source)?;
+            let patterned = material.with_emission_pattern(pattern);
+            patterned.map_err(|fault| Located::at(file.place(), fault))
+        }
+    }
 }
 
 /// One number for each band.
@@ -176,17 +213,17 @@ fn draft(
 ) -> Result<SurfaceDraft, Located> {
     let PlacedSurface { file, name, .. } = placed;
     let name_span = &file.name.span;
-    let GroupedMaterial { material, thermal, group } =
-        surface_material(file.material.as_ref(), materials, bands)?;
+    let coat = |name: &Option<At<String>>| name.as_ref().map(|name| coat_named(name, materials)).transpose();
+    let span = |name: &Option<At<String>>| name.as_ref().map(|name| name.span.clone());
     Ok(SurfaceDraft {
         kind: file.shape.kind,
         flux: flux(file.flux.as_ref(), bands)?,
         opening: None,
         radiance: None,
-        thermal: Thermal { condition: file.condition.or(thermal.condition), ..thermal },
-        material,
-        material_name: file.material.as_ref().map(|material| material.value.clone()),
-        group: file.group.as_ref().map(|own| own.value.clone()).or(group),
+        thermal: Thermal { condition: file.condition, emissivity: None },
+        front: coat(&file.material)?.unwrap_or_else(|| Coat::black(bands)),
+        back: coat(&file.back_material)?,
+        group: file.group.as_ref().map(|own| own.value.clone()),
         shapes: shapes(placed)?,
         name: name.clone(),
         order: file.order,
@@ -198,6 +235,7 @@ fn draft(
             name: name_span.clone(),
             name_line: source.line(name_span.start),
             shape: file.shape.span.clone(),
+            materials: [span(&file.material), span(&file.back_material)],
             flux: file.flux.as_ref().map(|flux| flux.span().clone()),
             opening: file.opening.clone(),
         }),
@@ -259,14 +297,7 @@ fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Resul
     Ok(shapes.into_iter().enumerate().map(named).collect())
 }
 
-fn surface_material(
-    name: Option<&At<String>>,
-    materials: &Materials,
-    bands: usize,
-) -> Result<GroupedMaterial, Located> {
-    let black =
-        || GroupedMaterial { material: Material::black(bands), thermal: Thermal::default(), group: None };
-    let Some(name) = name else { return Ok(black()) };
+fn coat_named(name: &At<String>, materials: &Materials) -> Result<Coat, Located> {
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();
         Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })

@@ -4,6 +4,7 @@ use super::element::{Element, words};
 use super::ids::Ids;
 use super::remarks::Remarks;
 use super::spectra;
+use crate::colour;
 use crate::error::Refusal;
 use crate::text::short;
 
@@ -178,13 +179,8 @@ fn rgb(stated: &Element, is_coded: bool) -> Result<[f64; 3], Refusal> {
         let code = u32::from_str_radix(digits, 16).ok().filter(|_| is_right).ok_or_else(|| {
             stated.refusal(format!("'{}' is no colour", short(value)), "write six digits: #rrggbb")
         })?;
-        return Ok([16, 8, 0].map(|shift| linear(f64::from((code >> shift) & 0xff) / 255.0)));
+        return Ok([16, 8, 0].map(|shift| colour::of_srgb(f64::from((code >> shift) & 0xff) / 255.0)));
     }
     let values = stated.triple("value")?;
-    Ok(if is_coded { values.map(linear) } else { values })
-}
-
-/// The linear value of one that is coded as sRGB, 0 to 1. Source: IEC 61966-2-1:1999, item 5.2.
-fn linear(coded: f64) -> f64 {
-    if coded <= 0.04045 { coded / 12.92 } else { ((coded + 0.055) / 1.055).powf(2.4) }
+    Ok(if is_coded { values.map(colour::of_srgb) } else { values })
 }

@@ -5,6 +5,7 @@
 
 use std::sync::Arc;
 
+use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
 use serde::Deserialize;
 
 use super::element::{SavedElement, same};
@@ -178,6 +179,11 @@ impl SavedScene {
         let source = Source::new(&self.origin, text).within(self.tolerance).set(settings);
         let source =
             self.included.iter().fold(source, |source, own| source.including(&own.origin, &own.text));
+        let source = self.pictures.iter().try_fold(source, |source, own| {
+            let bytes = STANDARD.decode(&own.base64);
+            let bytes = bytes.map_err(|_| SolutionFault::Whole(Mismatch("a picture")))?;
+            Ok::<_, SolutionFault>(source.with_picture(&own.origin, bytes))
+        })?;
         let source = match self.moment {
             Some(moment) => source.at(moment),
             None => source,

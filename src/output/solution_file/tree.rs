@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use base64::{Engine, prelude::BASE64_STANDARD as STANDARD};
 use serde::{Deserialize, Serialize};
 
 use super::element::{self, SavedElement};
@@ -21,7 +22,9 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      i, j = 0..N (basis tensor-legendre). On a plane frame a = (x - origin).first and \
      b = (x - origin).second for a point x, less scene.middle where that is given; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
      An element that is covered is the part of its surface on which another lies; others end there. \
-     radiosity = exitance[band] + reflectance[band] * irradiance. Unit: that of the scene's exitance (W/m^2 unless the scene states a unit). \
+     radiosity = exitance[band] + reflectance[band] * irradiance, and transmittance times the irradiance on the other side where the scene's text gives the \
+     material one; of materials that vary over a surface these are means over its parameters, and the text of the scene holds their patterns, \
+     the files of which are in scene.pictures. Unit: that of the scene's exitance (W/m^2 unless the scene states a unit). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back. Where there are light groups, the \
      irradiance is the sum of theirs in orthonormal.groups, in the order of groups, each times its factor in \
@@ -60,6 +63,9 @@ pub(super) struct SavedScene {
     /// The texts that it includes.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub(super) included: Vec<SavedText>,
+    /// The pictures of its materials.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub(super) pictures: Vec<SavedPicture>,
     /// Distance within which corners were made to agree, if the user gave one (scene length).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub(super) tolerance: Option<f64>,
@@ -83,6 +89,24 @@ pub(super) struct SavedText {
     /// The name shown in messages, by which it is included.
     pub(super) origin: String,
     pub(super) text: String,
+}
+
+/// A picture that the scene names.
+#[derive(Debug, Serialize, Deserialize)]
+pub(super) struct SavedPicture {
+    /// The path by which it is named.
+    pub(super) origin: String,
+    /// The bytes of its file in Base64 (RFC 4648, section 4).
+    pub(super) base64: String,
+}
+
+/// The pictures that a scene names.
+fn pictures(scene: &Scene) -> Vec<SavedPicture> {
+    let saved = |(origin, bytes): (&str, &[u8])| SavedPicture {
+        origin: origin.to_owned(),
+        base64: STANDARD.encode(bytes),
+    };
+    scene.source.iter().flat_map(Source::pictures).map(saved).collect()
 }
 
 /// The texts that a scene includes.
@@ -114,6 +138,7 @@ impl SolutionFile {
                 origin: scene.origin.clone(),
                 text: scene.source.as_ref().map(|source| source.text.to_string()),
                 included: included(scene),
+                pictures: pictures(scene),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),
                 moment: scene.source.as_ref().and_then(|source| source.moment),
                 settings: scene.source.as_ref().map(|source| (*source.settings).clone()).unwrap_or_default(),

@@ -21,6 +21,7 @@ pub(in crate::scene) struct SurfaceFile {
     pub name: At<String>,
     pub span: Span,
     pub material: Option<At<String>>,
+    pub back_material: Option<At<String>>,
     pub group: Option<At<String>>,
     pub flux: Option<PerBand>,
     /// Where it is said that it is an opening to the sky.
@@ -51,9 +52,10 @@ fn given(node: &Node) -> Option<String> {
     Some(name.value)
 }
 
-const SURFACE_KEYS: [&str; 11] = [
+const SURFACE_KEYS: [&str; 12] = [
     "name",
     "material",
+    "back_material",
     "group",
     "flux",
     "opening",
@@ -73,6 +75,7 @@ fn read_surface(node: &Node, unnamed: &str) -> Result<SurfaceFile, Located> {
         name: fields.optional("name", text)?.unwrap_or_else(|| At::new(unnamed.to_owned(), fields.span())),
         span: fields.span().clone(),
         material: fields.optional("material", text)?,
+        back_material: fields.optional("back_material", text)?,
         group: fields.optional("group", text)?,
         flux: fields.optional("flux", per_band)?,
         opening: read_opening(&fields)?,

@@ -1,0 +1,34 @@
+//! Coats: what a side of a surface is covered with.
+
+use crate::scene::{material::Material, named_material::NamedMaterial, thermal::Thermal};
+
+/// A material with what it says of the surfaces that say nothing else.
+#[derive(Clone, Debug)]
+pub(super) struct Coat {
+    pub(super) material: Material,
+    pub(super) name: Option<String>,
+    pub(super) thermal: Thermal,
+    pub(super) group: Option<String>,
+}
+
+impl Coat {
+    /// The material of that name, of which nothing else is known.
+    pub(super) fn new(name: impl Into<String>, material: Material) -> Self {
+        Self { name: Some(name.into()), ..Self::plain(material) }
+    }
+
+    /// Neither reflects nor emits, and has no name.
+    pub(super) fn black(bands: usize) -> Self {
+        Self::plain(Material::black(bands))
+    }
+
+    fn plain(material: Material) -> Self {
+        Self { material, name: None, thermal: Thermal::default(), group: None }
+    }
+}
+
+impl From<&NamedMaterial> for Coat {
+    fn from(named: &NamedMaterial) -> Self {
+        Self::new(named.name(), named.material().clone())
+    }
+}
