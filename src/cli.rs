@@ -36,6 +36,7 @@ mod render;
 mod animate;
 mod table;
 mod convergence;
+mod coats;
 mod check;
 mod scenes;
 mod schema;

@@ -17,7 +17,7 @@ use radiosity::scene::{
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
-use crate::cli::{error::CliError, options::SceneArg, table::Table};
+use crate::cli::{coats, error::CliError, options::SceneArg, table::Table};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -82,6 +82,9 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
         writeln!(text, "light groups: {}\n", groups.join(", "))?;
     }
     writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
+    for line in coats::lines(scene) {
+        writeln!(text, "{line}")?;
+    }
     if !inspection.contacts.is_empty() {
         writeln!(text, "{}", contact_table(scene, &inspection.contacts))?;
     }
@@ -324,7 +327,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
             "name": surface.name, "shape": surface.kind, "area": area,
             "planar": surface.shape.region().is_some(), "normal": surface.shape.jet(0.0, 0.0).normal.to_array(),
             "material": surface.material_name, "reflectance": surface.material.reflectance,
-            "emission": surface.material.emission, "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
+            "emission": surface.material.emission, "other_side": surface.other_side.map(|index| name(&index)), "opening": surface.is_opening(), "flux": surface.flux, "group": surface.group.as_ref().map(|group| &group.name),
         })
     });
     let contacts = inspection.contacts.iter().map(|contact| {
@@ -355,7 +358,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
-        "surfaces": surfaces.collect::<Vec<_>>(), "contacts": contacts.collect::<Vec<_>>(),
+        "surfaces": surfaces.collect::<Vec<_>>(), "materials": coats::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
         "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),

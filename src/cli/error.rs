@@ -217,7 +217,11 @@ impl CliError {
                 | Failure::NoChart { .. }
                 | Failure::Unmasked { .. }
                 | Failure::NotDiffuse { .. }
-                | Failure::Hierarchy(HierarchyError::Luminaire { .. } | HierarchyError::Opening { .. })
+                | Failure::Hierarchy(
+                    HierarchyError::Luminaire { .. }
+                    | HierarchyError::Opening { .. }
+                    | HierarchyError::Coating { .. },
+                )
                 | Failure::Memory { .. },
             ) => ExitCode::from(2),
             CliError::Frame { cause, .. } => cause.exit_code(),

@@ -20,6 +20,12 @@ pub enum HeatError {
         /// Their names.
         surfaces: Vec<String>,
     },
+    /// Surfaces that let heat through.
+    #[error("heat would pass through {}", listed(surfaces))]
+    Transmits {
+        /// Their names.
+        surfaces: Vec<String>,
+    },
     /// Surfaces that exchange heat with one another alone, all of known flux.
     #[error(
         "no temperature sets the level of {}: nothing but fluxes of heat is given, and no more can leave than the transfers err by",
@@ -61,6 +67,9 @@ impl HeatError {
                 "give the surface or its material temperature = …, in kelvin, heat_flux = …, in W/m², or adiabatic = true",
             ),
             Self::NoEmissivity { .. } => Some("give the material emissivity = …, 0 < ε ≤ 1"),
+            Self::Transmits { .. } => {
+                Some("leave the transmittance of the material out: the surfaces of radiant heat are opaque")
+            }
             Self::NoLevel { .. } => Some(
                 "give one of them a temperature; heat that leaves by a small opening is found by a smaller --eps",
             ),

@@ -42,6 +42,10 @@ impl Roles {
     /// # Errors
     /// Surfaces of which too little is known.
     pub(super) fn of(scene: &Scene) -> Result<Self, HeatError> {
+        match named(scene, |_, surface| surface.material.transmits()) {
+            surfaces if surfaces.is_empty() => {}
+            surfaces => return Err(HeatError::Transmits { surfaces }),
+        }
         let unknown = |surface: &SceneSurface| surface.thermal.condition.is_none();
         match named(scene, |_, surface| unknown(surface)) {
             surfaces if surfaces.is_empty() => {}
@@ -80,9 +84,10 @@ fn named(scene: &Scene, holds: impl Fn(usize, &SceneSurface) -> bool) -> Vec<Str
     all.map(|(_, surface)| surface.name.clone()).collect()
 }
 
-/// The emissivity that is given, else 1 − ρ in scenes of a single band.
+/// The emissivity that is given, else 1 − ρ in scenes of a single band where ρ is the same all over the surface.
 fn emissivity(scene: &Scene, surface: &SceneSurface) -> Option<f64> {
-    let grey = || (scene.bands.len() == 1).then(|| 1.0 - surface.material.reflectance[0]);
+    let is_grey = scene.bands.len() == 1 && surface.material.reflectance_pattern.is_none();
+    let grey = || is_grey.then(|| 1.0 - surface.material.reflectance[0]);
     surface.thermal.emissivity.or_else(grey)
 }
 

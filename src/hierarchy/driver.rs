@@ -48,6 +48,12 @@ pub fn solve_hierarchically(
     if let Some(own) = scene.surfaces.iter().find(|own| own.radiance.is_some()) {
         return Err(HierarchyError::Opening { surface: own.name.clone() });
     }
+    if let Some(own) =
+        scene.surfaces.iter().find(|own| own.material.is_patterned() || own.material.transmits())
+    {
+        let what = if own.material.transmits() { "lets light through" } else { "varies over its area" };
+        return Err(HierarchyError::Coating { surface: own.name.clone(), what });
+    }
     let shapes = bare_shapes(scene);
     let whole = scene.surfaces.iter().map(|surface| surface.shape.clone()).collect();
     let mut work = Work { scene, options, obstacles: RayTree::new(whole), links: Vec::new(), dropped: 0 };

@@ -31,6 +31,17 @@ pub enum HierarchyError {
         /// Name of the first opening.
         surface: String,
     },
+    /// A surface whose reflectance or emission varies, or that lets light through.
+    #[error(
+        "surface '{surface}' {what}: hierarchical radiosity takes surfaces for opaque and alike all over: solve by the usual method, \
+         --method galerkin"
+    )]
+    Coating {
+        /// Name of the first such surface.
+        surface: String,
+        /// What it does.
+        what: &'static str,
+    },
     /// The linear solver failed.
     #[error("band '{band}': {source}")]
     Solver {
