@@ -36,7 +36,7 @@ mod render;
 mod animate;
 mod table;
 mod convergence;
-mod coats;
+mod materials;
 mod check;
 mod scenes;
 mod schema;

@@ -40,7 +40,7 @@ mod luminous_area;
 mod radiance;
 mod thermal;
 mod surface;
-mod coat;
+mod covering;
 mod draft;
 mod luminous_surface;
 mod tree;

@@ -17,7 +17,7 @@ use radiosity::scene::{
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
-use crate::cli::{coats, error::CliError, options::SceneArg, table::Table};
+use crate::cli::{error::CliError, materials, options::SceneArg, table::Table};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -82,7 +82,7 @@ fn describe(scene: &Scene, inspection: &Inspection, text: &mut String) -> fmt::R
         writeln!(text, "light groups: {}\n", groups.join(", "))?;
     }
     writeln!(text, "{}", surface_table(&scene.surfaces, &inspection.areas))?;
-    for line in coats::lines(scene) {
+    for line in materials::lines(scene) {
         writeln!(text, "{line}")?;
     }
     if !inspection.contacts.is_empty() {
@@ -358,7 +358,7 @@ fn as_json(scene: &Scene, inspection: &Inspection) -> Value {
         "scene": scene.name, "title": scene.title, "bands": scene.bands, "unit": scene.unit,
         "area": inspection.areas.iter().sum::<f64>(),
         "variables": scene.variables.iter().cloned().collect::<BTreeMap<_, _>>(),
-        "surfaces": surfaces.collect::<Vec<_>>(), "materials": coats::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
+        "surfaces": surfaces.collect::<Vec<_>>(), "materials": materials::as_json(scene), "contacts": contacts.collect::<Vec<_>>(),
         "imported": scene.imported(), "fitted": scene.fitted, "middle": scene.middle.to_array(), "covered": footings.collect::<Vec<_>>(), "closed": shells.collect::<Vec<_>>(), "camera": camera,
         "luminaires": scene.luminaires.iter().map(|own| luminaire_json(own, scene)).collect::<Vec<_>>(),
         "animation": motion_json(scene, inspection),

@@ -8,7 +8,7 @@ use crate::scene::{
     Scene,
     animation::{Animation, Clock},
     camera::Camera,
-    coat::Coat,
+    covering::Covering,
     draft::SurfaceDraft,
     error::{Fault, Located, SceneError, luminaire_title, material_title, plane_title},
     luminaire::Luminaire,
@@ -94,7 +94,7 @@ impl SceneBuilder {
             kind: "surface",
             shapes: vec![(name.clone(), Arc::new(shape))],
             name,
-            front: Coat::from(material),
+            front: Covering::from(material),
             back: None,
             group: None,
             flux: None,
@@ -253,7 +253,7 @@ fn check_materials(materials: &[NamedMaterial], bands: usize) -> Result<(), Loca
 fn check_backs(drafts: &[SurfaceDraft], materials: &[NamedMaterial], bands: usize) -> Result<(), Located> {
     let known = materials.iter().map(|own| (own.name(), own.material()));
     let mut known: BTreeMap<&str, &Material> = known.collect();
-    for Coat { name, material, .. } in drafts.iter().filter_map(|draft| draft.back.as_ref()) {
+    for Covering { name, material, .. } in drafts.iter().filter_map(|draft| draft.back.as_ref()) {
         let name = name.as_deref().unwrap_or_default();
         let checked = check_text(name).and_then(|()| material.check(bands));
         let checked = checked.and_then(|()| match known.insert(name, material) {

@@ -8,7 +8,7 @@ use std::sync::Arc;
 use radiosity_geom::{Flipped, Rect, Surface};
 
 use crate::scene::{
-    coat::Coat,
+    covering::Covering,
     error::{Fault, Located, surface_title},
     light_group::LightGroup,
     material::{Material, check_count, check_flux, check_sheet},
@@ -28,9 +28,9 @@ pub struct SurfaceDraft {
     pub(super) name: String,
     pub(super) kind: &'static str,
     pub(super) shapes: Vec<NamedShape>,
-    pub(super) front: Coat,
+    pub(super) front: Covering,
     /// Of the back, if that is another one.
-    pub(super) back: Option<Coat>,
+    pub(super) back: Option<Covering>,
     /// Its own light group, instead of those of its materials.
     pub(super) group: Option<String>,
     pub(super) flux: Option<Vec<f64>>,
@@ -77,7 +77,7 @@ impl SurfaceDraft {
 
     /// Covers its back with another material, where it is [two-sided](Self::two_sided). What both let through has to be the same.
     pub fn back_material(&mut self, material: &NamedMaterial) -> &mut Self {
-        self.back = Some(Coat::from(material));
+        self.back = Some(Covering::from(material));
         self
     }
 
@@ -146,7 +146,7 @@ impl SurfaceDraft {
         match emission {
             Ok(None) => Ok(self),
             Ok(Some(emission)) => {
-                self.coats_mut().for_each(|coat| coat.material.emission.clone_from(&emission));
+                self.coverings_mut().for_each(|own| own.material.emission.clone_from(&emission));
                 Ok(self)
             }
             Err(fault) => Err(self.located(span.as_ref(), fault).within(|| surface_title(&self.name))),
@@ -154,18 +154,18 @@ impl SurfaceDraft {
     }
 
     /// What covers it, the front first.
-    fn coats(&self) -> impl Iterator<Item = &Coat> {
+    fn coverings(&self) -> impl Iterator<Item = &Covering> {
         [&self.front].into_iter().chain(&self.back)
     }
 
-    fn coats_mut(&mut self) -> impl Iterator<Item = &mut Coat> {
+    fn coverings_mut(&mut self) -> impl Iterator<Item = &mut Covering> {
         [&mut self.front].into_iter().chain(&mut self.back)
     }
 
     /// Refuses a back of one side, and sides that do not let through alike.
     fn check_sides(&self) -> Result<(), Located> {
         let [front, back] = self.typed.as_ref().map_or([None, None], |typed| typed.materials.clone());
-        let other = self.back.as_ref().map(|coat| &coat.material);
+        let other = self.back.as_ref().map(|own| &own.material);
         let (span, checked) = match other {
             Some(_) if !self.two_sided => (back, Err(Fault::OneSided { what: "a back material" })),
             Some(other) => (back, check_sheet(&self.front.material, Some(other))),
@@ -179,7 +179,7 @@ impl SurfaceDraft {
     fn emission(&self, flux: &[f64]) -> Result<Vec<f64>, Fault> {
         check_count("the flux", flux, self.front.material.reflectance.len())?;
         flux.iter().try_for_each(|flux| check_flux(*flux))?;
-        if let Some(Coat { material, name, .. }) = self.coats().find(|coat| coat.material.emits()) {
+        if let Some(Covering { material, name, .. }) = self.coverings().find(|own| own.material.emits()) {
             let is_patterned = material.emission_pattern.is_some();
             return Err(Fault::FluxAndEmission { material: name.clone().unwrap_or_default(), is_patterned });
         }
@@ -240,23 +240,23 @@ impl SurfaceDraft {
     /// The surface of one of its shapes, and its back if it is two-sided; what openings see is shared with those `known`.
     pub(super) fn sides(&self, (name, shape): &NamedShape, known: &mut KnownOutlooks) -> Vec<SceneSurface> {
         let (radiance, material) = self.radiance(shape, known);
-        let front = Coat { material, ..self.front.clone() };
-        let side = |name: String, flip: bool, coat: &Coat| SceneSurface {
+        let front = Covering { material, ..self.front.clone() };
+        let side = |name: String, flip: bool, covering: &Covering| SceneSurface {
             name,
             kind: self.kind,
             shape: if flip { Arc::new(Flipped::new(Box::new(shape.clone()))) } else { shape.clone() },
-            material: coat.material.clone(),
+            material: covering.material.clone(),
             radiance: radiance.clone(),
-            material_name: coat.name.clone(),
+            material_name: covering.name.clone(),
             other_side: None,
-            group: self.group.as_ref().or(coat.group.as_ref()).map(LightGroup::new),
+            group: self.group.as_ref().or(covering.group.as_ref()).map(LightGroup::new),
             flux: self
                 .flux
                 .as_ref()
-                .map(|_| coat.material.emission.iter().map(|own| own * shape.area()).collect()),
+                .map(|_| covering.material.emission.iter().map(|own| own * shape.area()).collect()),
             thermal: Thermal {
-                emissivity: self.thermal.emissivity.or(coat.thermal.emissivity),
-                condition: self.thermal.condition.or(coat.thermal.condition),
+                emissivity: self.thermal.emissivity.or(covering.thermal.emissivity),
+                condition: self.thermal.condition.or(covering.thermal.condition),
             },
             order: self.order,
             subdivide: self.subdivide,

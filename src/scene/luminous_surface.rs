@@ -6,7 +6,7 @@ use radiosity_geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity_geom::{ShapeError, Surface};
 
 use crate::scene::{
-    coat::Coat,
+    covering::Covering,
     draft::{SurfaceDraft, Typed},
     error::{Fault, Located, luminaire_title},
     extent::Extent,
@@ -68,7 +68,7 @@ fn draft(
         kind: LUMINAIRE,
         shapes: vec![(name.clone(), shape)],
         name,
-        front: Coat::new(LUMINAIRE, Material { emission, ..Material::black(own.strength.len()) }),
+        front: Covering::new(LUMINAIRE, Material { emission, ..Material::black(own.strength.len()) }),
         back: None,
         group: own.group.as_ref().map(|group| group.name.clone()),
         flux: None,

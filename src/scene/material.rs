@@ -58,7 +58,10 @@ impl Material {
     pub fn with_emission_pattern(self, pattern: Pattern) -> Result<Self, Fault> {
         check_pattern_bands("the emission", &pattern, self.emission.len())?;
         let emission = pattern.means();
-        Material { emission, emission_pattern: Some(Arc::new(pattern)), ..self }.checked()
+        let own = Material { emission, emission_pattern: Some(Arc::new(pattern)), ..self }.checked()?;
+        // Where it is dark everywhere, it is no emission that a flux or a sky could stand against.
+        let emission_pattern = own.emission_pattern.clone().filter(|_| own.emits());
+        Ok(Material { emission_pattern, ..own })
     }
 
     fn checked(self) -> Result<Self, Fault> {
@@ -78,6 +81,8 @@ impl Material {
         }
         self.emission.iter().try_for_each(|&exitance| check_emission(exitance))?;
         self.emission_pattern.as_deref().map_or(Ok(()), |pattern| check_emissions(pattern, bands))?;
+        check_means(&self.reflectance, self.reflectance_pattern.as_deref(), "the reflectance")?;
+        check_means(&self.emission, self.emission_pattern.as_deref(), "the emission")?;
         self.reflectance.iter().zip(&self.transmittance).try_for_each(|(rho, tau)| check_sum(rho + tau))
     }
 
@@ -151,11 +156,21 @@ fn check_pattern_bands(what: &'static str, pattern: &Pattern, bands: usize) -> R
     }
 }
 
+/// Numbers beside a pattern are its means.
+fn check_means(numbers: &[f64], pattern: Option<&Pattern>, what: &'static str) -> Result<(), Fault> {
+    let means = pattern.map(Pattern::means).unwrap_or_default();
+    let mut differing = numbers.iter().zip(means).filter(|(number, mean)| *number != mean);
+    match differing.next() {
+        Some((value, _)) => Err(Fault::OutOfRange { what, value: *value, range: "the mean of its pattern" }),
+        None => Ok(()),
+    }
+}
+
 /// 0 ≤ ρ < 1 − τ all over a pattern.
 pub(super) fn check_reflectances(pattern: &Pattern, transmittance: &[f64]) -> Result<(), Fault> {
     check_pattern_bands("the reflectance", pattern, transmittance.len())?;
     let what = "the reflectance";
-    check_pattern(pattern, what, |band, rho| match rho + transmittance[band] < 1.0 {
+    check_pattern(pattern, what, "0 ≤ ρ < 1", |band, rho| match rho + transmittance[band] < 1.0 {
         true => None,
         false if rho < 1.0 => Some("ρ + τ < 1"),
         false => Some("0 ≤ ρ < 1"),
@@ -165,19 +180,22 @@ pub(super) fn check_reflectances(pattern: &Pattern, transmittance: &[f64]) -> Re
 /// Emission ≥ 0 all over a pattern.
 pub(super) fn check_emissions(pattern: &Pattern, bands: usize) -> Result<(), Fault> {
     check_pattern_bands("the emission", pattern, bands)?;
-    check_pattern(pattern, "the emission", |_, exitance| (!exitance.is_finite()).then_some("emission ≥ 0"))
+    let range = "emission ≥ 0";
+    check_pattern(pattern, "the emission", range, |_, exitance| (!exitance.is_finite()).then_some(range))
 }
 
-/// Checks that no value is below 0, and that the largest of each band is in the range that `above` names otherwise.
+/// Checks that no value is below 0, where `range` begins, and that the largest of each band is in the range that `above` names
+/// otherwise.
 fn check_pattern(
     pattern: &Pattern,
     what: &'static str,
+    range: &'static str,
     above: impl Fn(usize, f64) -> Option<&'static str>,
 ) -> Result<(), Fault> {
     pattern.check()?;
     (0..pattern.bands()).try_for_each(|band| {
         let [least, most] = pattern.extremes(band);
-        let below = (least.value < -pattern.rounding(band)).then_some((least, "≥ 0 everywhere"));
+        let below = (least.value < -pattern.rounding(band)).then_some((least, range));
         match below.or_else(|| above(band, most.value).map(|range| (most, range))) {
             None => Ok(()),
             Some((extreme, range)) => {
@@ -273,6 +291,11 @@ mod tests {
         assert!(wall().with_reflectance_pattern(texels(0.99)).is_ok_and(|own| own.reflectance[0] == 0.3975));
         let fault = wall().with_reflectance_pattern(texels(1.0)).expect_err("no loss");
         assert!(fault.to_string().contains("column 2, row 1 from the top"), "{fault}");
+        let mut other = wall().with_reflectance_pattern(texels(0.9)).unwrap();
+        other.reflectance = vec![0.5];
+        assert!(matches!(other.check(1), Err(Fault::OutOfRange { range: "the mean of its pattern", .. })));
+        let dark = Pattern::texels(1, vec![vec![0.0]], Placement::default()).unwrap();
+        assert!(wall().with_emission_pattern(dark).is_ok_and(|own| !own.is_patterned() && !own.emits()));
         let two = Material::black(2).with_reflectance_pattern(texels(0.5));
         assert!(matches!(two, Err(Fault::WrongCount { .. })));
     }

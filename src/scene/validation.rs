@@ -6,7 +6,7 @@ use radiosity_geom::{DVec3, Surface};
 
 use crate::scene::{
     camera::Camera,
-    coat::Coat,
+    covering::Covering,
     draft::{NamedShape, SurfaceDraft, Typed},
     error::{Fault, Located, material_title, plane_title, surface_title},
     file::{Amount, CameraFile, GlassFile, MaterialFile, PerBand, PlaneFile, SkyFile, SunFile, SurfaceFile},
@@ -29,7 +29,7 @@ const USUAL_INDEX: f64 = 1.52;
 const USUAL_GROUND: f64 = 0.2;
 
 /// Materials by name.
-pub(super) type Materials = BTreeMap<String, Coat>;
+pub(super) type Materials = BTreeMap<String, Covering>;
 
 /// The names of the bands; if none are given, a single one where no list has a number per band, else r, g, b.
 pub(super) fn bands(
@@ -95,7 +95,7 @@ pub(super) fn materials(
 ) -> Result<Materials, Located> {
     let checked = |file: MaterialFile| {
         let name = file.name.value.clone();
-        match coat(file, bands, source) {
+        match covering(file, bands, source) {
             Ok(material) => Ok((name, material)),
             Err(error) => Err(error.within(|| material_title(&name))),
         }
@@ -103,7 +103,7 @@ pub(super) fn materials(
     files.into_iter().map(checked).collect()
 }
 
-fn coat(file: MaterialFile, bands: usize, source: &Source) -> Result<Coat, Located> {
+fn covering(file: MaterialFile, bands: usize, source: &Source) -> Result<Covering, Located> {
     let given = file.transmittance.as_ref();
     let given =
         given.map(|given| spread(given, bands, "the transmittance", check_transmittance)).transpose()?;
@@ -121,7 +121,7 @@ fn coat(file: MaterialFile, bands: usize, source: &Source) -> Result<Coat, Locat
     let span = file.transmittance.as_ref().map_or(&file.name.span, PerBand::span);
     material.check(bands).map_err(|fault| Located::at(span, fault))?;
     let group = file.group.map(|group| group.value);
-    Ok(Coat { thermal: file.thermal, group, ..Coat::new(file.name.value, material) })
+    Ok(Covering { thermal: file.thermal, group, ..Covering::new(file.name.value, material) })
 }
 
 /// The material with this reflectance.
@@ -213,7 +213,8 @@ fn draft(
 ) -> Result<SurfaceDraft, Located> {
     let PlacedSurface { file, name, .. } = placed;
     let name_span = &file.name.span;
-    let coat = |name: &Option<At<String>>| name.as_ref().map(|name| coat_named(name, materials)).transpose();
+    let covering =
+        |name: &Option<At<String>>| name.as_ref().map(|name| covering_named(name, materials)).transpose();
     let span = |name: &Option<At<String>>| name.as_ref().map(|name| name.span.clone());
     Ok(SurfaceDraft {
         kind: file.shape.kind,
@@ -221,8 +222,8 @@ fn draft(
         opening: None,
         radiance: None,
         thermal: Thermal { condition: file.condition, emissivity: None },
-        front: coat(&file.material)?.unwrap_or_else(|| Coat::black(bands)),
-        back: coat(&file.back_material)?,
+        front: covering(&file.material)?.unwrap_or_else(|| Covering::black(bands)),
+        back: covering(&file.back_material)?,
         group: file.group.as_ref().map(|own| own.value.clone()),
         shapes: shapes(placed)?,
         name: name.clone(),
@@ -297,7 +298,7 @@ fn shapes(PlacedSurface { file, name, motion, .. }: &PlacedSurface<'_>) -> Resul
     Ok(shapes.into_iter().enumerate().map(named).collect())
 }
 
-fn coat_named(name: &At<String>, materials: &Materials) -> Result<Coat, Located> {
+fn covering_named(name: &At<String>, materials: &Materials) -> Result<Covering, Located> {
     materials.get(&name.value).cloned().ok_or_else(|| {
         let known = materials.keys().cloned().collect();
         Located::at(&name.span, Fault::UnknownMaterial { name: name.value.clone(), known })

@@ -24,4 +24,5 @@ mod program;
 mod relight;
 mod report;
 mod solution_file;
+mod textures;
 mod vtu;

@@ -19,6 +19,8 @@ mod motions;
 mod scene_format;
 mod schema;
 mod shapes;
+mod textures;
 mod triangles;
+mod two_sides;
 mod variables;
 mod whole;

@@ -15,9 +15,10 @@ const LANGUAGES: [(&str, Reader); 3] =
     [("toml", Scene::from_toml), ("json", Scene::from_json), ("csv", Scene::from_csv)];
 
 /// Tables of keys, each under a heading, and a text with the key `none` in such a table.
-const TABLES: [(&str, &str); 14] = [
+const TABLES: [(&str, &str); 15] = [
     ("## The file", "none = 1"),
     ("## Materials", "[materials.wall]\nnone = 1"),
+    ("## Textures", "[materials.wall]\nreflectance = { none = 1 }"),
     ("## Camera", "[camera]\nnone = 1"),
     ("## Planes of sensors", "[planes.desk]\nnone = 1"),
     ("## Surfaces", "[[surfaces]]\nnone = 1"),

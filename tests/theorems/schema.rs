@@ -60,7 +60,7 @@ fn whatever_is_a_scene_is_accepted() {
     for name in Scene::builtin_names() {
         accepted(&validator, &of_toml(&Scene::text_of(name, &[]).unwrap().text));
     }
-    for file in ["tests/data/every-shape.toml", "examples/office.toml"] {
+    for file in ["tests/data/every-shape.toml", "examples/office.toml", "examples/textured-room.toml"] {
         let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();
         accepted(&validator, &of_toml(&text));
     }
@@ -93,6 +93,7 @@ fn the_schema_tells_of_every_key_and_no_other() {
         ("camera", "[camera]\nnone = 1"),
         ("plane", "[planes.desk]\nnone = 1"),
         ("material", "[materials.wall]\nnone = 1"),
+        ("pattern", "[materials.wall]\nreflectance = { none = 1 }"),
         ("surface", "[[surfaces]]\nnone = 1"),
         (
             "transform",
@@ -155,6 +156,16 @@ fn wrong_scenes_are_refused() {
         ("/materials/white", "reflectance", json!(1)),
         ("/materials/white", "reflectance", json!([0.5, -0.1])),
         ("/materials/white", "emission", json!(-1)),
+        ("/materials/white", "transmittance", json!(1)),
+        ("/materials/white", "reflectance", json!({})),
+        ("/materials/white", "reflectance", json!({"image": " "})),
+        ("/materials/white", "reflectance", json!({"cells": []})),
+        ("/materials/white", "reflectance", json!({"cells": [[0.5]], "polynomial": []})),
+        ("/materials/white", "emission", json!({"cells": [[0.5]], "wrap": "tile"})),
+        ("/materials/white", "emission", json!({"cells": [[0.5]], "scale": 0})),
+        ("/materials/white", "emission", json!({"polynomial": [[0, 0]]})),
+        ("/materials/white", "emission", json!({"polynomial": [[0, 0, 1]], "factor": -1})),
+        (floor, "back_material", json!(3)),
         ("/materials/white", "colour", json!("red")),
         (floor, "order", json!(21)),
         (floor, "subdivide", json!([0, 1])),

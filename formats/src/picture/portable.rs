@@ -57,6 +57,8 @@ pub(super) fn read(bytes: &[u8], coding: Option<Coding>, most: usize) -> Result<
             texels.take(line.data(), (*x..columns).step_by(*dx), row, &mut reduction);
         }
     }
+    // What follows the texels tells whether the file is whole.
+    reader.finish().map_err(fault)?;
     check_texels(&reduction)?;
     Ok(reduction.finish(remarks))
 }

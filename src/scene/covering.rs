@@ -1,17 +1,17 @@
-//! Coats: what a side of a surface is covered with.
+//! Coverings: what a side of a surface is covered with.
 
 use crate::scene::{material::Material, named_material::NamedMaterial, thermal::Thermal};
 
 /// A material with what it says of the surfaces that say nothing else.
 #[derive(Clone, Debug)]
-pub(super) struct Coat {
+pub(super) struct Covering {
     pub(super) material: Material,
     pub(super) name: Option<String>,
     pub(super) thermal: Thermal,
     pub(super) group: Option<String>,
 }
 
-impl Coat {
+impl Covering {
     /// The material of that name, of which nothing else is known.
     pub(super) fn new(name: impl Into<String>, material: Material) -> Self {
         Self { name: Some(name.into()), ..Self::plain(material) }
@@ -27,7 +27,7 @@ impl Coat {
     }
 }
 
-impl From<&NamedMaterial> for Coat {
+impl From<&NamedMaterial> for Covering {
     fn from(named: &NamedMaterial) -> Self {
         Self::new(named.name(), named.material().clone())
     }
