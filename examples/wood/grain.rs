@@ -1,13 +1,13 @@
 //! A floor of planks by whole numbers alone, so that every machine makes the same picture.
 
 /// Columns and rows.
-pub const SIZE: [usize; 2] = [96, 64];
+pub(crate) const SIZE: [usize; 2] = [96, 64];
 
 /// Rows of a plank.
 const PLANK: usize = 16;
 
 /// Red, green and blue in sRGB, texel after texel, row after row from the top.
-pub fn texels() -> Vec<u8> {
+pub(crate) fn texels() -> Vec<u8> {
     let [columns, rows] = SIZE;
     (0..columns * rows).flat_map(|index| texel(index % columns, index / columns)).collect()
 }

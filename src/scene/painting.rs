@@ -12,7 +12,8 @@ impl Scene {
     /// it, and openings the light of their sky. It no longer has the text it was read from.
     ///
     /// # Errors
-    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range.
+    /// [`Fault::UnknownMaterial`], which lists the materials of the surfaces; a number out of range; [`Fault::OneSided`] and
+    /// [`Fault::OtherTransmittance`] where a surface cannot let through what the material does.
     pub fn with_material(&self, name: &str, material: Material) -> Result<Self, SceneError> {
         self.painted(name, &material).map_err(|located| located.in_code(&self.origin))
     }

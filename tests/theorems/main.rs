@@ -16,6 +16,7 @@ mod instances;
 mod layering;
 mod materials;
 mod motions;
+mod picture_files;
 mod scene_format;
 mod schema;
 mod shapes;
