@@ -79,8 +79,10 @@ impl Material {
             Some(pattern) => check_reflectances(pattern, &self.transmittance)?,
             None => self.reflectance.iter().try_for_each(|&rho| check_reflectance(rho))?,
         }
-        self.emission.iter().try_for_each(|&exitance| check_emission(exitance))?;
-        self.emission_pattern.as_deref().map_or(Ok(()), |pattern| check_emissions(pattern, bands))?;
+        match &self.emission_pattern {
+            Some(pattern) => check_emissions(pattern, bands)?,
+            None => self.emission.iter().try_for_each(|&exitance| check_emission(exitance))?,
+        }
         check_means(&self.reflectance, self.reflectance_pattern.as_deref(), "the reflectance")?;
         check_means(&self.emission, self.emission_pattern.as_deref(), "the emission")?;
         self.reflectance.iter().zip(&self.transmittance).try_for_each(|(rho, tau)| check_sum(rho + tau))

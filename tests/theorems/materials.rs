@@ -1,7 +1,5 @@
 //! Reflectance and emission that vary over surfaces, and light that surfaces let through.
 
-use std::sync::Arc;
-
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::DVec3;
@@ -24,10 +22,9 @@ fn cube(builder: &mut SceneBuilder, mut paint: impl FnMut(usize) -> Material) {
 }
 
 fn patterned(reflectance: Pattern, emission: Pattern) -> Material {
-    let mut material = Material::new(vec![0.5], vec![0.5]).expect("it is in range");
-    material.reflectance_pattern = Some(Arc::new(reflectance));
-    material.emission_pattern = Some(Arc::new(emission));
-    material
+    let material = Material::black(1).with_reflectance_pattern(reflectance);
+    let material = material.and_then(|own| own.with_emission_pattern(emission));
+    material.expect("it is in range")
 }
 
 fn exact() -> Options {
@@ -178,10 +175,9 @@ fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
                 builder.surface(format!("field {k}"), quad([i, j, 0.0], x / 8.0, y / 8.0), &own).order(1);
             }
         } else {
-            let mut board = Material::new(vec![0.45], vec![0.0]).expect("in range");
             let texels = (0..64).map(field).collect();
             let pattern = Pattern::texels(8, vec![texels], Placement::default()).expect("a grid");
-            board.reflectance_pattern = Some(Arc::new(pattern));
+            let board = Material::black(1).with_reflectance_pattern(pattern).expect("in range");
             let board = builder.material("board", board);
             builder.surface("floor", quad([0.0; 3], x, y), &board);
         }

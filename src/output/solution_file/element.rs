@@ -126,16 +126,12 @@ impl SavedElement {
     /// Compares this with `element` of `scene`, and checks the number of coefficients.
     pub(super) fn check(&self, scene: &Scene, element: &Element) -> Result<(), Mismatch> {
         let surface = &scene.surfaces[element.surface];
-        let fits = |holds: bool, what| if holds { Ok(()) } else { Err(Mismatch(what)) };
         fits(self.surface == surface.name, "the surface")?;
         fits(self.rectangle == [element.rect.u, element.rect.v], "the rectangle")?;
         fits(self.covered == element.contact.is_some(), "the parts that others lie on")?;
         fits(self.order == element.basis.order(), "the order")?;
         fits(self.basis == element.basis.space().into(), "the basis")?;
         fits(same(&[self.area], &[element.area]), "the area")?;
-        fits(self.reflectance == surface.material.reflectance, "the reflectance")?;
-        let exitance = (0..scene.bands.len()).map(|band| surface.exitance(band));
-        fits(exitance.eq(self.exitance.iter().copied()), "the exitance")?;
         let Orthonormal { irradiance, direct, groups } = &self.orthonormal;
         let full = |coefficients: &[Vec<f64>]| {
             let bands = scene.bands.len();
@@ -147,6 +143,19 @@ impl SavedElement {
         let mut forms = self.irradiance.iter().zip(irradiance);
         fits(forms.all(|(products, own)| same(products, &element.basis.to_products(own))), "the irradiance")
     }
+
+    /// Compares its reflectance and its exitance with those of element `index` of the scene's solution.
+    pub(super) fn check_coating(&self, solution: &Solution, index: usize) -> Result<(), Mismatch> {
+        let are = |own: &[f64], of: fn(&Band) -> &[f64]| {
+            own.iter().copied().eq(solution.bands().iter().map(|band| of(band)[index]))
+        };
+        fits(are(&self.reflectance, |band| &band.coating.reflectance), "the reflectance")?;
+        fits(are(&self.exitance, |band| &band.coating.exitance), "the exitance")
+    }
+}
+
+fn fits(holds: bool, what: &'static str) -> Result<(), Mismatch> {
+    if holds { Ok(()) } else { Err(Mismatch(what)) }
 }
 
 /// Whether the two are the same but for rounding.

@@ -80,6 +80,9 @@ impl SolutionFile {
         check_elements(&self.elements, &scene, &elements)?;
         let groups = self.group_lights(&scene, &elements)?;
         let solution = Solution::of_groups(elements, &scene, groups);
+        for (index, own) in self.elements.iter().enumerate() {
+            own.check_coating(&solution, index).map_err(|what| SolutionFault::Element { index, what })?;
+        }
         self.check_sums(&solution)?;
         let achieved = self.figures.achieved;
         let outcome = self.figures.outcome(solution);

@@ -23,7 +23,7 @@ const EVALUATION: &str = "On an element of order N, at coordinates (a, b) in [-1
      b = (x - origin).second for a point x, less scene.middle where that is given; on a parameter frame a = (u - center_u)/half_u, b = (v - center_v)/half_v. \
      An element that is covered is the part of its surface on which another lies; others end there. \
      radiosity = exitance[band] + reflectance[band] * irradiance, and transmittance times the irradiance on the other side where the scene's text gives the \
-     material one; of materials that vary over a surface these are means over its parameters, and the text of the scene holds their patterns, \
+     material one; of materials that vary over a surface these are means over the element, and the text of the scene holds their patterns, \
      the files of which are in scene.pictures. Unit: that of the scene's exitance (W/m^2 unless the scene states a unit). \
      orthonormal holds the irradiance, and the part of it that comes straight from the emitters, in the basis that is \
      orthonormal on the element with respect to area: the program reads these back. Where there are light groups, the \
