@@ -8,13 +8,12 @@
 #![expect(clippy::print_stdout, reason = "tables for people")]
 
 use std::error::Error;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{Disk, FULL_TURN, Parallelogram};
 use radiosity::scene::{Pattern, Placement};
-use radiosity::solve::{Direct, Model, solve};
+use radiosity::solve::{Direct, Model, Transport, solve};
 use radiosity::{Material, Options, Scene, SceneBuilder, SceneError};
 
 /// Fields along each side of the floor.
@@ -25,9 +24,9 @@ fn field(k: usize) -> f64 {
     if (k % FIELDS + k / FIELDS).is_multiple_of(2) { 0.85 } else { 0.05 }
 }
 
-fn texels(bright: f64) -> Result<Arc<Pattern>, Box<dyn Error>> {
+fn texels(bright: f64) -> Result<Pattern, Box<dyn Error>> {
     let values = (0..FIELDS * FIELDS).map(|k| bright * field(k)).collect();
-    Ok(Arc::new(Pattern::texels(FIELDS, vec![values], Placement::default())?))
+    Ok(Pattern::texels(FIELDS, vec![values], Placement::default())?)
 }
 
 /// A cube with a lamp under its ceiling, whose floor is one element or many.
@@ -49,12 +48,15 @@ fn room(squares: bool) -> Result<Scene, Box<dyn Error>> {
             room.surface(format!("field {k}"), square, &own);
         }
     } else {
-        let mut board = Material::new(vec![0.45], vec![0.0])?;
-        board.reflectance_pattern = Some(texels(1.0)?);
-        let board = room.material("board", board);
+        let board = room.material("board", Material::black(1).with_reflectance_pattern(texels(1.0)?)?);
         room.surface("floor", Parallelogram::new(DVec3::ZERO, x, y)?, &board);
     }
     Ok(room.build()?)
+}
+
+/// Every pair by rules, none by rays.
+fn exact() -> Options {
+    Options { transport: Transport::Exact, ..Options::default() }
 }
 
 fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
@@ -65,7 +67,7 @@ fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
 
 /// Mean irradiances of walls and ceiling.
 fn means(scene: &Scene, order: usize) -> Result<(Vec<f64>, usize), Box<dyn Error>> {
-    let outcome = solve(scene, &Options { order, ..Options::default() }, &|_| {})?;
+    let outcome = solve(scene, &Options { order, ..exact() }, &|_| {})?;
     let names = ["x0", "x1", "y0", "y1", "ceiling"];
     let mean = |name| Ok(outcome.solution.mean_irradiance(0, scene.surface_named(name)?));
     let means = names.into_iter().map(mean).collect::<Result<_, SceneError>>()?;
@@ -85,11 +87,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("direct light  blocks     another pattern  ratio");
     for (name, direct) in [("projected", Direct::Projected), ("split", Direct::Split)] {
         let scene = room(false)?;
-        let options = Options { order: 3, direct, ..Options::default() };
+        let options = Options { order: 3, direct, ..exact() };
         let (model, blocks) = timed(|| Model::assemble(&scene, &options, &|_| {}));
         let model = model?;
-        let mut board = Material::new(vec![0.225], vec![0.0])?;
-        board.reflectance_pattern = Some(texels(0.5)?);
+        let board = Material::black(1).with_reflectance_pattern(texels(0.5)?)?;
         let other = scene.with_material("board", board)?;
         let (outcome, again) = timed(|| model.solve(&other, &|_| {}));
         outcome?;

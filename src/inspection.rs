@@ -84,7 +84,12 @@ fn light(scene: &Scene) -> Vec<Warning> {
 }
 
 fn material(surface: &SceneSurface) -> Option<Warning> {
-    let bright = surface.material.reflectance.iter().copied().fold(0.0, f64::max);
+    let material = &surface.material;
+    let most = |band: usize| {
+        let pattern = material.reflectance_pattern.as_ref();
+        pattern.map_or(material.reflectance[band], |own| own.range(band)[1]) + material.transmittance[band]
+    };
+    let bright = (0..material.reflectance.len()).map(most).fold(0.0, f64::max);
     if surface.material_name.is_none() {
         let message = "has no material, it counts as black".to_owned();
         Some(Warning::about("no-material", &surface.name, message))

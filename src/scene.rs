@@ -98,7 +98,7 @@ pub use movement::MoverDraft;
 pub use named_material::NamedMaterial;
 pub use outlook::{Opening, Outlook};
 pub use path::{RigidPath, Turn};
-pub use pattern::{Pattern, PictureFile, Placement, Polynomial, Term, Texels, Wrap};
+pub use pattern::{Pattern, PictureFile, Placement, Polynomial, Term, Wrap};
 pub use pose::Pose;
 pub use print::Notation;
 pub use radiance::Radiance;

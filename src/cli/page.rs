@@ -6,6 +6,7 @@ use radiosity::output::lightmap::{Lightmap, Stage};
 use radiosity::output::reader::Read;
 use radiosity::output::render::usual_read;
 use radiosity::output::viewer::{Start, texels, write_viewer};
+use radiosity::scene::{Material, Scene};
 
 use crate::cli::{
     error::CliError,
@@ -57,5 +58,19 @@ pub(crate) fn write(
     if read.is_none() && read_by == Read::Direct {
         written += ROUGH;
     }
+    written += left_out(&run.solved.scene);
     run.finish(progress, Some(&written))
+}
+
+/// What a page does not show of the materials of a scene.
+fn left_out(scene: &Scene) -> &'static str {
+    let any = |is: fn(&Material) -> bool| scene.surfaces.iter().any(|surface| is(&surface.material));
+    match (any(Material::is_patterned), any(Material::transmits)) {
+        (false, false) => "",
+        (true, false) => "; once the viewer moves, what varies over surfaces is shown by its mean",
+        (false, true) => "; once the viewer moves, light that comes through surfaces is not shown",
+        (true, true) => {
+            "; once the viewer moves, what varies is shown by its mean, and light that comes through surfaces not at all"
+        }
+    }
 }

@@ -146,13 +146,15 @@ impl Form {
     }
 }
 
-/// Emissivities of all surfaces, of all bands together: those of heat where they are stated, else 1 − ρ.
+/// Emissivities of all surfaces, of all bands together: those of heat where they are stated, else 1 − ρ − τ.
 fn emittances(scene: &Scene) -> Vec<f64> {
     let mean = |numbers: &[f64]| numbers.iter().sum::<f64>() / numbers.len() as f64;
     let surfaces = scene.surfaces.iter();
     surfaces
         .map(|surface| {
-            surface.thermal.emissivity.unwrap_or_else(|| 1.0 - mean(&surface.material.reflectance))
+            let material = &surface.material;
+            let given = surface.thermal.emissivity;
+            given.unwrap_or_else(|| 1.0 - mean(&material.reflectance) - mean(&material.transmittance))
         })
         .collect()
 }

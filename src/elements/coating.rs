@@ -7,7 +7,7 @@
 //! with the irradiance E' of the other side of a two-sided surface that lets light through. For coefficients in the bases of
 //! the elements this is b = e + S h: S is the multiple ρ of the identity where ρ is constant on an element, the matrix
 //! ∫ ρ φ_k φ_l dA where it is not, and couples the elements of two sides by τ. G knows nothing of it: a new S needs no new
-//! blocks (H. Jang, *Radiosity Methods*, has b = e + S G b; misprints in `docs/theory/materials.md`).
+//! blocks (H. Jang, *Radiosity Methods*, has b = e + S G b).
 
 mod tiles;
 mod varied;
@@ -19,7 +19,8 @@ mod pane;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use radiosity_geom::Surface;
+use radiosity_geom::{Rect, Surface};
+use rayon::prelude::*;
 
 use super::element::Element;
 use super::parameters::parameters;
@@ -28,6 +29,7 @@ use crate::scene::Scene;
 use glow::Glow;
 use paint::Paint;
 use pane::{Pane, Sheet};
+use varied::Varied;
 
 /// How all elements reflect and emit in one band.
 #[derive(Clone, Debug, Default)]
@@ -95,27 +97,34 @@ impl Coating {
     }
 
     /// The coating where a surface emits `factor` times what its material does.
-    fn dimmed(scene: &Scene, elements: &[Element], band: usize, factor: &dyn Fn(usize) -> f64) -> Self {
+    fn dimmed(
+        scene: &Scene,
+        elements: &[Element],
+        band: usize,
+        factor: &(dyn Fn(usize) -> f64 + Sync),
+    ) -> Self {
         let material = |element: &Element| &scene.surfaces[element.surface].material;
         let mut coating = Self::constant(
             elements.iter().map(|own| material(own).reflectance[band]).collect(),
             elements.iter().map(|own| factor(own.surface) * material(own).emission[band]).collect(),
         );
         coating.sheets = sheets(scene, elements, band);
-        for (index, element) in elements.iter().enumerate() {
+        coating.paints = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
-            if let Some(pattern) = &surface.material.reflectance_pattern {
-                let paint = Paint::new(element, &surface.shape, pattern, band);
-                coating.reflectance[index] = paint.mean;
-                coating.paints.insert(index, Arc::new(paint));
-            }
+            let pattern = surface.material.reflectance_pattern.as_ref()?;
+            Some(Paint::new(element, &surface.shape, pattern, band))
+        });
+        coating.glows = of_each(elements, &|element| {
+            let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
-            if let Some(pattern) = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0) {
-                let glow = Glow::new(element, &surface.shape, pattern, (band, factor));
-                coating.exitance[index] = glow.mean(element);
-                coating.glows.insert(index, Arc::new(glow));
-            }
-        }
+            let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
+            Some(Glow::new(element, &surface.shape, pattern, (band, factor)))
+        });
+        coating.paints.iter().for_each(|(index, paint)| coating.reflectance[*index] = paint.mean);
+        coating
+            .glows
+            .iter()
+            .for_each(|(index, glow)| coating.exitance[*index] = glow.mean(&elements[*index]));
         coating
     }
 
@@ -142,22 +151,25 @@ impl Coating {
         paint.about(place(node, paint.shape(), is_flat))
     }
 
-    /// Means of E₀ (W m⁻²) and ρ over a patch of an element: where they vary, by their values in the middles of
-    /// [`ALONG`]² cells.
-    pub(crate) fn means_over(&self, element: usize, patch: &Patch) -> Means {
-        if !self.paints.contains_key(&element) && !self.glows.contains_key(&element) {
-            return Means { exitance: self.exitance[element], reflectance: self.reflectance[element] };
+    /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`. Texels count by their
+    /// share of the parameters; polynomials by their values in the middles of [`ALONG`]² cells.
+    pub(crate) fn means_over(&self, element: usize, patch: &Patch, rect: &Rect) -> Means {
+        let of = |varied: &Varied| {
+            varied.tiles.over(rect).unwrap_or_else(|| {
+                let (mut sum, mut area) = (0.0, 0.0);
+                for node in patch.cell_nodes(ALONG) {
+                    area += node.area;
+                    sum += node.area * varied.at(place(&node, varied.shape.as_ref(), patch.is_flat()));
+                }
+                sum / area
+            })
+        };
+        let glow = self.glows.get(&element).map(|glow| glow.factor * of(&glow.varied));
+        let paint = self.paints.get(&element).map(|paint| of(&paint.varied));
+        Means {
+            exitance: glow.unwrap_or(self.exitance[element]),
+            reflectance: paint.unwrap_or(self.reflectance[element]),
         }
-        let shape = self.paints.get(&element).map(|paint| paint.shape());
-        let shape = shape.or_else(|| self.glows.get(&element).map(|glow| glow.shape()));
-        let (mut means, mut area) = (Means { exitance: 0.0, reflectance: 0.0 }, 0.0);
-        for node in patch.cell_nodes(ALONG) {
-            let at = shape.map_or([0.0; 2], |shape| place(&node, shape, patch.is_flat()));
-            area += node.area;
-            means.exitance += node.area * self.exitance_at(element, at);
-            means.reflectance += node.area * self.reflectance_at(element, at);
-        }
-        Means { exitance: means.exitance / area, reflectance: means.reflectance / area }
     }
 
     /// B = E₀ + ρ E + τ E' (W m⁻²) at parameters of an element's surface, under the irradiance E here and E' on the other
@@ -170,6 +182,11 @@ impl Coating {
     /// τ of an element.
     pub fn transmittance(&self, element: usize) -> f64 {
         self.sheets.get(&element).map_or(0.0, |sheet| sheet.transmittance)
+    }
+
+    /// ρ² + τ² of an element, by which squared errors of irradiance count in radiosity; the square of its mean where ρ varies.
+    pub(crate) fn squared(&self, element: usize) -> f64 {
+        self.reflectance[element].powi(2) + self.transmittance(element).powi(2)
     }
 
     /// The element of the other side at parameters of an element that lets light through.
@@ -216,6 +233,11 @@ impl Coating {
         same_paints && transmits(self) == transmits(other)
     }
 
+    /// Whether ρ varies over an element.
+    pub(crate) fn varies(&self, element: usize) -> bool {
+        self.paints.contains_key(&element)
+    }
+
     /// Whether the elements emit as those of another coating.
     pub(crate) fn emits_as(&self, other: &Self) -> bool {
         let glows = || self.glows.iter().zip(&other.glows);
@@ -227,7 +249,7 @@ impl Coating {
     /// How the reflection of an element, without what it transmits, is halved.
     pub(crate) fn root(&self, element: usize) -> Root<'_> {
         match self.paints.get(&element) {
-            Some(paint) => Root::Matrix(&paint.root),
+            Some(paint) => Root::Matrix(paint.root()),
             None => Root::Number(self.reflectance[element].sqrt()),
         }
     }
@@ -310,6 +332,15 @@ fn add_product(matrix: &[f64], x: &[f64], out: &mut [f64]) {
     for (out, row) in out.iter_mut().zip(matrix.chunks_exact(x.len())) {
         *out += row.iter().zip(x).map(|(m, x)| m * x).sum::<f64>();
     }
+}
+
+/// What some of the elements have.
+fn of_each<T: Send + Sync>(
+    elements: &[Element],
+    make: &(dyn Fn(&Element) -> Option<T> + Sync),
+) -> BTreeMap<usize, Arc<T>> {
+    let made = elements.par_iter().enumerate();
+    made.filter_map(|(index, element)| Some((index, Arc::new(make(element)?)))).collect()
 }
 
 /// The parameters of a node of a flat or curved element of a surface.

@@ -2,7 +2,8 @@
 //!
 //! A walk begins with a cosine-distributed ray from the receiver and goes on from where it ends, with the probability of
 //! the largest reflectance there, at most [`LIKELIEST`]; through a surface that lets light through it goes on from either side,
-//! in proportion to ρ and τ. The product w of the reflectances so far over these probabilities makes sums over the ends y unbiased estimates of the Neumann series:
+//! in proportion to ρ and τ. The product w of the reflectances so far over these probabilities makes sums over the ends y unbiased
+//! estimates of the Neumann series:
 //!
 //! ```text
 //! E[ Σ_ends w f(y) ] = (G + GρG + GρGρG + …) f    at the receiver,     (G f)(x) = ∫ κ(x, y) V(x, y) f(y) dA_y .

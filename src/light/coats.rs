@@ -24,13 +24,15 @@ pub(crate) struct Coats {
 }
 
 impl Coats {
-    /// Elements of the same reflectances have the same coat; the last one holds all that would be too many.
+    /// Elements of the same reflectances have the same coat, and so do all on which it varies; the last one holds all that would be
+    /// too many.
     pub(crate) fn of(coatings: &[&Coating]) -> Self {
         let elements = coatings.first().map_or(0, |coating| coating.reflectance.len());
         let mut known = BTreeMap::new();
         let coat = |element: usize| {
-            let reflectances: Vec<u64> =
-                coatings.iter().map(|coating| coating.reflectance[element].to_bits()).collect();
+            let is_patterned = coatings.iter().any(|coating| coating.varies(element));
+            let own = coatings.iter().filter(|_| !is_patterned);
+            let reflectances: Vec<u64> = own.map(|coating| coating.reflectance[element].to_bits()).collect();
             let next = known.len();
             *known.entry(reflectances).or_insert(next.min(MOST - 1))
         };

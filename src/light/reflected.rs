@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with the irradiance E' of the other side of what lets light through.
-//!//!
+//!
 //! E(y) is any known irradiance at the points y, not projected on polynomials. The reflected radiosity ρ E is tabulated
 //! once per element; each point x sums over the tables ([`crate::light`]).
 

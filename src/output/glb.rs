@@ -27,7 +27,7 @@ use super::picture::Picture;
 use super::raster::Raster;
 use super::shown::Shown;
 use super::tessellation::Triangulation;
-use crate::scene::{Camera, Scene, SceneSurface};
+use crate::scene::{Camera, Scene};
 
 use atlas::{Atlas, MARGIN};
 use binary::{Binary, Component};
@@ -160,11 +160,11 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Ra
     let bands = scene.bands.len();
     let mut values = vec![0.0; width * height * bands];
     let mut coverage = vec![0.0; width * height];
-    for (index, (surface, texture)) in scene.surfaces.iter().zip(lightmap.surfaces()).enumerate() {
+    for (index, texture) in lightmap.surfaces().iter().enumerate() {
         let [across, down] = texture.size();
         let [left, top] = atlas.corner(index);
         let light: Vec<Vec<f64>> =
-            (0..bands).map(|band| light(surface, lightmap, texture, band, shown)).collect();
+            (0..bands).map(|band| light(scene, lightmap, (index, band), shown)).collect();
         let inner = |place: usize, count: usize| place.saturating_sub(MARGIN).min(count - 1);
         for (row, column) in
             (0..down + 2 * MARGIN).flat_map(|j| (0..across + 2 * MARGIN).map(move |i| (j, i)))
@@ -181,13 +181,8 @@ fn raster(scene: &Scene, lightmap: &Lightmap, atlas: &Atlas, shown: Shown) -> Ra
 }
 
 /// What is shown of one band of a surface (unit of exitance), by texel.
-fn light(
-    surface: &SceneSurface,
-    lightmap: &Lightmap,
-    texture: &LightTexture,
-    band: usize,
-    shown: Shown,
-) -> Vec<f64> {
+fn light(scene: &Scene, lightmap: &Lightmap, (surface, band): (usize, usize), shown: Shown) -> Vec<f64> {
+    let texture = &lightmap.surfaces()[surface];
     let [across, down] = texture.size();
     let mut irradiance = vec![0.0; across * down];
     for (index, part) in lightmap.parts().iter().enumerate() {
@@ -197,8 +192,11 @@ fn light(
     match shown {
         Shown::Irradiance => irradiance,
         Shown::Radiosity => {
-            let (exitance, reflectance) = (surface.exitance(band), surface.material.reflectance[band]);
-            irradiance.into_iter().map(|irradiance| exitance + reflectance * irradiance).collect()
+            let radiosity = |(texel, irradiance): (usize, f64)| {
+                let parameters = texture.parameters([texel % across, texel / across]);
+                lightmap.radiosity(scene, (surface, band), parameters, irradiance)
+            };
+            irradiance.into_iter().enumerate().map(radiosity).collect()
         }
     }
 }

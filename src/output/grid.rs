@@ -167,7 +167,7 @@ impl Integrals {
                     sums.deviations.add(deviation, irradiance.iter().sum());
                 }
                 for (index, band) in bands.iter().enumerate() {
-                    let Means { exitance, reflectance } = band.coating.means_over(element, &patch);
+                    let Means { exitance, reflectance } = band.coating.means_over(element, &patch, rect);
                     let kept = 1.0 - reflectance - band.coating.transmittance(element);
                     sums.irradiance[index] += irradiance[index];
                     sums.radiosity[index] += exitance * area + reflectance * irradiance[index];

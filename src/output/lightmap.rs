@@ -85,6 +85,31 @@ pub struct LightTexture {
 }
 
 impl Lightmap {
+    /// Irradiance (unit of exitance) of a surface in a band at its parameters, at the factors of its parts.
+    pub fn irradiance(&self, surface: usize, band: usize, parameters: [f64; 2]) -> f64 {
+        let texture = &self.surfaces()[surface];
+        self.parts()
+            .iter()
+            .enumerate()
+            .map(|(part, own)| own.factor * texture.at(part, band, parameters))
+            .sum()
+    }
+
+    /// Radiosity (unit of exitance) of a surface of `scene` in a band at its parameters, under the irradiance `irradiance`.
+    pub fn radiosity(
+        &self,
+        scene: &Scene,
+        (surface, band): (usize, usize),
+        parameters: [f64; 2],
+        irradiance: f64,
+    ) -> f64 {
+        let own = &scene.surfaces[surface];
+        let radiosity = own.exitance_at(band, parameters) + own.reflectance_at(band, parameters) * irradiance;
+        let transmittance = own.material.transmittance[band];
+        let behind = own.other_side.filter(|_| transmittance > 0.0);
+        radiosity + behind.map_or(0.0, |other| transmittance * self.irradiance(other, band, parameters))
+    }
+
     /// The light of `solved`, in about `texels` texels together, shared among the surfaces by area: every one has two along each
     /// parameter at the least, a curved one nine. `observe` hears how far it is, from any thread.
     pub fn new(solved: &Solved, read: Read, texels: usize, observe: &(dyn Fn(Stage) + Sync)) -> Self {

@@ -51,10 +51,13 @@ fn light(solution: &Solution, cells: &[Cell]) -> SurfaceLight {
         .map(|cell| of_bands(&cell.irradiance, None) * cell.area / cell.exposed)
         .fold([f64::INFINITY, 0.0], |[least, most], value| [f64::min(least, value), f64::max(most, value)]);
     let absorbed = |band: usize| cells.iter().map(|cell| cell.absorbed[band] * cell.area).sum();
+    let list = solution.elements().list();
     let emitted = |band: usize| {
+        let exitance = &bands[band].coating.exitance;
         let elements = solution.elements().of_surface(surface);
-        let list = solution.elements().list();
-        elements.map(|element| bands[band].coating.exitance[element] * list[element].area).sum()
+        // What all elements emit alike, and what each emits beside it.
+        let alike = exitance[elements.start];
+        alike * area + elements.map(|own| (exitance[own] - alike) * list[own].area).sum::<f64>()
     };
     SurfaceLight {
         surface,

@@ -21,7 +21,7 @@ mod texels;
 
 pub use placement::{Placement, Wrap};
 pub use polynomial::{Polynomial, Term};
-pub use texels::Texels;
+use texels::Texels;
 
 use std::{fmt, sync::Arc};
 
@@ -130,6 +130,14 @@ impl Pattern {
         match &self.kind {
             Kind::Polynomial(bands) => bands[band].at(parameters),
             Kind::Texels(texels) => texels.at(band, parameters),
+        }
+    }
+
+    /// The column of texels at a parameter along u (axis 0), or the row at one along v (axis 1); 0 for polynomials.
+    pub(crate) fn line(&self, axis: usize, parameter: f64) -> usize {
+        match &self.kind {
+            Kind::Polynomial(_) => 0,
+            Kind::Texels(texels) => texels.line(axis, parameter),
         }
     }
 

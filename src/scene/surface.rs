@@ -46,6 +46,18 @@ impl SceneSurface {
         self.factor() * self.material.emission[band]
     }
 
+    /// Emitted exitance of a band (W m⁻²) at its parameters.
+    pub fn exitance_at(&self, band: usize, parameters: [f64; 2]) -> f64 {
+        let pattern = self.material.emission_pattern.as_ref();
+        pattern.map_or_else(|| self.exitance(band), |own| self.factor() * own.at(band, parameters))
+    }
+
+    /// Reflectance of a band at its parameters.
+    pub fn reflectance_at(&self, band: usize, parameters: [f64; 2]) -> f64 {
+        let pattern = self.material.reflectance_pattern.as_ref();
+        pattern.map_or(self.material.reflectance[band], |own| own.at(band, parameters))
+    }
+
     /// The factor of its light group; 1 without a group.
     pub fn factor(&self) -> f64 {
         self.group.as_ref().map_or(1.0, |group| group.factor)

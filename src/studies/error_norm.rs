@@ -7,11 +7,14 @@
 //! The emitted exitance is given and not computed: it cancels in the difference and is left out of the norm, so that a
 //! lamp a thousand times as bright as its room does not make every error look small. The integrals run over the common
 //! refinement of the two cuts: every element of B′ meets the elements of B on its surface in patches on which both are
-//! polynomials. On flat patches the Gauss rules are exact, on curved ones good to many more digits than the solutions.
+//! polynomials. On flat patches the Gauss rules are exact, on curved ones good to many more digits than the solutions; where
+//! reflectance varies, as good as the points of a rule represent its texels.
 //! Squares are added in a fixed order: the result does not depend on the number of threads.
 
 use rayon::prelude::*;
 
+use crate::elements::Element;
+use crate::elements::parameters::parameters;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::solution::{Place, Solution};
@@ -67,8 +70,7 @@ impl Squares {
             let degree = fine.basis.total_degree().max(coarse.basis.total_degree());
             for patch in reference.elements().patches_over(element, &coarse.rect) {
                 for_each_point(&patch, degree, |node, weight| {
-                    let (parameters, position) = (node.parameters.to_array(), node.position);
-                    let place = Place { surface: fine.surface, parameters, position };
+                    let place = place(reference, fine, node);
                     sum.add(weight, &place, (other, solution), (element, reference));
                 });
             }
@@ -79,11 +81,19 @@ impl Squares {
     fn add(&mut self, weight: f64, place: &Place, of: (usize, &Solution), from: (usize, &Solution)) {
         for band in 0..from.1.bands().len() {
             let exact = from.1.radiosity(band, from.0, place);
-            let emitted = from.1.bands()[band].coating.exitance[from.0];
+            let emitted = from.1.bands()[band].coating.exitance_at(from.0, place.parameters);
             self.difference += weight * (of.1.radiosity(band, of.0, place) - exact).powi(2);
             self.size += weight * (exact - emitted).powi(2);
         }
     }
+}
+
+/// The place of a node of an element, whose patches carry no parameters if it is flat.
+fn place(solution: &Solution, element: &Element, node: &Node) -> Place {
+    let shape = || solution.elements().shape(element.surface);
+    let on_plane = |_| parameters(shape(), node.position);
+    let parameters = element.plane.map_or_else(|| node.parameters.to_array(), on_plane);
+    Place { surface: element.surface, parameters, position: node.position }
 }
 
 /// Points and area weights that integrate the square of a polynomial of `degree`.

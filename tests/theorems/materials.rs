@@ -5,6 +5,7 @@ use proptest::test_runner::{Config, RngSeed};
 use radiosity::geom::DVec3;
 use radiosity::geom::shapes::{FULL_TURN, Parallelogram, Sphere};
 use radiosity::scene::{Material, Pattern, Placement, Polynomial, Scene, SceneBuilder, SurfaceDraft, Term};
+use radiosity::solution::Place;
 use radiosity::solve::{Options, Outcome, solve};
 
 /// The unit cube, its front inward, whose walls are made by `paint`.
@@ -93,8 +94,8 @@ proptest! {
         let (reflectance, transmittance) = (share * all, (1.0 - share) * all);
         let mut builder = SceneBuilder::new("furnace", ["grey"]);
         cube(&mut builder, |_| Material::new(vec![wall], vec![1.0 - wall]).expect("it is in range"));
-        let mut sheet = Material::new(vec![reflectance], vec![1.0 - all]).expect("it is in range");
-        sheet.transmittance = vec![transmittance];
+        let sheet = Material::new(vec![reflectance], vec![1.0 - all]).expect("it is in range");
+        let sheet = sheet.with_transmittance(vec![transmittance]).expect("it is in range");
         let sheet = builder.material("sheet", sheet);
         let shape = Parallelogram::new(DVec3::new(0.2, 0.3, 0.5), DVec3::X * 0.5, DVec3::Y * 0.4);
         let _: &mut SurfaceDraft =
@@ -102,6 +103,46 @@ proptest! {
         let outcome = solved(&builder.build().expect("a scene"), &Options { order: 2, ..exact() });
         prop_assert!(off_one(&outcome) < 1e-7, "{}", off_one(&outcome));
     }
+}
+
+/// The same where a box stands on a part of the sheet: the covered part of its upper side is an element of its own.
+#[test]
+fn a_furnace_with_a_box_on_a_sheet_is_uniform() {
+    let room = r#"
+materials.wall = { reflectance = 0.5, emission = 0.5 }
+materials.paper = { reflectance = 0.2, transmittance = 0.6, emission = 0.2 }
+[[surfaces]]
+name = "room"
+material = "wall"
+box = { origin = [0, 0, 0], size = [1, 1, 1], inward = true }
+[[surfaces]]
+name = "table"
+material = "paper"
+two_sided = true
+parallelogram = { origin = [0.2, 0.2, 0.5], edge1 = [0.6, 0, 0], edge2 = [0, 0.6, 0] }
+[[surfaces]]
+name = "block"
+material = "wall"
+box = { origin = [0.2, 0.2, 0.5], size = [0.3, 0.6, 0.2] }
+"#;
+    let scene = Scene::from_toml(room, "room.toml").unwrap_or_else(|error| panic!("{error}"));
+    let outcome = solved(&scene, &Options { order: 2, ..exact() });
+    let (solution, ones) = (&outcome.solution, outcome.solution.elements().constant());
+    let light = &solution.bands()[0].coefficients.irradiance;
+    // What touches a body below it receives nothing, or all from it.
+    let starts = solution.elements().starts();
+    for (index, element) in solution.elements().list().iter().enumerate() {
+        let own = starts[index]..starts[index + 1];
+        let off = light[own.clone()].iter().zip(&ones[own]).map(|(x, c)| (x - c).abs()).fold(0.0, f64::max);
+        let name = &scene.surfaces[element.surface].name;
+        assert!(off < 1e-6, "{name} {:?} {off}", element.rect);
+    }
+    // Below the block the sheet passes on what arrives under it.
+    let below = scene.surface_named("table:back").expect("it is there");
+    let element = solution.elements().at(below, [-0.5, 0.0]).expect("it is there");
+    let position = scene.surfaces[below].shape.jet(-0.5, 0.0).position;
+    let place = Place { surface: below, parameters: [-0.5, 0.0], position };
+    assert!((solution.radiosity(0, element, &place) - 1.0).abs() < 1e-6);
 }
 
 /// Concentric spheres, the middle one letting light through: the irradiances solve a system of four.
@@ -115,8 +156,7 @@ fn a_shade_between_spheres_is_as_its_closed_form() {
         |radius| Sphere::new(DVec3::ZERO, radius, DVec3::Z, [-radius, radius], FULL_TURN).expect("a ball");
     let material = builder.material("core", paint(core.0, core.1));
     builder.surface("core", ball(a), &material);
-    let mut sheet = paint(shade.0, 0.0);
-    sheet.transmittance = vec![shade.1];
+    let sheet = paint(shade.0, 0.0).with_transmittance(vec![shade.1]).expect("it is in range");
     let material = builder.material("shade", sheet);
     builder.surface("shade", ball(b), &material).two_sided();
     let material = builder.material("outer", paint(outer, 0.0));
@@ -221,4 +261,49 @@ fn another_pattern_needs_no_new_blocks() {
     for (a, b) in light(&repainted).iter().zip(light(&anew)) {
         assert!((a - b).abs() < 1e-12, "{a} {b}");
     }
+}
+
+/// A closed shade of ρ and τ about a lamp of the flux Φ in a black room: Φ + ρ Φ + ρ² Φ + … arrives on its inner side, so that
+/// τ Φ / (1 − ρ) comes out, whatever its shape.
+#[test]
+fn a_lamp_shade_lets_out_its_share() {
+    let shade = r#"
+bands = ["lm"]
+materials.black = { reflectance = 0 }
+materials.shade = { reflectance = 0.5, transmittance = 0.4 }
+[[surfaces]]
+name = "room"
+material = "black"
+box = { origin = [-1, -1, -1], size = [2, 2, 2], inward = true }
+[[surfaces]]
+name = "round"
+material = "shade"
+two_sided = true
+cylinder = { base = [0, 0, -0.3], axis = [0, 0, 0.6], radius = 0.25 }
+[[surfaces]]
+name = "lid"
+material = "shade"
+two_sided = true
+disk = { center = [0, 0, 0.3], normal = [0, 0, 1], radius = 0.25 }
+[[surfaces]]
+name = "bottom"
+material = "shade"
+two_sided = true
+disk = { center = [0, 0, -0.3], normal = [0, 0, -1], radius = 0.25 }
+[[luminaires]]
+name = "bulb"
+position = [0, 0, 0.05]
+flux = 1000
+point = {}
+"#;
+    let scene = Scene::from_toml(shade, "shade.toml").unwrap_or_else(|error| panic!("{error}"));
+    let outcome = solved(&scene, &Options { order: 4, ..Options::default() });
+    let walls = scene.surfaces.iter().enumerate().filter(|(_, own)| own.name.starts_with("room"));
+    let arrives: f64 =
+        walls.map(|(index, wall)| outcome.solution.mean_irradiance(0, index) * wall.shape.area()).sum();
+    let exact = 0.4 * 1000.0 / (1.0 - 0.5);
+    assert!((arrives - exact).abs() < 5e-3 * exact, "{arrives} {exact}");
+    let checks = outcome.checks;
+    let balance = checks.energy_in - checks.energy_absorbed - checks.energy_lost;
+    assert!(balance.abs() < 1e-6 * checks.energy_in, "{balance}");
 }

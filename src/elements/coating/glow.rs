@@ -11,9 +11,9 @@ use crate::scene::Pattern;
 /// The emitted exitance E₀(x) of an element, with e_k = ∫ E₀ φ_k dA.
 #[derive(Debug)]
 pub(super) struct Glow {
-    varied: Varied,
+    pub(super) varied: Varied,
     /// What the pattern is multiplied by: the factor of the light group.
-    factor: f64,
+    pub(super) factor: f64,
     /// e (W m⁻² times length).
     pub(super) coefficients: Vec<f64>,
 }
@@ -26,7 +26,7 @@ impl Glow {
         pattern: &Arc<Pattern>,
         (band, factor): (usize, f64),
     ) -> Self {
-        let varied = Varied { pattern: Arc::clone(pattern), band, shape: Arc::clone(shape) };
+        let varied = Varied::new(element, shape, pattern, band);
         let coefficients = varied.vector(element).iter().map(|e| factor * e).collect();
         Self { varied, factor, coefficients }
     }
@@ -34,11 +34,6 @@ impl Glow {
     /// E₀ (W m⁻²) at parameters of the surface.
     pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
         self.factor * self.varied.at(parameters)
-    }
-
-    /// The shape of its surface.
-    pub(super) fn shape(&self) -> &dyn Surface {
-        self.varied.shape.as_ref()
     }
 
     /// ∫ E₀ dA / A.

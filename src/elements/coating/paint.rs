@@ -1,11 +1,10 @@
 //! Paint: reflectance that varies over an element.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::Surface;
 
 use super::root::square_root;
-use super::tiles::Means;
 use super::varied::Varied;
 use crate::elements::element::Element;
 use crate::scene::Pattern;
@@ -14,13 +13,10 @@ use crate::scene::Pattern;
 /// reflected radiosity.
 #[derive(Debug)]
 pub(super) struct Paint {
-    varied: Varied,
-    /// Means over tiles, where ρ has texels.
-    means: Option<Means>,
+    pub(super) varied: Varied,
     /// S, row-major.
     pub(super) matrix: Vec<f64>,
-    /// S^½, row-major.
-    pub(super) root: Vec<f64>,
+    root: OnceLock<Vec<f64>>,
     /// ∫ ρ dA / A.
     pub(super) mean: f64,
 }
@@ -33,12 +29,16 @@ impl Paint {
         pattern: &Arc<Pattern>,
         band: usize,
     ) -> Self {
-        let varied = Varied { pattern: Arc::clone(pattern), band, shape: Arc::clone(shape) };
+        let varied = Varied::new(element, shape, pattern, band);
         let matrix = varied.matrix(element);
         // φ_0 is constant.
         let mean = matrix[0];
-        let means = pattern.degree().is_none().then(|| Means::of(pattern, band, &element.rect));
-        Self { root: square_root(&matrix), matrix, mean, means, varied }
+        Self { varied, matrix, root: OnceLock::new(), mean }
+    }
+
+    /// S^½, row-major.
+    pub(super) fn root(&self) -> &[f64] {
+        self.root.get_or_init(|| square_root(&self.matrix))
     }
 
     /// ρ at parameters of the surface.
@@ -48,7 +48,7 @@ impl Paint {
 
     /// About ρ at parameters of the surface: its mean over a tile, which few points of a cell represent better.
     pub(super) fn about(&self, parameters: [f64; 2]) -> f64 {
-        self.means.as_ref().map_or_else(|| self.at(parameters), |means| means.at(parameters))
+        self.varied.tiles.at(parameters).unwrap_or_else(|| self.at(parameters))
     }
 
     /// The shape of its surface.
@@ -58,6 +58,6 @@ impl Paint {
 
     /// Whether it is the same pattern.
     pub(super) fn is_as(&self, other: &Self) -> bool {
-        self.varied.band == other.varied.band && self.varied.pattern == other.varied.pattern
+        self.varied.is_as(&other.varied)
     }
 }

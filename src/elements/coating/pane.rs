@@ -29,12 +29,15 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
-    /// The element of the other side at these parameters.
+    /// The element of the other side at these parameters: what something covers there, else the cell, or at a rounding beside all
+    /// of them the first.
     pub(super) fn behind(&self, [u, v]: [f64; 2]) -> Option<usize> {
-        match &self.panes[..] {
-            [pane] => Some(pane.behind),
-            panes => panes.iter().find(|pane| pane.rect.contains(u, v)).map(|pane| pane.behind),
-        }
+        let [pane, ..] = &self.panes[..] else { return None };
+        let covered = self.panes.iter().filter_map(|pane| Some((pane.behind, pane.cover.as_deref()?)));
+        let position = self.shape.jet(u, v).position;
+        let covered = covered.into_iter().find(|(_, cover)| cover.covers(position, 0.0));
+        let cell = || self.panes.iter().find(|pane| pane.cover.is_none() && pane.rect.contains(u, v));
+        Some(covered.map_or_else(|| cell().unwrap_or(pane).behind, |(behind, _)| behind))
     }
 }
 
@@ -44,7 +47,9 @@ pub(super) struct Pane {
     /// The element of the other side.
     pub(super) behind: usize,
     /// The parameters that both cover.
-    pub(super) rect: Rect,
+    rect: Rect,
+    /// The element of the other side, where another surface lies on it.
+    cover: Option<Box<Element>>,
     /// T, row-major: as many rows as the element has functions.
     pub(super) matrix: Vec<f64>,
 }
@@ -74,7 +79,8 @@ impl Pane {
         }
         let half = transposed(&orthonormal_rows(own, &sums), columns);
         let matrix = transposed(&orthonormal_rows(other, &half), rows);
-        (!patches.is_empty()).then_some(Self { behind, rect, matrix })
+        let cover = other.contact.is_some().then(|| Box::new(other.clone()));
+        (!patches.is_empty()).then_some(Self { behind, rect, cover, matrix })
     }
 }
 

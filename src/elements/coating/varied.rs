@@ -18,15 +18,33 @@ use crate::elements::parameters::parameters;
 use crate::scene::Pattern;
 
 /// A band of a pattern on an element.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub(super) struct Varied {
-    pub(super) pattern: Arc<Pattern>,
-    pub(super) band: usize,
+    pattern: Arc<Pattern>,
+    band: usize,
     /// The shape of the element's surface.
     pub(super) shape: Arc<dyn Surface>,
+    pub(super) tiles: Tiles,
 }
 
 impl Varied {
+    /// That of a band of `pattern` on an element of a surface of this shape.
+    pub(super) fn new(
+        element: &Element,
+        shape: &Arc<dyn Surface>,
+        pattern: &Arc<Pattern>,
+        band: usize,
+    ) -> Self {
+        let tiles = Tiles::of(pattern, band, &element.rect);
+        Self { pattern: Arc::clone(pattern), band, shape: Arc::clone(shape), tiles }
+    }
+
+    /// Whether it is the same pattern.
+    pub(super) fn is_as(&self, other: &Self) -> bool {
+        let same = Arc::ptr_eq(&self.pattern, &other.pattern) || self.pattern == other.pattern;
+        self.band == other.band && same
+    }
+
     /// q at parameters of the surface.
     pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
         self.pattern.at(self.band, parameters)
@@ -67,11 +85,10 @@ impl Varied {
         let basis = &element.basis;
         let mut raw = vec![0.0; basis.len()];
         let degree = self.pattern.degree().map_or(0, |degree| degree as usize);
-        for tile in Tiles::of(&self.pattern, &element.rect).list() {
-            let patches = element.patches_over(self.shape.as_ref(), &tile.rect());
+        for (rect, mean) in self.tiles.list() {
+            let patches = element.patches_over(self.shape.as_ref(), &rect);
             let own = basis.space().chart_degree(basis.order(), &patches);
             let measure = Measure::new(&patches, (functions * own + degree).div_ceil(2));
-            let mean = self.pattern.degree().is_none().then(|| tile.mean(&self.pattern, self.band));
             for (node, weight) in &measure.points {
                 let value = mean.unwrap_or_else(|| {
                     let on_curve = || node.parameters.to_array();

@@ -89,12 +89,11 @@ impl Sight<'_> {
 
     /// The quantity in a band at a place of a surface.
     fn value(&self, band: usize, surface: usize, parameters: [f64; 2]) -> f64 {
-        let (texture, own) = (&self.lightmap.surfaces()[surface], &self.solved.scene.surfaces[surface]);
-        let parts = self.lightmap.parts().iter().enumerate();
-        let irradiance: f64 =
-            parts.map(|(part, light)| light.factor * texture.at(part, band, parameters)).sum();
+        let irradiance = self.lightmap.irradiance(surface, band, parameters);
         match self.shown {
-            Shown::Radiosity => own.exitance(band) + own.material.reflectance[band] * irradiance,
+            Shown::Radiosity => {
+                self.lightmap.radiosity(&self.solved.scene, (surface, band), parameters, irradiance)
+            }
             Shown::Irradiance => irradiance,
         }
     }

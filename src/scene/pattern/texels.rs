@@ -4,7 +4,7 @@ use super::placement::Placement;
 
 /// A grid of texels and how it lies on the surface.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Texels {
+pub(super) struct Texels {
     pub(super) columns: usize,
     pub(super) rows: usize,
     /// Band after band, row after row from v = −1, each along u.
@@ -15,9 +15,13 @@ pub struct Texels {
 impl Texels {
     /// The number of a band at (u, v).
     pub(super) fn at(&self, band: usize, parameters: [f64; 2]) -> f64 {
-        let counts = [self.columns, self.rows];
-        let [i, j] = [0, 1].map(|axis| self.placement.texel(axis, counts[axis], parameters[axis]));
+        let [i, j] = [0, 1].map(|axis| self.line(axis, parameters[axis]));
         self.values[band][i + self.columns * j]
+    }
+
+    /// The column at a parameter along u (axis 0), or the row at one along v (axis 1).
+    pub(super) fn line(&self, axis: usize, parameter: f64) -> usize {
+        self.placement.texel(axis, [self.columns, self.rows][axis], parameter)
     }
 
     /// The parameters along u, and along v, between texels that differ.

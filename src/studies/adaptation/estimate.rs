@@ -105,20 +105,19 @@ fn unresolved(
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }
 
-/// ∫ (ρ (E_g − E_h))² dA and ∫ (ρ E_g)² dA over an element, by its points.
+/// ∫ (ρ² + τ²) (E_g − E_h)² dA and ∫ (ρ² + τ²) E_g² dA over an element, by its points.
 fn squares(element: usize, points: &[Point], solution: &Solution, gather: &Gather) -> [f64; 2] {
-    let reflectances: Vec<f64> =
-        solution.bands().iter().map(|band| band.coating.reflectance[element]).collect();
+    let weights: Vec<f64> = solution.bands().iter().map(|band| band.coating.squared(element)).collect();
     let mut sums = [0.0; 2];
-    if reflectances.iter().all(|reflectance| *reflectance == 0.0) {
+    if weights.iter().all(|weight| *weight == 0.0) {
         return sums;
     }
     let company = gather.around(&Site::of(&solution.elements().list()[element]));
     for point in points {
         let gathered = gather.irradiance(&point.vantage(), &company);
-        for (band, (reflectance, gathered)) in reflectances.iter().zip(gathered).enumerate() {
+        for (band, (weight, gathered)) in weights.iter().zip(gathered).enumerate() {
             let held = solution.irradiance(band, element, &point.place);
-            let weight = point.area * reflectance * reflectance;
+            let weight = point.area * weight;
             sums[0] += weight * (gathered - held).powi(2);
             sums[1] += weight * gathered.powi(2);
         }

@@ -40,7 +40,7 @@ use crate::gather::walks::{End, Lit, Walks};
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
-use crate::solution::Solution;
+use crate::solution::{Band, Solution};
 use crate::solve::Outcome;
 use crate::visibility::Visibility;
 
@@ -153,7 +153,8 @@ impl<'a> CellEnds<'a> {
 fn mean_reflectance(solution: &Solution) -> f64 {
     let elements = solution.elements().list().iter();
     let largest = |index: usize| {
-        solution.bands().iter().map(|band| band.coating.reflectance[index]).fold(0.0, f64::max)
+        let sent = |band: &Band| band.coating.reflectance[index] + band.coating.transmittance(index);
+        solution.bands().iter().map(sent).fold(0.0, f64::max)
     };
     let [reflected, area] = elements.enumerate().fold([0.0; 2], |[reflected, area], (index, element)| {
         [reflected + largest(index) * element.area, area + element.area]

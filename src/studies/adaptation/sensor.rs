@@ -27,7 +27,7 @@ impl Sensor {
     pub(super) fn of_surfaces(solution: &Solution) -> Vec<Self> {
         let points = points(solution.elements().list());
         let weights = |element: usize, area: f64| -> Vec<f64> {
-            solution.bands().iter().map(|band| band.coating.reflectance[element].powi(2) * area).collect()
+            solution.bands().iter().map(|band| band.coating.squared(element) * area).collect()
         };
         let sensor = |element: usize, point: &Point| Self {
             point: point.vantage(),
@@ -41,7 +41,7 @@ impl Sensor {
     /// Sensors at the points of a goal, or at some of them. All count the same, but where reflected light is seen by ρ².
     pub(super) fn at(goal: &Goal, solution: &Solution, visibility: &Visibility) -> Vec<Self> {
         let weight = |spot: Option<&Spot>, band: &Band| match (goal.of, spot) {
-            (Aim::Seen, Some(spot)) => band.coating.reflectance[spot.element].powi(2),
+            (Aim::Seen, Some(spot)) => band.coating.squared(spot.element),
             _ => 1.0,
         };
         let sensor = |[position, normal]: [DVec3; 2]| {
