@@ -53,6 +53,7 @@ pub mod footings;
 pub mod covers;
 pub mod inspection;
 pub mod elements;
+pub mod bases;
 mod sampling;
 pub mod transport;
 pub mod light;
@@ -74,6 +75,7 @@ pub use radiosity_formats as formats;
 pub use radiosity_geom as geom;
 pub use radiosity_solvers as solvers;
 
+pub use crate::bases::Basis;
 pub use crate::scene::{Material, Scene, SceneBuilder, SceneError};
 pub use crate::solution::Solution;
 pub use crate::solve::{Failure, Model, Options, Outcome, solve};

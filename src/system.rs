@@ -30,6 +30,11 @@
 //! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
 //! the unknown radiosity.
 
+mod series;
+mod reduction;
+mod projected;
+pub mod ritz;
+
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -63,6 +68,8 @@ pub struct System<'a> {
     direct: Vec<f64>,
     /// Irradiance of the first transport: G e, G (e + ρ l), or g.
     first: Vec<f64>,
+    /// Whether direct light is split off, so that the first transport carries what was reflected once.
+    is_split: bool,
 }
 
 /// Coefficients of one band's solution, element by element, all in W m⁻² times scene length.
@@ -101,7 +108,8 @@ impl<'a> System<'a> {
         let (known, first) = (emitted.clone(), blocks.apply(&emitted));
         let reflecting = reflecting(coating);
         let direct = first.clone();
-        Self { elements, blocks, coating, reflecting, emitted, known, apart: None, direct, first }
+        let (apart, is_split) = (None, false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
     }
 
     /// The system of band number `band`, into which direct light enters in this way.
@@ -125,8 +133,8 @@ impl<'a> System<'a> {
         let emitted = emitted(elements, coating);
         let known = radiosity(elements, coating, &lit);
         let (direct, first) = (sum(&lit, &blocks.apply(&emitted)), blocks.apply(&known));
-        let (reflecting, apart) = (reflecting(coating), Some(lit));
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first }
+        let (reflecting, apart, is_split) = (reflecting(coating), Some(lit), false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
     }
 
     /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
@@ -139,8 +147,8 @@ impl<'a> System<'a> {
     ) -> Self {
         let emitted = emitted(elements, coating);
         let known = radiosity(elements, coating, &direct);
-        let (reflecting, apart) = (reflecting(coating), Some(direct.clone()));
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first: once }
+        let (reflecting, apart, first) = (reflecting(coating), Some(direct.clone()), once);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split: true }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -177,7 +185,7 @@ impl<'a> System<'a> {
     /// Values that are not finite.
     pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
-        let only_multiplies = ["auto", "cg", "gmres"].contains(&method);
+        let only_multiplies = ["auto", "cg", "gmres", "richardson"].contains(&method);
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
         let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() {
@@ -228,26 +236,45 @@ impl<'a> System<'a> {
     /// Radiosity and irradiance from the unknowns: what G does not carry, the first transport, and G times the unknown
     /// radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
+        let unknown = self.unknown_radiosity(unknowns);
+        self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
+    }
+
+    /// √ρ y of all elements.
+    fn unknown_radiosity(&self, unknowns: &[f64]) -> Vec<f64> {
         let mut unknown = vec![0.0; self.known.len()];
         let mut next = unknowns.iter();
         for i in &self.reflecting {
             let root = self.coating.reflectance[*i].sqrt();
             unknown[self.range(*i)].iter_mut().zip(&mut next).for_each(|(b, y)| *b = root * y);
         }
-        let solved = sum(&self.known, &unknown);
-        let irradiance = match &self.apart {
-            None => self.blocks.apply(&solved),
+        unknown
+    }
+
+    /// h for the unknown radiosity √ρ y.
+    fn irradiance(&self, unknown: &[f64]) -> Vec<f64> {
+        match &self.apart {
+            None => self.blocks.apply(&sum(&self.known, unknown)),
             Some(apart) => {
-                let carried = sum(&self.first, &self.blocks.apply(&unknown));
+                let carried = sum(&self.first, &self.blocks.apply(unknown));
                 sum(apart, &carried)
             }
-        };
+        }
+    }
+
+    /// The coefficients for an unknown radiosity √ρ y and the irradiance, with its direct part, that follows from it.
+    fn with_irradiance(&self, unknown: &[f64], irradiance: Vec<f64>, direct: Vec<f64>) -> Coefficients {
+        let solved = sum(&self.known, unknown);
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
+        let residual = self.relative(distance(&solved, &radiosity));
+        Coefficients { irradiance, direct, radiosity, residual }
+    }
+
+    /// The size of a radiosity over that of the known one.
+    fn relative(&self, size: f64) -> f64 {
         // Of what luminaires light, surfaces reflect a part first.
         let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
-        let difference = distance(&solved, &radiosity);
-        let residual = if scale > 0.0 { difference / scale } else { 0.0 };
-        Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
+        if scale > 0.0 { size / scale } else { 0.0 }
     }
 
     /// Coefficients e of the emitted exitance.

@@ -13,6 +13,7 @@ use radiosity::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
+    basis,
     destination::Destination,
     error::CliError,
     format::of_ending,
@@ -81,6 +82,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
             cure: "leave out --accuracy, and give --max-order a number".to_owned(),
         });
     }
+    basis::check(&args.method)?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;

@@ -36,6 +36,11 @@ impl Coating {
         Self { exitance: elements.iter().map(exitance).collect(), ..Self::of(scene, elements, band) }
     }
 
+    /// The same where nothing is reflected.
+    pub fn black(&self) -> Self {
+        Self { reflectance: vec![0.0; self.reflectance.len()], exitance: self.exitance.clone() }
+    }
+
     /// B = E₀ + ρ E of an element under the irradiance E (W m⁻²).
     pub fn radiosity(&self, element: usize, irradiance: f64) -> f64 {
         self.exitance[element] + self.reflectance[element] * irradiance

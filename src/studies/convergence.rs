@@ -210,7 +210,7 @@ fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
         order,
         layers: trial.options.layers.count,
         elements: elements.list().len(),
-        unknowns: elements.coefficients(),
+        unknowns: made.outcome.unknowns,
         samples: made.outcome.samples,
         rays: made.outcome.rays,
         seconds: made.seconds,
