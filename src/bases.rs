@@ -9,9 +9,9 @@
 //! harmonic    cos(i π u) cos(j π v) over the whole surface, (u, v) ∈ [0, 1]²
 //! ```
 //!
-//! Each spans a [subspace](subspace) of polynomials on elements: constants of those of order 0, tents of those of total degree 2, cosines of
-//! those of an order at which their expansion has ended ([`basis`]). So their transfers follow from the blocks G between these elements, which are
-//! integrated as ever, and their sums are read as polynomials.
+//! Each spans a [subspace](subspace) of polynomials on elements: constants of those of order 0, tents of those of total degree 2,
+//! cosines of those of an order at which their expansion has ended ([`basis`]). So their transfers follow from the blocks G
+//! between these elements, which are integrated as ever, and their sums are read as polynomials.
 //!
 //! Reference: L. Szirmay-Kalos, *Application of variational calculus in the radiosity method*, Periodica Polytechnica El. Eng.
 //! 40 (1996), 123–138.

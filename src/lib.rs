@@ -5,8 +5,9 @@
 //! ```
 //!
 //! The modules stand in the order of their dependencies; each imports only modules listed above it: scene → visibility
-//! → elements → transport (the blocks) → light (direct, first bounce) → system → solution → gather → solve (the driver)
-//! → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
+//! → elements → bases (functions that they hold) → transport (the blocks) → light (direct, first bounce) → system → solution →
+//! gather → solve (the driver) → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations:
+//! `docs/theory/`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!

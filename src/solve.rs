@@ -25,6 +25,7 @@ mod assembly;
 mod layout;
 mod first_light;
 mod outcome;
+mod bands;
 mod model;
 mod by_links;
 

@@ -30,6 +30,7 @@
 //! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
 //! the unknown radiosity.
 
+mod vector;
 mod series;
 mod reduction;
 mod projected;
@@ -46,6 +47,8 @@ use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
+
+use vector::{distance, norm, per_element, sum};
 
 /// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
 /// some four times as long for each entry. Chosen.
@@ -391,22 +394,4 @@ fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec
         own.for_each(|(b, h)| *b += reflectance * h);
     }
     radiosity
-}
-
-fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
-    let mut all = Vec::new();
-    (0..elements.len()).for_each(|i| write(i, &mut all));
-    all
-}
-
-fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
-    x.iter().zip(y).map(|(x, y)| x + y).collect()
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn distance(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
 }

@@ -6,8 +6,8 @@
 //! |j_n(k)| ≤ kⁿ / (2n + 1)!! ,
 //! ```
 //!
-//! and a cell of half width h has k = i π h / 2 for the degree i (DLMF 10.14.4, 10.54.2). The order of a cell is the first at which the rest of this
-//! series is below the tolerance.
+//! and a cell of half width h has k = i π h / 2 for the degree i (DLMF 10.14.4, 10.54.2). The order of a cell is the first at
+//! which the rest of this series is below the tolerance.
 
 use std::f64::consts::FRAC_PI_2;
 

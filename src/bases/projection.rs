@@ -16,8 +16,8 @@ use crate::elements::frame::duals;
 use crate::elements::patch::Node;
 use crate::elements::rule::UnitRule;
 
-/// Points per direction beyond the order of an element: what functions and area elements need that are no polynomials of that order.
-/// Chosen.
+/// Points per direction beyond the order of an element: what functions and area elements need that are no polynomials of that
+/// order. Chosen.
 const MORE_POINTS: usize = 8;
 
 /// The functions of a surface as polynomials on some of its elements.

@@ -4,9 +4,9 @@
 //! Q = orthonormal columns of (c, T) ,     P = Q Qᵀ
 //! ```
 //!
-//! surface by surface, by modified Gram–Schmidt, done twice; columns that add nothing are left out. c are the coefficients of the constant 1:
-//! it comes first, since each of these bases has it in its span, and so power is kept to rounding whatever the basis. Parts of a surface on which
-//! others lie have functions of their own, for they receive other light than what is around them.
+//! surface by surface, by modified Gram–Schmidt, done twice; columns that add nothing are left out. c are the coefficients of the
+//! constant 1: it comes first, since each of these bases has it in its span, and so power is kept to rounding whatever the basis.
+//! Parts of a surface on which others lie have functions of their own, for they receive other light than what is around them.
 
 use std::ops::Range;
 
@@ -42,8 +42,8 @@ pub struct Group {
 }
 
 impl Subspace {
-    /// That of `basis` on `elements`; `degree` is that of cosines on each surface, of `space`. None where the polynomials themselves are the
-    /// basis.
+    /// That of `basis` on `elements`; `degree` is that of cosines on each surface, of `space`. None where the polynomials
+    /// themselves are the basis.
     pub fn new(
         basis: Basis,
         elements: &Elements,

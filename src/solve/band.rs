@@ -43,11 +43,11 @@ pub(super) fn solve_band(
     let mut unknowns = vec![0.0; lit.len()];
     let mut needed = None;
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
-        let method = first.method(options.method);
+        let (operator, preconditioner) =
+            first.operator(options.method.name, options.preconditioner.into(), options.threads)?;
+        let method = first.method(options.method, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
         let measure = (method.name == "southwell").then(|| first.shooting_measure());
-        let (operator, preconditioner) =
-            first.operator(method.name, options.preconditioner.into(), options.threads)?;
         let settings = Settings {
             tolerance: options.tolerance,
             max_iterations: options.max_iterations,

@@ -8,26 +8,21 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use radiosity_solvers::Step;
-use radiosity_solvers::method::Method;
-
 use crate::bases::Subspace;
 use crate::bases::basis::Ground;
 use crate::checks::{Balance, Checks, Lit};
-use crate::elements::coating::Coating;
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, Elements};
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
-use crate::system::ritz::{Found, Ritz};
-use crate::system::{Coefficients, System};
+use crate::system::Coefficients;
 use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 
 use super::allowance::{Need, peak_of_mesh, require_memory_of_mesh};
 use super::assembly::{carried, ground};
-use super::band::{Effort, solve_band};
+use super::bands::{Bands, Light};
 use super::choice::Choice;
 use super::direct::Direct;
 use super::emission::Emission;
@@ -35,7 +30,7 @@ use super::failure::Failure;
 use super::first_light::{FirstLight, Reflected, Stage};
 use super::layout::Layout;
 use super::options::Options;
-use super::outcome::{Functional, Outcome, Stages};
+use super::outcome::{Outcome, Stages};
 use super::pool::in_threads;
 use super::progress::Progress;
 use super::sampling::{Sampling, Subject};
@@ -250,12 +245,13 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.first_light(scene, &emissions));
         seconds.direct += again;
-        let solved = timed(&mut seconds.solve, || match self.options.bounces {
-            None => self.solve_bands(scene, &emissions, &first, progress),
-            Some(bounces) => Ok(self.bounce_bands(scene, &emissions, &first, bounces)),
+        let bands = self.bands(scene);
+        let lit = timed(&mut seconds.solve, || match self.options.bounces {
+            None => bands.solved(&emissions, &first, progress),
+            Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
         })?;
         progress(Progress::Finished("solve", seconds.solve));
-        let Solved { light, before, efforts, functionals } = solved;
+        let Light { light, before, efforts, functionals } = lit;
         let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
         let (solver, iterations) =
             slowest.map_or((self.options.method.name, 0), |effort| (effort.method, effort.iterations));
@@ -299,8 +295,8 @@ impl Model {
         self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
     }
 
-    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters apart
-    /// lies in it.
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters
+    /// apart lies in it.
     fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
         let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let stage = Stage {
@@ -319,62 +315,9 @@ impl Model {
         }
     }
 
-    /// The coefficients of each emission in each band.
-    fn solve_bands(
-        &self,
-        scene: &Scene,
-        emissions: &[Emission],
-        first: &[Reflected],
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Solved, Failure> {
-        let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
-        let (mut efforts, mut functionals) = (Vec::new(), Vec::new());
-        for (band, name) in scene.bands.iter().enumerate() {
-            let systems = self.systems(band, emissions, first);
-            let mut observe =
-                |step: &Step<'_>| progress(Progress::Solve(band, step.iteration, step.residual));
-            let (solved, effort) = solve_band(&systems, &self.options, &mut observe)
-                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
-            let lit = light.iter_mut().zip(emissions);
-            for ((light, emission), Found { coefficients, functional }) in lit.zip(solved) {
-                light.push(coefficients);
-                let (band, group) = (name.clone(), emission.group.clone());
-                functionals.push(Functional { band, group, value: functional });
-            }
-            efforts.extend(effort);
-        }
-        Ok(Solved { light, before: None, efforts, functionals })
-    }
-
-    /// The light of the first reflections alone.
-    fn bounce_bands(
-        &self,
-        scene: &Scene,
-        emissions: &[Emission],
-        first: &[Reflected],
-        bounces: usize,
-    ) -> Solved {
-        let dark = || emissions.iter().map(|_| Vec::new()).collect::<Vec<Vec<Coefficients>>>();
-        let (mut light, mut before) = (dark(), (bounces > 0).then(dark));
-        for band in 0..scene.bands.len() {
-            for (k, system) in self.systems(band, emissions, first).iter().enumerate() {
-                light[k].push(system.bounced(bounces));
-                before.iter_mut().for_each(|own| own[k].push(system.bounced(bounces - 1)));
-            }
-        }
-        let method = Method::named("richardson").expect("it is always listed").name;
-        let efforts = vec![Effort { method, iterations: bounces, converged: true }];
-        Solved { light, before, efforts, functionals: Vec::new() }
-    }
-
-    /// The systems of a band, one for each emission.
-    fn systems<'a>(&'a self, band: usize, emissions: &'a [Emission], first: &[Reflected]) -> Vec<Ritz<'a>> {
-        let system = |(emission, first): (&'a Emission, &Reflected)| {
-            let coating: &Coating = &emission.coatings[band];
-            let system = System::entered(self.elements.list(), &self.blocks, (band, coating), &first.entry);
-            Ritz::new(system, self.subspace.as_ref())
-        };
-        emissions.iter().zip(first).map(system).collect()
+    fn bands<'a>(&'a self, scene: &'a Scene) -> Bands<'a> {
+        let (elements, subspace) = (self.elements.list(), self.subspace.as_ref());
+        Bands { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
     }
 
     /// The light of each emission with its balance of power.
@@ -437,16 +380,6 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
         }
         None => Ok(()),
     }
-}
-
-/// The solutions of all bands.
-struct Solved {
-    /// For each emission its coefficients, band by band.
-    light: Vec<Vec<Coefficients>>,
-    /// The same with one reflection less, where the number of reflections is limited to more than none.
-    before: Option<Vec<Vec<Coefficients>>>,
-    efforts: Vec<Effort>,
-    functionals: Vec<Functional>,
 }
 
 /// What the functions of the basis span on `elements`.

@@ -61,7 +61,8 @@ pub struct Options {
     /// How cg and gmres precondition.
     #[serde(default)]
     pub preconditioner: Preconditioning,
-    /// Light that was reflected so many times at the most; None for all. Solution files hold none of it.
+    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no wanted accuracy; None
+    /// for all. Solution files hold all light.
     #[serde(skip)]
     pub bounces: Option<usize>,
     /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.

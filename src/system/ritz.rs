@@ -12,11 +12,13 @@
 //! (I − Qᵀ √ρ G √ρ Q) a = Qᵀ f ,
 //! ```
 //!
-//! which is symmetric and positive definite with the whole system, its eigenvalues between those of the latter. Polynomials of an order on each
-//! element are the case Q = I. Irradiance and direct light are told in the subspace as well, P h and P d: what is read is what the
-//! basis can say. Constants lie in each subspace, so the balance of power is that of the polynomials, kept to rounding.
+//! which is symmetric and positive definite with the whole system, its eigenvalues between those of the latter. Polynomials of an
+//! order on each element are the case Q = I. Irradiance and direct light are told in the subspace as well, P h and P d: what is
+//! read is what the basis can say. Constants lie in each subspace, so the balance of power is that of the polynomials, kept to
+//! rounding.
 //!
-//! Light of the first K reflections alone (`--bounces`) is a sum of powers instead, with t_k the irradiance that was reflected exactly k times:
+//! Light of the first K reflections alone (`--bounces`) is a sum of powers instead, with t_k the irradiance that was reflected
+//! exactly k times:
 //!
 //! ```text
 //! h_K = d + Σ_{k=1..K} t_k ,     t_{k+1} = P G ρ t_k .
@@ -62,13 +64,13 @@ impl<'a> Ritz<'a> {
         Self { system, reduction }
     }
 
-    /// The method for the one that was asked for. In a subspace the matrix is known by its products, so that a choice that
-    /// is left open falls on a method that multiplies.
-    pub fn method(&self, asked: &'static Method) -> &'static Method {
+    /// The method for the one that was asked for, where the matrix `is_symmetric` or not. In a subspace it is known by its
+    /// products, so that a choice that is left open falls on a method that multiplies.
+    pub fn method(&self, asked: &'static Method, is_symmetric: bool) -> &'static Method {
         if self.reduction.is_none() || asked.name != "auto" {
             return asked;
         }
-        let multiplies = if self.system.blocks.symmetric() { "cg" } else { "gmres" };
+        let multiplies = if is_symmetric { "cg" } else { "gmres" };
         Method::named(multiplies).unwrap_or(asked)
     }
 
@@ -86,7 +88,7 @@ impl<'a> Ritz<'a> {
             return Ok((self.system.operator(method, threads)?, asked));
         };
         let product = Projected::new(reduction, self.system.operator("cg", threads)?);
-        if ["cg", "gmres", "richardson"].contains(&method) {
+        if ["auto", "cg", "gmres", "richardson"].contains(&method) {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the identity.
             return Ok((Box::new(product), Preconditioner::None));
         }

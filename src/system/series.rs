@@ -4,7 +4,8 @@
 //! t_1 = G ρ d (or g, where direct light is split off) ,     t_{k+1} = G ρ t_k
 //! ```
 
-use super::{Coefficients, System, norm, radiosity};
+use super::vector::norm;
+use super::{Coefficients, System, radiosity};
 
 impl System<'_> {
     /// The coefficients of light whose `next` reflection is left out: the irradiance that it would bring.
