@@ -4,6 +4,8 @@
 //! Two unit squares of reflectance ½, of which one emits: parallel, or with a common edge at a right angle. There the corners on
 //! the edge see the other square edge-on, where its irradiance has no value: collocation takes 0.
 
+#![expect(clippy::print_stdout, reason = "a table for people")]
+
 use std::error::Error;
 
 use radiosity::elements::cells::Layers;

@@ -9,7 +9,7 @@
 //! harmonic    cos(i π u) cos(j π v) over the whole surface, (u, v) ∈ [0, 1]²
 //! ```
 //!
-//! Each spans a [subspace](subspace) of polynomials on elements: constants of those of order 0, tents of those of total degree 2,
+//! Each spans a [subspace] of polynomials on elements: constants of those of order 0, tents of those of total degree 2,
 //! cosines of those of an order at which their expansion has ended ([`basis`]). So their transfers follow from the blocks G
 //! between these elements, which are integrated as ever, and their sums are read as polynomials.
 //!

@@ -182,10 +182,13 @@ fn errors(unknowns: usize, f: fn(f64) -> f64) -> [f64; 4] {
     ]
 }
 
+/// Unknowns, a function, and the errors of its best fits by constants, tents, cosines and polynomials.
+type Row = (usize, fn(f64) -> f64, [f64; 4]);
+
 #[test]
 fn best_fits_are_those_of_an_independent_least_squares_program() {
     // NumPy's lstsq on the values of the functions at Gauss points.
-    let table: [(usize, fn(f64) -> f64, [f64; 4]); 4] = [
+    let table: [Row; 4] = [
         (5, under_a_source, [1.59133e-1, 5.71395e-2, 2.28927e-2, 7.11624e-2]),
         (9, under_a_source, [9.04027e-2, 1.18730e-2, 1.06203e-2, 2.64143e-3]),
         (15, under_a_source, [5.44723e-2, 3.49756e-3, 4.78367e-3, 8.01166e-5]),
