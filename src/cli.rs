@@ -16,6 +16,7 @@ mod format;
 mod output_file;
 mod import;
 mod options;
+mod basis;
 mod forecast;
 mod destination;
 mod progress;

@@ -48,11 +48,12 @@ pub struct Company {
 impl<'a> Gather<'a> {
     /// The light of `solution`, gathered to about the relative accuracy `eps`.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
-        let (list, coatings) = (solution.elements().list(), solution.coatings());
+        let sent = solution.sent();
+        let (list, coatings) = (solution.elements().list(), sent.coatings());
         let direct = DirectLight::within(&solution.emitters(), visibility, eps);
         let lit = |element: usize, node: &Node| {
             let mut lit = direct.at(element, node.position, node.normal);
-            add_indirect(solution, element, node, &mut lit);
+            add_indirect(sent, element, node, &mut lit);
             lit
         };
         let scale = scales(solution);
@@ -60,8 +61,11 @@ impl<'a> Gather<'a> {
         Self { direct, reflection }
     }
 
-    /// As [`Gather::new`], but the light that surfaces reflect is itself gathered.
+    /// As [`Gather::new`], but the light that surfaces reflect is itself gathered, unless the number of reflections is limited.
     pub fn twice(solution: &'a Solution, visibility: &'a Visibility, eps: f64) -> Self {
+        if solution.is_truncated() {
+            return Self::new(solution, visibility, eps);
+        }
         let Self { direct, reflection } = Self::new(solution, visibility, BEFORE * eps);
         let (list, coatings) = (solution.elements().list(), solution.coatings());
         let around: Vec<Occluders> =

@@ -5,8 +5,9 @@
 //! ```
 //!
 //! The modules stand in the order of their dependencies; each imports only modules listed above it: scene → visibility
-//! → elements → transport (the blocks) → light (direct, first bounce) → system → solution → gather → solve (the driver)
-//! → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
+//! → elements → bases (functions that they hold) → transport (the blocks) → light (direct, first bounce) → system → solution →
+//! gather → solve (the driver) → solved (a scene with its solution) → output. Terms and places: `docs/glossary.md`; derivations:
+//! `docs/theory/`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!
@@ -53,6 +54,7 @@ pub mod footings;
 pub mod covers;
 pub mod inspection;
 pub mod elements;
+pub mod bases;
 mod sampling;
 pub mod transport;
 pub mod light;
@@ -74,6 +76,7 @@ pub use radiosity_formats as formats;
 pub use radiosity_geom as geom;
 pub use radiosity_solvers as solvers;
 
+pub use crate::bases::Basis;
 pub use crate::scene::{Material, Scene, SceneBuilder, SceneError};
 pub use crate::solution::Solution;
 pub use crate::solve::{Failure, Model, Options, Outcome, solve};

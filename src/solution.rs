@@ -49,10 +49,12 @@ pub struct Solution {
     /// The light of each group, where the scene has any.
     groups: Arc<[GroupLight]>,
     powers: Option<Powers>,
+    /// The light that is reflected towards readers, where it is other than this: one reflection less.
+    sent: Option<Box<Self>>,
 }
 
 /// One band of the solution.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Band {
     /// Its name.
     pub name: String,
@@ -110,6 +112,7 @@ impl Solution {
             masked: None,
             groups: Arc::default(),
             powers: None,
+            sent: None,
         }
     }
 
@@ -165,7 +168,8 @@ impl Solution {
         let powers = lit.iter().map(|(factor, group)| *factor * group.powers);
         let powers = powers.reduce(|sum, part| sum + part);
         let radiances = Radiances::of(scene);
-        Self { elements, bands, points, radiances, masked, groups: Arc::default(), powers }
+        let groups = Arc::default();
+        Self { elements, bands, points, radiances, masked, groups, powers, sent: None }
     }
 
     /// The same light at the factors of the groups of `scene`. None if the light of its groups is not kept apart.
@@ -173,6 +177,26 @@ impl Solution {
         let is_kept = |name: &str| self.groups.iter().any(|group| group.group.as_deref() == Some(name));
         let all = scene.light_groups().iter().all(|group| is_kept(&group.name));
         all.then(|| Self::of_groups(Arc::clone(&self.elements), scene, Arc::clone(&self.groups)))
+    }
+
+    /// The same as light of the first reflections alone; `before` is that of one reflection less, None if nothing was
+    /// reflected. It has no groups.
+    pub(crate) fn truncated(self, before: Option<Self>) -> Self {
+        let sent = before.unwrap_or_else(|| {
+            let black = |band: &Band| Band { coating: band.coating.black(), ..band.clone() };
+            self.with_bands(self.bands.iter().map(black).collect())
+        });
+        Self { groups: Arc::default(), sent: Some(Box::new(sent)), ..self }
+    }
+
+    /// The solution whose light surfaces reflect towards readers that gather: this one, or one of fewer reflections.
+    pub(crate) fn sent(&self) -> &Self {
+        self.sent.as_deref().unwrap_or(self)
+    }
+
+    /// Whether it is light of the first reflections alone.
+    pub(crate) fn is_truncated(&self) -> bool {
+        self.sent.is_some()
     }
 
     /// The light of each group, not dimmed; empty in scenes without groups.

@@ -4,6 +4,7 @@
 //! of the same surfaces.
 
 mod direct;
+mod preconditioning;
 mod outline;
 pub mod memory;
 mod fit;
@@ -24,6 +25,7 @@ mod assembly;
 mod layout;
 mod first_light;
 mod outcome;
+mod bands;
 mod model;
 mod by_links;
 
@@ -40,8 +42,9 @@ pub use fit::Fit;
 pub(crate) use layout::Layout;
 pub use model::Model;
 pub use options::Options;
-pub use outcome::{Outcome, Stages};
+pub use outcome::{Functional, Outcome, Stages};
 pub use pool::in_threads;
+pub use preconditioning::Preconditioning;
 pub use progress::Progress;
 pub use sampling::Sampling;
 pub use stop::Stop;

@@ -41,6 +41,12 @@
 //! irradiance is a known part, 0 (or l, or d), plus that of the first transport, G e (or G (e + ρ l), or g), plus G times
 //! the unknown radiosity.
 
+mod vector;
+mod series;
+mod reduction;
+mod projected;
+pub mod ritz;
+
 use std::borrow::Cow;
 use std::collections::HashMap;
 use std::ops::Range;
@@ -52,6 +58,8 @@ use crate::elements::Element;
 use crate::elements::coating::{Coating, Root};
 use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
+
+use vector::{distance, norm, per_element, sum};
 
 /// Share of the entries of a matrix above which it is held entry by entry, if it is small: a product by blocks takes
 /// some four times as long for each entry. Chosen.
@@ -74,6 +82,8 @@ pub struct System<'a> {
     direct: Vec<f64>,
     /// Irradiance of the first transport: G e, G (e + ρ l), or g.
     first: Vec<f64>,
+    /// Whether direct light is split off, so that the first transport carries what was reflected once.
+    is_split: bool,
 }
 
 /// Coefficients of one band's solution, element by element, all in W m⁻² times scene length.
@@ -112,7 +122,8 @@ impl<'a> System<'a> {
         let (known, first) = (emitted.clone(), blocks.apply(&emitted));
         let reflecting = reflecting(coating);
         let direct = first.clone();
-        Self { elements, blocks, coating, reflecting, emitted, known, apart: None, direct, first }
+        let (apart, is_split) = (None, false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
     }
 
     /// The system of band number `band`, into which direct light enters in this way.
@@ -136,8 +147,8 @@ impl<'a> System<'a> {
         let emitted = emitted(elements, coating);
         let known = radiosity(elements, coating, &lit);
         let (direct, first) = (sum(&lit, &blocks.apply(&emitted)), blocks.apply(&known));
-        let (reflecting, apart) = (reflecting(coating), Some(lit));
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first }
+        let (reflecting, apart, is_split) = (reflecting(coating), Some(lit), false);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split }
     }
 
     /// The system with direct light split off; `direct` are the coefficients d, `once` the coefficients g.
@@ -150,8 +161,8 @@ impl<'a> System<'a> {
     ) -> Self {
         let emitted = emitted(elements, coating);
         let known = radiosity(elements, coating, &direct);
-        let (reflecting, apart) = (reflecting(coating), Some(direct.clone()));
-        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first: once }
+        let (reflecting, apart, first) = (reflecting(coating), Some(direct.clone()), once);
+        Self { elements, blocks, coating, reflecting, emitted, known, apart, direct, first, is_split: true }
     }
 
     /// I − √ρ G √ρ on the reflecting elements.
@@ -199,7 +210,7 @@ impl<'a> System<'a> {
     /// Values that are not finite.
     pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
-        let only_multiplies = ["auto", "cg", "gmres"].contains(&method);
+        let only_multiplies = ["auto", "cg", "gmres", "richardson"].contains(&method);
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
         let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
@@ -253,20 +264,33 @@ impl<'a> System<'a> {
     /// radiosity; then b = e + ρ h.
     pub fn coefficients(&self, unknowns: &[f64]) -> Coefficients {
         let unknown = self.unknown_radiosity(0..self.reflecting.len(), unknowns);
-        let solved = sum(&self.known, &unknown);
-        let irradiance = match &self.apart {
-            None => self.blocks.apply(&solved),
+        self.with_irradiance(&unknown, self.irradiance(&unknown), self.direct.clone())
+    }
+
+    /// h for the unknown radiosity √ρ y.
+    fn irradiance(&self, unknown: &[f64]) -> Vec<f64> {
+        match &self.apart {
+            None => self.blocks.apply(&sum(&self.known, unknown)),
             Some(apart) => {
-                let carried = sum(&self.first, &self.blocks.apply(&unknown));
+                let carried = sum(&self.first, &self.blocks.apply(unknown));
                 sum(apart, &carried)
             }
-        };
+        }
+    }
+
+    /// The coefficients for an unknown radiosity √ρ y and the irradiance, with its direct part, that follows from it.
+    fn with_irradiance(&self, unknown: &[f64], irradiance: Vec<f64>, direct: Vec<f64>) -> Coefficients {
+        let solved = sum(&self.known, unknown);
         let radiosity = radiosity(self.elements, self.coating, &irradiance);
+        let residual = self.relative(distance(&solved, &radiosity));
+        Coefficients { irradiance, direct, radiosity, residual }
+    }
+
+    /// The size of a radiosity over that of the known one.
+    fn relative(&self, size: f64) -> f64 {
         // Of what luminaires light, surfaces reflect a part first.
         let scale = norm(&self.emitted).max(if self.apart.is_some() { norm(&self.known) } else { 0.0 });
-        let difference = distance(&solved, &radiosity);
-        let residual = if scale > 0.0 { difference / scale } else { 0.0 };
-        Coefficients { irradiance, direct: self.direct.clone(), radiosity, residual }
+        if scale > 0.0 { size / scale } else { 0.0 }
     }
 
     /// Coefficients e of the emitted exitance.
@@ -445,22 +469,4 @@ fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
 fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
     let rows = matrix.len() / columns;
     (0..matrix.len()).map(|k| matrix[k % rows * columns + k / rows]).collect()
-}
-
-fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
-    let mut all = Vec::new();
-    (0..elements.len()).for_each(|i| write(i, &mut all));
-    all
-}
-
-fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
-    x.iter().zip(y).map(|(x, y)| x + y).collect()
-}
-
-fn norm(x: &[f64]) -> f64 {
-    x.iter().map(|x| x * x).sum::<f64>().sqrt()
-}
-
-fn distance(x: &[f64], y: &[f64]) -> f64 {
-    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
 }

@@ -1,6 +1,6 @@
-//! Conjugate gradients, preconditioned by the diagonal blocks.
+//! Conjugate gradients, preconditioned by the diagonal blocks or not.
 //!
-//! With M = diag(A_BB), r₀ = b − A x₀, p₀ = z₀ = M⁻¹ r₀:
+//! With M = diag(A_BB), or M = I, r₀ = b − A x₀, p₀ = z₀ = M⁻¹ r₀:
 //!
 //!   α = rᵀz / pᵀAp,   x ← x + α p,   r ← r − α A p,   z = M⁻¹ r,   β = rᵀz (new) / rᵀz (old),   p ← z + β p.
 //!
@@ -21,7 +21,7 @@ use crate::factors::Factors;
 use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
 use crate::problem::Problem;
-use crate::settings::Settings;
+use crate::settings::{Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, dot, norm};
 
@@ -33,7 +33,7 @@ const DRIFT: f64 = 1e-14;
 /// Relative difference of vᵀ(A p) and pᵀ(A v) that counts as rounding. Chosen; not tuned.
 const ASYMMETRY: f64 = 1e-10;
 
-/// Conjugate gradients with a block-Jacobi preconditioner; see the [module](self).
+/// Conjugate gradients, with a block-Jacobi preconditioner unless none is wanted; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cg;
 
@@ -52,7 +52,7 @@ impl Solver for Cg {
         }
         let mut descent = Descent {
             problem: &problem,
-            blocks: (0..a.partition().len()).map(|block| factor(a, block)).collect::<Result<_, _>>()?,
+            blocks: factors(a, settings.preconditioner)?,
             r: vec![0.0; problem.dim()],
             renewed: 0.0,
             direction: None,
@@ -64,6 +64,14 @@ impl Solver for Cg {
         let patience = 5 * problem.dim() + 100;
         let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut descent, x, settings, observer)
+    }
+}
+
+/// The factors of all diagonal blocks; none where nothing preconditions.
+fn factors(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<CholeskyFactor>, SolveError> {
+    match preconditioner {
+        Preconditioner::Block => (0..a.partition().len()).map(|block| factor(a, block)).collect(),
+        Preconditioner::None => Ok(Vec::new()),
     }
 }
 
@@ -175,6 +183,6 @@ impl Iteration for Descent<'_> {
     }
 
     fn columns(&self) -> usize {
-        self.blocks.len()
+        self.problem.a.partition().len()
     }
 }

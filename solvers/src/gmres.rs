@@ -1,6 +1,6 @@
-//! Restarted GMRES, preconditioned from the right by the diagonal blocks.
+//! Restarted GMRES, preconditioned from the right by the diagonal blocks or not.
 //!
-//! With M = diag(A_BB), r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁, …, v_{j+1}
+//! With M = diag(A_BB), or M = I, r = b − A x and v₁ = r/‖r‖, the Arnoldi process builds an orthonormal v₁, …, v_{j+1}
 //! with
 //!
 //!   A M⁻¹ V_j = V_{j+1} H_j,   H_j of j+1 rows, upper Hessenberg,
@@ -19,7 +19,7 @@ use crate::error::SolveError;
 use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
 use crate::problem::Problem;
-use crate::settings::{Granularity, Settings};
+use crate::settings::{Granularity, Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
 use crate::vector::{add_scaled, dot, norm};
 
@@ -29,7 +29,7 @@ pub(crate) const NAME: &str = "gmres";
 /// tuned.
 const VANISHED: f64 = 1e-15;
 
-/// Restarted GMRES with a block-Jacobi preconditioner; see the [module](self).
+/// Restarted GMRES, with a block-Jacobi preconditioner unless none is wanted; see the [module](self).
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Gmres;
 
@@ -45,7 +45,7 @@ impl Solver for Gmres {
         let problem = Problem::new(a, b, x, settings)?;
         let mut arnoldi = Arnoldi {
             problem: &problem,
-            pivots: (0..a.partition().len()).map(|block| pivot(a, block)).collect::<Result<_, _>>()?,
+            pivots: pivots(a, settings.preconditioner)?,
             restart: settings.restart,
             r: vec![0.0; problem.dim()],
             residual: f64::INFINITY,
@@ -59,6 +59,14 @@ impl Solver for Gmres {
         let patience = 2 * settings.restart.min(problem.dim()) + 100;
         let watch = Watch { method: NAME, limit: settings.max_iterations, patience, keep_every: 1 };
         iterate(&problem, &watch, &mut arnoldi, x, settings, observer)
+    }
+}
+
+/// The inverses of all diagonal blocks; none where nothing preconditions.
+fn pivots(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<Option<Pivot>>, SolveError> {
+    match preconditioner {
+        Preconditioner::Block => (0..a.partition().len()).map(|block| pivot(a, block)).collect(),
+        Preconditioner::None => Ok(Vec::new()),
     }
 }
 
@@ -209,6 +217,6 @@ impl Iteration for Arnoldi<'_> {
     }
 
     fn columns(&self) -> usize {
-        self.pivots.len()
+        self.problem.a.partition().len()
     }
 }

@@ -50,6 +50,7 @@
 //! | [`gmres`] | unsymmetric, large or never stored | A invertible, if not restarted |
 //! | [`gauss_seidel`] `gauss-seidel` | rows one by one; little memory | A = Aᵀ, xᵀAx > 0; or A dominant by rows |
 //! | [`jacobi`] | the plainest method: Neumann's series | all \|λ(I − ω D⁻¹A)\| < 1; or A dominant by rows |
+//! | [`richardson`] | A = I − K as it is: the terms of Neumann's series one by one | all \|λ(I − ω A)\| < 1 |
 //! | [`southwell`] | expensive columns, few of which matter | A = Aᵀ, xᵀAx > 0; or A dominant by columns |
 //!
 //! The exact conditions and the references stand in each module's header.
@@ -67,6 +68,8 @@ mod vector;
 mod dense;
 
 mod block_sparse;
+
+mod functional;
 
 mod problem;
 
@@ -96,6 +99,8 @@ pub mod cholesky;
 
 pub mod jacobi;
 
+pub mod richardson;
+
 pub mod gauss_seidel;
 
 pub mod southwell;
@@ -111,7 +116,8 @@ pub mod method;
 pub use block_sparse::{BlockSparse, SparseBlock};
 pub use dense::Dense;
 pub use error::{SolveError, Stop};
+pub use functional::functional;
 pub use operator::Operator;
 pub use partition::Partition;
-pub use settings::{Granularity, Settings, Sweep};
+pub use settings::{Granularity, Preconditioner, Settings, Sweep};
 pub use solver::{Report, Solver, Step};

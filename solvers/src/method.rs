@@ -9,6 +9,7 @@ use crate::gauss_seidel::{self, GaussSeidel};
 use crate::gmres::{self, Gmres};
 use crate::jacobi::{self, Jacobi};
 use crate::lu::{self, Lu};
+use crate::richardson::{self, Richardson};
 use crate::solver::Solver;
 use crate::southwell::{self, Southwell};
 
@@ -23,6 +24,8 @@ pub enum Needs {
     PositiveDefiniteOrDominant,
     /// A diagonal that outweighs the rest.
     Dominant,
+    /// Eigenvalues within 1 of 1.
+    NearIdentity,
 }
 
 impl fmt::Display for Needs {
@@ -32,6 +35,7 @@ impl fmt::Display for Needs {
             Self::PositiveDefinite => "symmetric positive definite",
             Self::PositiveDefiniteOrDominant => "symmetric positive definite, or diagonally dominant",
             Self::Dominant => "diagonally dominant",
+            Self::NearIdentity => "eigenvalues within 1 of 1",
         })
     }
 }
@@ -87,7 +91,7 @@ impl Method {
         },
         Self {
             name: cg::NAME,
-            summary: "conjugate gradients preconditioned by the diagonal blocks",
+            summary: "conjugate gradients",
             needs: Needs::PositiveDefinite,
             cost: "n² per iteration, √κ iterations per digit",
             storage: "4n and the diagonal blocks",
@@ -95,7 +99,7 @@ impl Method {
         },
         Self {
             name: gmres::NAME,
-            summary: "restarted minimal residuals preconditioned by the diagonal blocks",
+            summary: "restarted minimal residuals",
             needs: Needs::Inverse,
             cost: "n² per iteration",
             storage: "50n and the diagonal blocks",
@@ -116,6 +120,14 @@ impl Method {
             cost: "n² per sweep",
             storage: "2n and the diagonal blocks",
             solver: &Jacobi,
+        },
+        Self {
+            name: richardson::NAME,
+            summary: "Neumann's series, one reflection more for each iteration",
+            needs: Needs::NearIdentity,
+            cost: "n² per term",
+            storage: "2n",
+            solver: &Richardson,
         },
         Self {
             name: southwell::NAME,

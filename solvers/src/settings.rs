@@ -15,6 +15,16 @@ pub enum Granularity {
     Coefficient,
 }
 
+/// What cg and gmres multiply residuals by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Preconditioner {
+    /// The inverses of the diagonal blocks (block Jacobi).
+    #[default]
+    Block,
+    /// Nothing.
+    None,
+}
+
 /// The order in which gauss-seidel visits the unknowns.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Sweep {
@@ -49,8 +59,10 @@ pub struct Settings<'a> {
     pub granularity: Granularity,
     /// gauss-seidel: the order of visits.
     pub sweep: Sweep,
-    /// jacobi, gauss-seidel, southwell: multiplies every correction, in (0, 2); above 1 overshoots.
+    /// jacobi, gauss-seidel, southwell, richardson: multiplies every correction, in (0, 2); above 1 overshoots.
     pub relaxation: f64,
+    /// cg, gmres: how residuals are preconditioned.
+    pub preconditioner: Preconditioner,
     /// gmres: vectors kept before it restarts, at least 1.
     pub restart: usize,
     /// lu, cholesky: also estimate the condition number, at the price of some ten solves.
@@ -70,6 +82,7 @@ impl Default for Settings<'_> {
             granularity: Granularity::Block,
             sweep: Sweep::Forward,
             relaxation: 1.0,
+            preconditioner: Preconditioner::Block,
             restart: 50,
             condition: false,
         }

@@ -23,6 +23,7 @@ use radiosity::output::tone::Tone;
 use radiosity::solve::{Algorithm, Options, in_threads};
 
 use crate::cli::{
+    basis::{self, require_all_bounces},
     error::CliError,
     numbers::{Counts, fraction, positive},
     options::{MethodArgs, SceneArg},
@@ -207,7 +208,9 @@ impl Shutter<'_> {
 pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = &loaded.scene;
-    args.method.check()?;
+    basis::check(&args.method)?;
+    let frames = "frames that follow each other hold all light";
+    require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
     let asked = options(&args.method);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
+use radiosity::Basis;
 use radiosity::output::chart::Chart;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
@@ -13,6 +14,7 @@ use radiosity::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
+    basis,
     destination::Destination,
     error::CliError,
     format::of_ending,
@@ -47,9 +49,13 @@ pub(crate) struct ConvergenceArgs {
     pub(crate) reference: Option<PathBuf>,
 
     /// Adds runs by other ways to those at rising orders, parted by commas: hierarchical (constants by weaker and weaker links),
-    /// hp (elements refined for gathered light), sampled (more and more rays)
+    /// hp (elements refined for gathered light), sampled (more and more rays), constant, linear, harmonic (the bases of --basis)
     #[arg(long = "with", value_name = "WAYS", value_delimiter = ',', value_parser = other_way())]
     pub(crate) other: Vec<Way>,
+
+    /// Adds runs in the other bases of the variational source: --with constant,linear,harmonic
+    #[arg(long)]
+    pub(crate) bases: bool,
 
     /// How the table on standard output is written
     #[arg(long, value_name = "FORMAT", default_value = "text")]
@@ -81,6 +87,8 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
             cure: "leave out --accuracy, and give --max-order a number".to_owned(),
         });
     }
+    args.check_basis()?;
+    basis::check(&args.method)?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;
@@ -88,13 +96,14 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     let progress = Progress::new(args.quiet);
     let advance = |part: f64| progress.show("runs", (1000.0 * part) as usize, 1000);
     let options = options(&args.method);
+    let other = args.other_ways();
     let runs = match &reference {
-        None => convergence(scene, &options, &args.other, &Reference::FinestRun, &advance)?,
+        None => convergence(scene, &options, &other, &Reference::FinestRun, &advance)?,
         Some(Solved { outcome, .. }) => {
             let error = |solution: &Solution| {
                 distance(solution, &outcome.solution).expect("surfaces and bands were compared")
             };
-            convergence(scene, &options, &args.other, &Reference::Given(&error), &advance)?
+            convergence(scene, &options, &other, &Reference::Given(&error), &advance)?
         }
     };
     drop(progress);
@@ -109,6 +118,33 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
         let _ = writeln!(stderr(), "wrote {}", path.display());
     }
     Ok(())
+}
+
+impl ConvergenceArgs {
+    /// All ways other than that of rising orders.
+    fn other_ways(&self) -> Vec<Way> {
+        let bases = Way::BASES.into_iter().filter(|way| self.bases && !self.other.contains(way));
+        self.other.iter().copied().chain(bases).collect()
+    }
+
+    /// Refuses a basis without orders, and one of those that are all compared.
+    fn check_basis(&self) -> Result<(), CliError> {
+        let basis = self.method.basis;
+        let has_no_order = matches!(basis, Basis::Constant | Basis::Linear);
+        if has_no_order || (self.bases && basis != Basis::Legendre) {
+            return Err(CliError::Refused {
+                message: format!(
+                    "convergence runs at rising orders, and with --bases in all bases: not --basis {}",
+                    basis.name()
+                ),
+                cure: format!(
+                    "take --with {} for finer and finer cells or higher degrees, or --bases alone",
+                    basis.name()
+                ),
+            });
+        }
+        Ok(())
+    }
 }
 
 /// A way other than that of all runs.
@@ -185,8 +221,9 @@ fn draw(chart: &Chart, kind: Kind, output: &OutputFile) -> Result<(), CliError> 
     }
 }
 
-const HEADER: [&str; 10] =
-    ["way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate"];
+const HEADER: [&str; 11] = [
+    "way", "order", "layers", "elements", "unknowns", "samples", "rays", "seconds", "error", "rate", "energy",
+];
 
 fn text(runs: &[Run]) -> String {
     let mut table = Table::new(HEADER);
@@ -203,6 +240,7 @@ fn text(runs: &[Run]) -> String {
             format!("{:.4}", run.seconds),
             number(run.error, |error| format!("{error:.3e}")),
             number(run.rate, |rate| format!("{rate:.2}")),
+            number(run.energy, |energy| format!("{energy:.3e}")),
         ]);
     }
     table.to_string()
@@ -212,9 +250,10 @@ fn csv(runs: &[Run]) -> String {
     let mut table = HEADER.join(",") + "\n";
     for run in runs {
         let Run { order, layers, elements, unknowns, samples, rays, seconds, .. } = run;
-        let [error, rate] = [run.error, run.rate].map(|x| x.map_or_else(String::new, |x| x.to_string()));
+        let [error, rate, energy] =
+            [run.error, run.rate, run.energy].map(|x| x.map_or_else(String::new, |x| x.to_string()));
         table += &format!(
-            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate}\n",
+            "{},{order},{layers},{elements},{unknowns},{samples},{rays},{seconds},{error},{rate},{energy}\n",
             run.way.name()
         );
     }

@@ -2,11 +2,8 @@
 
 use std::str::FromStr;
 
-use clap::{
-    ValueEnum,
-    builder::{PossibleValuesParser, TypedValueParser},
-};
-use radiosity::scene::MAX_ORDER;
+use clap::ValueEnum;
+use radiosity::scene::{MAX_ORDER, MAX_PARTS};
 use radiosity::visibility::Hiding;
 use radiosity::zatz1993::transfers::{Reading, Rules};
 
@@ -32,6 +29,16 @@ impl FromStr for Order {
 /// `--subdivide`: elements along u and along v; None, written `auto`, is as the scene needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Subdivide(pub(crate) Option<usize>);
+
+impl FromStr for Subdivide {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let parts = || text.parse().ok().filter(|parts| (1..=MAX_PARTS).contains(parts)).map(Some);
+        let subdivide = if text == "auto" { Some(None) } else { parts() };
+        subdivide.map(Self).ok_or_else(|| format!("expected a whole number from 1 to {MAX_PARTS}, or auto"))
+    }
+}
 
 /// `--shadows`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -80,9 +87,4 @@ impl Kernel {
             Kernel::PaperHybrid => Some(Rules::Hybrid(Reading::H1)),
         }
     }
-}
-
-/// `auto`, or elements along u and v.
-pub(crate) fn subdivide() -> impl TypedValueParser<Value = Subdivide> {
-    PossibleValuesParser::new(["auto", "1", "2", "4"]).map(|text| Subdivide(text.parse().ok()))
 }

@@ -4,6 +4,7 @@ use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use radiosity::Basis;
 use radiosity::checks::Checks;
 use radiosity::elements::cells::Layers;
 use radiosity::elements::space::Space;
@@ -16,11 +17,12 @@ use radiosity::output::report::Report;
 use radiosity::output::round::decimals;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{LightGroup, Scene};
-use radiosity::solve::{Options, Outcome, Progress as Stage, in_threads};
+use radiosity::solve::{Functional, Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 use radiosity::studies::adaptation::{Achieved, Aim, Goal};
 
 use crate::cli::aim::at_probes;
+use crate::cli::basis;
 use crate::cli::error::CliError;
 use crate::cli::memory;
 use crate::cli::modes::{Order, Shadows};
@@ -257,7 +259,7 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        method.check()?;
+        basis::check(method)?;
         let start = Start::of(&loaded, asked.threads, report)?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
@@ -409,16 +411,31 @@ impl Run {
         )
     }
 
+    /// The functions on the elements in words.
+    fn functions(&self) -> String {
+        match (self.solved.options.basis, self.report.orders) {
+            (Basis::Constant, _) => "constants".to_owned(),
+            (Basis::Linear, _) => "tents".to_owned(),
+            (Basis::Harmonic, _) => format!("cosines of degree {}", self.report.order),
+            (Basis::Legendre, [lowest, highest]) if lowest == highest => format!("order {lowest}"),
+            (Basis::Legendre, [lowest, highest]) => format!("orders {lowest} to {highest}"),
+        }
+    }
+
+    /// How many reflections the light was limited to, if it was.
+    fn bounces(&self) -> String {
+        let limited = |bounces: usize| format!("; light of {bounces} reflections at the most");
+        self.solved.options.bounces.map_or_else(String::new, limited)
+    }
+
     fn tell(&self, written: Option<&str>) {
-        let Report { surfaces, elements, unknowns, orders, checks, .. } = &self.report;
-        let order = match orders {
-            [lowest, highest] if lowest == highest => format!("order {lowest}"),
-            [lowest, highest] => format!("orders {lowest} to {highest}"),
-        };
+        let Report { surfaces, elements, unknowns, checks, .. } = &self.report;
         let mut lines = vec![
             format!(
-                "{}: {surfaces} surfaces, {elements} elements, {order}, {unknowns} unknowns a band",
-                self.report.scene
+                "{}: {surfaces} surfaces, {elements} elements, {}, {unknowns} unknowns a band{}",
+                self.report.scene,
+                self.functions(),
+                self.bounces()
             ),
             self.costs(),
             format!(
@@ -440,6 +457,7 @@ impl Run {
         );
         lines.extend(self.report.read_error.map(|error| error.to_string()));
         if self.verbose {
+            lines.extend(self.report.functionals.iter().map(minimum));
             lines.push(format!("pairs: {:?}", self.report.pairs));
             lines.push(format!(
                 "closure {:.2e}, spectral bound {:.4}, largest seam jump {:.2e}",
@@ -452,6 +470,12 @@ impl Run {
         // A closed stderr is no error: nobody would see a message.
         let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
     }
+}
+
+/// The line about the least value of the variational functional.
+fn minimum(Functional { band, group, value }: &Functional) -> String {
+    let group = group.as_ref().map_or_else(String::new, |group| format!(", light group '{group}'"));
+    format!("variational functional of band '{band}'{group}: {value:.9e}")
 }
 
 /// Where the emitted power went.
@@ -477,7 +501,10 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
     let defaults = method.quality.options();
     Options {
         algorithm: method.algorithm,
+        basis: method.basis,
         order: match method.order {
+            _ if method.basis == Basis::Constant => 0,
+            _ if method.basis == Basis::Linear => 1,
             Some(Order::Degree(order)) => order,
             None if method.wanted_accuracy().is_none() => defaults.order,
             Some(Order::Auto) | None => 0,
@@ -494,6 +521,8 @@ pub(crate) fn options(method: &MethodArgs) -> Options {
         masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
         direct: method.direct,
         method: method.solver,
+        preconditioner: method.preconditioner,
+        bounces: method.bounces.map(usize::from),
         tolerance: method.tolerance,
         max_iterations: method.max_iterations,
         memory: method.memory.or_else(memory::usable),

@@ -6,6 +6,7 @@ use clap::Args;
 use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
+    basis::require_all_bounces,
     error::CliError,
     interrupt::STOP,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
@@ -41,6 +42,8 @@ pub(crate) struct SolveArgs {
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
+    let kept = "a solution is kept for readers, who would gather from it as if it were all light";
+    require_all_bounces(&args.method, kept, "type --bounces to render, probe or grid, with the scene")?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let format = SolutionFormat::of(&path);
     format.check(&path, &options(&args.method))?;

@@ -5,7 +5,7 @@ use radiosity::transport::Accuracy;
 
 use crate::cli::{
     error::CliError,
-    modes::{Shadows, Subdivide, subdivide},
+    modes::{Shadows, Subdivide},
     numbers::{accuracy, threads},
 };
 
@@ -13,7 +13,7 @@ use crate::cli::{
 #[derive(Debug, Args)]
 pub(crate) struct TransferArgs {
     /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs
-    #[arg(long, value_name = "auto|1|2|4", default_value = "auto", value_parser = subdivide())]
+    #[arg(long, value_name = "auto|K", default_value = "auto")]
     pub(crate) subdivide: Subdivide,
 
     /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of

@@ -320,6 +320,12 @@ impl Coating {
             }
         }
     }
+
+    /// The same where nothing is reflected or let through.
+    pub fn black(&self) -> Self {
+        let reflectance = vec![0.0; self.reflectance.len()];
+        Self { reflectance, paints: BTreeMap::new(), sheets: BTreeMap::new(), ..self.clone() }
+    }
 }
 
 /// Calls `visit` with the row, the column and the value of every entry of a row-major matrix of so many columns.

@@ -170,12 +170,14 @@ fn most_rays(eps: f64) -> u64 {
 }
 
 impl<'a> RayGather<'a> {
-    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`.
+    /// The light of `solution`, gathered once or twice, to about the relative accuracy `eps`; once where the number of reflections
+    /// is limited.
     pub fn new(solution: &'a Solution, visibility: &'a Visibility, eps: f64, twice: bool) -> Self {
         let scale = scales(solution);
         let lamps = Lamps::new(solution.elements().list(), &solution.coatings(), &scale);
         let touching = COVERED * visibility.bounds().diagonal();
         let (radiances, points) = (solution.emitters().radiances, solution.emitters().points);
+        let (twice, solution) = (twice && !solution.is_truncated(), solution.sent());
         Self { solution, visibility, lamps, radiances, points, scale, eps, touching, twice }
     }
 

@@ -141,7 +141,8 @@ impl Chart<'_> {
         let groups = self.runs.chunk_by(|a, b| a.layers == b.layers && a.way == b.way);
         let point = |run: &Run| {
             let error = run.error.filter(|error| *error > 0.0)?;
-            let text = if run.way == Way::Uniform { run.order.to_string() } else { String::new() };
+            let is_by_order = matches!(run.way, Way::Uniform | Way::Harmonic);
+            let text = if is_by_order { run.order.to_string() } else { String::new() };
             Some(Point { place: (abscissa(run).max(1e-6), error), text })
         };
         groups.map(|runs| (label(&runs[0]), runs.iter().filter_map(point).collect())).collect()
@@ -161,6 +162,9 @@ fn label(run: &Run) -> String {
     match (run.way, run.layers) {
         (Way::Hierarchical, _) => "hierarchical, constants".to_owned(),
         (Way::Hp, _) => "refined for gathered light".to_owned(),
+        (Way::Constant, _) => "constants on cells".to_owned(),
+        (Way::Linear, _) => "tents on cells".to_owned(),
+        (Way::Harmonic, _) => "cosines over surfaces".to_owned(),
         (Way::Sampled, _) => format!("order {} by rays", run.order),
         (Way::Uniform, 0) => "whole elements".to_owned(),
         (Way::Uniform, 1) => "1 layer".to_owned(),
@@ -189,6 +193,7 @@ mod tests {
             seconds,
             error,
             rate: None,
+            energy: None,
         }
     }
 

@@ -11,7 +11,7 @@ use crate::hierarchy::Counts;
 use crate::output::plane_figures::PlaneFigures;
 use crate::output::read_error::ReadError;
 use crate::scene::{Fitted, Imported, LightGroup};
-use crate::solve::Outcome;
+use crate::solve::{Functional, Outcome};
 use crate::solved::Solved;
 use crate::transport::PairCounts;
 pub use warning::Warning;
@@ -39,6 +39,10 @@ pub struct Report {
     pub elements: usize,
     /// Number of coefficients per band.
     pub unknowns: usize,
+    /// The functions that are summed.
+    pub basis: &'static str,
+    /// The variational functional at the solution, for each band and light group; empty where nothing was solved for, or a file was read.
+    pub functionals: Vec<Functional>,
     /// Total degree where a surface does not state its own.
     pub order: usize,
     /// Lowest and highest degree of any element.
@@ -156,7 +160,9 @@ impl Report {
             fitted: scene.fitted.clone(),
             light_groups: scene.light_groups().into_iter().cloned().collect(),
             elements: elements.list().len(),
-            unknowns: elements.coefficients(),
+            unknowns: outcome.unknowns,
+            basis: options.basis.name(),
+            functionals: outcome.functionals.clone(),
             order: options.order,
             orders: orders(elements),
             solver: outcome.solver.to_owned(),

@@ -87,6 +87,11 @@ impl Need<'_> {
     }
 }
 
+/// Bytes that a run on elements of such a mesh takes at the most.
+pub(super) fn peak_of_mesh(scene: &Scene, how: &Discretization, mesh: &Mesh, options: &Options) -> u64 {
+    Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak()
+}
+
 /// Refuses a run on elements of a refined mesh that needs more memory than allowed.
 pub(super) fn require_memory_of_mesh(
     scene: &Scene,
@@ -95,6 +100,6 @@ pub(super) fn require_memory_of_mesh(
     options: &Options,
 ) -> Result<(), Failure> {
     let Some(allowed) = options.memory else { return Ok(()) };
-    let needed = Footprint::of_sizes(scene, &mesh_sizes(scene, how, mesh), options.method).peak();
+    let needed = peak_of_mesh(scene, how, mesh, options);
     if needed <= allowed { Ok(()) } else { Err(Failure::Memory { needed, allowed, fits: Vec::new() }) }
 }

@@ -1,5 +1,6 @@
 //! How a scene is cut into elements, and the blocks between them.
 
+use crate::bases::basis::Ground;
 use crate::elements::{Discretization, Subdivide};
 use crate::scene::Scene;
 use crate::transport;
@@ -12,18 +13,15 @@ use super::options::Options;
 use super::progress::Progress;
 use super::sampling::{Sampling, Subject};
 
-/// How the scene is cut, given the rays that carry its pairs, if any.
-pub(super) fn discretization(
-    visibility: &Visibility,
-    options: &Options,
-    rays: Option<u64>,
-) -> Discretization {
+/// How the scene is cut, given the rays that carry its pairs, if any: into elements that hold the functions of the basis.
+pub(super) fn ground(scene: &Scene, visibility: &Visibility, options: &Options, rays: Option<u64>) -> Ground {
     let auto = || match rays {
         Some(rays) => Subdivide::Graded { rays },
         None => Subdivide::Auto { occluded: visibility.any_shadow() },
     };
     let subdivide = options.subdivide.map_or_else(auto, Subdivide::Uniform);
-    Discretization { order: options.order, space: options.space, subdivide, layers: options.layers }
+    let Options { basis, order, space, layers, eps, .. } = *options;
+    basis.ground(scene, &Discretization { order, space, subdivide, layers }, eps)
 }
 
 /// The blocks, by that many rays or exactly; from `memory`, as far as it holds them.

@@ -2,7 +2,7 @@
 
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 
-use crate::system::{Coefficients, System};
+use crate::system::ritz::{Found, Ritz};
 
 use super::options::Options;
 
@@ -33,33 +33,36 @@ fn effort(ended: Result<Vec<Report>, SolveError>, keep_partial: bool) -> Result<
 /// # Errors
 /// Those of the solver.
 pub(super) fn solve_band(
-    systems: &[System],
+    systems: &[Ritz<'_>],
     options: &Options,
     observe: &mut dyn FnMut(&Step<'_>),
-) -> Result<(Vec<Coefficients>, Option<Effort>), SolveError> {
-    let rights: Vec<Vec<f64>> = systems.iter().map(System::right_hand_side).collect();
+) -> Result<(Vec<Found>, Option<Effort>), SolveError> {
+    let rights: Vec<Vec<f64>> = systems.iter().map(Ritz::right_hand_side).collect();
     let is_lit = |right: &[f64]| right.iter().any(|value| *value != 0.0);
     let lit: Vec<f64> = rights.iter().filter(|right| is_lit(right)).flatten().copied().collect();
     let mut unknowns = vec![0.0; lit.len()];
     let mut needed = None;
     if let Some(first) = systems.first().filter(|_| !lit.is_empty()) {
+        let (operator, preconditioner) =
+            first.operator(options.method.name, options.preconditioner.into(), options.threads)?;
+        let method = first.method(options.method, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
-        let measure = (options.method.name == "southwell").then(|| first.shooting_measure());
+        let measure = (method.name == "southwell").then(|| first.shooting_measure());
         let settings = Settings {
             tolerance: options.tolerance,
             max_iterations: options.max_iterations,
             threads: options.threads,
             measure: measure.as_deref(),
+            preconditioner,
             ..Settings::default()
         };
-        let operator = first.operator(options.method.name, options.threads)?;
-        let ended = options.method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, observe);
+        let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, observe);
         needed = effort(ended, options.keep_partial)?;
     }
     let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));
-    let solved = |(system, right): (&System, &Vec<f64>)| {
+    let solved = |(system, right): (&Ritz<'_>, &Vec<f64>)| {
         let own = if is_lit(right) { columns.next() } else { None };
-        own.map_or_else(|| system.coefficients(&vec![0.0; right.len()]), |own| system.coefficients(own))
+        own.map_or_else(|| system.found(&vec![0.0; right.len()]), |own| system.found(own))
     };
     Ok((systems.iter().zip(&rights).map(solved).collect(), needed))
 }

@@ -74,6 +74,8 @@ fn by_links(
         samples: counts.links as u64,
         distinct: counts.links as u64,
         rays: (counts.links * how.rays_per_link) as u64,
+        unknowns: elements.coefficients(),
+        functionals: Vec::new(),
         accuracy_reached: 0.0,
         miss: None,
         solver,

@@ -39,6 +39,9 @@ impl Choice {
             _ if options.kernel.is_some() || options.masks.is_some() => {
                 exact("the methods of 1993 know no rays")
             }
+            _ if !options.basis.is_polynomial() => {
+                exact("the functions of this basis are held by polynomials that rays would not tell apart")
+            }
             _ if options.shadows == Hiding::Off => exact("rays always meet what stands in their way"),
             Transport::Exact => exact("asked for"),
             Transport::Sampled => sampled("asked for"),

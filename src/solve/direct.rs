@@ -18,8 +18,8 @@ const LARGE: f64 = 0.25;
 #[serde(rename_all = "lowercase")]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
 pub enum Direct {
-    /// Split where there are openings to a sky or luminous areas, and where luminaires or small flat emitters cast shadows of flat surfaces; else
-    /// projected.
+    /// Split where there are openings to a sky or luminous areas, and where luminaires or small flat emitters cast shadows of flat
+    /// surfaces; else projected.
     Auto,
     /// An exact source at every point, with its shadows.
     Split,

@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use crate::bases::Subspace;
 use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::elements::patch::Node;
 use crate::light::emitters::Emitters;
-use crate::light::first_bounce::{CoatedBounce, Entry, lit_by};
+use crate::light::first_bounce::{Bounce, CoatedBounce, Entry, lit_by};
 use crate::scene::Scene;
 use crate::visibility::{Shadows, Visibility};
 use crate::zatz1993::masked_light::{MaskedLight, Setting};
@@ -56,6 +57,21 @@ enum Direct {
 pub(super) struct Reflected {
     pub masked: Option<Arc<MaskedLight>>,
     pub entry: Entry,
+}
+
+impl Reflected {
+    /// The same light by the functions of a subspace.
+    pub(super) fn within(self, subspace: &Subspace) -> Self {
+        let projected = |bands: Vec<Vec<f64>>| bands.iter().map(|own| subspace.projected(own)).collect();
+        let entry = match self.entry {
+            Entry::Carried => Entry::Carried,
+            Entry::Lit(lit) => Entry::Lit(projected(lit)),
+            Entry::Split(Bounce { direct, reflected }) => {
+                Entry::Split(Bounce { direct: projected(direct), reflected: projected(reflected) })
+            }
+        };
+        Self { entry, ..self }
+    }
 }
 
 impl FirstLight {

@@ -1,11 +1,12 @@
 //! What carries the pairs of a scene, and how its surfaces are cut.
 
+use crate::bases::basis::Ground;
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, usual_mesh};
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
-use super::assembly::discretization;
+use super::assembly::ground;
 use super::choice::Choice;
 use super::options::Options;
 
@@ -28,7 +29,7 @@ impl Layout {
     pub(crate) fn of(scene: &Scene, options: &Options) -> Self {
         let choice = Choice::of(scene, options);
         let rays = choice.sampled.then(|| options.ray_budget(scene));
-        let how = discretization(&Visibility::new(scene, options.into()), options, rays);
-        Self { choice, how, mesh: usual_mesh(scene, &how) }
+        let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
+        Self { choice, how, mesh: mesh.unwrap_or_else(|| usual_mesh(scene, &how)) }
     }
 }

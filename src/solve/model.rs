@@ -8,22 +8,21 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use radiosity_solvers::Step;
-
+use crate::bases::Subspace;
+use crate::bases::basis::Ground;
 use crate::checks::{Balance, Checks, Lit};
-use crate::elements::coating::Coating;
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, Elements};
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
-use crate::system::{Coefficients, System};
+use crate::system::Coefficients;
 use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
 
-use super::allowance::{Need, require_memory_of_mesh};
-use super::assembly::{carried, discretization};
-use super::band::{Effort, solve_band};
+use super::allowance::{Need, peak_of_mesh, require_memory_of_mesh};
+use super::assembly::{carried, ground};
+use super::bands::{Bands, Light};
 use super::choice::Choice;
 use super::direct::Direct;
 use super::emission::Emission;
@@ -60,6 +59,8 @@ pub struct Model {
     elements: Arc<Elements>,
     visibility: Visibility,
     blocks: Blocks,
+    /// What the functions of the basis span; None where they are those of the elements.
+    subspace: Option<Subspace>,
     choice: Choice,
     sampling: Option<Sampling>,
     /// Direct light and its first bounce, for the emission of the scene.
@@ -99,8 +100,11 @@ impl Model {
     /// Bytes that the model of `scene` and its solution take at the most, estimated.
     pub(crate) fn peak_memory(scene: &Scene, options: &Options) -> u64 {
         let rays = Choice::of(scene, options).sampled.then(|| options.ray_budget(scene));
-        let how = discretization(&Visibility::new(scene, options.into()), options, rays);
-        (Need { scene, how, options, rays, is_kept: false }).peak()
+        let Ground { how, mesh } = ground(scene, &Visibility::new(scene, options.into()), options, rays);
+        match mesh {
+            Some(mesh) => peak_of_mesh(scene, &how, &mesh, options),
+            None => (Need { scene, how, options, rays, is_kept: false }).peak(),
+        }
     }
 
     /// The same by exact blocks, for the reason `why`, between the elements of a refined mesh if there is one.
@@ -125,12 +129,15 @@ impl Model {
         require_diffuse(scene, options)?;
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
-        let is_refined = mesh.is_some() && how.is_none();
-        let (visibility, how) = timed(&mut seconds.visibility, || {
+        let is_known = how.is_some();
+        let (visibility, Ground { how, mesh: own }) = timed(&mut seconds.visibility, || {
             let visibility = Visibility::new(scene, options.into());
-            let how = how.unwrap_or_else(|| discretization(&visibility, options, rays));
-            (visibility, how)
+            let known = how.map(|how| Ground { how, mesh: None });
+            let ground = known.unwrap_or_else(|| ground(scene, &visibility, options, rays));
+            (visibility, ground)
         });
+        let is_refined = (mesh.is_some() && !is_known) || own.is_some();
+        let mesh = mesh.or(own.as_ref());
         progress(Progress::Finished("visibility", seconds.visibility));
         match mesh {
             Some(mesh) if is_refined => require_memory_of_mesh(scene, &how, mesh, options)?,
@@ -142,6 +149,7 @@ impl Model {
             Some(before) => before.moved(scene),
             None => options.elements(scene, &how, mesh),
         })?;
+        let subspace = timed(&mut seconds.elements, || subspace(scene, options, &elements));
         let elements = Arc::new(elements);
         progress(Progress::Finished("elements", seconds.elements));
         let emissions = Emission::all(scene, elements.list());
@@ -167,6 +175,7 @@ impl Model {
             elements,
             visibility,
             blocks,
+            subspace,
             choice,
             sampling,
             first,
@@ -236,14 +245,24 @@ impl Model {
         let mut again = Duration::ZERO;
         let first = timed(&mut again, || self.first_light(scene, &emissions));
         seconds.direct += again;
-        let solved = timed(&mut seconds.solve, || self.solve_bands(scene, &emissions, &first, progress))?;
+        let bands = self.bands(scene);
+        let lit = timed(&mut seconds.solve, || match self.options.bounces {
+            None => bands.solved(&emissions, &first, progress),
+            Some(bounces) => Ok(bands.bounced(&emissions, &first, bounces)),
+        })?;
         progress(Progress::Finished("solve", seconds.solve));
-        let Solved { light, efforts } = solved;
+        let Light { light, before, efforts, functionals } = lit;
         let slowest = efforts.iter().max_by_key(|effort| effort.iterations);
         let (solver, iterations) =
             slowest.map_or((self.options.method.name, 0), |effort| (effort.method, effort.iterations));
         let groups = self.groups(emissions, first, light);
+        let before = before.map(|light| lit_before(&groups, light));
+        let before = before.map(|groups| Solution::of_groups(Arc::clone(&self.elements), scene, groups));
         let solution = Solution::of_groups(Arc::clone(&self.elements), scene, groups);
+        let solution = match self.options.bounces {
+            Some(_) => solution.truncated(before),
+            None => solution,
+        };
         let powers = solution.powers().unwrap_or_default();
         let residual = solution.bands().iter().map(|band| band.coefficients.residual).fold(0.0, f64::max);
         let checks = Checks::with_powers(&solution, &self.blocks, powers);
@@ -263,15 +282,23 @@ impl Model {
             split: self.first.is_split,
             converged: efforts.iter().all(|effort| effort.converged),
             choice: self.choice.clone(),
+            unknowns: self.unknowns(),
+            functionals,
             sampling: self.sampling,
             links: None,
             seconds,
         })
     }
 
-    /// The first light of each emission: that of the scene it was assembled from, if it emits as much.
+    /// Number of coefficients per band.
+    fn unknowns(&self) -> usize {
+        self.subspace.as_ref().map_or_else(|| self.elements.coefficients(), Subspace::dim)
+    }
+
+    /// The first light of each emission: that of the scene it was assembled from, if it emits as much. In a subspace what enters
+    /// apart lies in it.
     fn first_light(&self, scene: &Scene, emissions: &[Emission]) -> Vec<Reflected> {
-        self.first.reflected(emissions).unwrap_or_else(|| {
+        let first = self.first.reflected(emissions).unwrap_or_else(|| {
             let stage = Stage {
                 scene,
                 elements: &self.elements,
@@ -281,35 +308,16 @@ impl Model {
             let anew = Emission::all(scene, self.elements.list());
             let first = FirstLight::as_split(&stage, anew, self.first.is_split);
             first.reflected(emissions).expect("the emission is the same")
-        })
-    }
-
-    /// The coefficients of each emission in each band.
-    fn solve_bands(
-        &self,
-        scene: &Scene,
-        emissions: &[Emission],
-        first: &[Reflected],
-        progress: &(dyn Fn(Progress) + Sync),
-    ) -> Result<Solved, Failure> {
-        let mut light: Vec<Vec<Coefficients>> = emissions.iter().map(|_| Vec::new()).collect();
-        let mut efforts = Vec::new();
-        for (band, name) in scene.bands.iter().enumerate() {
-            let lit = emissions.iter().zip(first);
-            let systems: Vec<System> =
-                lit.map(|(emission, first)| self.system(band, &emission.coatings[band], first)).collect();
-            let mut observe =
-                |step: &Step<'_>| progress(Progress::Solve(band, step.iteration, step.residual));
-            let (solved, effort) = solve_band(&systems, &self.options, &mut observe)
-                .map_err(|source| Failure::Solver { band: name.clone(), source })?;
-            light.iter_mut().zip(solved).for_each(|(light, own)| light.push(own));
-            efforts.extend(effort);
+        });
+        match &self.subspace {
+            None => first,
+            Some(subspace) => first.into_iter().map(|own| own.within(subspace)).collect(),
         }
-        Ok(Solved { light, efforts })
     }
 
-    fn system<'a>(&'a self, band: usize, coating: &'a Coating, first: &Reflected) -> System<'a> {
-        System::entered(self.elements.list(), &self.blocks, (band, coating), &first.entry)
+    fn bands<'a>(&'a self, scene: &'a Scene) -> Bands<'a> {
+        let (elements, subspace) = (self.elements.list(), self.subspace.as_ref());
+        Bands { names: &scene.bands, elements, blocks: &self.blocks, subspace, options: &self.options }
     }
 
     /// The light of each emission with its balance of power.
@@ -374,9 +382,19 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
     }
 }
 
-/// The solutions of all bands.
-struct Solved {
-    /// For each emission its coefficients, band by band.
-    light: Vec<Vec<Coefficients>>,
-    efforts: Vec<Effort>,
+/// What the functions of the basis span on `elements`.
+fn subspace(scene: &Scene, options: &Options, elements: &Elements) -> Option<Subspace> {
+    let degree = |surface: usize| scene.surfaces[surface].order.unwrap_or(options.order);
+    Subspace::new(options.basis, elements, &degree, options.space)
+}
+
+/// Other light of the same groups.
+fn lit_before(groups: &[GroupLight], light: Vec<Vec<Coefficients>>) -> Vec<GroupLight> {
+    let other = |(own, bands): (&GroupLight, Vec<Coefficients>)| GroupLight {
+        group: own.group.clone(),
+        bands: bands.into_iter().map(Coefficients::into).collect(),
+        powers: own.powers,
+        masked: own.masked.clone(),
+    };
+    groups.iter().zip(light).map(other).collect()
 }

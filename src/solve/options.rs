@@ -9,7 +9,9 @@ use serde::{Deserialize, Serialize};
 use super::algorithm::Algorithm;
 use super::choice::{MOST_RAYS, Transport, usual_rays};
 use super::direct::Direct;
+use super::preconditioning::Preconditioning;
 use super::stop::Stop;
+use crate::bases::Basis;
 use crate::elements::cells::Layers;
 use crate::elements::mesh::Mesh;
 use crate::elements::space::Space;
@@ -26,6 +28,9 @@ pub struct Options {
     /// Which algorithm finds the light. The hierarchical one takes of all others `eps`, the solver and the threads.
     #[serde(default)]
     pub algorithm: Algorithm,
+    /// Which functions are summed: polynomials, or one of the bases of the variational source.
+    #[serde(default)]
+    pub basis: Basis,
     /// Order of the basis where a surface does not state its own.
     pub order: usize,
     /// Which polynomials of that order: of total degree, or of that degree in each coordinate.
@@ -53,6 +58,13 @@ pub struct Options {
     /// The solver.
     #[serde(with = "method_name")]
     pub method: &'static Method,
+    /// How cg and gmres precondition.
+    #[serde(default)]
+    pub preconditioner: Preconditioning,
+    /// Light that was reflected so many times at the most before it arrives, by the Galerkin algorithm to no wanted accuracy; None
+    /// for all. Solution files hold all light.
+    #[serde(skip)]
+    pub bounces: Option<usize>,
     /// Relative residual ‖r‖₂/‖b‖₂ of the linear solve.
     pub tolerance: f64,
     /// Most iterations of the linear solve.
@@ -79,6 +91,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             algorithm: Algorithm::Galerkin,
+            basis: Basis::Legendre,
             order: 3,
             space: Space::Total,
             subdivide: None,
@@ -92,6 +105,8 @@ impl Default for Options {
             masks: None,
             direct: Direct::Auto,
             method: Method::named("auto").expect("auto is always listed"),
+            preconditioner: Preconditioning::Block,
+            bounces: None,
             tolerance: 1e-8,
             max_iterations: 1000,
             keep_partial: false,

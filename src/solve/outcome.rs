@@ -2,6 +2,8 @@
 
 use std::time::Duration;
 
+use serde::Serialize;
+
 use crate::checks::Checks;
 use crate::hierarchy::Counts;
 use crate::scene::Scene;
@@ -42,6 +44,11 @@ pub struct Outcome {
     pub split: bool,
     /// Whether the solver converged in every band; if not, the solution is its best iterate.
     pub converged: bool,
+    /// Number of coefficients per band.
+    pub unknowns: usize,
+    /// The variational functional at the solution, band by band and in each of all light groups; empty where nothing was solved
+    /// for.
+    pub functionals: Vec<Functional>,
     /// What carried the pairs of elements, and why.
     pub choice: Choice,
     /// Cost and error of the rays, where they carried the pairs.
@@ -67,10 +74,23 @@ impl Outcome {
             checks: self.checks.relit(&solution),
             residual: residuals.fold(0.0, f64::max),
             choice: self.choice.clone(),
+            functionals: self.functionals.clone(),
             solution,
             ..*self
         })
     }
+}
+
+/// The variational functional I(y) = ½ ⟨(I − √ρ G √ρ) y, y⟩ − ⟨f, y⟩ at a solution ([`crate::system::ritz`]): lower in a larger
+/// space, by half the square of the error of energy.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Functional {
+    /// Name of the band.
+    pub band: String,
+    /// The light group whose emission, not dimmed, is the only one; None for what has no group.
+    pub group: Option<String>,
+    /// I(y), in the square of the unit of exitance times scene length².
+    pub value: f64,
 }
 
 /// Wall time per stage.

@@ -18,6 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::elements::coating::Coating;
 use crate::elements::{Element, Elements};
 use crate::light::first_bounce::Entry;
+use crate::system::ritz::Ritz;
 use crate::system::{Coefficients, System};
 use crate::transport::{Accuracy, Blocks, Memory, Rays, SampledTransport};
 use crate::visibility::Visibility;
@@ -249,10 +250,13 @@ impl Subject<'_> {
         let mut all = Vec::new();
         for (band, coatings) in self.bands.iter().enumerate() {
             let groups = coatings.iter().zip(self.entries);
-            let systems: Vec<System> = groups
+            let systems: Vec<Ritz<'_>> = groups
                 .map(|(coating, entry)| System::entered(list, blocks, (band, coating), entry))
+                .map(|system| Ritz::new(system, None))
                 .collect();
-            all.extend(solve_band(&systems, &rough, &mut |_| ())?.0);
+            all.extend(
+                solve_band(&systems, &rough, &mut |_| ())?.0.into_iter().map(|found| found.coefficients),
+            );
         }
         Ok(all)
     }

@@ -8,10 +8,18 @@
 //! ```text
 //! log(error / error′) / log(n′ / n) .
 //! ```
+//!
+//! The error of energy of a run is the distance of its variational functional I ([`crate::system::ritz`]) from that of the finest
+//! uniform run, I*,
+//!
+//! ```text
+//! √((I − I*) / |I*|) ,     I − I* = ½ ‖y − y*‖² in the norm of the system where the spaces are nested.
+//! ```
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Instant;
 
+use crate::bases::Basis;
 use crate::elements::cells::Layers;
 use crate::scene::Scene;
 use crate::solution::Solution;
@@ -25,6 +33,10 @@ const LINKS: [f64; 4] = [1e-2, 2.5e-3, 6e-4, 1.5e-4];
 
 /// Accuracies of gathered light that elements are refined for. Chosen.
 const WANTED: [f64; 4] = [3e-2, 1e-2, 3e-3, 1e-3];
+
+/// Cells of a surface along u and v of the runs by constants and by tents. Chosen: about as many unknowns as polynomials of the
+/// usual orders.
+const CELLS: [usize; 5] = [1, 2, 4, 8, 16];
 
 /// Rays of the sampled runs: from 2¹⁷ by factors of four. Chosen.
 const RAYS: [u64; 4] = [1 << 17, 1 << 19, 1 << 21, 1 << 23];
@@ -41,9 +53,18 @@ pub enum Way {
     Hp,
     /// More and more rays at the highest order.
     Sampled,
+    /// Constants on finer and finer cells.
+    Constant,
+    /// Tents on finer and finer cells.
+    Linear,
+    /// Cosines of higher and higher degree over whole surfaces.
+    Harmonic,
 }
 
 impl Way {
+    /// The ways in the bases of the variational source other than polynomials.
+    pub const BASES: [Self; 3] = [Self::Constant, Self::Linear, Self::Harmonic];
+
     /// Its name in tables.
     pub fn name(self) -> &'static str {
         match self {
@@ -51,6 +72,9 @@ impl Way {
             Way::Hierarchical => "hierarchical",
             Way::Hp => "hp",
             Way::Sampled => "sampled",
+            Way::Constant => "constant",
+            Way::Linear => "linear",
+            Way::Harmonic => "harmonic",
         }
     }
 }
@@ -78,6 +102,9 @@ pub struct Run {
     pub error: Option<f64>,
     /// Order of convergence in the unknowns from the run before; None without one, or with equal unknowns.
     pub rate: Option<f64>,
+    /// Relative error of energy against the finest uniform run; None for that run, and where the two are minima of different
+    /// functionals or rounding and the accuracy of the transfers exceed it.
+    pub energy: Option<f64>,
 }
 
 /// The reference that errors are measured against.
@@ -146,12 +173,17 @@ fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
     let of_way = |way: Way| -> Vec<Trial> {
         let trial = |options, wanted| Trial { way, options, wanted };
         let by_links = |eps| Options { algorithm: Algorithm::Hierarchical, order: 0, eps, ..plain };
+        let on_cells = |basis, order, cells| Options { basis, order, subdivide: Some(cells), ..plain };
+        let by_cosines = |order| Options { basis: Basis::Harmonic, order, ..plain };
         let by_rays = |rays| Options { transport: Transport::Sampled, rays: Some(rays), ..plain };
         match way {
             Way::Uniform => Vec::new(),
             Way::Hierarchical => LINKS.map(|eps| trial(by_links(eps), None)).into(),
             Way::Hp => WANTED.map(|wanted| trial(Options { order: 0, ..plain }, Some(wanted))).into(),
             Way::Sampled => RAYS.map(|rays| trial(by_rays(rays), None)).into(),
+            Way::Constant => CELLS.map(|cells| trial(on_cells(Basis::Constant, 0, cells), None)).into(),
+            Way::Linear => CELLS.map(|cells| trial(on_cells(Basis::Linear, 1, cells), None)).into(),
+            Way::Harmonic => (0..=options.order).map(|order| trial(by_cosines(order), None)).collect(),
         }
     };
     plan.extend(other.iter().flat_map(|way| of_way(*way)));
@@ -161,7 +193,7 @@ fn plan(options: &Options, other: &[Way]) -> Vec<Trial> {
 impl Trial {
     /// Work of the run: about the number of pairs of basis functions, for uniform runs.
     fn work(&self) -> f64 {
-        let cells = (1 + 2 * self.options.layers.count).pow(2);
+        let cells = (self.options.subdivide.unwrap_or(1) + 2 * self.options.layers.count).pow(2);
         ((cells * self.options.space.count(self.options.order)) as f64).powi(2)
     }
 
@@ -189,11 +221,13 @@ fn runs(plan: &[Trial], made: &[Made], reference: &Reference) -> Vec<Run> {
             Some(distance(&made[k].outcome.solution, finest).expect("the runs are of one scene"))
         }
     };
+    let finest = &made[last].outcome;
     let mut runs: Vec<Run> = Vec::with_capacity(plan.len());
     for (k, (trial, made)) in plan.iter().zip(made).enumerate() {
         let run = run(trial, made, error(k));
         let rate = runs.last().and_then(|before| rate(before, &run));
-        runs.push(Run { rate, ..run });
+        let energy = (k != last).then(|| energy(&made.outcome, finest)).flatten();
+        runs.push(Run { rate, energy, ..run });
     }
     runs
 }
@@ -202,7 +236,7 @@ fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
     let elements = made.outcome.solution.elements();
     let orders = elements.list().iter().map(|element| element.basis.order());
     let order = match trial.way {
-        Way::Uniform => trial.options.order,
+        Way::Uniform | Way::Constant | Way::Linear | Way::Harmonic => trial.options.order,
         _ => orders.max().unwrap_or(0),
     };
     Run {
@@ -210,13 +244,23 @@ fn run(trial: &Trial, made: &Made, error: Option<f64>) -> Run {
         order,
         layers: trial.options.layers.count,
         elements: elements.list().len(),
-        unknowns: elements.coefficients(),
+        unknowns: made.outcome.unknowns,
         samples: made.outcome.samples,
         rays: made.outcome.rays,
         seconds: made.seconds,
         error,
         rate: None,
+        energy: None,
     }
+}
+
+/// The relative error of energy of an outcome against a finer one.
+fn energy(outcome: &Outcome, finest: &Outcome) -> Option<f64> {
+    let sum = |own: &Outcome| own.functionals.iter().map(|functional| functional.value).sum::<f64>();
+    let is_of_one = |own: &Outcome| !own.choice.sampled && own.functionals.len() == finest.functionals.len();
+    let comparable = outcome.split == finest.split && is_of_one(outcome) && is_of_one(finest);
+    let (own, least) = (sum(outcome), sum(finest));
+    (comparable && own > least && least < 0.0).then(|| ((own - least) / -least).sqrt())
 }
 
 fn rate(before: &Run, run: &Run) -> Option<f64> {

@@ -478,6 +478,47 @@ fn rays_with_what_knows_none() {
 }
 
 #[test]
+fn what_goes_with_no_other_basis() {
+    for (basis, others, told) in [
+        ("constant", &["--order", "2"][..], "--basis constant has no --order 2"),
+        ("linear", &["--order", "0"], "--basis linear has no --order 0"),
+        ("linear", &["--tensor"], "--basis linear does not go with --tensor"),
+        ("harmonic", &["--accuracy", "0.1"], "--basis harmonic does not go with --accuracy"),
+        (
+            "harmonic",
+            &["--method", "hierarchical", "--order", "0"],
+            "--basis harmonic does not go with --method hierarchical",
+        ),
+        ("constant", &["--rays", "1000"], "--basis constant does not go with --rays"),
+        ("linear", &["--kernel", "paper-legendre"], "--basis linear does not go with --kernel"),
+        ("linear", &["--shadows", "mask"], "--basis linear does not go with --shadows mask"),
+    ] {
+        let args = [&["grid", "empty-box", "--basis", basis][..], others].concat();
+        refused_command(&args, &[told, "leave"]);
+    }
+    refused_command(&["convergence", "--basis", "constant"], &["not --basis constant", "--with constant"]);
+    refused_command(&["convergence", "--basis", "harmonic", "--bases"], &["not --basis harmonic"]);
+}
+
+#[test]
+fn what_goes_with_no_limit_of_reflections() {
+    refused_command(
+        &["solve", "--bounces", "2"],
+        &["--bounces 2: a solution is kept", "render, probe or grid"],
+    );
+    refused_command(
+        &["grid", "--bounces", "2", "--accuracy", "0.1"],
+        &["--bounces does not go with --accuracy"],
+    );
+    let args = ["grid", "--bounces", "2", "--method", "hierarchical"];
+    refused_command(&args, &["--bounces does not go with --method hierarchical"]);
+    refused_command(
+        &["grid", "--preconditioner", "none", "--solver", "lu"],
+        &["does nothing with --solver lu"],
+    );
+}
+
+#[test]
 fn unknown_solver() {
     refused_command(&["solve", "--solver", "gauss"], &["'gauss'", "lu", "gauss-seidel", "southwell"]);
 }
@@ -489,7 +530,12 @@ fn options_out_of_range() {
         ("--eps", "nan"),
         ("--tolerance", "0"),
         ("--max-iterations", "0"),
-        ("--subdivide", "3"),
+        ("--subdivide", "0"),
+        ("--subdivide", "257"),
+        ("--basis", "wavelet"),
+        ("--bounces", "-1"),
+        ("--bounces", "1.5"),
+        ("--preconditioner", "some"),
         ("--shadows", "some"),
         ("--threads", "0"),
         ("--threads", "100000"),

@@ -94,6 +94,29 @@ fn convergence_draws_other_ways_beside_rising_orders() {
 }
 
 #[test]
+fn convergence_draws_all_bases() {
+    let folder = tempfile::tempdir().unwrap();
+    let asked =
+        ["convergence", "empty-box", "--max-order", "2", "--bases", "--format", "csv", "-q", "-o", "b.svg"];
+    let output = radiosity(folder.path(), &asked);
+    assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stderr));
+    let table = String::from_utf8_lossy(&output.stdout);
+    let rows: Vec<Vec<&str>> = table.lines().skip(1).map(|line| line.split(',').collect()).collect();
+    let ways: Vec<&str> = rows.iter().map(|row| row[0]).collect();
+    assert_eq!(ways, [&["uniform"; 3][..], &["constant"; 5], &["linear"; 5], &["harmonic"; 3]].concat());
+    // The errors of energy of all bases fall with their unknowns, down to that of the reference.
+    for way in ["constant", "harmonic"] {
+        let errors = rows.iter().filter(|row| row[0] == way).map(|row| row[10].parse().ok());
+        let errors: Vec<f64> = errors.flatten().collect();
+        assert!(errors.len() > 2 && errors.windows(2).all(|pair| pair[1] < pair[0]), "{errors:?}");
+    }
+    let drawn = fs::read_to_string(folder.path().join("b.svg")).unwrap();
+    for label in ["constants on cells", "tents on cells", "cosines over surfaces"] {
+        assert!(drawn.contains(label), "{label}");
+    }
+}
+
+#[test]
 fn importance_is_drawn_of_a_solution_too() {
     let folder = tempfile::tempdir().unwrap();
     done(folder.path(), &["solve", "cornell-box", "--order", "0", "-o", "s.json"]);

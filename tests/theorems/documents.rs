@@ -21,12 +21,13 @@ const DOCUMENTS: [&str; 13] = [
     "solvers/benches/README.md",
 ];
 /// The documents that say where in the sources things live.
-const MAPS: [&str; 7] = [
+const MAPS: [&str; 8] = [
     "docs/glossary.md",
     "docs/theory/transport.md",
     "docs/theory/visibility.md",
     "docs/theory/gathering.md",
     "docs/theory/solvers.md",
+    "docs/theory/variational.md",
     "docs/theory/animation.md",
     "docs/viewer.md",
 ];

@@ -3,6 +3,8 @@
 mod animation;
 mod animation_by_series;
 mod animation_series;
+mod bases;
+mod bounces;
 mod boxes;
 mod builder;
 mod convergence;

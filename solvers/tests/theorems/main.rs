@@ -10,3 +10,4 @@ mod shooting;
 mod stress;
 mod systems;
 mod threads;
+mod variational;

@@ -281,9 +281,9 @@ fn too_few_iterations_leave_the_best_iterate_and_its_residual() {
 
 #[test]
 fn divergence_is_seen_and_undone() {
-    // The spectral radius of I − D⁻¹A is 3 for jacobi and 9 for gauss-seidel.
+    // The spectral radius of I − D⁻¹A is 3 for jacobi and richardson, and 9 for gauss-seidel.
     let a = dense(2, &[1.0, 3.0, 3.0, 1.0], true);
-    for name in ["jacobi", "gauss-seidel", "southwell"] {
+    for name in ["jacobi", "richardson", "gauss-seidel", "southwell"] {
         let mut x = vec![0.0; 2];
         let settings = Settings { max_iterations: usize::MAX, ..Settings::default() };
         let solved =

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use radiosity_solvers::method::Method;
+use radiosity_solvers::method::{Method, Needs};
 use radiosity_solvers::{Granularity, Operator, Partition, Settings, SolveError, Stop};
 
 use crate::exact::norm;
@@ -29,7 +29,7 @@ fn no_tolerance_is_too_small_to_end() {
             );
             // What converges at all goes down to the rounding floor, ε ‖A‖ ‖x‖ / ‖b‖ times a modest factor.
             let reachable = 1e-14 * norm(&x) / norm(&b);
-            let slow = method.name == "jacobi" || floor < 1e-6;
+            let slow = ["jacobi", "richardson"].contains(&method.name) || floor < 1e-6;
             assert!(slow || residual <= reachable, "{}: {residual:e} {reachable:e}", method.name);
         }
     }
@@ -138,7 +138,7 @@ fn empty_blocks_are_passed_over() {
 fn the_unit_of_the_matrix_does_not_matter() {
     for unit in [1e-200, 1e-100, 1e100, 1e200] {
         let a = matrix(Partition::new(&[2, 1]), true, |i, j| unit * if i == j { 1.0 } else { 0.25 });
-        for method in Method::ALL {
+        for method in Method::ALL.iter().filter(|method| method.needs != Needs::NearIdentity) {
             let mut x = vec![0.0; 3];
             let solved = method.solver.solve(&a, &[1.0, 2.0, 3.0], &mut x, &Settings::default(), &mut |_| ());
             assert!(solved.is_ok(), "{} with {unit:e}: {solved:?}", method.name);
@@ -163,7 +163,7 @@ fn what_rises_first_and_falls_slowly_is_not_stuck() {
     let mut b = vec![0.0; dim];
     b[0] = 1.0;
     let settings = Settings { max_iterations: 10_000, ..Settings::default() };
-    for name in ["jacobi", "gauss-seidel", "southwell"] {
+    for name in ["jacobi", "richardson", "gauss-seidel", "southwell"] {
         let mut x = vec![0.0; dim];
         let solved = Method::named(name).unwrap().solver.solve(&a, &b, &mut x, &settings, &mut |_| ());
         assert!(solved.is_ok(), "{name}: {solved:?}");

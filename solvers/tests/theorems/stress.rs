@@ -7,7 +7,7 @@
 use std::time::{Duration, Instant};
 
 use radiosity_solvers::method::Method;
-use radiosity_solvers::{Dense, Granularity, Settings, SolveError, Sweep};
+use radiosity_solvers::{Dense, Granularity, Preconditioner, Settings, SolveError, Sweep};
 
 use crate::exact;
 use crate::systems::{Random, enclosure, exchange, matrix, scaled};
@@ -73,6 +73,7 @@ fn settings(random: &mut Random) -> Settings<'static> {
         granularity: if random.below(2) == 0 { Granularity::Block } else { Granularity::Coefficient },
         sweep: if random.below(2) == 0 { Sweep::Forward } else { Sweep::Symmetric },
         relaxation: if random.below(2) == 0 { 1.0 } else { 0.1 + 1.8 * random.unit() },
+        preconditioner: if random.below(2) == 0 { Preconditioner::Block } else { Preconditioner::None },
         restart: 1 + random.below(30),
         condition: random.below(4) == 0,
         ..Settings::default()

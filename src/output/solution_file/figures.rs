@@ -41,6 +41,9 @@ pub(super) struct Figures {
     /// What was linked, where hierarchical radiosity found the light.
     #[serde(default)]
     links: Option<Counts>,
+    /// Number of coefficients per band, where it is not that of the elements.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    unknowns: Option<usize>,
     pairs: PairCounts,
     checks: Checks,
 }
@@ -66,6 +69,7 @@ impl Figures {
             choice: outcome.choice.clone(),
             sampling: outcome.sampling,
             links: outcome.links,
+            unknowns: Some(outcome.unknowns).filter(|own| *own != outcome.solution.elements().coefficients()),
             pairs: outcome.pairs,
             checks: outcome.checks,
         }
@@ -79,6 +83,8 @@ impl Figures {
     /// The outcome again, with zero times. None if there is no such solver.
     pub(super) fn outcome(self, solution: Solution) -> Option<Outcome> {
         Some(Outcome {
+            unknowns: self.unknowns.unwrap_or_else(|| solution.elements().coefficients()),
+            functionals: Vec::new(),
             solution,
             checks: self.checks,
             choice: self.choice,

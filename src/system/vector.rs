@@ -1,0 +1,25 @@
+//! Sums and norms of coefficients.
+
+use crate::elements::Element;
+
+/// x + y.
+pub(super) fn sum(x: &[f64], y: &[f64]) -> Vec<f64> {
+    x.iter().zip(y).map(|(x, y)| x + y).collect()
+}
+
+/// ‖x‖₂.
+pub(super) fn norm(x: &[f64]) -> f64 {
+    x.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+/// ‖x − y‖₂.
+pub(super) fn distance(x: &[f64], y: &[f64]) -> f64 {
+    x.iter().zip(y).map(|(x, y)| (x - y) * (x - y)).sum::<f64>().sqrt()
+}
+
+/// What `write` appends for each element, one after the other.
+pub(super) fn per_element(elements: &[Element], write: impl Fn(usize, &mut Vec<f64>)) -> Vec<f64> {
+    let mut all = Vec::new();
+    (0..elements.len()).for_each(|i| write(i, &mut all));
+    all
+}
