@@ -21,7 +21,7 @@
 //! (I − S G) r = S G e ,     b = e + r
 //! ```
 //!
-//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: GMRES and Gauss–Seidel converge as fast as before.
+//! is not symmetric, but ‖S G‖ ≤ max (ρ + τ) < 1: Richardson's iteration and GMRES converge as fast as before.
 //!
 //! Where direct light is split off (`light::first_bounce`), the coefficients d of direct irradiance and g of irradiance
 //! that was reflected exactly once are known; s of the irradiance that was reflected at least once is unknown. With s =

@@ -38,6 +38,7 @@ pub use blocks::block::{Accuracy, Kind};
 pub use blocks::miss::Miss;
 pub use blocks::pair_counts::PairCounts;
 pub use blocks::reciprocity::Reciprocity;
+pub(crate) use blocks::remainder::Remainder;
 pub use carrier::Carrier;
 pub(crate) use known::{Known, KnownBlocks};
 pub(crate) use memory::Memory;

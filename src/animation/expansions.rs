@@ -18,13 +18,12 @@ use radiosity_geom::DVec3;
 
 use super::series::MovedBlock;
 use crate::elements::Element;
-use crate::solution::Solution;
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::{Known, KnownBlocks};
 use expansion::Expansion;
 pub(super) use expansion::ORDERS;
 use places::{Place, Places};
-use told::{Summed, carried};
+pub(super) use told::carried;
 
 /// Steps of this part of the extents of a pair are rounding.
 const ROUNDED: f64 = 1e-13;
@@ -40,8 +39,8 @@ pub(super) struct Expansions {
     eps: f64,
     places: Mutex<Places>,
     pairs: Mutex<HashMap<[usize; 2], Pair>>,
-    /// Blocks of this frame.
-    summed: Mutex<Vec<Summed>>,
+    /// Blocks that were summed for this frame.
+    summed: AtomicUsize,
     expanded: AtomicUsize,
 }
 
@@ -69,33 +68,25 @@ impl Expansions {
             eps,
             places: Mutex::default(),
             pairs: Mutex::default(),
-            summed: Mutex::default(),
+            summed: AtomicUsize::new(0),
             expanded: AtomicUsize::new(0),
         }
     }
 
     /// Begins another frame.
     pub(super) fn begin(&self) {
-        locked(&self.summed).clear();
+        self.summed.store(0, Ordering::Relaxed);
         self.expanded.store(0, Ordering::Relaxed);
     }
 
-    /// Blocks of this frame that are sums of series.
+    /// Blocks that were summed for this frame; those that rest, and copies, are not counted.
     pub(super) fn summed(&self) -> usize {
-        locked(&self.summed).len()
+        self.summed.load(Ordering::Relaxed)
     }
 
     /// Blocks that were expanded for this frame.
     pub(super) fn expanded(&self) -> usize {
         self.expanded.load(Ordering::Relaxed)
-    }
-
-    /// Bound of the relative difference that the series of this frame make in its light; None where there were none.
-    pub(super) fn error(&self, solution: &Solution) -> Option<f64> {
-        let mut summed = locked(&self.summed);
-        // Threads came in any order.
-        summed.sort_by_key(|block| block.places);
-        (!summed.is_empty()).then(|| carried(&summed, solution))
     }
 
     /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and the samples of its
@@ -148,8 +139,8 @@ impl KnownBlocks for Expansions {
         locked(&self.pairs).insert(places, pair);
         let (MovedBlock { values, error }, samples) = found?;
         let largest = values.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        locked(&self.summed).push(Summed { places, error: error + eps * largest });
-        Some(Known::Block(Block {
+        self.summed.fetch_add(1, Ordering::Relaxed);
+        let block = Block {
             values,
             kind: Kind::Separated,
             partly_hidden: false,
@@ -159,7 +150,8 @@ impl KnownBlocks for Expansions {
             samples,
             distinct: samples,
             rays: 0,
-        }))
+        };
+        Some(Known::Block { block, remainder: error + eps * largest })
     }
 }
 

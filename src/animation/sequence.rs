@@ -13,7 +13,7 @@ use crate::transport::{Memory, RayCounts};
 
 use super::account::Account;
 use super::error::AnimationError;
-use super::expansions::{Expansions, ORDERS, known};
+use super::expansions::{Expansions, ORDERS, carried, known};
 use super::frame::Frame;
 
 /// The frames of a scene that moves.
@@ -95,7 +95,7 @@ impl<'a> Sequence<'a> {
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
         let rays = self.memory.as_ref().map_or_else(traced, Memory::rays);
         self.spent += self.share(&rays);
-        self.error = self.expansions.as_ref().and_then(|expansions| expansions.error(&outcome.solution));
+        self.error = carried(&model.blocks().remainders, &outcome.solution);
         self.account.take(&still, &outcome, rays);
         let frame = Frame::of(still, model.into_visibility(), outcome);
         Ok(Frame { interpolated: self.error, ..frame })

@@ -2,6 +2,7 @@
 
 use radiosity::Basis;
 use radiosity::solve::{Algorithm, Preconditioning, Transport};
+use radiosity::studies::convergence::Way;
 
 use crate::cli::{
     error::CliError,
@@ -60,6 +61,25 @@ fn check_bounces(method: &MethodArgs) -> Result<(), CliError> {
         (method.wanted_accuracy().is_some(), "--accuracy"),
     ];
     refuse("--bounces", &unknown)
+}
+
+/// Refuses ways of a convergence study that do not go with what is asked of all.
+pub(crate) fn check_ways(method: &MethodArgs, ways: &[Way]) -> Result<(), CliError> {
+    for way in ways {
+        let name = format!("--with {}", way.name());
+        match way {
+            Way::Uniform => {}
+            Way::Constant | Way::Linear | Way::Harmonic => refuse(&name, &others(method))?,
+            Way::Hierarchical | Way::Hp | Way::Sampled => refuse(
+                &name,
+                &[
+                    (method.basis != Basis::Legendre, "--basis"),
+                    (method.bounces.is_some() && *way != Way::Sampled, "--bounces"),
+                ],
+            )?,
+        }
+    }
+    Ok(())
 }
 
 /// Options that know polynomials on elements only, and whether they are typed.

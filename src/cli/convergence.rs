@@ -89,6 +89,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     }
     args.check_basis()?;
     basis::check(&args.method)?;
+    basis::check_ways(&args.method, &args.other_ways())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;

@@ -184,6 +184,12 @@ impl Coating {
         self.sheets.get(&element).map_or(0.0, |sheet| sheet.transmittance)
     }
 
+    /// The largest ρ + τ of an element.
+    pub(crate) fn most(&self, element: usize) -> f64 {
+        let paint = self.paints.get(&element).map(|paint| paint.most());
+        paint.unwrap_or(self.reflectance[element]) + self.transmittance(element)
+    }
+
     /// ρ² + τ² of an element, by which squared errors of irradiance count in radiosity; the square of its mean where ρ varies.
     pub(crate) fn squared(&self, element: usize) -> f64 {
         self.reflectance[element].powi(2) + self.transmittance(element).powi(2)

@@ -244,7 +244,7 @@ impl<'a> Penumbra<'a> {
     fn refine(&self, vantage: &ReceiverPoint, beams: &mut [Beam], tolerance: f64, sure: bool) {
         let mut errors: SmallVec<[f64; 16]> = beams.iter().map(|beam| beam.error(sure)).collect();
         while errors.iter().map(|error| error * error).sum::<f64>() > tolerance * tolerance {
-            let open = (0..beams.len()).filter(|k| beams[*k].sent < MOST);
+            let open = (0..beams.len()).filter(|k| beams[*k].known.is_none() && beams[*k].sent < MOST);
             let Some(worst) = open.max_by(|a, b| errors[*a].total_cmp(&errors[*b])) else { return };
             let beam = &mut beams[worst];
             self.send(vantage, beam, beam.sent);

@@ -78,7 +78,13 @@ impl<'a> Source<'a> {
         let elements: Vec<&Element> = group.iter().map(|lamp| &sources.elements[lamp.element]).collect();
         let surface = elements[0].surface;
         let is_diffuse = sources.radiances.of_surface(surface).is_none();
-        let whole = if is_diffuse && is_whole(&elements) { whole_form(&elements, visibility) } else { None };
+        let first = group[0].element;
+        let shines_as_first = |lamp: &Lamp| {
+            sources.coatings.iter().all(|own| own.exitance[lamp.element] == own.exitance[first])
+        };
+        let is_even = group.iter().all(shines_as_first);
+        let is_one = is_diffuse && is_even && is_whole(&elements);
+        let whole = if is_one { whole_form(&elements, visibility) } else { None };
         if let Some((form, plane)) = whole {
             let whole = group.into_iter().next().map(|lamp| lamp.whole(&elements, plane));
             return all.extend(whole.map(|lamp| Self::new(lamp, &elements, form)));

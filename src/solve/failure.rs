@@ -37,6 +37,17 @@ pub enum Failure {
         /// What was asked for.
         what: &'static str,
     },
+    /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes through.
+    #[error(
+        "surface '{surface}': its reflectance varies, or light comes through it, which the functions of --basis {basis} do not follow: take \
+         --basis legendre or constant"
+    )]
+    NotEven {
+        /// Name of the first of them.
+        surface: String,
+        /// The basis.
+        basis: &'static str,
+    },
     /// Shadow masks were asked for, but they know no light of luminaires.
     #[error(
         "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: choose another kind of --shadows, \

@@ -8,12 +8,12 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use crate::bases::Subspace;
 use crate::bases::basis::Ground;
+use crate::bases::{Basis, Subspace};
 use crate::checks::{Balance, Checks, Lit};
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, Elements};
-use crate::scene::Scene;
+use crate::scene::{Scene, SceneSurface};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
@@ -363,6 +363,7 @@ impl Plan<'_> {
 
 /// Refuses what cannot carry the light of luminaires or of a sky.
 fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    require_even(scene, options)?;
     let shines = scene.luminaires.iter().find(|own| own.emits()).filter(|_| options.masks.is_some());
     if let Some(own) = shines {
         return Err(Failure::Unmasked { luminaire: own.name.clone() });
@@ -378,6 +379,19 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
             let light = if own.is_opening() { "an opening to a sky" } else { "a luminaire" };
             Err(Failure::NotDiffuse { surface: own.name.clone(), light, what })
         }
+        None => Ok(()),
+    }
+}
+
+/// Refuses functions over several elements where S does not commute with their projection: power would be lost.
+fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
+    let basis = options.basis;
+    if matches!(basis, Basis::Legendre | Basis::Constant) {
+        return Ok(());
+    }
+    let varies = |own: &&SceneSurface| own.material.reflectance_pattern.is_some() || own.material.transmits();
+    match scene.surfaces.iter().find(varies) {
+        Some(own) => Err(Failure::NotEven { surface: own.name.clone(), basis: basis.name() }),
         None => Ok(()),
     }
 }

@@ -21,7 +21,8 @@ pub(super) struct Reduction<'a> {
 impl<'a> Reduction<'a> {
     /// The reduction to `subspace` where the elements `reflecting` of those with these `starts` reflect.
     pub(super) fn new(subspace: &'a Subspace, reflecting: &[usize], starts: &[usize]) -> Self {
-        let reflects = |group: &&Group| group.elements.iter().any(|index| reflecting.contains(index));
+        let reflects =
+            |group: &&Group| group.elements.iter().any(|index| reflecting.binary_search(index).is_ok());
         Self {
             subspace,
             groups: subspace.groups().iter().filter(reflects).collect(),

@@ -4,6 +4,7 @@ pub(crate) mod block;
 pub(crate) mod miss;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
+pub(crate) mod remainder;
 
 use std::borrow::Cow;
 
@@ -13,6 +14,7 @@ use crate::transport::blocks::pair_counts::PairCounts;
 use block::Block;
 use miss::Miss;
 use reciprocity::Reciprocity;
+use remainder::Remainder;
 
 /// Chunks of blocks that are multiplied in parallel: enough for some cores, few enough for the sums of their results.
 const CHUNKS: usize = 32;
@@ -46,6 +48,8 @@ pub struct Blocks {
     pub accuracy_reached: f64,
     /// The block whose error is the largest multiple of what was asked of it.
     pub miss: Option<Miss>,
+    /// Of blocks that are known otherwise than by integrals.
+    pub(crate) remainders: Vec<Remainder>,
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
@@ -75,6 +79,7 @@ impl Blocks {
             reciprocity: Reciprocity::default(),
             accuracy_reached: 0.0,
             miss: None,
+            remainders: Vec::new(),
         }
     }
 

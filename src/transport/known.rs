@@ -11,7 +11,11 @@ pub(crate) enum Known {
     /// It is that of the scene before, if that was integrated for the same accuracy.
     Same,
     /// It is this one.
-    Block(Block),
+    Block {
+        block: Block,
+        /// Bound of the norm of what it differs by from the integrated block.
+        remainder: f64,
+    },
 }
 
 /// Blocks that are known otherwise than by rules.

@@ -82,12 +82,18 @@ pub(in crate::transport) struct Request {
 #[derive(Debug)]
 pub(in crate::transport) struct Answer {
     pub block: Block,
+    /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else 0.
+    pub remainder: f64,
     pub exchanged: OnceLock<Option<f64>>,
 }
 
 impl Answer {
     pub(in crate::transport) fn of(block: Block) -> Self {
-        Self { block, exchanged: OnceLock::new() }
+        Self::known(block, 0.0)
+    }
+
+    pub(in crate::transport) fn known(block: Block, remainder: f64) -> Self {
+        Self { block, remainder, exchanged: OnceLock::new() }
     }
 }
 

@@ -25,6 +25,7 @@ use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::blocks::miss::Miss;
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::blocks::reciprocity::Reciprocity;
+use crate::transport::blocks::remainder::Remainder;
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
 use crate::transport::contact::sectors::sectors;
@@ -310,9 +311,12 @@ impl Scene<'_> {
         integrated: &[Arc<Answer>],
     ) {
         let (Source::Own(place) | Source::Copy(_, place)) = source;
-        let block = &integrated[*place].block;
+        let Answer { block, remainder, .. } = &*integrated[*place];
         blocks.pairs.take(block);
         let (row, column) = (task.row as usize, task.column as usize);
+        if *remainder > 0.0 {
+            blocks.remainders.push(Remainder { places: [row, column], bound: *remainder });
+        }
         match source {
             Source::Own(_) => {
                 blocks.take_costs(block);

@@ -46,6 +46,11 @@ impl Paint {
         self.varied.at(parameters)
     }
 
+    /// The largest ρ of the pattern.
+    pub(super) fn most(&self) -> f64 {
+        self.varied.most()
+    }
+
     /// About ρ at parameters of the surface: its mean over a tile, which few points of a cell represent better.
     pub(super) fn about(&self, parameters: [f64; 2]) -> f64 {
         self.varied.tiles.at(parameters).unwrap_or_else(|| self.at(parameters))

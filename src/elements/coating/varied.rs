@@ -45,6 +45,11 @@ impl Varied {
         self.band == other.band && same
     }
 
+    /// The largest q of the whole pattern.
+    pub(super) fn most(&self) -> f64 {
+        self.pattern.range(self.band)[1]
+    }
+
     /// q at parameters of the surface.
     pub(super) fn at(&self, parameters: [f64; 2]) -> f64 {
         self.pattern.at(self.band, parameters)

@@ -24,7 +24,7 @@ impl Scene<'_> {
         }
         match known.block(places, pair, goal.accuracy.eps)? {
             Known::Same => memory.before(&request).cloned(),
-            Known::Block(block) => Some(Arc::new(Answer::of(block))),
+            Known::Block { block, remainder } => Some(Arc::new(Answer::known(block, remainder))),
         }
     }
 }
