@@ -15,7 +15,7 @@ pub(crate) fn texels() -> Vec<u8> {
 fn texel(column: usize, row: usize) -> [u8; 3] {
     let (plank, within) = (row / PLANK, row % PLANK);
     // The joints of a plank: its long side, and one short side.
-    if within == 0 || (column + 37 * plank) % SIZE[0] == 0 {
+    if within == 0 || (column + 37 * plank).is_multiple_of(SIZE[0]) {
         return [52, 34, 22];
     }
     let bend = wave(2 * column + 53 * plank) / 4;

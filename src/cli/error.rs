@@ -217,6 +217,7 @@ impl CliError {
                 | Failure::NoChart { .. }
                 | Failure::Unmasked { .. }
                 | Failure::NotDiffuse { .. }
+                | Failure::NotEven { .. }
                 | Failure::Hierarchy(
                     HierarchyError::Luminaire { .. }
                     | HierarchyError::Opening { .. }

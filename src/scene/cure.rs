@@ -104,7 +104,7 @@ impl Fault {
                 "scale the pattern down: factor = {:.2}, times the factor that it may have already; white paint has ρ = 0.85 or so",
                 (0.9 / value).min(0.9)
             ),
-            Fault::BadPicture { cure, .. } => cure.clone(),
+            Fault::BadPicture { cure, .. } => cure.to_string(),
             Fault::UnknownWord { what, name, known } => {
                 choose(name, known.iter().copied(), &format!("known words for {what}"))
             }

@@ -242,7 +242,7 @@ pub enum Fault {
         /// The number.
         value: f64,
         /// Where it is, e.g. `at u = 0.5, v = −1`.
-        place: String,
+        place: Box<str>,
         /// The range, e.g. `0 ≤ ρ < 1`.
         range: &'static str,
     },
@@ -250,11 +250,11 @@ pub enum Fault {
     #[error("{path:?}: {cause}")]
     BadPicture {
         /// Its path, as it was opened.
-        path: String,
+        path: Box<str>,
         /// What is wrong with it.
-        cause: String,
+        cause: Box<str>,
         /// How to mend it.
-        cure: String,
+        cure: Box<str>,
     },
     /// A surface of one side that has what needs two.
     #[error("{what} needs a surface of two sides")]
@@ -276,7 +276,7 @@ pub enum Fault {
         /// What it says, e.g. `wrap`.
         what: &'static str,
         /// What was typed.
-        name: String,
+        name: Box<str>,
         /// The words there are.
         known: Vec<&'static str>,
     },

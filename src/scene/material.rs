@@ -202,7 +202,7 @@ fn check_pattern(
             None => Ok(()),
             Some((extreme, range)) => {
                 let (value, place) = (extreme.value, extreme.spot.to_string());
-                Err(Fault::PatternRange { what, value, place, range })
+                Err(Fault::PatternRange { what, value, place: place.into(), range })
             }
         }
     })

@@ -98,7 +98,7 @@ impl Pattern {
     /// [`Fault::OutOfRange`] where a band has another count of numbers, or none; [`Fault::NotFinite`].
     pub fn texels(columns: usize, values: Vec<Vec<f64>>, placement: Placement) -> Result<Self, Fault> {
         let count = values.first().map_or(0, Vec::len);
-        let is_full = columns > 0 && count > 0 && count % columns == 0;
+        let is_full = columns > 0 && count > 0 && count.is_multiple_of(columns);
         let is_full = is_full && values.iter().all(|band| band.len() == count);
         check_range(columns as f64, is_full, "the number of columns", "as many as make whole rows")?;
         values.iter().flatten().try_for_each(|value| check_number(*value))?;

@@ -60,9 +60,9 @@ fn read(path: &str, encoding: Option<Encoding>, source: &Source) -> Result<Pictu
         Encoding::Srgb => Coding::Srgb,
     });
     picture::read(&bytes, coding, MOST_KEPT).map_err(|fault| Fault::BadPicture {
-        path: path.to_owned(),
-        cause: fault.cause,
-        cure: fault.cure,
+        path: path.into(),
+        cause: fault.cause.into(),
+        cure: fault.cure.into(),
     })
 }
 
@@ -81,11 +81,11 @@ fn channels(
             Ok((vec![grey], Some("luminance of its colours")))
         }
         _ => Err(Fault::BadPicture {
-            path: path.to_owned(),
-            cause: format!("it is coloured, and there are {bands} bands"),
+            path: path.into(),
+            cause: format!("it is coloured, and there are {bands} bands").into(),
             cure: "give the scene one band, or three for red, green and blue; or take a grey picture, with a factor for \
                    each band"
-                .to_owned(),
+                .into(),
         }),
     }
 }

@@ -147,3 +147,14 @@ fn view_factors_know_no_textures() {
     let (varied, even) = (factors(folder(ROOM).path()), factors(folder(&even).path()));
     assert!(!even.is_empty() && varied == even);
 }
+
+/// Tents and cosines reach over what reflects differently.
+#[test]
+fn bases_over_several_elements_refuse_what_varies() {
+    let room = folder(ROOM);
+    for basis in ["linear", "harmonic"] {
+        let told = ["surface 'floor'", "--basis legendre"];
+        refused(room.path(), &["solve", "room.toml", "--basis", basis], &told);
+    }
+    done(room.path(), &["solve", "room.toml", "--basis", "constant", "-q", "-o", "room.json"]);
+}

@@ -204,3 +204,66 @@ fn parts_of_pixels_make_up_their_means() {
     }
     assert!(several > 50, "the borders of ball and floor cross pixels: {several}");
 }
+
+/// Two lamps over a black floor, one wholly behind a panel, the other nearly behind a ball: that nothing comes from the first is
+/// known without rays, of which the other cannot have enough.
+#[test]
+fn rays_end_where_one_emitter_is_known_and_another_is_not() {
+    let room = r#"
+materials.black = { reflectance = 0.0 }
+materials.lamp = { reflectance = 0, emission = 40 }
+camera = { eye = [2.5, -3, 1.5], target = [2.5, 2, 0], width = 40, height = 30 }
+[[surfaces]]
+name = "floor"
+material = "black"
+quad = { vertices = [[0,0,0],[5,0,0],[5,4,0],[0,4,0]] }
+[[surfaces]]
+name = "hidden"
+material = "lamp"
+quad = { vertices = [[1,1,3],[1,2,3],[2,2,3],[2,1,3]] }
+[[surfaces]]
+name = "half"
+material = "lamp"
+quad = { vertices = [[3,1,3],[3,2,3],[4,2,3],[4,1,3]] }
+[[surfaces]]
+name = "ball"
+material = "black"
+sphere = { center = [3.5,1.5,1.5], radius = 0.5 }
+[[surfaces]]
+name = "panel"
+material = "black"
+quad = { vertices = [[0.5,0.5,2.8],[2.5,0.5,2.8],[2.5,2.5,2.8],[0.5,2.5,2.8]] }
+"#;
+    let scene = Scene::from_toml(room, "room.toml").expect("a scene");
+    let Taken { raster, .. } = taken(scene, 1);
+    assert!(raster.pixels().any(|pixel| pixel[0] > 0.1));
+}
+
+/// A disk one half of which is a hundred times as bright as the other, by rays and by polynomials: it is no single source.
+#[test]
+fn a_disk_that_shines_unevenly_lights_as_its_parts_do() {
+    let room = r#"
+materials.wall = { reflectance = 0.0 }
+materials.lamp = { reflectance = 0, emission = { cells = [[1, 100], [1, 100]] } }
+camera = { eye = [0, -5, 2.5], target = [0, 0, 0], width = 24, height = 18 }
+[[surfaces]]
+name = "floor"
+material = "wall"
+quad = { vertices = [[-2,-2,0],[2,-2,0],[2,2,0],[-2,2,0]] }
+[[surfaces]]
+name = "disk"
+material = "lamp"
+disk = { center = [0,0,3], normal = [0,0,-1], radius = 0.5 }
+[[surfaces]]
+name = "ball"
+material = "wall"
+sphere = { center = [1.5,1.5,1.0], radius = 0.2 }
+"#;
+    let scene = Scene::from_toml(room, "room.toml").expect("a scene");
+    let Taken { outcome, visibility, scene, raster } = taken(scene, 1);
+    let camera = scene.camera.clone().expect("a camera");
+    let read = Read::Basis;
+    let smooth = render(&outcome.solution, &visibility, &camera, 1, read, Shown::Irradiance, &|_| {});
+    let [direct, basis] = [&raster, &smooth].map(|own| own.pixels().map(|pixel| pixel[0]).sum::<f64>());
+    assert!((direct - basis).abs() < 0.03 * basis, "{direct} {basis}");
+}

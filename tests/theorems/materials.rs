@@ -195,7 +195,7 @@ fn a_shade_between_spheres_is_as_its_closed_form() {
 /// A floor of 8 × 8 black and white fields as one element, against 64 squares.
 #[test]
 fn a_chessboard_floor_lights_a_room_as_its_squares_do() {
-    let field = |k: usize| if (k % 8 + k / 8) % 2 == 0 { 0.85 } else { 0.05 };
+    let field = |k: usize| if (k % 8 + k / 8).is_multiple_of(2) { 0.85 } else { 0.05 };
     let room = |fields: bool| {
         let mut builder = SceneBuilder::new("room", ["grey"]);
         let white = builder.material("white", Material::new(vec![0.6], vec![0.0]).expect("in range"));

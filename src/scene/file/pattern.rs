@@ -217,6 +217,6 @@ fn word<T: Copy>(node: &Node, what: &'static str, words: &[(&'static str, T)]) -
     let found = words.iter().find(|(word, _)| *word == typed.value);
     found.map(|(_, value)| *value).ok_or_else(|| {
         let known = words.iter().map(|(word, _)| *word).collect();
-        Located::at(&typed.span, Fault::UnknownWord { what, name: typed.value, known })
+        Located::at(&typed.span, Fault::UnknownWord { what, name: typed.value.into(), known })
     })
 }

@@ -155,7 +155,7 @@ impl Ord for Piece {
 
 /// K_i(j) at degree n; the sums are whole numbers below 2⁵³ up to n = 20.
 fn polar(n: usize, i: usize, j: usize) -> f64 {
-    let sign = |k: usize| if (i - k) % 2 == 0 { 1.0 } else { -1.0 };
+    let sign = |k: usize| if (i - k).is_multiple_of(2) { 1.0 } else { -1.0 };
     let term = |k: usize| sign(k) * choose(j, k) * choose(n - j, i - k);
     (0..=i.min(j)).map(term).sum::<f64>() / choose(n, i)
 }

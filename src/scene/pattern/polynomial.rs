@@ -38,7 +38,7 @@ impl Polynomial {
 
     /// Its mean over [−1, 1]², by ½ ∫ u^i du = 1/(i + 1) for even i, and 0 for odd i.
     pub fn mean(&self) -> f64 {
-        let half = |power: u32| if power % 2 == 0 { 1.0 / f64::from(power + 1) } else { 0.0 };
+        let half = |power: u32| if power.is_multiple_of(2) { 1.0 / f64::from(power + 1) } else { 0.0 };
         self.0.iter().map(|term| term.factor * half(term.u) * half(term.v)).sum()
     }
 
