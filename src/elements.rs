@@ -262,12 +262,7 @@ impl Elements {
 
     /// Where the coefficients of each element start, and their number.
     pub fn starts(&self) -> Vec<usize> {
-        let mut starts = vec![0];
-        starts.extend(self.list.iter().scan(0, |start, element| {
-            *start += element.basis.len();
-            Some(*start)
-        }));
-        starts
+        starts(&self.list)
     }
 
     /// Number of coefficients per band of all elements together.
@@ -311,6 +306,16 @@ fn open_pieces(region: &PlanarRegion, covers: &[&Cover]) -> Vec<Vec<DVec3>> {
     open.into_iter()
         .filter(|piece| covers.is_empty() || polygon_width(piece) > LEAST * region.extent())
         .collect()
+}
+
+/// Where the coefficients of each element start, and their number.
+pub(crate) fn starts(list: &[Element]) -> Vec<usize> {
+    let mut starts = vec![0];
+    starts.extend(list.iter().scan(0, |start, element| {
+        *start += element.basis.len();
+        Some(*start)
+    }));
+    starts
 }
 
 /// Upper bounds of what a surface is cut into.

@@ -52,10 +52,12 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use radiosity_solvers::auto::{DENSE, DIRECT};
+use radiosity_solvers::method::Method;
 use radiosity_solvers::{BlockSparse, Dense, Operator, Partition, SolveError, SparseBlock};
 
-use crate::elements::Element;
 use crate::elements::coating::{Coating, Root};
+use crate::elements::columns::transposed;
+use crate::elements::{Element, starts};
 use crate::light::first_bounce::{Bounce, Entry};
 use crate::transport::Blocks;
 
@@ -210,7 +212,7 @@ impl<'a> System<'a> {
     /// Values that are not finite.
     pub fn operator(&self, method: &str, threads: usize) -> Result<Box<dyn Operator + '_>, SolveError> {
         let unknowns = self.unknown_count();
-        let only_multiplies = ["auto", "cg", "gmres", "richardson"].contains(&method);
+        let only_multiplies = Method::only_multiplies(method);
         let is_thin = (self.blocks.stored_numbers() as f64) < THIN * (unknowns as f64).powi(2);
         let most = if only_multiplies && is_thin { DIRECT } else { DENSE };
         if unknowns <= most || !self.blocks.symmetric() || (self.coating.transmits() && !only_multiplies) {
@@ -397,12 +399,6 @@ impl Operator for Product<'_> {
         y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
     }
 
-    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
-        let mut all = vec![0.0; x.len()];
-        self.apply(x, &mut all);
-        y.copy_from_slice(&all[self.partition.range(row)]);
-    }
-
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
         let reflected = self.reflected(column..column + 1, x);
         y.iter_mut().zip(reflected).for_each(|(y, r)| *y -= r);
@@ -445,15 +441,6 @@ fn radiosity(elements: &[Element], coating: &Coating, irradiance: &[f64]) -> Vec
     sum(&emitted(elements, coating), &coating.reflected(&starts(elements), irradiance))
 }
 
-/// Where the coefficients of each element start, and their number.
-fn starts(elements: &[Element]) -> Vec<usize> {
-    let ends = elements.iter().scan(0, |end, element| {
-        *end += element.basis.len();
-        Some(*end)
-    });
-    [0].into_iter().chain(ends).collect()
-}
-
 /// √ρ M for a row-major matrix M of so many columns.
 fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
     let turned = transposed(matrix, columns);
@@ -463,10 +450,4 @@ fn multiplied(root: Root<'_>, matrix: &[f64], columns: usize) -> Vec<f64> {
         root.multiply(column, out);
     }
     transposed(&out, rows)
-}
-
-/// The transpose of a row-major matrix of so many columns.
-fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
-    let rows = matrix.len() / columns;
-    (0..matrix.len()).map(|k| matrix[k % rows * columns + k / rows]).collect()
 }

@@ -12,12 +12,11 @@
 
 use crate::diagonal::Pivot;
 use crate::error::SolveError;
-use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
 use crate::problem::Problem;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
-use crate::vector::add_scaled;
+use crate::sweeps::sweep;
 
 pub(crate) const NAME: &str = "jacobi";
 
@@ -35,44 +34,7 @@ impl Solver for Jacobi {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Report, SolveError> {
         let problem = Problem::new(a, b, x, settings)?;
-        let mut sweeps = Sweeps {
-            problem: &problem,
-            pivots: Pivot::read_all(a, settings.granularity)?,
-            relaxation: settings.relaxation,
-            r: vec![0.0; problem.dim()],
-            products: 0.0,
-        };
-        let watch = Watch { method: NAME, limit: settings.max_iterations, patience: 100, keep_every: 1 };
-        iterate(&problem, &watch, &mut sweeps, x, settings, observer)
-    }
-}
-
-struct Sweeps<'p> {
-    problem: &'p Problem<'p>,
-    pivots: Vec<Pivot>,
-    relaxation: f64,
-    /// b − A x.
-    r: Vec<f64>,
-    products: f64,
-}
-
-impl Iteration for Sweeps<'_> {
-    fn renew(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        self.products += 1.0;
-        self.problem.residual(x, &mut self.r)
-    }
-
-    fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        Pivot::divide_all(&self.pivots, self.problem.a.partition(), &mut self.r);
-        add_scaled(self.relaxation, &self.r, x);
-        self.renew(x)
-    }
-
-    fn work(&self) -> f64 {
-        self.products
-    }
-
-    fn columns(&self) -> usize {
-        self.pivots.len()
+        let pivots = Pivot::read_all(a, settings.granularity)?;
+        sweep(NAME, &problem, pivots, x, settings, observer)
     }
 }

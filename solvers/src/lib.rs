@@ -93,6 +93,8 @@ mod condition;
 
 mod direct;
 
+mod sweeps;
+
 pub mod lu;
 
 pub mod cholesky;

@@ -139,6 +139,11 @@ impl Method {
         },
     ];
 
+    /// Whether the method called `name` asks nothing of a large matrix but its products with vectors.
+    pub fn only_multiplies(name: &str) -> bool {
+        [auto::NAME, cg::NAME, gmres::NAME, richardson::NAME].contains(&name)
+    }
+
     /// The method called `name`.
     ///
     /// # Errors

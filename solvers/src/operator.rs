@@ -12,8 +12,12 @@ pub trait Operator: Sync {
     /// The blocks of rows, and of columns.
     fn partition(&self) -> &Partition;
 
-    /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block.
-    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]);
+    /// One block row: y = (A x) on the rows of block `row`; `x` is whole, `y` a block. Provided by the whole product.
+    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
+        let mut all = vec![0.0; x.len()];
+        self.apply(x, &mut all);
+        y.copy_from_slice(&all[self.partition().range(row)]);
+    }
 
     /// One block column: y += A\[:, column\] x; `x` is a block, `y` whole. A greedy solver uses the matrix only through
     /// this and [`diagonal`](Self::diagonal): an implementation may compute the column when it is first shot.

@@ -12,12 +12,11 @@
 //! Trans. R. Soc. A 210 (1911); Y. Saad, *Iterative Methods for Sparse Linear Systems*, 2nd ed., SIAM 2003, §4.2.
 
 use crate::error::SolveError;
-use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
 use crate::problem::Problem;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
-use crate::vector::add_scaled;
+use crate::sweeps::sweep;
 
 pub(crate) const NAME: &str = "richardson";
 
@@ -35,41 +34,6 @@ impl Solver for Richardson {
         observer: &mut dyn FnMut(&Step<'_>),
     ) -> Result<Report, SolveError> {
         let problem = Problem::new(a, b, x, settings)?;
-        let mut series = Series {
-            problem: &problem,
-            relaxation: settings.relaxation,
-            r: vec![0.0; problem.dim()],
-            products: 0.0,
-        };
-        let watch = Watch { method: NAME, limit: settings.max_iterations, patience: 100, keep_every: 1 };
-        iterate(&problem, &watch, &mut series, x, settings, observer)
-    }
-}
-
-struct Series<'p> {
-    problem: &'p Problem<'p>,
-    relaxation: f64,
-    /// b − A x.
-    r: Vec<f64>,
-    products: f64,
-}
-
-impl Iteration for Series<'_> {
-    fn renew(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        self.products += 1.0;
-        self.problem.residual(x, &mut self.r)
-    }
-
-    fn advance(&mut self, x: &mut [f64]) -> Result<f64, SolveError> {
-        add_scaled(self.relaxation, &self.r, x);
-        self.renew(x)
-    }
-
-    fn work(&self) -> f64 {
-        self.products
-    }
-
-    fn columns(&self) -> usize {
-        self.problem.a.partition().len()
+        sweep(NAME, &problem, Vec::new(), x, settings, observer)
     }
 }

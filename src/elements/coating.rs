@@ -19,11 +19,11 @@ mod pane;
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use radiosity_geom::{Rect, Surface};
+use radiosity_geom::Rect;
 use rayon::prelude::*;
 
 use super::element::Element;
-use super::parameters::parameters;
+use super::parameters::of_node;
 use super::patch::{Node, Patch};
 use crate::scene::Scene;
 use glow::Glow;
@@ -80,15 +80,14 @@ impl Root<'_> {
 impl Coating {
     /// The coating of a scene's elements in band `band`.
     pub fn of(scene: &Scene, elements: &[Element], band: usize) -> Self {
-        Self::dimmed(scene, elements, band, &|surface| scene.surfaces[surface].factor())
+        Self::reflecting(scene, elements, band)
+            .emitting(scene, elements, band, &|surface| scene.surfaces[surface].factor())
     }
 
     /// The same where nothing emits but the members of a light group, or of no group for None; their group is not
     /// dimmed.
     pub fn of_group(scene: &Scene, elements: &[Element], band: usize, group: Option<&str>) -> Self {
-        Self::dimmed(scene, elements, band, &|surface| {
-            f64::from(u8::from(scene.surfaces[surface].is_in(group)))
-        })
+        Self::reflecting(scene, elements, band).with_group(scene, elements, band, group)
     }
 
     /// ρ and E₀ (W m⁻²) that are constant on every element.
@@ -96,36 +95,53 @@ impl Coating {
         Self { reflectance, exitance, ..Self::default() }
     }
 
-    /// The coating where a surface emits `factor` times what its material does.
-    fn dimmed(
-        scene: &Scene,
-        elements: &[Element],
-        band: usize,
-        factor: &(dyn Fn(usize) -> f64 + Sync),
-    ) -> Self {
-        let material = |element: &Element| &scene.surfaces[element.surface].material;
-        let mut coating = Self::constant(
-            elements.iter().map(|own| material(own).reflectance[band]).collect(),
-            elements.iter().map(|own| factor(own.surface) * material(own).emission[band]).collect(),
-        );
+    /// The coating of a scene's elements where nothing emits.
+    pub(crate) fn reflecting(scene: &Scene, elements: &[Element], band: usize) -> Self {
+        let reflectance = |own: &Element| scene.surfaces[own.surface].material.reflectance[band];
+        let mut coating =
+            Self::constant(elements.iter().map(reflectance).collect(), vec![0.0; elements.len()]);
         coating.sheets = sheets(scene, elements, band);
         coating.paints = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let pattern = surface.material.reflectance_pattern.as_ref()?;
             Some(Paint::new(element, &surface.shape, pattern, band))
         });
-        coating.glows = of_each(elements, &|element| {
+        coating.paints.iter().for_each(|(index, paint)| coating.reflectance[*index] = paint.mean);
+        coating
+    }
+
+    /// The same reflectance where nothing emits but the members of a light group, or of no group for None; their group is not
+    /// dimmed.
+    pub(crate) fn with_group(
+        &self,
+        scene: &Scene,
+        elements: &[Element],
+        band: usize,
+        group: Option<&str>,
+    ) -> Self {
+        let factor = |surface: usize| f64::from(u8::from(scene.surfaces[surface].is_in(group)));
+        self.clone().emitting(scene, elements, band, &factor)
+    }
+
+    /// The same reflectance where a surface emits `factor` times what its material does.
+    fn emitting(
+        mut self,
+        scene: &Scene,
+        elements: &[Element],
+        band: usize,
+        factor: &(dyn Fn(usize) -> f64 + Sync),
+    ) -> Self {
+        let exitance =
+            |own: &Element| factor(own.surface) * scene.surfaces[own.surface].material.emission[band];
+        self.exitance = elements.iter().map(exitance).collect();
+        self.glows = of_each(elements, &|element| {
             let surface = &scene.surfaces[element.surface];
             let factor = factor(element.surface);
             let pattern = surface.material.emission_pattern.as_ref().filter(|_| factor > 0.0)?;
             Some(Glow::new(element, &surface.shape, pattern, (band, factor)))
         });
-        coating.paints.iter().for_each(|(index, paint)| coating.reflectance[*index] = paint.mean);
-        coating
-            .glows
-            .iter()
-            .for_each(|(index, glow)| coating.exitance[*index] = glow.mean(&elements[*index]));
-        coating
+        self.glows.iter().for_each(|(index, glow)| self.exitance[*index] = glow.mean(&elements[*index]));
+        self
     }
 
     /// The same where nothing emits.
@@ -148,7 +164,7 @@ impl Coating {
     /// About ρ at a node of an element: the mean over some texels where they are many.
     pub(crate) fn reflectance_about(&self, element: usize, node: &Node, is_flat: bool) -> f64 {
         let Some(paint) = self.paints.get(&element) else { return self.reflectance[element] };
-        paint.about(place(node, paint.shape(), is_flat))
+        paint.about(of_node(paint.shape(), node, is_flat))
     }
 
     /// Means of E₀ (W m⁻²) and ρ over a patch of an element, the part of it over the parameters `rect`. Texels count by their
@@ -159,7 +175,7 @@ impl Coating {
                 let (mut sum, mut area) = (0.0, 0.0);
                 for node in patch.cell_nodes(ALONG) {
                     area += node.area;
-                    sum += node.area * varied.at(place(&node, varied.shape.as_ref(), patch.is_flat()));
+                    sum += node.area * varied.at(of_node(varied.shape.as_ref(), &node, patch.is_flat()));
                 }
                 sum / area
             })
@@ -203,7 +219,7 @@ impl Coating {
     /// The same at a node.
     pub(crate) fn behind_node(&self, element: usize, node: &Node, is_flat: bool) -> Option<usize> {
         let sheet = self.sheets.get(&element)?;
-        sheet.behind(place(node, sheet.shape.as_ref(), is_flat))
+        sheet.behind(of_node(sheet.shape.as_ref(), node, is_flat))
     }
 
     /// The elements of the other side that light comes through to an element.
@@ -353,11 +369,6 @@ fn of_each<T: Send + Sync>(
 ) -> BTreeMap<usize, Arc<T>> {
     let made = elements.par_iter().enumerate();
     made.filter_map(|(index, element)| Some((index, Arc::new(make(element)?)))).collect()
-}
-
-/// The parameters of a node of a flat or curved element of a surface.
-fn place(node: &Node, shape: &dyn Surface, is_flat: bool) -> [f64; 2] {
-    if is_flat { parameters(shape, node.position) } else { node.parameters.to_array() }
 }
 
 /// What the elements of surfaces that let light through do.

@@ -1,4 +1,4 @@
-//! Inner products of columns of a table.
+//! Columns of tables and of row-major matrices.
 
 /// Σ x y in eight partial sums, which shortens the chains of rounding and vectorises.
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -23,4 +23,9 @@ pub(crate) fn take_out(column: &mut [f64], unit: &[f64]) -> f64 {
     let overlap = dot(column, unit);
     add_scaled(column, -overlap, unit);
     overlap
+}
+
+/// The transpose of a row-major matrix of so many columns.
+pub(crate) fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
+    (0..columns).flat_map(|column| matrix.iter().skip(column).step_by(columns).copied()).collect()
 }

@@ -1,8 +1,9 @@
-//! The parameters of a point on a flat surface, whose patches do not carry them.
+//! The parameters of points of surfaces, which the patches of flat ones do not carry.
 
 use radiosity_geom::{DVec3, Surface};
 
 use super::frame::duals;
+use super::patch::Node;
 
 /// A point closer to its place than this part of the surface's size is there. Chosen; not tuned.
 const SAME_PLACE: f64 = 1e-9;
@@ -19,4 +20,9 @@ pub(crate) fn parameters(shape: &dyn Surface, position: DVec3) -> [f64; 2] {
     }
     let foot = shape.project(position);
     [foot.u, foot.v]
+}
+
+/// The parameters (u, v) of a node of a surface.
+pub(crate) fn of_node(shape: &dyn Surface, node: &Node, is_flat: bool) -> [f64; 2] {
+    if is_flat { parameters(shape, node.position) } else { node.parameters.to_array() }
 }

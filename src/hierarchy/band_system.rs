@@ -137,12 +137,6 @@ impl Operator for BandSystem<'_> {
         y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
     }
 
-    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
-        let mut all = vec![0.0; x.len()];
-        self.apply(x, &mut all);
-        y.copy_from_slice(&all[row..=row]);
-    }
-
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
         let reflected = self.reflected(column, x);
         y.iter_mut().zip(reflected).for_each(|(y, r)| *y -= r);

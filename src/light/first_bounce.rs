@@ -15,10 +15,10 @@
 use radiosity_geom::DVec3;
 use rayon::prelude::*;
 
-use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::elements::{Element, starts};
 use crate::light::coats::Coats;
 use crate::light::direct::DirectLight;
 use crate::light::emitters::Emitters;
@@ -185,11 +185,7 @@ impl CoatedBounce {
 
 /// Mean reflected radiosity ρ D (W m⁻²) of each band over the scene.
 fn scales(elements: &[Element], coatings: &[&Coating], direct: &[Vec<f64>]) -> Vec<f64> {
-    let ends = elements.iter().scan(0, |end, element| {
-        *end += element.basis.len();
-        Some(*end)
-    });
-    let starts: Vec<usize> = [0].into_iter().chain(ends).collect();
+    let starts = starts(elements);
     let mean = |(coating, direct): (&&Coating, &Vec<f64>)| {
         reflected::scale(elements, coating.reflected(&starts, direct).into_iter())
     };

@@ -77,8 +77,9 @@ impl Bands<'_> {
         let (mut light, mut before) = (dark(), (bounces > 0).then(dark));
         for band in 0..self.names.len() {
             for (k, system) in self.systems(band, emissions, first).iter().enumerate() {
-                light[k].push(system.bounced(bounces));
-                before.iter_mut().for_each(|own| own[k].push(system.bounced(bounces - 1)));
+                let bounced = system.bounced(bounces);
+                light[k].push(bounced.coefficients);
+                before.iter_mut().for_each(|own| own[k].extend(bounced.before.clone()));
             }
         }
         let method = Method::named("richardson").expect("it is always listed").name;

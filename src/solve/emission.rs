@@ -29,10 +29,14 @@ impl Emission {
         if groups.is_empty() || surfaces() || luminaires() {
             groups.push(None);
         }
+        let reflecting: Vec<Coating> =
+            (0..scene.bands.len()).map(|band| Coating::reflecting(scene, elements, band)).collect();
         let of = |group: Option<&str>| Self {
             group: group.map(str::to_owned),
-            coatings: (0..scene.bands.len())
-                .map(|band| Coating::of_group(scene, elements, band, group))
+            coatings: reflecting
+                .iter()
+                .enumerate()
+                .map(|(band, own)| own.with_group(scene, elements, band, group))
                 .collect(),
             points: PointLights::of_group(scene, group),
             radiances: Radiances::of(scene),

@@ -176,7 +176,7 @@ fn system(method: &Method, unknowns: u64, blocks: u64) -> u64 {
         "lu" | "cholesky" => 2 * matrix,
         "auto" if unknowns <= DIRECT as u64 => 2 * matrix,
         _ if unknowns <= DENSE as u64 => matrix,
-        "auto" | "cg" | "gmres" | "richardson" => NUMBER * unknowns * VECTORS,
+        name if Method::only_multiplies(name) => NUMBER * unknowns * VECTORS,
         // Blocks and their transposes.
         _ => 2 * blocks,
     }

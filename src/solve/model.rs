@@ -8,8 +8,8 @@
 use std::sync::Arc;
 use std::time::Duration;
 
+use crate::bases::Subspace;
 use crate::bases::basis::Ground;
-use crate::bases::{Basis, Subspace};
 use crate::checks::{Balance, Checks, Lit};
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, Elements};
@@ -386,7 +386,7 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
 /// Refuses functions over several elements where S does not commute with their projection: power would be lost.
 fn require_even(scene: &Scene, options: &Options) -> Result<(), Failure> {
     let basis = options.basis;
-    if matches!(basis, Basis::Legendre | Basis::Constant) {
+    if basis.is_elementwise() {
         return Ok(());
     }
     let varies = |own: &&SceneSurface| own.material.reflectance_pattern.is_some() || own.material.transmits();

@@ -14,7 +14,7 @@
 use rayon::prelude::*;
 
 use crate::elements::Element;
-use crate::elements::parameters::parameters;
+use crate::elements::parameters::of_node;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::solution::{Place, Solution};
@@ -90,9 +90,8 @@ impl Squares {
 
 /// The place of a node of an element, whose patches carry no parameters if it is flat.
 fn place(solution: &Solution, element: &Element, node: &Node) -> Place {
-    let shape = || solution.elements().shape(element.surface);
-    let on_plane = |_| parameters(shape(), node.position);
-    let parameters = element.plane.map_or_else(|| node.parameters.to_array(), on_plane);
+    let shape = solution.elements().shape(element.surface);
+    let parameters = of_node(shape, node, element.plane.is_some());
     Place { surface: element.surface, parameters, position: node.position }
 }
 

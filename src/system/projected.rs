@@ -67,12 +67,6 @@ impl Operator for Projected<'_> {
         y.iter_mut().zip(x).zip(reflected).for_each(|((y, x), r)| *y = x - r);
     }
 
-    fn gather(&self, row: usize, x: &[f64], y: &mut [f64]) {
-        let mut all = vec![0.0; x.len()];
-        self.apply(x, &mut all);
-        y.copy_from_slice(&all[self.partition.range(row)]);
-    }
-
     fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
         let mut sent = vec![0.0; y.len()];
         sent[self.partition.range(column)].copy_from_slice(x);

@@ -55,6 +55,15 @@ pub struct Found {
     pub functional: f64,
 }
 
+/// Light of the first reflections of one band.
+#[derive(Clone, Debug)]
+pub struct Bounced {
+    /// Irradiance and radiosity.
+    pub coefficients: Coefficients,
+    /// The same without the last reflection; None of direct light alone.
+    pub before: Option<Coefficients>,
+}
+
 impl<'a> Ritz<'a> {
     /// `system` in the functions of a subspace; in those of its elements for None. Direct light that enters it apart lies in
     /// the subspace.
@@ -88,7 +97,7 @@ impl<'a> Ritz<'a> {
             return Ok((self.system.operator(method, threads)?, asked));
         };
         let product = Projected::new(reduction, self.system.operator("cg", threads)?);
-        if ["auto", "cg", "gmres", "richardson"].contains(&method) {
+        if Method::only_multiplies(method) {
             // Diagonal blocks would cost as much as the whole matrix; those of flat surfaces are the identity.
             return Ok((Box::new(product), Preconditioner::None));
         }
@@ -120,17 +129,21 @@ impl<'a> Ritz<'a> {
         Found { coefficients: self.system.with_irradiance(&unknown, irradiance, direct), functional }
     }
 
-    /// Light that was reflected `bounces` times at the most. Its residual is the radiosity of the next reflection, as for
-    /// [`Coefficients::residual`].
-    pub fn bounced(&self, bounces: usize) -> Coefficients {
+    /// Light that was reflected `bounces` times at the most, and once less. Residuals are the radiosity of the next reflection, as
+    /// for [`Coefficients::residual`].
+    pub fn bounced(&self, bounces: usize) -> Bounced {
         let direct = self.projected(self.system.direct.clone());
         let mut irradiance = direct.clone();
         let mut term = self.projected(self.system.reflected_once(&direct));
-        for _ in 0..bounces {
+        let mut before = None;
+        for bounce in 1..=bounces {
+            if bounce == bounces {
+                before = Some(self.system.truncated(irradiance.clone(), direct.clone(), &term));
+            }
             irradiance.iter_mut().zip(&term).for_each(|(sum, t)| *sum += t);
             term = self.projected(self.system.reflected_again(&term));
         }
-        self.system.truncated(irradiance, direct, &term)
+        Bounced { coefficients: self.system.truncated(irradiance, direct, &term), before }
     }
 
     /// P x.

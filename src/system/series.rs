@@ -5,7 +5,7 @@
 //! ```
 
 use super::vector::norm;
-use super::{Coefficients, System, radiosity};
+use super::{Coefficients, System};
 
 impl System<'_> {
     /// The coefficients of light whose `next` reflection is left out: the irradiance that it would bring.
@@ -26,7 +26,6 @@ impl System<'_> {
 
     /// ρ h.
     fn reflected(&self, irradiance: &[f64]) -> Vec<f64> {
-        let radiosity = radiosity(self.elements, self.coating, irradiance);
-        radiosity.iter().zip(&self.emitted).map(|(b, e)| b - e).collect()
+        self.coating.reflected(self.blocks.starts(), irradiance)
     }
 }

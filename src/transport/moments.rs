@@ -17,6 +17,7 @@ pub(crate) mod tensor;
 use std::borrow::Cow;
 
 use crate::elements::basis::AreaBasis;
+use crate::elements::columns::transposed;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::transport::moments::change::Change;
@@ -232,9 +233,4 @@ impl<'a> Moments<'a> {
         }
         block
     }
-}
-
-/// The transpose of a row-major matrix of `columns` columns.
-fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
-    (0..columns).flat_map(|l| matrix.iter().skip(l).step_by(columns).copied()).collect()
 }

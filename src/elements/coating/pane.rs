@@ -12,7 +12,8 @@ use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Rect, Surface, clip_polygon};
 
-use super::varied::{orthonormal_rows, transposed};
+use super::varied::orthonormal_rows;
+use crate::elements::columns::transposed;
 use crate::elements::element::{Element, overlap};
 use crate::elements::measure::Measure;
 use crate::elements::patch::Patch;

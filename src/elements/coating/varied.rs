@@ -12,9 +12,10 @@ use std::sync::Arc;
 use radiosity_geom::Surface;
 
 use super::tiles::Tiles;
+use crate::elements::columns::transposed;
 use crate::elements::element::Element;
 use crate::elements::measure::Measure;
-use crate::elements::parameters::parameters;
+use crate::elements::parameters::of_node;
 use crate::scene::Pattern;
 
 /// A band of a pattern on an element.
@@ -95,11 +96,8 @@ impl Varied {
             let own = basis.space().chart_degree(basis.order(), &patches);
             let measure = Measure::new(&patches, (functions * own + degree).div_ceil(2));
             for (node, weight) in &measure.points {
-                let value = mean.unwrap_or_else(|| {
-                    let on_curve = || node.parameters.to_array();
-                    let on_plane = |_| parameters(self.shape.as_ref(), node.position);
-                    self.at(element.plane.map_or_else(on_curve, on_plane))
-                });
+                let value = mean
+                    .unwrap_or_else(|| self.at(of_node(self.shape.as_ref(), node, element.plane.is_some())));
                 basis.raw(basis.frame().coordinates(node), &mut raw);
                 add(weight * value, &raw);
             }
@@ -118,10 +116,4 @@ pub(super) fn orthonormal_rows(element: &Element, matrix: &[f64]) -> Vec<f64> {
         }
     }
     out
-}
-
-/// The transpose of a row-major matrix of so many columns.
-pub(super) fn transposed(matrix: &[f64], columns: usize) -> Vec<f64> {
-    let rows = matrix.len() / columns;
-    (0..matrix.len()).map(|k| matrix[k % rows * columns + k / rows]).collect()
 }
