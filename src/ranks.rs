@@ -1,0 +1,163 @@
+//! Ranks: processes, each with threads of its own, that share the work of one run.
+//!
+//! Every rank runs the same program on the same scene: whatever is decided follows from data that all of them have. Only the
+//! heavy parts are shared: of a list of pieces, each rank makes those that are its own, and then sends them to the ranks that
+//! need them ([`Ranks::map`], [`Ranks::exchange`]). A piece is the same whoever makes it, and sums are taken in an order that
+//! does not depend on how the pieces were shared, so that the number of ranks changes no bit of a result.
+//!
+//! As with a pool of threads, work runs within ranks ([`Ranks::within`]) and finds them ([`current`]) where it has something to
+//! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
+
+pub mod comm;
+pub mod shares;
+pub mod threads;
+mod traffic;
+
+use std::cell::RefCell;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use comm::Comm;
+use traffic::Counter;
+pub use traffic::Traffic;
+
+thread_local! {
+    /// The ranks within which this thread works.
+    static CURRENT: RefCell<Option<Ranks>> = const { RefCell::new(None) };
+}
+
+/// The ranks of a run, as one of them sees them.
+#[derive(Clone, Debug)]
+pub struct Ranks {
+    shared: Option<Arc<Shared>>,
+}
+
+/// Two ranks or more.
+#[derive(Debug)]
+struct Shared {
+    comm: Box<dyn Comm>,
+    sent: Counter,
+}
+
+/// The ranks within which the current thread works; it is alone unless [`Ranks::within`] says otherwise.
+pub fn current() -> Ranks {
+    CURRENT.with_borrow(|current| current.clone().unwrap_or(Ranks { shared: None }))
+}
+
+/// Sets back the ranks of a thread, whatever happens.
+struct Before(Option<Ranks>);
+
+impl Drop for Before {
+    fn drop(&mut self) {
+        CURRENT.set(self.0.take());
+    }
+}
+
+impl Ranks {
+    /// One rank, which shares nothing.
+    pub fn alone() -> Self {
+        Self { shared: None }
+    }
+
+    /// The ranks that `comm` connects.
+    pub fn of(comm: impl Comm + 'static) -> Self {
+        let shared =
+            (comm.size() > 1).then(|| Arc::new(Shared { comm: Box::new(comm), sent: Counter::default() }));
+        Self { shared }
+    }
+
+    /// Does `work` within these ranks: each of them does it, and all of them share the same things in the same order.
+    pub fn within<T>(&self, work: impl FnOnce() -> T) -> T {
+        let _before = Before(CURRENT.replace(Some(self.clone())));
+        work()
+    }
+
+    /// The number of this rank, from 0.
+    pub fn number(&self) -> usize {
+        self.shared.as_ref().map_or(0, |shared| shared.comm.rank())
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.shared.as_ref().map_or(1, |shared| shared.comm.size())
+    }
+
+    /// Whether this is the only one.
+    pub fn are_alone(&self) -> bool {
+        self.shared.is_none()
+    }
+
+    /// Whether this is the one that writes.
+    pub fn is_first(&self) -> bool {
+        self.number() == 0
+    }
+
+    /// Bytes that this rank has sent to others so far.
+    pub fn traffic(&self) -> Traffic {
+        self.shared.as_ref().map_or_else(Traffic::default, |shared| shared.sent.read())
+    }
+
+    /// What each rank has, in their order.
+    ///
+    /// # Panics
+    /// If the ranks do not share the same things in the same order.
+    pub fn all<T: Serialize + DeserializeOwned>(&self, own: T) -> Vec<T> {
+        let Some(shared) = &self.shared else { return vec![own] };
+        let bytes = encoded(&own);
+        shared.sent.count(bytes.len() * (self.count() - 1));
+        shared.comm.all_gather(bytes).iter().map(|bytes| decoded(bytes)).collect()
+    }
+
+    /// Whether any rank says yes.
+    pub fn any(&self, own: bool) -> bool {
+        if self.are_alone() { own } else { self.all(own).contains(&true) }
+    }
+
+    /// What each rank has for this one, in their order; `to[k]` is what this one has for rank k.
+    ///
+    /// # Panics
+    /// As [`Ranks::all`].
+    pub fn exchange<T: Serialize + DeserializeOwned>(&self, to: Vec<T>) -> Vec<T> {
+        let Some(shared) = &self.shared else { return to };
+        let bytes: Vec<Vec<u8>> = to.iter().map(encoded).collect();
+        let others = bytes.iter().enumerate().filter(|(rank, _)| *rank != self.number());
+        shared.sent.count(others.map(|(_, bytes)| bytes.len()).sum());
+        shared.comm.exchange(bytes).iter().map(|bytes| decoded(bytes)).collect()
+    }
+
+    /// Fills `values`, of which rank k has the part that ends at `ends[k]` and begins where that of the rank before ends.
+    pub fn complete(&self, values: &mut [f64], ends: &[usize]) {
+        let Some(shared) = &self.shared else { return };
+        let own = shares::range(ends, self.number());
+        shared.sent.count_numbers(own.len() * (self.count() - 1));
+        shared.comm.complete(values, ends);
+    }
+
+    /// All `make(k)` for the pieces k of these costs, in order. Each rank makes some of them, in parallel.
+    pub fn map<T>(&self, costs: &[f64], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        if self.are_alone() {
+            return (0..costs.len()).into_par_iter().with_max_len(1).map(&make).collect();
+        }
+        let owners = shares::by_cost(costs, self.count());
+        let own: Vec<usize> = (0..costs.len()).filter(|piece| owners[*piece] == self.number()).collect();
+        let made: Vec<T> = Self::alone().within(|| own.into_par_iter().with_max_len(1).map(&make).collect());
+        let mut parts: Vec<_> = self.all(made).into_iter().map(Vec::into_iter).collect();
+        owners.into_iter().map(|owner| parts[owner].next().expect("each rank made its pieces")).collect()
+    }
+}
+
+/// A value as bytes.
+fn encoded<T: Serialize>(value: &T) -> Vec<u8> {
+    postcard::to_allocvec(value).expect("what ranks share has a length and no maps of unknown size")
+}
+
+/// The value of these bytes.
+fn decoded<T: DeserializeOwned>(bytes: &[u8]) -> T {
+    postcard::from_bytes(bytes).expect("all ranks share the same things in the same order")
+}
