@@ -1,5 +1,29 @@
-"""Diffuse light and radiant heat between curved surfaces."""
+"""Diffuse light and radiant heat between curved surfaces.
 
-from ._radiosity import __version__
+    import numpy as np
+    import radiosity
 
-__all__ = ["__version__"]
+    solution = radiosity.load("cornell-box").solve(accuracy=1e-2)
+    solution.irradiance(np.array([[278.0, 100.0, 200.0]]), np.array([[0.0, 1.0, 0.0]]))   # (1, bands)
+
+Lengths are those of the scene; exitance, irradiance and radiosity are in the scene's unit: W/m², or lux where exitance is in
+lm/m². Arrays are of NumPy's float64.
+"""
+
+from ._radiosity import Error, __version__, builtins
+from .scene import Scene, load
+from .solution import Solution, load_solution
+from .view_factors import ViewFactors, view_factor, view_factors
+
+__all__ = [
+    "Error",
+    "Scene",
+    "Solution",
+    "ViewFactors",
+    "__version__",
+    "builtins",
+    "load",
+    "load_solution",
+    "view_factor",
+    "view_factors",
+]

@@ -1,4 +1,15 @@
 //! The Rust side of the package `radiosity` of Python.
+//!
+//! Python's classes (`radiosity/*.py`) hold the arguments with their documentation; what is here turns them into those of the
+//! library, works without the lock of the interpreter (`work`), and hands arrays back.
+
+mod arrays;
+mod error;
+mod progress;
+mod scene;
+mod solution;
+mod view_factors;
+mod work;
 
 use pyo3::prelude::*;
 
@@ -8,4 +19,13 @@ mod _radiosity {
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "the name that Python expects")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
+
+    #[pymodule_export]
+    use super::error::Error;
+    #[pymodule_export]
+    use super::scene::{Scene, builtins, load, parse};
+    #[pymodule_export]
+    use super::solution::{Solution, load_solution};
+    #[pymodule_export]
+    use super::view_factors::{ViewFactors, view_factors_of_polygons, view_factors_of_scene};
 }
