@@ -22,12 +22,12 @@
 
 mod balance;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
 use crate::elements::coating::Coating;
 use crate::light::first_bounce::Entry;
+use crate::ranks;
 use crate::solution::powers::Powers;
 use crate::solution::{Band, Place, Solution};
 use crate::transport::Carrier;
@@ -87,7 +87,7 @@ impl Checks {
         let complete: Vec<usize> = (0..list.len()).filter(counts).collect();
         let sums = row_sums(list, &complete, blocks.starts(), &transported);
         let bound = |band: &Band| spectral_bound(blocks, &band.coating, &ones);
-        let bounds: Vec<f64> = solution.bands().par_iter().map(bound).collect();
+        let bounds = ranks::current().each(solution.bands(), bound);
         Self {
             closure_max: closure(&complete, blocks.starts(), &ones, &open),
             reciprocity_max: blocks.reciprocity(list),

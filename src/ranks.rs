@@ -141,14 +141,31 @@ impl Ranks {
     where
         T: Serialize + DeserializeOwned + Send,
     {
-        if self.are_alone() {
-            return (0..costs.len()).into_par_iter().with_max_len(1).map(&make).collect();
-        }
-        let owners = shares::by_cost(costs, self.count());
-        let own: Vec<usize> = (0..costs.len()).filter(|piece| owners[*piece] == self.number()).collect();
+        self.map_by(&shares::by_cost(costs, self.count()), make)
+    }
+
+    /// All `make(k)`, in order; that of piece k is made by the rank `makers[k]`.
+    pub fn map_by<T>(&self, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        let own: Vec<usize> = (0..makers.len()).filter(|piece| makers[*piece] == self.number()).collect();
         let made: Vec<T> = Self::alone().within(|| own.into_par_iter().with_max_len(1).map(&make).collect());
+        if self.are_alone() {
+            return made;
+        }
         let mut parts: Vec<_> = self.all(made).into_iter().map(Vec::into_iter).collect();
-        owners.into_iter().map(|owner| parts[owner].next().expect("each rank made its pieces")).collect()
+        makers.iter().map(|maker| parts[*maker].next().expect("each rank made its pieces")).collect()
+    }
+
+    /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
+    /// the other.
+    pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I) -> T + Sync) -> Vec<T> {
+        if self.are_alone() {
+            items.par_iter().map(&make).collect()
+        } else {
+            items.iter().map(make).collect()
+        }
     }
 }
 

@@ -190,7 +190,7 @@ impl<'a> System<'a> {
                 }
             }
         };
-        for (row, column, block) in self.blocks.iter() {
+        for (row, column, block) in self.blocks.gathered().iter() {
             let both = self.blocks.symmetric() && row != column;
             if !self.coating.transmits() {
                 subtract(row, column, &self.halved([row, column], &block), both);
@@ -238,7 +238,7 @@ impl<'a> System<'a> {
             identity.iter_mut().step_by(size + 1).for_each(|diagonal| *diagonal = 1.0);
             blocks.push((block, block, identity));
         }
-        for (row, column, values) in self.blocks.iter() {
+        for (row, column, values) in self.blocks.gathered().iter() {
             let (Some(i), Some(j)) = (place(row), place(column)) else { continue };
             let halved = self.halved([row, column], &values);
             blocks.push((i, j, halved.iter().map(|g| -g).collect()));
@@ -370,14 +370,13 @@ struct Product<'a> {
     system: &'a System<'a>,
     partition: Partition,
     /// Blocks G_ii of the elements that see themselves.
-    own: HashMap<usize, Cow<'a, [f64]>>,
+    own: HashMap<usize, Vec<f64>>,
 }
 
 impl<'a> Product<'a> {
     fn new(system: &'a System<'a>) -> Self {
         let sizes: Vec<usize> = system.reflecting.iter().map(|i| system.elements[*i].basis.len()).collect();
-        let own = system.blocks.iter().filter(|(row, column, _)| row == column);
-        let own = own.map(|(row, _, values)| (row, values)).collect();
+        let own = system.blocks.diagonal();
         Self { system, partition: Partition::new(&sizes), own }
     }
 

@@ -164,7 +164,7 @@ fn areas(scene: &Scene, elements: &Elements) -> Vec<f64> {
 fn exchanges(elements: &Elements, blocks: &Blocks, surfaces: usize) -> Vec<Vec<(u32, f64)>> {
     let list = elements.list();
     let mut rows: Vec<Vec<(u32, f64)>> = vec![Vec::new(); surfaces];
-    for (a, b, values) in blocks.iter() {
+    for (a, b, values) in blocks.gathered().iter() {
         let exchange = values[0] * (list[a].area * list[b].area).sqrt();
         let (i, j) = (list[a].surface, list[b].surface);
         rows[i].push((j as u32, exchange));

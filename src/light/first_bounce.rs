@@ -13,7 +13,6 @@
 //! smooth g, whose points are exact for φ_k times a linear function.
 
 use radiosity_geom::DVec3;
-use rayon::prelude::*;
 
 use crate::elements::coating::Coating;
 use crate::elements::patch::{Direction, Node, Patch};
@@ -26,6 +25,7 @@ use crate::light::occluders::Site;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected;
 use crate::light::reflected::{Lit, Reflection};
+use crate::ranks;
 use crate::visibility::Visibility;
 
 /// Halvings of a patch in each direction for D, and for g unless it is small. Both are chosen, not tuned.
@@ -110,7 +110,7 @@ fn projected(
     channels: usize,
     project: &(dyn Fn(usize) -> Vec<Vec<f64>> + Sync),
 ) -> Vec<Vec<f64>> {
-    let parts: Vec<_> = (0..elements).into_par_iter().with_max_len(1).map(project).collect();
+    let parts = ranks::current().map(&vec![1.0; elements], project);
     let together = |channel: usize| parts.iter().flat_map(|part| &part[channel]).copied().collect();
     (0..channels).map(together).collect()
 }

@@ -7,6 +7,9 @@ use std::ops::Range;
 /// The rank of each piece of work: the dearest first, each to the rank with the least so far (R. L. Graham, *SIAM J. Appl. Math.*
 /// 17 (1969) 416-429: at most 4/3 of the best possible longest time). Costs are ≥ 0 and finite, in any unit.
 pub fn by_cost(costs: &[f64], ranks: usize) -> Vec<usize> {
+    if ranks == 1 {
+        return vec![0; costs.len()];
+    }
     let mut order: Vec<usize> = (0..costs.len()).collect();
     order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]).then(a.cmp(b)));
     let mut loads: BinaryHeap<Reverse<(Load, usize)>> =

@@ -1,9 +1,9 @@
 //! I − Qᵀ √ρ G √ρ Q: the matrix of a subspace, by products with that of the elements.
 
 use radiosity_solvers::{Dense, Operator, Partition, SolveError};
-use rayon::prelude::*;
 
 use super::reduction::Reduction;
+use crate::ranks;
 
 /// The matrix of a subspace.
 pub(super) struct Projected<'a> {
@@ -33,14 +33,15 @@ impl<'a> Projected<'a> {
     /// Values that are not finite.
     pub(super) fn entries(&self) -> Result<Dense, SolveError> {
         let dim = self.partition.dim();
-        let column = |j: usize| {
+        let column = |j: &usize| {
             let mut unit = vec![0.0; dim];
-            unit[j] = 1.0;
+            unit[*j] = 1.0;
             let mut image = vec![0.0; dim];
             self.apply(&unit, &mut image);
             image
         };
-        let mut values: Vec<f64> = (0..dim).into_par_iter().flat_map_iter(column).collect();
+        let columns: Vec<usize> = (0..dim).collect();
+        let mut values = ranks::current().each(&columns, column).concat();
         if self.symmetric() {
             mirror(&mut values, dim);
         }

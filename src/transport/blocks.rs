@@ -1,17 +1,26 @@
 //! The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
+//!
+//! Ranks share G by rows of elements: each holds the blocks of its own rows, and of its own columns where a block stands for its
+//! transpose too. A product is summed on the rank that holds its row, in the order of all blocks, and then completed by those of
+//! the others ([`Held`]).
 
 pub(crate) mod block;
+pub(crate) mod held;
 pub(crate) mod miss;
 pub(crate) mod pair_counts;
 pub(crate) mod reciprocity;
 pub(crate) mod remainder;
 
 use std::borrow::Cow;
+use std::collections::HashMap;
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
+use crate::ranks;
 use crate::transport::blocks::pair_counts::PairCounts;
-use block::Block;
+use block::Account;
+use held::Held;
 use miss::Miss;
 use reciprocity::Reciprocity;
 use remainder::Remainder;
@@ -20,15 +29,19 @@ use remainder::Remainder;
 const CHUNKS: usize = 32;
 
 /// The transfer matrix G by blocks: one triangle where G is symmetric, zero blocks left out.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Blocks {
     starts: Vec<usize>,
-    stored: Vec<Stored>,
+    /// The part of this rank.
+    held: Held,
+    stored: List,
     /// Blocks of which only the first line and the first column are not zero.
-    crosses: Vec<Stored>,
+    crosses: List,
     symmetric: bool,
-    /// The values of all blocks, one after the other.
+    /// The values of the blocks that this rank holds, one after the other.
     values: Vec<f64>,
+    /// Numbers that all ranks store, each block counted once.
+    numbers: usize,
     /// Whether all blocks of an element's row were computed.
     complete: Vec<bool>,
     /// Numbers of pairs by contact and by reason of being skipped.
@@ -53,11 +66,54 @@ pub struct Blocks {
 }
 
 /// The block of receiver `row` and emitter `column`, row-major from `start` on; `row ≤ column` where G is symmetric.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Stored {
     row: u32,
     column: u32,
     start: usize,
+    /// Its place among those of all ranks.
+    place: usize,
+}
+
+/// The entry of a block between constants.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct FirstEntry {
+    pub(crate) row: usize,
+    pub(crate) column: usize,
+    pub(crate) value: f64,
+}
+
+/// A block on its way to other ranks.
+#[derive(Serialize, Deserialize)]
+struct Row {
+    place: usize,
+    pair: [usize; 2],
+    values: Vec<f64>,
+}
+
+/// Blocks of all ranks by their places.
+fn in_order(parts: Vec<Vec<Row>>) -> Vec<Row> {
+    let mut all: Vec<Row> = parts.into_iter().flatten().collect();
+    all.sort_by_key(|row| row.place);
+    all
+}
+
+/// Blocks of one kind.
+#[derive(Clone, Debug, Default)]
+struct List {
+    /// Those that this rank holds, by places ascending.
+    own: Vec<Stored>,
+    /// Number of those of all ranks.
+    all: usize,
+}
+
+impl List {
+    /// The blocks of this rank in [`CHUNKS`] lists, cut where those of all ranks would be.
+    fn chunks(&self) -> Vec<&[Stored]> {
+        let length = self.all.div_ceil(CHUNKS).max(1);
+        let chunk = |stored: &Stored| stored.place / length;
+        self.own.chunk_by(|a, b| chunk(a) == chunk(b)).collect()
+    }
 }
 
 impl Blocks {
@@ -66,11 +122,13 @@ impl Blocks {
     pub(crate) fn empty(starts: Vec<usize>, symmetric: bool) -> Self {
         Self {
             complete: vec![true; starts.len() - 1],
+            held: Held::of(&ranks::current(), &starts),
             starts,
-            stored: Vec::new(),
-            crosses: Vec::new(),
+            stored: List::default(),
+            crosses: List::default(),
             symmetric,
             values: Vec::new(),
+            numbers: 0,
             pairs: PairCounts::default(),
             samples: 0,
             distinct: 0,
@@ -83,13 +141,38 @@ impl Blocks {
         }
     }
 
-    /// Appends a block, unless it is zero.
+    /// Appends a block, unless it is zero. All ranks append the same blocks; where one does not hold a block, it may know of its
+    /// values only whether they are zero ([`Blocks::pass`]).
     pub(crate) fn push(&mut self, row: usize, column: usize, values: &[f64]) {
         if values.iter().any(|value| *value != 0.0) {
-            let start = self.values.len();
-            self.stored.push(Stored { row: row as u32, column: column as u32, start });
-            self.values.extend_from_slice(values);
+            match self.holds(row, column) {
+                true => self.keep(row, column, values),
+                false => self.pass(row, column),
+            }
         }
+    }
+
+    /// Counts a block that differs from zero and is held by other ranks.
+    pub(crate) fn pass(&mut self, row: usize, column: usize) {
+        self.stored.all += 1;
+        self.numbers += self.range(row).len() * self.range(column).len();
+    }
+
+    fn keep(&mut self, row: usize, column: usize, values: &[f64]) {
+        let (place, start) = (self.stored.all, self.values.len());
+        self.stored.own.push(Stored { row: row as u32, column: column as u32, start, place });
+        self.values.extend_from_slice(values);
+        self.pass(row, column);
+    }
+
+    /// Whether this rank holds the block of a pair.
+    pub(crate) fn holds(&self, row: usize, column: usize) -> bool {
+        self.held.has(row) || (self.symmetric && self.held.has(column))
+    }
+
+    /// The rows of this rank, and those of all.
+    pub(crate) fn held(&self) -> &Held {
+        &self.held
     }
 
     /// Records that some blocks of an element's row were left out.
@@ -116,15 +199,15 @@ impl Blocks {
     }
 
     /// Adds what it took to integrate a block.
-    pub(crate) fn take_costs(&mut self, block: &Block) {
+    pub(crate) fn take_costs(&mut self, block: &Account) {
         self.samples += block.samples;
         self.distinct += block.distinct;
         self.rays += block.rays;
     }
 
-    /// Numbers that are stored.
+    /// Numbers that are stored, by all ranks together, each block counted once.
     pub fn stored_numbers(&self) -> usize {
-        self.values.len()
+        self.numbers
     }
 
     /// Number of coefficients.
@@ -150,18 +233,80 @@ impl Blocks {
     /// Stores a block of a symmetric G of which only the first line and the first column differ from zero: first the
     /// line, then the rest of the column.
     pub(crate) fn push_cross(&mut self, row: usize, column: usize, values: &[f64]) {
-        let start = self.values.len();
-        self.crosses.push(Stored { row: row as u32, column: column as u32, start });
-        self.values.extend_from_slice(values);
+        if self.holds(row, column) {
+            let (place, start) = (self.crosses.all, self.values.len());
+            self.crosses.own.push(Stored { row: row as u32, column: column as u32, start, place });
+            self.values.extend_from_slice(values);
+        }
+        self.pass_cross(row, column);
+    }
+
+    /// Counts a block stored as a cross by other ranks.
+    pub(crate) fn pass_cross(&mut self, row: usize, column: usize) {
+        self.crosses.all += 1;
+        self.numbers += self.range(row).len() + self.range(column).len() - 1;
+    }
+
+    /// Appends all blocks of `others`, which are of the same elements.
+    pub(crate) fn append(&mut self, others: &Self) {
+        let copied = |Stored { row, column, start, place }: &Stored, list: &List, values: usize| Stored {
+            row: *row,
+            column: *column,
+            start: values + start,
+            place: list.all + place,
+        };
+        let values = self.values.len();
+        for (own, more) in [(&mut self.stored, &others.stored), (&mut self.crosses, &others.crosses)] {
+            let copies: Vec<Stored> = more.own.iter().map(|stored| copied(stored, own, values)).collect();
+            own.own.extend(copies);
+            own.all += more.all;
+        }
+        self.values.extend_from_slice(&others.values);
+        self.numbers += others.numbers;
+    }
+
+    /// All blocks, held by every rank.
+    pub(crate) fn gathered(&self) -> Cow<'_, Self> {
+        let ranks = self.held.ranks();
+        if ranks.are_alone() {
+            return Cow::Borrowed(self);
+        }
+        let stored = in_order(ranks.all(self.rows(&self.stored, Self::entries)));
+        let crosses = in_order(ranks.all(self.rows(&self.crosses, Self::line_and_rest)));
+        let alone = ranks::Ranks::alone().within(|| Self::empty(self.starts.clone(), self.symmetric));
+        let mut all = Self { complete: self.complete.clone(), ..alone };
+        stored.iter().for_each(|Row { pair: [row, column], values, .. }| all.keep(*row, *column, values));
+        crosses
+            .iter()
+            .for_each(|Row { pair: [row, column], values, .. }| all.push_cross(*row, *column, values));
+        (all.pairs, all.samples, all.distinct, all.rays) =
+            (self.pairs, self.samples, self.distinct, self.rays);
+        (all.reciprocity, all.accuracy_reached, all.miss) =
+            (self.reciprocity, self.accuracy_reached, self.miss);
+        all.integrated.clone_from(&self.integrated);
+        all.remainders.clone_from(&self.remainders);
+        Cow::Owned(all)
+    }
+
+    /// The blocks of a list in the rows of this rank.
+    fn rows<'a>(&'a self, list: &List, values: impl Fn(&'a Self, &Stored) -> &'a [f64]) -> Vec<Row> {
+        let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
+        let row = |stored: &Stored| Row {
+            place: stored.place,
+            pair: [stored.row as usize, stored.column as usize],
+            values: values(self, stored).to_vec(),
+        };
+        own.map(row).collect()
     }
 
     /// y = G x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
-        if !self.crosses.is_empty() {
+        if self.crosses.all > 0 {
             return self.apply_in_chunks(x);
         }
         let mut y = vec![0.0; self.dim()];
-        self.stored.iter().for_each(|block| self.add(block, x, &mut y));
+        self.stored.own.iter().for_each(|block| self.add(block, x, &mut y));
+        self.held.complete(&mut y);
         y
     }
 
@@ -171,13 +316,13 @@ impl Blocks {
         let mut sum = vec![0.0; self.dim()];
         self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut sum);
         self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut sum);
+        self.held.complete(&mut sum);
         sum
     }
 
     /// Adds to `sum` what `add` makes of all blocks of a list, chunk by chunk in parallel.
-    fn add_chunks(&self, list: &[Stored], add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
-        let chunks = list.par_chunks(list.len().div_ceil(CHUNKS).max(1));
-        let parts = chunks.map(|blocks| {
+    fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
+        let parts = list.chunks().into_par_iter().map(|blocks| {
             let mut y = vec![0.0; self.dim()];
             blocks.iter().for_each(|block| add(block, &mut y));
             y
@@ -188,7 +333,7 @@ impl Blocks {
     }
 
     /// As [`Blocks::add`] for a block stored as a cross, whose row comes before its column.
-    fn add_cross(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
+    fn add_cross(&self, Stored { row, column, start, .. }: &Stored, x: &[f64], y: &mut [f64]) {
         let (rows, columns) = (self.range(*row as usize), self.range(*column as usize));
         let values = &self.values[*start..][..rows.len() + columns.len() - 1];
         let (line, rest) = values.split_at(columns.len());
@@ -209,7 +354,7 @@ impl Blocks {
     }
 
     /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j.
-    fn add(&self, Stored { row, column, start }: &Stored, x: &[f64], y: &mut [f64]) {
+    fn add(&self, Stored { row, column, start, .. }: &Stored, x: &[f64], y: &mut [f64]) {
         let (row, column) = (*row as usize, *column as usize);
         let (rows, columns) = (self.range(row), self.range(column));
         let values = &self.values[*start..][..rows.len() * columns.len()];
@@ -227,7 +372,8 @@ impl Blocks {
             return self.apply(x);
         }
         let mut y = vec![0.0; self.dim()];
-        self.full().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
+        let all = self.gathered();
+        all.full().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
         y
     }
 
@@ -239,21 +385,22 @@ impl Blocks {
         }
     }
 
-    /// The nonzero blocks as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
+    /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
     /// block stands for its transpose too.
     pub fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
         let full = self.full().map(|(row, column, values)| (row, column, Cow::Borrowed(values)));
         full.chain(
             self.crosses
+                .own
                 .iter()
                 .map(|cross| (cross.row as usize, cross.column as usize, Cow::Owned(self.filled(cross)))),
         )
     }
 
     /// The entries of a block that is stored as a cross, row-major.
-    fn filled(&self, Stored { row, column, start }: &Stored) -> Vec<f64> {
-        let [rows, columns] = [row, column].map(|element| self.range(*element as usize).len());
-        let values = &self.values[*start..][..rows + columns - 1];
+    fn filled(&self, stored: &Stored) -> Vec<f64> {
+        let [rows, columns] = [stored.row, stored.column].map(|element| self.range(element as usize).len());
+        let values = self.line_and_rest(stored);
         let mut block = vec![0.0; rows * columns];
         block[..columns].copy_from_slice(&values[..columns]);
         for (k, value) in values[columns..].iter().enumerate() {
@@ -262,13 +409,46 @@ impl Blocks {
         block
     }
 
+    /// The first entries of all blocks that differ from zero.
+    pub(crate) fn first_entries(&self) -> Vec<FirstEntry> {
+        let own = |list: &List| -> Vec<(usize, FirstEntry)> {
+            let own = list.own.iter().filter(|stored| self.held.has(stored.row as usize));
+            let first = |Stored { row, column, start, place }: &Stored| {
+                let (row, column) = (*row as usize, *column as usize);
+                (*place, FirstEntry { row, column, value: self.values[*start] })
+            };
+            own.map(first).collect()
+        };
+        let in_order = |list: &List| {
+            let mut all = self.held.ranks().all(own(list)).concat();
+            all.sort_by_key(|(place, _)| *place);
+            all
+        };
+        let [stored, crosses] = [&self.stored, &self.crosses].map(in_order);
+        stored.into_iter().chain(crosses).map(|(_, first)| first).collect()
+    }
+
+    /// The blocks G_ii of all elements that see themselves.
+    pub fn diagonal(&self) -> HashMap<usize, Vec<f64>> {
+        let own = self.iter().filter(|(row, column, _)| row == column);
+        let own: Vec<(usize, Vec<f64>)> = own.map(|(row, _, values)| (row, values.into_owned())).collect();
+        self.held.ranks().all(own).into_iter().flatten().collect()
+    }
+
     /// The blocks that are stored whole, as [`Blocks::iter`].
     fn full(&self) -> impl Iterator<Item = (usize, usize, &[f64])> {
-        self.stored.iter().map(|stored| {
-            let (row, column) = (stored.row as usize, stored.column as usize);
-            let length = self.range(row).len() * self.range(column).len();
-            (row, column, &self.values[stored.start..stored.start + length])
-        })
+        let own = self.stored.own.iter();
+        own.map(|stored| (stored.row as usize, stored.column as usize, self.entries(stored)))
+    }
+
+    /// The entries of a block that is stored whole.
+    fn entries(&self, Stored { row, column, start, .. }: &Stored) -> &[f64] {
+        &self.values[*start..][..self.range(*row as usize).len() * self.range(*column as usize).len()]
+    }
+
+    /// The first line of a block that is stored as a cross, and the rest of its first column.
+    fn line_and_rest(&self, Stored { row, column, start, .. }: &Stored) -> &[f64] {
+        &self.values[*start..][..self.range(*row as usize).len() + self.range(*column as usize).len() - 1]
     }
 
     fn range(&self, element: usize) -> std::ops::Range<usize> {

@@ -63,7 +63,7 @@ impl Carrier for Blocks {
         let exchanged = |(i, j, block): (usize, usize, Cow<'_, [f64]>)| {
             ((i, j), list[i].constant[0] * block[0] * list[j].constant[0])
         };
-        let exchanged: BTreeMap<(usize, usize), f64> = self.iter().map(exchanged).collect();
+        let exchanged: BTreeMap<(usize, usize), f64> = self.gathered().iter().map(exchanged).collect();
         let difference = |((i, j), there): (&(usize, usize), &f64)| {
             let back = exchanged.get(&(*j, *i)).copied().unwrap_or_default();
             (there - back).abs() / list[*i].area.min(list[*j].area)

@@ -43,9 +43,17 @@ pub(crate) fn price_up_to(limit: f64, couple: &Couple, visibility: &Visibility) 
     };
     let blockers = visibility.some_candidates(a, b, surfaces, most + 1);
     match blockers.len() {
-        0 => FREE,
         count if count > most => f64::INFINITY,
-        count if visibility.has_outlines(&blockers) => PARTLY_HIDDEN + BLOCKER * count as f64,
+        _ => of_blockers(true, &blockers, visibility),
+    }
+}
+
+/// The same for a couple with these blockers between.
+pub(crate) fn of_blockers(are_flat: bool, blockers: &[usize], visibility: &Visibility) -> f64 {
+    match blockers.len() {
+        _ if !are_flat => CURVED,
+        0 => FREE,
+        count if visibility.has_outlines(blockers) => PARTLY_HIDDEN + BLOCKER * count as f64,
         _ => CURVED,
     }
 }

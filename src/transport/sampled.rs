@@ -37,15 +37,19 @@ use std::collections::HashSet;
 
 use radiosity_geom::Encounter;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::elements::{Element, Elements};
+use crate::ranks;
+use crate::ranks::{Ranks, shares};
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::blocks::held::Held;
 use crate::transport::memory::{KnownRays, Memory, Met};
 use crate::transport::rules::covering;
 use crate::visibility::Visibility;
 pub(in crate::transport) use estimate::Fixed;
-use estimate::{Counts, Estimate};
+use estimate::{Counted, Counts, Estimate};
 use hit::{Hit, hit};
 pub use rays::Rays;
 use sender::{Departure, Sender};
@@ -71,6 +75,8 @@ pub struct SampledTransport<'a> {
     sent: Vec<u64>,
     starts: Vec<usize>,
     counts: Counts,
+    /// Which elements' pairs each rank counts; all of them where they are few.
+    held: Held,
     tally: Tally,
     strong: Strong,
     /// The pairs on which rays count, if not on all but the strong ones.
@@ -87,8 +93,8 @@ struct Task {
     count: u64,
 }
 
-/// What became of the rays of a task.
-#[derive(Debug)]
+/// What became of the rays of a task, as far as a rank counts it.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 struct Landed {
     /// Sum of their weights, in either half.
     weights: [f64; 2],
@@ -96,10 +102,25 @@ struct Landed {
     missed: [Vec<f64>; 2],
     /// The same of those that landed on pairs that are carried exactly.
     exact: [Vec<f64>; 2],
+    /// Those that landed on pairs that the rank counts.
     hits: Vec<Hit>,
+}
+
+/// The rays of a task that this rank sent.
+#[derive(Debug)]
+struct Sent {
+    landed: Landed,
     /// What each of them met, where that is to be kept, and how many were not traced for it.
     met: Vec<Met>,
     recalled: u64,
+}
+
+impl Landed {
+    /// The same without what landed.
+    fn without_hits(&self) -> Self {
+        let Self { weights, missed, exact, .. } = self;
+        Self { weights: *weights, missed: missed.clone(), exact: exact.clone(), hits: Vec::new() }
+    }
 }
 
 impl<'a> SampledTransport<'a> {
@@ -116,7 +137,12 @@ impl<'a> SampledTransport<'a> {
         pairs: HashSet<(u32, u32)>,
         numbers: &[u64],
     ) -> Self {
-        Self { only: Some(pairs), ..Self::numbered(elements, visibility, &|element| numbers[element]) }
+        let starts = elements.starts();
+        Self {
+            only: Some(pairs),
+            held: Held::of(&Ranks::alone(), &starts),
+            ..Self::numbered(elements, visibility, &|element| numbers[element])
+        }
     }
 
     /// With rays that depend on the number of each element.
@@ -127,12 +153,14 @@ impl<'a> SampledTransport<'a> {
     ) -> Self {
         let list = elements.list();
         let senders = list.par_iter().enumerate().map(|(place, element)| Sender::new(element, number(place)));
+        let starts = elements.starts();
         Self {
             elements,
             visibility,
             senders: senders.collect(),
             sent: vec![0; list.len()],
-            starts: elements.starts(),
+            held: Held::of(&ranks::current(), &starts),
+            starts,
             counts: Counts::new(list.len(), elements.coefficients()),
             tally: Tally::new(list.len()),
             strong: Strong::default(),
@@ -247,7 +275,7 @@ impl<'a> SampledTransport<'a> {
             let [[a, b], [c, d]] = [density(sums.row), density(sums.column)];
             f64::from(sums.hits) * (a + c) / (b + d)
         };
-        let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &expected);
+        let pairs = Strong::worth(self.elements, self.visibility, &self.tally, &self.held, &expected);
         self.strong = Strong::new(pairs, self.elements, self.visibility, (accuracy, memory), progress);
         self.tally.settle(list, &expected);
         self.counts = Counts::new(list.len(), self.elements.coefficients());
@@ -263,10 +291,22 @@ impl<'a> SampledTransport<'a> {
         self.strong.accuracy_reached()
     }
 
+    /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
     fn run(&mut self, tasks: &[Task]) {
-        let results: Vec<Landed> = tasks.par_iter().map(|task| self.landed(task)).collect();
-        let mut hits = Vec::with_capacity(results.iter().map(|landed| landed.hits.len()).sum());
-        for (Task { element, first, count }, landed) in tasks.iter().zip(results) {
+        let ranks = ranks::current();
+        let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
+        let own = shares::range(&shares::ends(&counts, ranks.count()), ranks.number());
+        let sent: Vec<Sent> = tasks[own.clone()].par_iter().map(|task| self.sent_by(task)).collect();
+        if let Some(known) = &mut self.known {
+            let own = tasks[own].iter().zip(&sent);
+            own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
+        }
+        let landed = sent.into_iter().map(|sent| sent.landed).collect();
+        let parcels = self.parcels(landed, ranks.count());
+        // Each rank sends those of one task after the other, and ranks come in the order of the tasks.
+        let landed = ranks.exchange(parcels).into_iter().flatten();
+        let mut hits = Vec::new();
+        for (Task { element, count, .. }, landed) in tasks.iter().zip(landed) {
             self.sent[*element] += count;
             for half in 0..2 {
                 self.counts.weights[*element][half] += landed.weights[half];
@@ -276,32 +316,41 @@ impl<'a> SampledTransport<'a> {
                     sums.zip(&own[half]).for_each(|(sum, value)| *sum += value);
                 }
             }
-            if let Some(known) = &mut self.known {
-                known.keep(*element, *first, &landed.met, landed.recalled);
-            }
             hits.extend(landed.hits);
         }
         self.tally.take(self.elements.list(), &hits);
     }
 
-    /// What became of the rays of a task.
-    fn landed(&self, task: &Task) -> Landed {
+    /// What each of so many ranks counts of what became of rays: the hits of elements of which it holds the pairs, and all else.
+    fn parcels(&self, landed: Vec<Landed>, ranks: usize) -> Vec<Vec<Landed>> {
+        if self.held.ranks().are_alone() {
+            return vec![landed; ranks];
+        }
+        let counted = |rank: usize, landed: &Landed| {
+            let is_counted =
+                |hit: &&Hit| [hit.source, hit.target].iter().any(|end| self.held.rank(*end as usize) == rank);
+            Landed { hits: landed.hits.iter().filter(is_counted).copied().collect(), ..landed.without_hits() }
+        };
+        (0..ranks).map(|rank| landed.iter().map(|landed| counted(rank, landed)).collect()).collect()
+    }
+
+    /// Sends the rays of a task.
+    fn sent_by(&self, task: &Task) -> Sent {
         let sender = &self.senders[task.element];
         let element = &self.elements.list()[task.element];
         let nothing = || [vec![0.0; element.basis.len()], vec![0.0; element.basis.len()]];
-        let mut landed = Landed {
-            weights: [0.0; 2],
-            missed: nothing(),
-            exact: nothing(),
-            hits: Vec::with_capacity(task.count as usize),
+        let hits = Vec::with_capacity(task.count as usize);
+        let mut sent = Sent {
+            landed: Landed { weights: [0.0; 2], missed: nothing(), exact: nothing(), hits },
             met: Vec::with_capacity(if self.known.is_some() { task.count as usize } else { 0 }),
             recalled: 0,
         };
         for index in task.first..task.first + task.count {
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
+            let met = self.met(task.element, index, &departure, &mut sent);
+            let landed = &mut sent.landed;
             landed.weights[half] += departure.weight;
-            let met = self.met(task.element, index, &departure, &mut landed);
             let sums = match hit(self.elements, task.element, index, &departure, met) {
                 Some(hit) if !self.counts(hit.source, hit.target) => &mut landed.exact[half],
                 Some(hit) => {
@@ -313,25 +362,19 @@ impl<'a> SampledTransport<'a> {
             let values = functions(element, element.basis.frame().coordinates(&departure.node));
             sums.iter_mut().zip(values).for_each(|(sum, value)| *sum += departure.weight * value);
         }
-        landed
+        sent
     }
 
     /// What a ray meets first: what it is known to meet, or else what it is found to.
-    fn met(
-        &self,
-        element: usize,
-        index: u64,
-        departure: &Departure,
-        landed: &mut Landed,
-    ) -> Option<Encounter> {
+    fn met(&self, element: usize, index: u64, departure: &Departure, sent: &mut Sent) -> Option<Encounter> {
         let (origin, direction) = (departure.node.position, departure.direction);
         let surface = self.elements.list()[element].surface;
         let found = || self.visibility.nearest_from(surface, origin, direction);
         let Some(known) = &self.known else { return found() };
         let recalled = known.recall(element, index, [origin, direction]);
-        landed.recalled += u64::from(recalled.is_some());
+        sent.recalled += u64::from(recalled.is_some());
         let met = recalled.unwrap_or_else(found);
-        landed.met.push(Met::of(met.as_ref()));
+        sent.met.push(Met::of(met.as_ref()));
         met
     }
 
@@ -343,21 +386,26 @@ impl<'a> SampledTransport<'a> {
 
     /// Blocks of the pairs on which rays count, given those of all others.
     pub(in crate::transport) fn beside(&self, others: &Fixed) -> Blocks {
-        let mut blocks = Blocks::empty(self.starts.clone(), true);
-        Estimate::new(self.elements.list(), &self.starts, &self.tally, &self.counts, others, Rays::All)
-            .push(&mut blocks);
+        let mut blocks = self.held.ranks().within(|| Blocks::empty(self.starts.clone(), true));
+        self.estimate(others, Rays::All).push(&mut blocks);
         blocks
+    }
+
+    /// What some of the rays tell beside what is `fixed`.
+    fn estimate(&self, fixed: &Fixed, rays: Rays) -> Estimate<'_> {
+        let Self { tally, held, .. } = self;
+        Estimate::new(self.elements.list(), &self.starts, Counted { tally, held, rays }, &self.counts, fixed)
     }
 
     /// Estimate of G by the rays sent since the pilot round, or so far, if that has not ended.
     pub fn blocks(&self, rays: Rays) -> Blocks {
         let list = self.elements.list();
         let mut blocks = Blocks::empty(self.starts.clone(), true);
-        self.strong.iter().for_each(|(row, column, values)| blocks.push(row, column, &values));
+        self.strong.append_to(&mut blocks);
         self.push_covered(&mut blocks);
         let exact = blocks.apply(&self.elements.constant());
         let fixed = Fixed { sums: &exact, error: EXACT, blocks: &blocks };
-        let estimate = Estimate::new(list, &self.starts, &self.tally, &self.counts, &fixed, rays);
+        let estimate = self.estimate(&fixed, rays);
         let integrated = estimate.projections(&vec![1.0; list.len()]);
         blocks.integrated = Some(integrated.iter().zip(exact).map(|(a, b)| a + b).collect());
         estimate.push(&mut blocks);

@@ -10,6 +10,7 @@ pub(in crate::transport) mod order;
 mod congruent;
 mod task;
 mod goal;
+mod integrated;
 mod recalled;
 
 use std::borrow::Cow;
@@ -20,8 +21,10 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::elements::Elements;
+use crate::ranks;
+use crate::ranks::shares;
 use crate::transport::blocks::Blocks;
-use crate::transport::blocks::block::{Accuracy, Block, Kind};
+use crate::transport::blocks::block::{Account, Accuracy, Block, Kind};
 use crate::transport::blocks::miss::Miss;
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::blocks::reciprocity::Reciprocity;
@@ -35,11 +38,13 @@ use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
 use crate::transport::memory::{Answer, Memory};
 use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
+use crate::transport::price;
 use crate::transport::rules::covering;
 use crate::transport::schedule::congruent::{Panel, Pose};
 use crate::transport::schedule::order::Rank;
 use crate::visibility::Visibility;
 use goal::Goal;
+use integrated::{Integrated, Told};
 pub(in crate::transport) use task::Unreached;
 use task::{Scene, Task};
 
@@ -77,6 +82,14 @@ enum Source {
     Own(usize),
     /// Equal to the block of an earlier task: the task, and the place of its block.
     Copy(usize, usize),
+}
+
+impl Source {
+    /// The place of its block among all integrated blocks.
+    fn place(&self) -> usize {
+        let (Source::Own(place) | Source::Copy(_, place)) = self;
+        *place
+    }
 }
 
 /// A pair whose block the rules did not reach.
@@ -118,16 +131,20 @@ pub(in crate::transport) fn by_rules(
     let tasks = sort(&scene, &mut blocks);
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let integrated = scene.integrate(&tasks, &goals, &sources, memory.as_deref(), progress);
-    let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
+    let mut integrated = scene.integrate(&tasks, &goals, &sources, memory.as_deref(), progress);
+    let scales = Scales::new(list.len(), &tasks, &sources, &integrated.told);
+    let is_left = |task: &Task, block: &Account| {
+        block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
+    };
+    integrated.deliver(&tasks, &sources, &is_left, blocks.held());
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
-        let (Source::Own(place) | Source::Copy(_, place)) = source;
-        let block = &integrated[*place].block;
+        let place = source.place();
+        let Told { block, .. } = &integrated.told[place];
         let error = scales.relative(task, block);
-        if block.untried || (error > accuracy.eps && scene.is_left(task)) {
+        if is_left(task, block) {
             debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
-            let values = (!block.untried).then(|| block.values.clone());
+            let values = (!block.untried).then(|| integrated.values(place).to_vec());
             let found = values.map(|values| (values, block.error));
             let (row, column) = (task.row as usize, task.column as usize);
             left.push(Left { row, column, found, partly_hidden: block.partly_hidden });
@@ -148,7 +165,8 @@ pub(in crate::transport) fn by_rules(
         let asked =
             tasks.iter().zip(&goals).zip(&sources).filter(|(_, source)| matches!(source, Source::Own(_)));
         let requests = asked.map(|((task, goal), _)| goal.request(task, visibility));
-        memory.keep(requests.zip(integrated).collect());
+        let kept = requests.zip(integrated.answers).filter_map(|(request, answer)| Some((request, answer?)));
+        memory.keep(kept.collect());
     }
     (blocks, left)
 }
@@ -159,11 +177,10 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &[Arc<Answer>]) -> Self {
+    fn new(elements: usize, tasks: &[Task], sources: &[Source], told: &[Told]) -> Self {
         let mut rows = vec![0.0f64; elements];
         for (task, source) in tasks.iter().zip(sources) {
-            let (Source::Own(place) | Source::Copy(_, place)) = source;
-            let most = largest(&integrated[*place].block);
+            let most = told[source.place()].block.largest;
             for element in [task.row, task.column] {
                 rows[element as usize] = rows[element as usize].max(most);
             }
@@ -173,21 +190,16 @@ impl Scales {
 
     /// The error of the block of a task, relative to the largest of: its largest entry, a hundredth of its row's, and
     /// 1e-8.
-    fn relative(&self, task: &Task, block: &Block) -> f64 {
+    fn relative(&self, task: &Task, block: &Account) -> f64 {
         let row = self.rows[task.row as usize].min(self.rows[task.column as usize]);
-        block.error / largest(block).max(ROW_SHARE * row).max(SMALLEST_ENTRY)
+        block.error / block.largest.max(ROW_SHARE * row).max(SMALLEST_ENTRY)
     }
-}
-
-/// Largest entry of a block.
-fn largest(block: &Block) -> f64 {
-    block.values.iter().map(|value| value.abs()).fold(0.0, f64::max)
 }
 
 /// Sorts all pairs and counts those that need no block.
 fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
-    let rows: Vec<(Vec<Task>, PairCounts)> =
-        (0..scene.list.len()).into_par_iter().map(|i| scene.sort_row(i)).collect();
+    let lengths: Vec<f64> = (1..=scene.list.len()).rev().map(|length| length as f64).collect();
+    let rows: Vec<(Vec<Task>, PairCounts)> = ranks::current().map(&lengths, |row| scene.sort_row(row));
     let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
     for (row, counts) in rows {
         tasks.extend(row);
@@ -308,24 +320,29 @@ impl Scene<'_> {
         task: &Task,
         source: &Source,
         tasks: &[Task],
-        integrated: &[Arc<Answer>],
+        integrated: &Integrated,
     ) {
-        let (Source::Own(place) | Source::Copy(_, place)) = source;
-        let Answer { block, remainder, .. } = &*integrated[*place];
+        let place = source.place();
+        let Told { block, remainder } = &integrated.told[place];
         blocks.pairs.take(block);
         let (row, column) = (task.row as usize, task.column as usize);
         if *remainder > 0.0 {
             blocks.remainders.push(Remainder { places: [row, column], bound: *remainder });
         }
         match source {
-            Source::Own(_) => {
-                blocks.take_costs(block);
-                blocks.push(row, column, &block.values);
-            }
-            Source::Copy(first, _) => {
+            Source::Own(_) => blocks.take_costs(block),
+            Source::Copy(..) => {
                 blocks.pairs.repeated += 1;
                 blocks.samples += block.samples;
-                blocks.push(row, column, &self.copied(task, &tasks[*first], &block.values));
+            }
+        }
+        match source {
+            _ if block.largest == 0.0 => {}
+            _ if !blocks.holds(row, column) => blocks.pass(row, column),
+            Source::Own(_) => blocks.push(row, column, integrated.values(place)),
+            Source::Copy(first, _) => {
+                let values = self.copied(task, &tasks[*first], integrated.values(place));
+                blocks.push(row, column, &values);
             }
         }
     }
@@ -372,7 +389,7 @@ impl Scene<'_> {
         confirmed.into_iter().enumerate().map(&mut source).collect()
     }
 
-    /// Integrates the tasks that are not copies, in their order, as far as `memory` does not hold their blocks.
+    /// Integrates the tasks that are not copies, as far as `memory` does not hold their blocks; each rank some of them.
     fn integrate(
         &self,
         tasks: &[Task],
@@ -380,21 +397,28 @@ impl Scene<'_> {
         sources: &[Source],
         memory: Option<&Memory>,
         progress: &(dyn Fn(usize, usize) + Sync),
-    ) -> Vec<Arc<Answer>> {
+    ) -> Integrated {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
-        let (done, total) = (AtomicUsize::new(0), own.len());
-        // A few pairs cost as much as all others together: each is scheduled by itself.
-        own.par_iter()
-            .with_max_len(1)
-            .map(|index| {
-                let (task, goal) = (&tasks[*index], goals[*index]);
-                let known = memory.and_then(|memory| self.recalled(task, goal, memory));
-                let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
-                progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
-                answer
-            })
-            .collect()
+        let costs: Vec<f64> = own.iter().map(|index| self.price(&tasks[*index])).collect();
+        let ranks = ranks::current();
+        let makers = shares::by_cost(&costs, ranks.count());
+        let total = makers.iter().filter(|maker| **maker == ranks.number()).count();
+        let done = AtomicUsize::new(0);
+        Integrated::made(ranks, makers, |place| {
+            let (task, goal) = (&tasks[own[place]], goals[own[place]]);
+            let known = memory.and_then(|memory| self.recalled(task, goal, memory));
+            let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
+            progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            answer
+        })
+    }
+
+    /// About what the block of a task costs, in rays.
+    fn price(&self, task: &Task) -> f64 {
+        let are_flat =
+            [task.row, task.column].iter().all(|element| self.list[*element as usize].plane.is_some());
+        price::of_blockers(are_flat, &task.blockers, self.visibility)
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
@@ -419,7 +443,7 @@ impl Scene<'_> {
         is_stored: &dyn Fn(&Task) -> bool,
         goals: &[Goal],
         sources: &[Source],
-        integrated: &[Arc<Answer>],
+        integrated: &Integrated,
     ) -> Reciprocity {
         let own = |(index, source): (usize, &Source)| match source {
             Source::Own(place) if tasks[index].row != tasks[index].column && is_stored(&tasks[index]) => {
@@ -428,24 +452,23 @@ impl Scene<'_> {
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
-        let cost = |place: usize| integrated[place].block.samples + integrated[place].block.rays;
+        let cost = |place: usize| integrated.told[place].block.samples + integrated.told[place].block.rays;
         let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =
             pairs.into_iter().filter(|(_, place)| cost(*place) <= mean).step_by(step).collect();
-        let differences: Vec<Option<f64>> = sample
-            .par_iter()
-            .map(|(index, place)| {
-                let task = &tasks[*index];
-                let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
-                let answer = &integrated[*place];
-                let again = *answer.exchanged.get_or_init(|| {
-                    let again = self.block_from(!self.is_turned(task), task, goals[*index]);
-                    (!again.untried).then(|| again.values[0])
-                });
-                again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
-            })
-            .collect();
+        let makers: Vec<usize> = sample.iter().map(|(_, place)| integrated.makers[*place]).collect();
+        let differences: Vec<Option<f64>> = integrated.ranks.map_by(&makers, |number| {
+            let (index, place) = sample[number];
+            let task = &tasks[index];
+            let [a, b] = [task.row, task.column].map(|element| self.list[element as usize].area);
+            let answer = integrated.answer(place);
+            let again = *answer.exchanged.get_or_init(|| {
+                let again = self.block_from(!self.is_turned(task), task, goals[index]);
+                (!again.untried).then(|| again.values[0])
+            });
+            again.map(|again| (again - answer.block.values[0]).abs() * (a * b).sqrt() / a.min(b))
+        });
         let mut told = Reciprocity::default();
         differences.into_iter().flatten().for_each(|difference| told.take(difference));
         told

@@ -21,9 +21,9 @@ mod wholes;
 use std::collections::{HashMap, HashSet};
 
 use crate::elements::{Element, Elements};
-use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::blocks::miss::Miss;
+use crate::transport::blocks::{Blocks, FirstEntry};
 use crate::transport::memory::Memory;
 use crate::transport::sampled::{Fixed, SampledTransport};
 use crate::transport::schedule::Left;
@@ -87,6 +87,7 @@ pub(in crate::transport) fn add(
     let goal = |pair: &Left| if pair.partly_hidden { accuracy.shadow_eps } else { 0.0 }.max(accuracy.eps);
     let error = accuracy.eps.max(accuracy.shadow_eps).max(blocks.accuracy_reached);
     let sums = blocks.apply(&elements.constant());
+    let firsts = blocks.first_entries();
     let (mut sent, mut rays) = (0, FIRST);
     let mut open: Vec<&Left> = left.iter().collect();
     let found = loop {
@@ -99,7 +100,8 @@ pub(in crate::transport) fn add(
             progress((left.len() as u64 * sent / most.max(sent)) as usize, left.len());
         }
         let each = (BATCHES * senders.len()) as u64;
-        let found = judged(elements.list(), &wholes, &Fixed { sums: &sums, error, blocks }, left, &batches);
+        let fixed = Fixed { sums: &sums, error, blocks };
+        let found = judged(elements.list(), (&wholes, &firsts), &fixed, left, &batches);
         // Rays cannot better a value by rules that is as good as they become.
         let may_fall = |found: &Found| !found.is_by_rules || found.relative > REACHED;
         let is_open =
@@ -143,10 +145,10 @@ fn most_rays(eps: f64, elements: usize) -> u64 {
     (MOST * share * (MOST_AT / eps.max(FINEST)).powf(MOST_POWER)) as u64
 }
 
-/// What the batches say of each pair.
+/// What the batches say of each pair, beside `others` with these first entries.
 fn judged(
     list: &[Element],
-    wholes: &Wholes,
+    (wholes, others_firsts): (&Wholes, &[FirstEntry]),
     others: &Fixed,
     left: &[Left],
     batches: &[SampledTransport],
@@ -190,7 +192,7 @@ fn judged(
         }
     });
     let mut found: Vec<Found> = found.collect();
-    let rows = wholes.largest_factors(list, others.blocks, &found);
+    let rows = wholes.largest_factors(list, others_firsts, &found);
     for ((found, pair), firsts) in found.iter_mut().zip(left).zip(&mut firsts) {
         if let Some((values, error)) = &pair.found
             && DOUBT * error < found.error

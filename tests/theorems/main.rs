@@ -19,6 +19,7 @@ mod layering;
 mod materials;
 mod motions;
 mod picture_files;
+mod ranks;
 mod scene_format;
 mod schema;
 mod shapes;

@@ -20,6 +20,7 @@ use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings};
 
 use crate::elements::Elements;
+use crate::ranks::Ranks;
 use crate::transport::Blocks;
 
 use super::pairs::Pairs;
@@ -58,8 +59,13 @@ impl Deficit {
     }
 }
 
-/// The blocks with rows that sum to 1 where these are known.
+/// The blocks with rows that sum to 1 where these are known; every rank has all of them.
 pub(super) fn corrected(elements: &Elements, blocks: &Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
+    let blocks = &*blocks.gathered();
+    Ranks::alone().within(|| settled(elements, blocks, pairs, rows))
+}
+
+fn settled(elements: &Elements, blocks: &Blocks, pairs: &Pairs, rows: &[bool]) -> Blocks {
     let integrated = blocks.apply(&elements.constant());
     let mut now = copied(elements, blocks, |_, _, values| values.to_vec());
     for _ in 0..TURNS {

@@ -1,5 +1,7 @@
 //! One block of G with its cost, and the accuracy asked of blocks.
 
+use serde::{Deserialize, Serialize};
+
 use crate::transport::moments::Moments;
 
 /// The accuracy asked of blocks.
@@ -29,7 +31,7 @@ impl Accuracy {
 }
 
 /// The hardest contact met between a pair of elements, from easy to hard.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Kind {
     /// Constants on flat elements: contour integrals, exact.
     Contour,
@@ -45,6 +47,29 @@ pub enum Kind {
     Contact,
     /// A curved element with itself.
     Same,
+}
+
+/// What is told of a block beside its values.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(crate) struct Account {
+    /// Hardest contact met.
+    pub kind: Kind,
+    /// As [`Block::partly_hidden`].
+    pub partly_hidden: bool,
+    /// As [`Block::unresolved`].
+    pub unresolved: bool,
+    /// As [`Block::untried`].
+    pub untried: bool,
+    /// As [`Block::error`].
+    pub error: f64,
+    /// Largest absolute value; NaN if one of them is.
+    pub largest: f64,
+    /// As [`Block::samples`].
+    pub samples: u64,
+    /// As [`Block::distinct`].
+    pub distinct: u64,
+    /// As [`Block::rays`].
+    pub rays: u64,
 }
 
 /// One block and what it cost.
@@ -71,6 +96,20 @@ pub(crate) struct Block {
 }
 
 impl Block {
+    /// What is told of it.
+    pub(crate) fn account(&self) -> Account {
+        let Self { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } = *self;
+        let largest = self.values.iter().map(|value| value.abs()).fold(0.0, larger);
+        Account { kind, partly_hidden, unresolved, untried, error, largest, samples, distinct, rays }
+    }
+
+    /// The block of these values.
+    pub(crate) fn told(values: Vec<f64>, account: &Account) -> Self {
+        let Account { kind, partly_hidden, unresolved, untried, error, samples, distinct, rays, .. } =
+            *account;
+        Self { values, kind, partly_hidden, unresolved, untried, error, samples, distinct, rays }
+    }
+
     /// The block with these moments and no known error.
     pub(in crate::transport) fn of(moments: Moments, kind: Kind, partly_hidden: bool) -> Self {
         Self {
@@ -112,4 +151,9 @@ impl Block {
             rays,
         }
     }
+}
+
+/// The larger of two numbers; NaN if one of them is.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }

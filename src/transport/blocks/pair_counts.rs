@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::transport::blocks::block::{Block, Kind};
+use crate::transport::blocks::block::{Account, Kind};
 
 /// Numbers of pairs by contact and by reason of being skipped.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -44,7 +44,7 @@ pub struct PairCounts {
 
 impl PairCounts {
     /// Counts one more pair whose block was integrated or copied.
-    pub(crate) fn take(&mut self, block: &Block) {
+    pub(crate) fn take(&mut self, block: &Account) {
         let counter = match block.kind {
             Kind::Contour => &mut self.contour,
             Kind::Separated => &mut self.separated,

@@ -13,6 +13,8 @@
 //! enters keeps d_i = 1. Smoothing by least squares is in M. E. Larsen, J. R. Howell, *J. Heat Transfer* 108 (1986)
 //! 239-242.
 
+use serde::{Deserialize, Serialize};
+
 /// Most turns. Each halves about what is missing; elements that few rays reach are the slow ones.
 const TURNS: usize = 60;
 
@@ -23,7 +25,7 @@ const SETTLED: f64 = 1e-6;
 const FACTORS: [f64; 2] = [0.2, 5.0];
 
 /// Exchange A_i F_ij of two elements, i ≤ j.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Exchange {
     pub row: u32,
     pub column: u32,

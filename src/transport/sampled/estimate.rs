@@ -20,8 +20,11 @@
 //! ([`closure`]); for k > 0 what is missing is spread over the entries G_ij^k0 in the proportions of the exchanges.
 //! G stays symmetric, and a closed scene keeps its power.
 
+use serde::{Deserialize, Serialize};
+
 use crate::elements::Element;
 use crate::transport::blocks::Blocks;
+use crate::transport::blocks::held::Held;
 use crate::transport::sampled::closure;
 use crate::transport::sampled::closure::Exchange;
 use crate::transport::sampled::rays::Rays;
@@ -46,19 +49,48 @@ impl Counts {
     }
 }
 
+/// The sums over hits, and which of them count.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Counted<'a> {
+    /// Those over the pairs of which this rank holds one of the elements.
+    pub tally: &'a Tally,
+    pub held: &'a Held,
+    pub rays: Rays,
+}
+
+/// What all ranks know of a pair on which rays count.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Told {
+    exchange: Exchange,
+    /// n_ij / D_ij².
+    variance: f64,
+    is_cross: bool,
+    /// Whether all its sums are zero.
+    is_zero: bool,
+}
+
 /// Blocks from the sums over some of the rays.
 #[derive(Debug)]
 pub(super) struct Estimate<'a> {
     list: &'a [Element],
     starts: &'a [usize],
-    tally: &'a Tally,
-    rays: Rays,
+    counted: Counted<'a>,
     /// W_i.
     weights: Vec<f64>,
     /// V_own,i.
     variances: Vec<f64>,
     /// t_i^k by own rays, of all coefficients.
     known: Vec<f64>,
+}
+
+/// What is known beside the sums over hits, as it changes blocks.
+struct Corrections {
+    /// d_i.
+    factors: Vec<f64>,
+    /// What the coefficients k > 0 miss.
+    tilts: Vec<f64>,
+    /// Row sums after the factors.
+    totals: Vec<f64>,
 }
 
 /// What is known of the pairs on which no ray counts.
@@ -77,18 +109,17 @@ impl<'a> Estimate<'a> {
     pub(super) fn new(
         list: &'a [Element],
         starts: &'a [usize],
-        tally: &'a Tally,
+        counted: Counted<'a>,
         counts: &Counts,
         fixed: &Fixed,
-        rays: Rays,
     ) -> Self {
+        let rays = counted.rays;
         let weights: Vec<f64> = counts.weights.iter().map(|halves| rays.of(*halves)).collect();
         let all = |halves: &[Vec<f64>; 2]| -> Vec<f64> {
             halves[0].iter().zip(&halves[1]).map(|(even, odd)| rays.of([*even, *odd])).collect()
         };
         let (missed, exact) = (all(&counts.missed), all(&counts.exact));
-        let mut estimate =
-            Self { list, starts, tally, rays, weights, variances: Vec::new(), known: Vec::new() };
+        let mut estimate = Self { list, starts, counted, weights, variances: Vec::new(), known: Vec::new() };
         for index in 0..list.len() {
             let range = starts[index]..starts[index + 1];
             let error = if fixed.blocks.is_complete(index) { fixed.error } else { f64::INFINITY };
@@ -128,43 +159,58 @@ impl<'a> Estimate<'a> {
 
     /// Adds the blocks to `blocks`.
     pub(super) fn push(&self, blocks: &mut Blocks) {
-        let exchanges: Vec<Exchange> =
-            self.pairs().map(|(sums, density)| self.exchange(&sums, density)).collect();
-        let trust = self.trust();
+        let told = self.told();
+        let exchanges: Vec<Exchange> = told.iter().map(|told| told.exchange).collect();
+        let trust = self.trust(&told);
         let factors = closure::factors(&exchanges, &self.wanted(&exchanges, &trust));
         let tilts = self.tilts(&factors, &trust);
         let totals = closure::row_sums(&exchanges, &factors);
-        let mut values = Vec::new();
-        for ((sums, density), exchange) in self.pairs().zip(&exchanges) {
-            let Sums { row, column, is_cross, .. } = sums;
-            let factor = factors[row] * factors[column];
-            values.clear();
-            values.extend(self.rays.sums(&sums).map(|sum| factor * sum / density));
-            let amount = factor * exchange.amount;
-            let columns = self.list[column].basis.len();
-            if amount > 0.0 {
-                let [own, other] = [(row, column), (column, row)]
-                    .map(|(tilted, far)| amount / (totals[tilted] * self.list[far].constant[0]));
-                for k in 1..self.list[row].basis.len() {
-                    values[sums.place(k, columns)] += own * tilts[self.starts[row] + k];
+        let corrections = Corrections { factors, tilts, totals };
+        let mut own = self.pairs().peekable();
+        for Told { exchange, is_cross, is_zero, .. } in &told {
+            let (row, column) = (exchange.row as usize, exchange.column as usize);
+            let held = own.next_if(|(sums, _)| (sums.row, sums.column) == (row, column));
+            match (held, is_cross) {
+                (Some((sums, density)), true) => {
+                    blocks.push_cross(row, column, &self.values(&sums, density, exchange, &corrections));
                 }
-                for l in 1..columns {
-                    values[l] += other * tilts[self.starts[column] + l];
+                (Some((sums, density)), false) => {
+                    blocks.push(row, column, &self.values(&sums, density, exchange, &corrections));
                 }
-            }
-            match is_cross {
-                true => blocks.push_cross(row, column, &values),
-                false => blocks.push(row, column, &values),
+                (None, true) => blocks.pass_cross(row, column),
+                (None, false) if *is_zero => {}
+                (None, false) => blocks.pass(row, column),
             }
         }
     }
 
-    /// Σ_j d_i G_ij d_j c_j for factors d, of all coefficients.
+    /// The values of a block: S_ij / D_ij, corrected.
+    fn values(&self, sums: &Sums, density: f64, exchange: &Exchange, how: &Corrections) -> Vec<f64> {
+        let Corrections { factors, tilts, totals } = how;
+        let Sums { row, column, .. } = *sums;
+        let factor = factors[row] * factors[column];
+        let mut values: Vec<f64> = self.counted.rays.sums(sums).map(|sum| factor * sum / density).collect();
+        let amount = factor * exchange.amount;
+        let columns = self.list[column].basis.len();
+        if amount > 0.0 {
+            let [own, other] = [(row, column), (column, row)]
+                .map(|(tilted, far)| amount / (totals[tilted] * self.list[far].constant[0]));
+            for k in 1..self.list[row].basis.len() {
+                values[sums.place(k, columns)] += own * tilts[self.starts[row] + k];
+            }
+            for l in 1..columns {
+                values[l] += other * tilts[self.starts[column] + l];
+            }
+        }
+        values
+    }
+
+    /// Σ_j d_i G_ij d_j c_j for factors d, of all coefficients; each rank sums those of its elements.
     pub(super) fn projections(&self, factors: &[f64]) -> Vec<f64> {
         let mut projected = vec![0.0; self.known.len()];
         for (sums, density) in self.pairs() {
             let Sums { row, column, .. } = sums;
-            let values: Vec<f64> = self.rays.sums(&sums).collect();
+            let values: Vec<f64> = self.counted.rays.sums(&sums).collect();
             let factor = factors[row] * factors[column] / density;
             let [rows, columns] = [row, column].map(|index| self.list[index].basis.len());
             for k in 0..rows {
@@ -177,31 +223,45 @@ impl<'a> Estimate<'a> {
                 }
             }
         }
+        self.counted.held.complete(&mut projected);
         projected
     }
 
-    /// The pairs on which rays count, with D_ij.
+    /// What ranks tell of the pairs in their rows, all of them together.
+    fn told(&self) -> Vec<Told> {
+        let Counted { held, rays, .. } = self.counted;
+        let told = |(sums, density): (Sums<'_>, f64)| Told {
+            exchange: self.exchange(&sums, density),
+            variance: rays.share() * f64::from(sums.hits) / (density * density),
+            is_cross: sums.is_cross,
+            is_zero: rays.sums(&sums).all(|sum| sum == 0.0),
+        };
+        let own: Vec<Told> = self.pairs().filter(|(sums, _)| held.has(sums.row)).map(told).collect();
+        held.ranks().all(own).concat()
+    }
+
+    /// The pairs on which rays count and of which this rank holds an element, with D_ij.
     fn pairs(&self) -> impl Iterator<Item = (Sums<'_>, f64)> {
         let density = |index: usize| self.weights[index] / self.list[index].area;
-        let pairs = self.tally.iter().map(move |sums| (sums, density(sums.row) + density(sums.column)));
+        let pairs =
+            self.counted.tally.iter().map(move |sums| (sums, density(sums.row) + density(sums.column)));
         pairs.filter(|(_, density)| *density > 0.0)
     }
 
     /// A_i F_ij = ∫ φ_0 dA_i G_ij^00 ∫ φ_0 dA_j.
     fn exchange(&self, sums: &Sums, density: f64) -> Exchange {
         let [a, b] = [sums.row, sums.column].map(|index| &self.list[index]);
-        let first = self.rays.sums(sums).next().unwrap_or(0.0);
+        let first = self.counted.rays.sums(sums).next().unwrap_or(0.0);
         let amount = a.constant[0] * first * b.constant[0] / density;
         Exchange { row: sums.row as u32, column: sums.column as u32, amount }
     }
 
     /// α_i.
-    fn trust(&self) -> Vec<f64> {
+    fn trust(&self, told: &[Told]) -> Vec<f64> {
         let mut variances = vec![0.0; self.list.len()];
-        for (sums, density) in self.pairs() {
-            let variance = self.rays.share() * f64::from(sums.hits) / (density * density);
-            variances[sums.row] += variance;
-            variances[sums.column] += variance;
+        for Told { exchange, variance, .. } in told {
+            variances[exchange.row as usize] += variance;
+            variances[exchange.column as usize] += variance;
         }
         let trust = |(index, variance): (usize, f64)| match variance {
             0.0 => 0.0,

@@ -1,12 +1,13 @@
 //! Where a ray from one element meets another.
 
 use radiosity_geom::{DVec2, DVec3, Encounter};
+use serde::{Deserialize, Serialize};
 
 use crate::elements::{Element, Elements};
 use crate::transport::sampled::sender::Departure;
 
 /// A ray from one element that first meets the front of another, or of its own.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(super) struct Hit {
     /// Element that sent it.
     pub source: u32,

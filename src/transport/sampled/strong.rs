@@ -4,12 +4,12 @@
 //! rays that depends on what the pair is. It is taken where more rays than that are expected to land on the pair: what
 //! is left to the rays are many weak pairs. Rays that land on a pair of these are not counted.
 
-use std::borrow::Cow;
 use std::collections::HashSet;
 
 use crate::elements::Elements;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::blocks::held::Held;
 use crate::transport::memory::Memory;
 use crate::transport::price::{Couple, LEAST, price_up_to};
 use crate::transport::sampled::tally::{Sums, Tally};
@@ -27,11 +27,12 @@ pub(super) struct Strong {
 }
 
 impl Strong {
-    /// The pairs of `tally` that are worth it for the number of hits that is `expected` of them.
+    /// The pairs of `tally`, of which each rank judges those in its rows, that are worth it for the number of hits that is `expected` of them.
     pub(super) fn worth(
         elements: &Elements,
         visibility: &Visibility,
         tally: &Tally,
+        held: &Held,
         expected: &dyn Fn(&Sums) -> f64,
     ) -> HashSet<(u32, u32)> {
         if elements.list().len() > MOST_ELEMENTS {
@@ -42,7 +43,9 @@ impl Strong {
             expected > LEAST
                 && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)
         };
-        tally.iter().filter(is_worth).map(|sums| (sums.row as u32, sums.column as u32)).collect()
+        let own = tally.iter().filter(|sums| held.has(sums.row)).filter(is_worth);
+        let own: Vec<(u32, u32)> = own.map(|sums| (sums.row as u32, sums.column as u32)).collect();
+        held.ranks().all(own).into_iter().flatten().collect()
     }
 
     /// These pairs with their exact blocks, from memory as far as it holds them, without those whose accuracy rules do not reach.
@@ -89,9 +92,9 @@ impl Strong {
         }
     }
 
-    /// The exact blocks: the element that comes first, the other, and the values, row-major.
-    pub(super) fn iter(&self) -> impl Iterator<Item = (usize, usize, Cow<'_, [f64]>)> {
-        self.blocks.iter().flat_map(Blocks::iter)
+    /// Appends the exact blocks to `blocks`.
+    pub(super) fn append_to(&self, blocks: &mut Blocks) {
+        self.blocks.iter().for_each(|exact| blocks.append(exact));
     }
 }
 

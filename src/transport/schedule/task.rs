@@ -1,5 +1,7 @@
 //! The elements with the data that sorting needs, and the pairs that are left to integrate.
 
+use serde::{Deserialize, Serialize};
+
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::transport::blocks::block::Accuracy;
@@ -35,6 +37,8 @@ pub(super) struct Scene<'a> {
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
 }
 
+/// A pair whose block is to be found.
+#[derive(Debug, Serialize, Deserialize)]
 pub(super) struct Task {
     pub(super) row: u32,
     pub(super) column: u32,

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use crate::elements::Element;
-use crate::transport::blocks::Blocks;
+use crate::transport::blocks::FirstEntry;
 
 use super::found::{BATCHES, Found, SURE};
 
@@ -40,7 +40,12 @@ impl Wholes {
     }
 
     /// The largest view factor of each whole.
-    pub(super) fn largest_factors(&self, list: &[Element], others: &Blocks, found: &[Found]) -> Vec<f64> {
+    pub(super) fn largest_factors(
+        &self,
+        list: &[Element],
+        others: &[FirstEntry],
+        found: &[Found],
+    ) -> Vec<f64> {
         let mut exchanges: HashMap<[usize; 2], f64> = HashMap::new();
         let mut take = |row: usize, column: usize, value: f64| {
             let exchange = value * (list[row].area * list[column].area).sqrt();
@@ -51,7 +56,7 @@ impl Wholes {
                 *exchanges.entry([one, other]).or_default() += exchange;
             }
         };
-        others.iter().for_each(|(row, column, values)| take(row, column, values[0]));
+        others.iter().for_each(|first| take(first.row, first.column, first.value));
         found.iter().for_each(|found| take(found.row, found.column, found.values[0]));
         let mut rows = vec![0.0f64; self.areas.len()];
         for ([one, other], exchange) in exchanges {

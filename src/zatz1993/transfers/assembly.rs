@@ -69,7 +69,7 @@ fn count(blocks: &mut Blocks, same: bool, outcome: &Outcome) {
         Outcome::Coplanar => pairs.skipped_coplanar += usize::from(!same),
         Outcome::Facing => pairs.skipped_facing += 1,
         Outcome::Hidden => pairs.skipped_hidden += 1,
-        Outcome::Integrated(block) => pairs.take(block),
+        Outcome::Integrated(block) => pairs.take(&block.account()),
     }
 }
 

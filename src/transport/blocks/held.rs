@@ -1,0 +1,50 @@
+//! The rows of G that each rank holds.
+
+use std::ops::Range;
+
+use crate::ranks::{Ranks, shares};
+
+/// The rows of elements that a rank holds, and those of the others: runs of elements, in order, with about as many coefficients.
+#[derive(Clone, Debug)]
+pub(crate) struct Held {
+    ranks: Ranks,
+    /// The elements at which the rows of each rank end.
+    ends: Vec<usize>,
+    /// The coefficients at which they end.
+    coefficients: Vec<usize>,
+}
+
+impl Held {
+    /// For elements of which these are the first coefficients, and the dimension at the end.
+    pub(crate) fn of(ranks: &Ranks, starts: &[usize]) -> Self {
+        let sizes: Vec<f64> = starts.windows(2).map(|range| (range[1] - range[0]) as f64).collect();
+        let ends = shares::ends(&sizes, ranks.count());
+        let coefficients = ends.iter().map(|end| starts[*end]).collect();
+        Self { ranks: ranks.clone(), ends, coefficients }
+    }
+
+    /// The ranks.
+    pub(crate) fn ranks(&self) -> &Ranks {
+        &self.ranks
+    }
+
+    /// The elements of this rank.
+    pub(crate) fn own(&self) -> Range<usize> {
+        shares::range(&self.ends, self.ranks.number())
+    }
+
+    /// Whether an element is of this rank.
+    pub(crate) fn has(&self, element: usize) -> bool {
+        self.own().contains(&element)
+    }
+
+    /// The rank of an element.
+    pub(crate) fn rank(&self, element: usize) -> usize {
+        shares::owner(&self.ends, element)
+    }
+
+    /// Fills in the coefficients of the elements of other ranks.
+    pub(crate) fn complete(&self, coefficients: &mut [f64]) {
+        self.ranks.complete(coefficients, &self.coefficients);
+    }
+}

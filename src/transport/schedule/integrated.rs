@@ -1,0 +1,95 @@
+//! The blocks that were integrated, each on one rank, and their way to the ranks that hold their rows and columns.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::ranks::Ranks;
+use crate::transport::blocks::block::{Account, Block};
+use crate::transport::blocks::held::Held;
+use crate::transport::memory::Answer;
+use crate::transport::schedule::Source;
+use crate::transport::schedule::task::Task;
+
+/// What all ranks know of a block.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub(super) struct Told {
+    pub(super) block: Account,
+    /// As [`Answer::remainder`].
+    pub(super) remainder: f64,
+}
+
+/// The blocks that were integrated.
+#[derive(Debug)]
+pub(super) struct Integrated {
+    pub(super) ranks: Ranks,
+    /// The rank that made each of them.
+    pub(super) makers: Vec<usize>,
+    pub(super) told: Vec<Told>,
+    /// Those that this rank made, and after [`Integrated::deliver`] those that it needs.
+    pub(super) answers: Vec<Option<Arc<Answer>>>,
+}
+
+impl Integrated {
+    /// All blocks that `make` makes, number k by the rank `makers[k]`.
+    pub(super) fn made(ranks: Ranks, makers: Vec<usize>, make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
+        let is_own = |place: usize| makers[place] == ranks.number();
+        // A few pairs cost as much as all others together: each is scheduled by itself.
+        let places = (0..makers.len()).into_par_iter().with_max_len(1);
+        let answers: Vec<Option<Arc<Answer>>> =
+            places.map(|place| is_own(place).then(|| make(place))).collect();
+        let told = ranks.map_by(&makers, |place| {
+            let answer = answers[place].as_ref().expect("this rank made it");
+            Told { block: answer.block.account(), remainder: answer.remainder }
+        });
+        Self { ranks, makers, told, answers }
+    }
+
+    /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its task is `left`.
+    pub(super) fn deliver(
+        &mut self,
+        tasks: &[Task],
+        sources: &[Source],
+        is_left: &dyn Fn(&Task, &Account) -> bool,
+        held: &Held,
+    ) {
+        if self.ranks.are_alone() {
+            return;
+        }
+        let me = self.ranks.number();
+        let mut wanted: Vec<(usize, usize)> = Vec::new();
+        for (task, source) in
+            tasks.iter().zip(sources).filter(|(_, source)| self.makers[source.place()] == me)
+        {
+            let place = source.place();
+            match is_left(task, &self.told[place].block) {
+                true => wanted.extend((0..self.ranks.count()).map(|rank| (rank, place))),
+                false => {
+                    wanted
+                        .extend([task.row, task.column].map(|element| (held.rank(element as usize), place)));
+                }
+            }
+        }
+        wanted.sort_unstable();
+        wanted.dedup();
+        let mut parcels: Vec<Vec<(usize, Vec<f64>)>> = vec![Vec::new(); self.ranks.count()];
+        for (rank, place) in wanted.into_iter().filter(|(rank, _)| *rank != me) {
+            parcels[rank].push((place, self.values(place).to_vec()));
+        }
+        for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
+            let Told { block, remainder } = self.told[place];
+            self.answers[place] = Some(Arc::new(Answer::known(Block::told(values, &block), remainder)));
+        }
+    }
+
+    /// A block that this rank made or was sent.
+    pub(super) fn answer(&self, place: usize) -> &Answer {
+        self.answers[place].as_ref().expect("ranks have the blocks of their rows and columns")
+    }
+
+    /// Its values.
+    pub(super) fn values(&self, place: usize) -> &[f64] {
+        &self.answer(place).block.values
+    }
+}

@@ -1,0 +1,107 @@
+//! Ranks change no bit: what one process computes, any number of ranks computes, each of them.
+
+use radiosity::geom::DVec3;
+use radiosity::ranks::threads::on_ranks;
+use radiosity::solve::Transport;
+use radiosity::studies::adaptation::Goal;
+use radiosity::transport::Accuracy;
+use radiosity::view_factors;
+use radiosity::visibility::Hiding;
+use radiosity::{Options, Scene, Solved, ViewFactors};
+
+/// Two threads, so that ranks have some.
+fn options() -> Options {
+    Options { threads: 2, ..Options::default() }
+}
+
+/// All numbers of a solution: coefficients, what was counted, and checks, as text, which tells each number from all others.
+fn told(solved: &Solved) -> String {
+    let outcome = &solved.outcome;
+    let bands: Vec<_> = outcome.solution.bands().iter().map(|band| &band.coefficients).collect();
+    format!(
+        "{bands:?} {:?} {:?} {} {} {} {:?} {} {} {:?} {:?}",
+        outcome.checks,
+        outcome.pairs,
+        outcome.samples,
+        outcome.distinct,
+        outcome.rays,
+        outcome.sampling,
+        outcome.iterations,
+        outcome.solver,
+        outcome.miss,
+        solved.achieved,
+    )
+}
+
+/// That every one of two, three and four ranks finds what one process does.
+fn same_on_ranks(what: impl Fn() -> String + Sync) {
+    let alone = what();
+    assert!(alone.len() > 40, "{alone}");
+    for ranks in 2..=4 {
+        for (rank, found) in on_ranks(ranks, &what).into_iter().enumerate() {
+            let differs = alone.bytes().zip(found.bytes()).position(|(a, b)| a != b);
+            assert!(alone == found, "rank {rank} of {ranks}: from character {differs:?} on");
+        }
+    }
+}
+
+fn solved(name: &str, settings: &[(&str, f64)], options: Options) -> Solved {
+    let scene = Scene::builtin_with(name, settings).expect("it is built in");
+    Solved::new(scene, options, &|_| {}).expect("a solution")
+}
+
+#[test]
+fn exact_pairs() {
+    same_on_ranks(|| told(&solved("cornell-box", &[], options())));
+}
+
+#[test]
+fn curved_pairs_and_pairs_that_no_rule_reaches() {
+    same_on_ranks(|| told(&solved("teapot-table", &[], Options { order: 1, eps: 1e-2, ..options() })));
+}
+
+#[test]
+fn rays() {
+    let sampled = Options { transport: Transport::Sampled, rays: Some(60_000), ..options() };
+    same_on_ranks(|| told(&solved("two-boxes", &[], sampled)));
+    let few = Options { rays: Some(2_000), order: 1, ..sampled };
+    same_on_ranks(|| told(&solved("cornell-box", &[], few)));
+}
+
+#[test]
+fn solvers_that_need_entries_and_solvers_that_multiply() {
+    for name in ["cholesky", "gauss-seidel", "southwell", "gmres", "jacobi", "cg"] {
+        let method = radiosity::solvers::method::Method::named(name).expect("it is listed");
+        same_on_ranks(|| told(&solved("cornell-box", &[], Options { method, order: 1, ..options() })));
+    }
+}
+
+#[test]
+fn light_of_a_wanted_accuracy() {
+    same_on_ranks(|| {
+        let scene = Scene::builtin("empty-box").expect("it is built in");
+        let points = vec![[DVec3::new(0.5, 0.5, 0.2), DVec3::Z]];
+        let goal = Goal::at(1e-2, points);
+        let solved = Solved::to_accuracy(scene, &options(), &goal, &|_| {}).expect("a solution");
+        told(&solved)
+    });
+}
+
+#[test]
+fn links() {
+    let linked = Options { algorithm: radiosity::solve::Algorithm::Hierarchical, order: 0, ..options() };
+    same_on_ranks(|| told(&solved("two-boxes", &[], linked)));
+}
+
+#[test]
+fn view_factors_and_heat() {
+    same_on_ranks(|| {
+        let scene = Scene::builtin("two-boxes").expect("it is built in");
+        let accuracy = Accuracy { eps: 1e-4, shadow_eps: 1e-2 };
+        let options =
+            view_factors::Options { subdivide: Some(2), accuracy, shadows: Hiding::Auto, threads: 2 };
+        let factors = ViewFactors::new(&scene, &options, &|_, _| {}).expect("all have area");
+        let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
+        format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)
+    });
+}
