@@ -9,6 +9,7 @@
 //! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
 
 pub mod comm;
+pub mod journal;
 pub mod shares;
 pub mod threads;
 mod traffic;
@@ -21,6 +22,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use comm::Comm;
+use journal::{Journal, RecordedPart};
 use traffic::Counter;
 pub use traffic::Traffic;
 
@@ -33,6 +35,7 @@ thread_local! {
 #[derive(Clone, Debug)]
 pub struct Ranks {
     shared: Option<Arc<Shared>>,
+    journal: Option<Arc<Journal>>,
 }
 
 /// Two ranks or more.
@@ -44,7 +47,7 @@ struct Shared {
 
 /// The ranks within which the current thread works; it is alone unless [`Ranks::within`] says otherwise.
 pub fn current() -> Ranks {
-    CURRENT.with_borrow(|current| current.clone().unwrap_or(Ranks { shared: None }))
+    CURRENT.with_borrow(|current| current.clone().unwrap_or_else(Ranks::alone))
 }
 
 /// Sets back the ranks of a thread, whatever happens.
@@ -59,14 +62,25 @@ impl Drop for Before {
 impl Ranks {
     /// One rank, which shares nothing.
     pub fn alone() -> Self {
-        Self { shared: None }
+        Self { shared: None, journal: None }
     }
 
     /// The ranks that `comm` connects.
     pub fn of(comm: impl Comm + 'static) -> Self {
         let shared =
             (comm.size() > 1).then(|| Arc::new(Shared { comm: Box::new(comm), sent: Counter::default() }));
-        Self { shared }
+        Self { shared, journal: None }
+    }
+
+    /// The same, which write the pieces of work that they make into a journal, and make none again that it knows.
+    #[must_use]
+    pub fn recording(&self, journal: Journal) -> Self {
+        Self { journal: Some(Arc::new(journal)), ..self.clone() }
+    }
+
+    /// Where the pieces of work are written, if they are.
+    pub fn journal(&self) -> Option<&Journal> {
+        self.journal.as_deref()
     }
 
     /// Does `work` within these ranks: each of them does it, and all of them share the same things in the same order.
@@ -149,13 +163,30 @@ impl Ranks {
     where
         T: Serialize + DeserializeOwned + Send,
     {
-        let own: Vec<usize> = (0..makers.len()).filter(|piece| makers[*piece] == self.number()).collect();
-        let made: Vec<T> = Self::alone().within(|| own.into_par_iter().with_max_len(1).map(&make).collect());
+        self.merged(makers, self.made(makers, make))
+    }
+
+    /// All pieces in order, of which each rank has `own`.
+    pub fn merged<T: Serialize + DeserializeOwned>(&self, makers: &[usize], own: Vec<T>) -> Vec<T> {
         if self.are_alone() {
-            return made;
+            return own;
         }
-        let mut parts: Vec<_> = self.all(made).into_iter().map(Vec::into_iter).collect();
+        let mut parts: Vec<_> = self.all(own).into_iter().map(Vec::into_iter).collect();
         makers.iter().map(|maker| parts[*maker].next().expect("each rank made its pieces")).collect()
+    }
+
+    /// Those that this rank makes.
+    pub fn made<T>(&self, makers: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        let own: Vec<usize> = (0..makers.len()).filter(|piece| makers[*piece] == self.number()).collect();
+        self.part(makers.len()).made(&own, make)
+    }
+
+    /// The next part of the run, of so many pieces.
+    pub fn part(&self, pieces: usize) -> Part<'_> {
+        Part { recorded: self.journal.as_ref().map(|journal| journal.part(pieces)) }
     }
 
     /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
@@ -166,6 +197,26 @@ impl Ranks {
         } else {
             items.iter().map(make).collect()
         }
+    }
+}
+
+/// A part of a run, of which ranks make the pieces.
+#[derive(Debug)]
+pub struct Part<'a> {
+    recorded: Option<RecordedPart<'a>>,
+}
+
+impl Part<'_> {
+    /// These pieces of it; a few may cost as much as all others together, so that each is scheduled by itself.
+    pub fn made<T>(&self, pieces: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        let known = |piece: &usize| match &self.recorded {
+            Some(part) => part.known_or(*piece, &make),
+            None => make(*piece),
+        };
+        Ranks::alone().within(|| pieces.par_iter().with_max_len(1).map(&known).collect())
     }
 }
 

@@ -7,13 +7,18 @@ use std::ops::Range;
 /// The rank of each piece of work: the dearest first, each to the rank with the least so far (R. L. Graham, *SIAM J. Appl. Math.*
 /// 17 (1969) 416-429: at most 4/3 of the best possible longest time). Costs are ≥ 0 and finite, in any unit.
 pub fn by_cost(costs: &[f64], ranks: usize) -> Vec<usize> {
-    if ranks == 1 {
+    beside(&vec![0.0; ranks], costs)
+}
+
+/// The same for ranks that have so much to do already.
+pub fn beside(loads: &[f64], costs: &[f64]) -> Vec<usize> {
+    if loads.len() == 1 {
         return vec![0; costs.len()];
     }
     let mut order: Vec<usize> = (0..costs.len()).collect();
     order.sort_by(|a, b| costs[*b].total_cmp(&costs[*a]).then(a.cmp(b)));
     let mut loads: BinaryHeap<Reverse<(Load, usize)>> =
-        (0..ranks).map(|rank| Reverse((Load(0.0), rank))).collect();
+        loads.iter().enumerate().map(|(rank, load)| Reverse((Load(*load), rank))).collect();
     let mut owners = vec![0; costs.len()];
     for piece in order {
         let Reverse((Load(load), rank)) = loads.pop().expect("there is a rank");

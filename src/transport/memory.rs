@@ -12,6 +12,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, OnceLock};
 
 use radiosity_geom::RayTree;
+use serde::{Deserialize, Serialize};
 
 use crate::elements::Elements;
 use crate::scene::Scene;
@@ -79,11 +80,12 @@ pub(in crate::transport) struct Request {
 }
 
 /// A block, and its first entry as integrated with the elements exchanged, where that was done.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(in crate::transport) struct Answer {
     pub block: Block,
     /// Bound of the norm of what it differs by from the integrated block, where it is known otherwise; else 0.
     pub remainder: f64,
+    #[serde(skip)]
     pub exchanged: OnceLock<Option<f64>>,
 }
 

@@ -107,7 +107,7 @@ struct Landed {
 }
 
 /// The rays of a task that this rank sent.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 struct Sent {
     landed: Landed,
     /// What each of them met, where that is to be kept, and how many were not traced for it.
@@ -295,10 +295,11 @@ impl<'a> SampledTransport<'a> {
     fn run(&mut self, tasks: &[Task]) {
         let ranks = ranks::current();
         let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
-        let own = shares::range(&shares::ends(&counts, ranks.count()), ranks.number());
-        let sent: Vec<Sent> = tasks[own.clone()].par_iter().map(|task| self.sent_by(task)).collect();
+        let ends = shares::ends(&counts, ranks.count());
+        let makers: Vec<usize> = (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect();
+        let sent = ranks.made(&makers, |task| self.sent_by(&tasks[task]));
         if let Some(known) = &mut self.known {
-            let own = tasks[own].iter().zip(&sent);
+            let own = tasks[shares::range(&ends, ranks.number())].iter().zip(&sent);
             own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
         }
         let landed = sent.into_iter().map(|sent| sent.landed).collect();

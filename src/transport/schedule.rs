@@ -9,6 +9,8 @@
 pub(in crate::transport) mod order;
 mod congruent;
 mod task;
+mod work;
+mod balance;
 mod goal;
 mod integrated;
 mod recalled;
@@ -22,7 +24,6 @@ use rayon::prelude::*;
 
 use crate::elements::Elements;
 use crate::ranks;
-use crate::ranks::shares;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Account, Accuracy, Block, Kind};
 use crate::transport::blocks::miss::Miss;
@@ -31,22 +32,21 @@ use crate::transport::blocks::reciprocity::Reciprocity;
 use crate::transport::blocks::remainder::Remainder;
 use crate::transport::contact::planes;
 use crate::transport::contact::planes::Planes;
-use crate::transport::contact::sectors::sectors;
-use crate::transport::estimates::coarse::CoarseEstimate;
-use crate::transport::estimates::entry_bounds::{EntryBounds, ROW_SHARE, SMALLEST_ENTRY};
+use crate::transport::estimates::entry_bounds::{ROW_SHARE, SMALLEST_ENTRY};
 use crate::transport::estimates::probing_rays::{Hidden, ProbingRays};
 use crate::transport::memory::{Answer, Memory};
 use crate::transport::occlusion::outlines::occluded_block;
 use crate::transport::pair::{curved, planar};
 use crate::transport::price;
 use crate::transport::rules::covering;
-use crate::transport::schedule::congruent::{Panel, Pose};
-use crate::transport::schedule::order::Rank;
+use crate::transport::schedule::congruent::Pose;
 use crate::visibility::Visibility;
+use balance::Piece;
 use goal::Goal;
 use integrated::{Integrated, Told};
 pub(in crate::transport) use task::Unreached;
 use task::{Scene, Task};
+pub use work::{Work, shared, work};
 
 /// Factor that turns a coarse estimate of a curved pair into a lower bound. Chosen; not tuned.
 const ESTIMATE_SHARE: f64 = 0.5;
@@ -114,25 +114,17 @@ pub(in crate::transport) fn by_rules(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> (Blocks, Vec<Left>) {
     let list = elements.list();
-    let scene = Scene {
-        list,
-        panels: list.iter().map(Panel::of).collect(),
-        reaches: list.iter().map(EntryBounds::of).collect(),
-        ranks: list.iter().map(Rank::of).collect(),
-        roughs: list.par_iter().map(CoarseEstimate::of).collect(),
-        is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
-        parts: list.par_iter().map(sectors).collect(),
-        visibility,
-        accuracy,
-        unreached,
-        wanted,
-    };
+    let scene = Scene::new(elements, visibility, wanted, accuracy, unreached);
     let mut blocks = Blocks::empty(elements.starts(), true);
-    let tasks = sort(&scene, &mut blocks);
+    let (tasks, counts) = scene.sort();
+    blocks.pairs = counts;
+    if blocks.pairs.skipped_black > 0 {
+        scene.open_rows().into_iter().for_each(|row| blocks.leave_open(row));
+    }
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
     let mut integrated = scene.integrate(&tasks, &goals, &sources, memory.as_deref(), progress);
-    let scales = Scales::new(list.len(), &tasks, &sources, &integrated.told);
+    let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let is_left = |task: &Task, block: &Account| {
         block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
     };
@@ -140,7 +132,7 @@ pub(in crate::transport) fn by_rules(
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
         let place = source.place();
-        let Told { block, .. } = &integrated.told[place];
+        let Told { block, .. } = integrated.told(place);
         let error = scales.relative(task, block);
         if is_left(task, block) {
             debug_assert!(matches!(source, Source::Own(_)), "only flat pairs that nothing hides are copies");
@@ -177,10 +169,10 @@ struct Scales {
 }
 
 impl Scales {
-    fn new(elements: usize, tasks: &[Task], sources: &[Source], told: &[Told]) -> Self {
+    fn new(elements: usize, tasks: &[Task], sources: &[Source], integrated: &Integrated) -> Self {
         let mut rows = vec![0.0f64; elements];
         for (task, source) in tasks.iter().zip(sources) {
-            let most = told[source.place()].block.largest;
+            let most = integrated.told(source.place()).block.largest;
             for element in [task.row, task.column] {
                 rows[element as usize] = rows[element as usize].max(most);
             }
@@ -196,29 +188,31 @@ impl Scales {
     }
 }
 
-/// Sorts all pairs and counts those that need no block.
-fn sort(scene: &Scene, blocks: &mut Blocks) -> Vec<Task> {
-    let lengths: Vec<f64> = (1..=scene.list.len()).rev().map(|length| length as f64).collect();
-    let rows: Vec<(Vec<Task>, PairCounts)> = ranks::current().map(&lengths, |row| scene.sort_row(row));
-    let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
-    for (row, counts) in rows {
-        tasks.extend(row);
-        let pairs = &mut blocks.pairs;
-        pairs.total += counts.total;
-        pairs.skipped_facing += counts.skipped_facing;
-        pairs.skipped_coplanar += counts.skipped_coplanar;
-        pairs.skipped_hidden += counts.skipped_hidden;
-        pairs.skipped_black += counts.skipped_black;
-    }
-    if blocks.pairs.skipped_black > 0 {
-        let all = 0..scene.list.len();
-        let is_open = |i: &usize| all.clone().any(|j| !(scene.wanted)(*i.min(&j), *i.max(&j)));
-        all.clone().filter(is_open).for_each(|i| blocks.leave_open(i));
-    }
-    tasks
-}
-
 impl Scene<'_> {
+    /// Sorts all pairs and counts those that need no block.
+    fn sort(&self) -> (Vec<Task>, PairCounts) {
+        let lengths: Vec<f64> = (1..=self.list.len()).rev().map(|length| length as f64).collect();
+        let rows: Vec<(Vec<Task>, PairCounts)> = ranks::current().map(&lengths, |row| self.sort_row(row));
+        let mut tasks = Vec::with_capacity(rows.iter().map(|(row, _)| row.len()).sum());
+        let mut pairs = PairCounts::default();
+        for (row, counts) in rows {
+            tasks.extend(row);
+            pairs.total += counts.total;
+            pairs.skipped_facing += counts.skipped_facing;
+            pairs.skipped_coplanar += counts.skipped_coplanar;
+            pairs.skipped_hidden += counts.skipped_hidden;
+            pairs.skipped_black += counts.skipped_black;
+        }
+        (tasks, pairs)
+    }
+
+    /// The elements some of whose pairs are not wanted.
+    fn open_rows(&self) -> Vec<usize> {
+        let all = 0..self.list.len();
+        let is_open = |i: &usize| all.clone().any(|j| !(self.wanted)(*i.min(&j), *i.max(&j)));
+        all.clone().filter(is_open).collect()
+    }
+
     fn sort_row(&self, row: usize) -> (Vec<Task>, PairCounts) {
         let (mut tasks, mut counts) = (Vec::new(), PairCounts::default());
         for column in row..self.list.len() {
@@ -323,7 +317,7 @@ impl Scene<'_> {
         integrated: &Integrated,
     ) {
         let place = source.place();
-        let Told { block, remainder } = &integrated.told[place];
+        let Told { block, remainder } = integrated.told(place);
         blocks.pairs.take(block);
         let (row, column) = (task.row as usize, task.column as usize);
         if *remainder > 0.0 {
@@ -400,25 +394,35 @@ impl Scene<'_> {
     ) -> Integrated {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
-        let costs: Vec<f64> = own.iter().map(|index| self.price(&tasks[*index])).collect();
+        let pieces = self.pieces(tasks, sources);
+        let (done, total) = (AtomicUsize::new(0), own.len());
         let ranks = ranks::current();
-        let makers = shares::by_cost(&costs, ranks.count());
-        let total = makers.iter().filter(|maker| **maker == ranks.number()).count();
-        let done = AtomicUsize::new(0);
-        Integrated::made(ranks, makers, |place| {
+        let count = ranks.count();
+        Integrated::made(ranks, &pieces, |place| {
             let (task, goal) = (&tasks[own[place]], goals[own[place]]);
             let known = memory.and_then(|memory| self.recalled(task, goal, memory));
             let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
+            // Others do about as much in the same time.
+            progress((count * (done.fetch_add(1, Ordering::Relaxed) + 1)).min(total), total);
             answer
         })
     }
 
-    /// About what the block of a task costs, in rays.
-    fn price(&self, task: &Task) -> f64 {
-        let are_flat =
-            [task.row, task.column].iter().all(|element| self.list[*element as usize].plane.is_some());
-        price::of_blockers(are_flat, &task.blockers, self.visibility)
+    /// What is known of the work that the tasks are that are not copies.
+    fn pieces(&self, tasks: &[Task], sources: &[Source]) -> Vec<Piece> {
+        let own = tasks.iter().zip(sources).filter(|(_, source)| matches!(source, Source::Own(_)));
+        own.map(|(task, _)| self.piece(task)).collect()
+    }
+
+    /// What is known of the work that a task is.
+    fn piece(&self, task: &Task) -> Piece {
+        let ends @ [row, column] = [task.row, task.column].map(|element| element as usize);
+        let are_flat = ends.iter().all(|element| self.list[*element].plane.is_some());
+        let is_near = row == column || self.reaches[row].is_near(&self.reaches[column]);
+        let bits = [are_flat, is_near, row == column, task.own.is_empty()];
+        let bits = bits.iter().fold(0, |bits, bit| 2 * bits + u64::from(*bit));
+        let class = 16 * task.blockers.len() as u64 + bits;
+        Piece { class, price: price::of_blockers(are_flat, &task.blockers, self.visibility) }
     }
 
     fn block(&self, task: &Task, goal: Goal) -> Block {
@@ -452,7 +456,7 @@ impl Scene<'_> {
             _ => None,
         };
         let pairs: Vec<(usize, usize)> = sources.iter().enumerate().filter_map(own).collect();
-        let cost = |place: usize| integrated.told[place].block.samples + integrated.told[place].block.rays;
+        let cost = |place: usize| integrated.told(place).block.samples + integrated.told(place).block.rays;
         let mean = pairs.iter().map(|(_, place)| cost(*place)).sum::<u64>() / pairs.len().max(1) as u64;
         let step = (pairs.len() / (pairs.len() / SAMPLED_SHARE).max(FEWEST_SAMPLED)).max(1);
         let sample: Vec<(usize, usize)> =

@@ -1,6 +1,8 @@
 //! Ranks change no bit: what one process computes, any number of ranks computes, each of them.
 
 use radiosity::geom::DVec3;
+use radiosity::ranks::current;
+use radiosity::ranks::journal::{Begin, Journal};
 use radiosity::ranks::threads::on_ranks;
 use radiosity::solve::Transport;
 use radiosity::studies::adaptation::Goal;
@@ -57,7 +59,7 @@ fn exact_pairs() {
 
 #[test]
 fn curved_pairs_and_pairs_that_no_rule_reaches() {
-    same_on_ranks(|| told(&solved("teapot-table", &[], Options { order: 1, eps: 1e-2, ..options() })));
+    same_on_ranks(|| told(&solved("teapot", &[], Options { order: 1, eps: 1e-2, ..options() })));
 }
 
 #[test]
@@ -104,4 +106,30 @@ fn view_factors_and_heat() {
         let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
         format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)
     });
+}
+
+#[test]
+fn a_run_goes_on_from_its_journal() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let sampled = Options { transport: Transport::Sampled, rays: Some(20_000), order: 1, ..options() };
+    let run = |begin: Begin, ranks: usize| {
+        on_ranks(ranks, || {
+            let journal = Journal::open(folder.path(), 1, begin, &current()).expect("a folder");
+            current().recording(journal).within(|| {
+                let told =
+                    told(&solved("two-boxes", &[], sampled)) + &told(&solved("cornell-box", &[], options()));
+                (told, current().journal().expect("it is kept").recalled())
+            })
+        })
+    };
+    let first = run(Begin::Anew, 2);
+    assert!(first.iter().all(|(_, recalled)| *recalled == 0));
+    // As if both ranks had been killed: the last third of what one of them wrote is lost.
+    let file = folder.path().join("000000-000001.journal");
+    let bytes = std::fs::read(&file).expect("it was written");
+    std::fs::write(&file, &bytes[..bytes.len() * 2 / 3]).expect("it can be written");
+    for ranks in [3, 1] {
+        let again = run(Begin::Resume, ranks);
+        assert!(again.iter().all(|(told, recalled)| *told == first[0].0 && *recalled > 0));
+    }
 }

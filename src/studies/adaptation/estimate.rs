@@ -22,10 +22,9 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use crate::gather::Gather;
 use crate::light::occluders::Site;
+use crate::ranks;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solve::{Failure, Options, Outcome, Progress, in_threads};
@@ -95,12 +94,13 @@ fn unresolved(
     let gather = Gather::new(solution, visibility, eps);
     let points = points(solution.elements().list());
     let done = AtomicUsize::new(0);
-    let of = |(element, own): (usize, &Vec<Point>)| {
-        let squares = squares(element, own, solution, &gather);
+    let of = |element: usize| {
+        let squares = squares(element, &points[element], solution, &gather);
         progress(Progress::Estimate(done.fetch_add(1, Ordering::Relaxed) + 1, points.len()));
         squares
     };
-    let squares: Vec<[f64; 2]> = points.par_iter().enumerate().map(of).collect();
+    let counts: Vec<f64> = points.iter().map(|own| own.len() as f64).collect();
+    let squares = ranks::current().map(&counts, of);
     let [missed, size] = [0, 1].map(|k| squares.iter().map(|s| s[k]).sum::<f64>());
     if size > 0.0 { (missed / size).sqrt() } else { 0.0 }
 }

@@ -32,12 +32,15 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::by_rays::{RayGather, Receiver};
 use crate::gather::choice::USUAL_EPS;
 use crate::gather::walks::{End, Lit, Walks};
 use crate::light::receiver_point::ReceiverPoint;
+use crate::ranks;
+use crate::ranks::{Ranks, shares};
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
 use crate::solution::{Band, Solution};
@@ -115,6 +118,12 @@ pub(super) struct Estimate {
 struct Found<'a> {
     sensor: &'a Sensor,
     number: u64,
+    light: Light,
+}
+
+/// The light that was found at a sensor.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+struct Light {
     /// Irradiance that was gathered at the sensor (W m⁻²), per band.
     gathered: Vec<f64>,
     /// For each element, by each half of the walks, the sum of what they found there, per band (W m⁻²).
@@ -191,17 +200,33 @@ pub(super) fn missed(
     let unknowns = solution.elements().coefficients();
     let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
     let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
-    let mut found: Vec<Found> = sensors.par_iter().enumerate().map(begin).collect();
+    let ranks = ranks::current();
+    let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
+    let is_own = |place: usize| makers[place] == ranks.number();
+    let mut found: Vec<Found> = sensors
+        .par_iter()
+        .enumerate()
+        .map(
+            |(place, sensor)| {
+                if is_own(place) { begin((place, sensor)) } else { Found::of(sensor, 0, Light::default()) }
+            },
+        )
+        .collect();
     let numbers = missing.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
     loop {
         let done = AtomicUsize::new(0);
-        let walk = |found: &mut Found| {
+        let walk = |(place, found): (usize, &mut Found)| {
+            if !is_own(place) {
+                return true;
+            }
             missing.walk(found, made..made + now);
             goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len())
         };
-        let finishes = found.par_iter_mut().map(walk).reduce(|| true, |a, b| a && b);
+        let goes_on = found.par_iter_mut().enumerate().map(walk).reduce(|| true, |a, b| a && b);
+        let finishes = !ranks.any(!goes_on);
+        share(&mut found, &ranks, &makers);
         made += now;
         let sums = Sums::of(&found, made, solution);
         if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
@@ -209,6 +234,16 @@ pub(super) fn missed(
         }
         now = made;
     }
+}
+
+/// Tells all ranks what each found at its sensors.
+fn share(found: &mut [Found], ranks: &Ranks, makers: &[usize]) {
+    if ranks.are_alone() {
+        return;
+    }
+    let own = found.iter().zip(makers).filter(|(_, maker)| **maker == ranks.number());
+    let light = ranks.merged(makers, own.map(|(found, _)| found.light.clone()).collect());
+    found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
 }
 
 impl<'a> Missing<'a> {
@@ -239,7 +274,7 @@ impl<'a> Missing<'a> {
             Ends::Cells(ends) => ends.gather.at(&sensor.point),
             Ends::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
         };
-        Found { sensor, number, gathered, parts: BTreeMap::new() }
+        Found::of(sensor, number, Light { gathered, parts: BTreeMap::new() })
     }
 
     /// Makes the walks of these numbers of each half.
@@ -263,7 +298,7 @@ impl<'a> Missing<'a> {
             }
             let missed = self.missed(end);
             let none = || [vec![0.0; weights.len()], vec![0.0; weights.len()]];
-            let sums = &mut found.parts.entry(end.lit.element).or_insert_with(none)[half];
+            let sums = &mut found.light.parts.entry(end.lit.element).or_insert_with(none)[half];
             let reflected = weights.iter().zip(&end.lit.factors);
             sums.iter_mut()
                 .zip(reflected)
@@ -288,12 +323,16 @@ impl<'a> Missing<'a> {
     }
 }
 
-impl Found<'_> {
+impl<'a> Found<'a> {
+    fn of(sensor: &'a Sensor, number: u64, light: Light) -> Self {
+        Self { sensor, number, light }
+    }
+
     /// e by each half of so many walks, per band.
     fn halves(&self, walks: u64) -> [Vec<f64>; 2] {
         [0, 1].map(|half| {
-            let mut sums = vec![0.0; self.gathered.len()];
-            for part in self.parts.values() {
+            let mut sums = vec![0.0; self.light.gathered.len()];
+            for part in self.light.parts.values() {
                 sums.iter_mut().zip(&part[half]).for_each(|(sum, own)| *sum += own / walks as f64);
             }
             sums
@@ -327,7 +366,7 @@ impl Sums {
             let bands = first.iter().zip(&second).zip(&found.sensor.weights);
             let product: f64 = bands.clone().map(|((a, b), weight)| weight * a * b).sum();
             let noise: f64 = bands.map(|((a, b), weight)| 0.5 * weight * (a - b).powi(2)).sum();
-            let light = found.gathered.iter().zip(&found.sensor.weights);
+            let light = found.light.gathered.iter().zip(&found.sensor.weights);
             sums.product += product;
             sums.deviation += product.powi(2);
             sums.noise += noise.powi(2);
@@ -362,7 +401,7 @@ impl Sums {
         let mut shares = vec![0.0; self.elements];
         for found in found {
             let halves = found.halves(walks);
-            for (element, parts) in &found.parts {
+            for (element, parts) in &found.light.parts {
                 for half in 0..2 {
                     let bands = halves[half].iter().zip(&parts[1 - half]).zip(&found.sensor.weights);
                     let own: f64 = bands.map(|((e, part), weight)| weight * e * part).sum();
@@ -386,7 +425,7 @@ mod tests {
             let mut found = missing.begin(number_of([number as f64]), sensor);
             missing.walk(&mut found, 0..walks);
             let [first, second] = found.halves(walks);
-            [0.5 * (first[0] + second[0]), found.gathered[0]].map(|light| sensor.weights[0] * light)
+            [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)
         });
         let [missed, light] = each.reduce(|| [0.0; 2], |a, b| [a[0] + b[0], a[1] + b[1]]);
         missed / light

@@ -12,10 +12,9 @@
 //! with the density Ψ; its mean over an element is the sum of the weights of the ends there over the area. Polynomials would
 //! oscillate beside sensors that are nearer than an element is large.
 
-use rayon::prelude::*;
-
 use crate::elements::Elements;
 use crate::gather::walks::Walks;
+use crate::ranks;
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
 use crate::solution::{Band, Solution};
@@ -59,9 +58,10 @@ fn of_sensors(solution: &Solution, visibility: &Visibility, sensors: &[Sensor], 
         .collect();
     let each = walks.div_ceil(sensors.len().max(1) as u64).max(FEWEST);
     let ends = Ends { solution, walks: Walks::new(solution, visibility), sizes, each };
-    let part = |(number, sensors): (usize, &[Sensor])| ends.of_part(number, sensors);
     let in_part = sensors.len().div_ceil(PARTS).max(1);
-    let parts: Vec<Vec<Vec<f64>>> = sensors.par_chunks(in_part).enumerate().map(part).collect();
+    let parts: Vec<&[Sensor]> = sensors.chunks(in_part).collect();
+    let lengths: Vec<f64> = parts.iter().map(|part| part.len() as f64).collect();
+    let parts = ranks::current().map(&lengths, |number| ends.of_part(number, parts[number]));
     let elements = solution.elements();
     let bands = solution.bands().iter().enumerate().map(|(index, band)| {
         let sum = |element: usize| parts.iter().map(|part| part[index][element]).sum();

@@ -73,7 +73,7 @@ pub(crate) struct Account {
 }
 
 /// One block and what it cost.
-#[derive(Debug)]
+#[derive(Debug, Serialize, Deserialize)]
 pub(crate) struct Block {
     /// G_kl, row-major, receiver functions by emitter functions.
     pub values: Vec<f64>,

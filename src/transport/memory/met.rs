@@ -6,6 +6,7 @@
 use std::sync::Arc;
 
 use radiosity_geom::{DVec3, Encounter, Hit, RayTree};
+use serde::{Deserialize, Serialize};
 
 /// Most rays that are kept, by all sequences of rays together; others are traced in every scene. Chosen: half a gigabyte, the rays
 /// of the scene before and those of this one.
@@ -18,7 +19,7 @@ pub(crate) const BYTES: u64 = size_of::<Met>() as u64;
 const NOTHING: u32 = u32::MAX;
 
 /// What a ray met: twice the number of the surface, one more at its back, and where.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(in crate::transport) struct Met {
     surface: u32,
     hit: [f64; 3],

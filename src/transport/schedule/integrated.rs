@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::ranks::Ranks;
@@ -10,6 +9,8 @@ use crate::transport::blocks::block::{Account, Block};
 use crate::transport::blocks::held::Held;
 use crate::transport::memory::Answer;
 use crate::transport::schedule::Source;
+use crate::transport::schedule::balance;
+use crate::transport::schedule::balance::{Balance, Piece};
 use crate::transport::schedule::task::Task;
 
 /// What all ranks know of a block.
@@ -26,24 +27,44 @@ pub(super) struct Integrated {
     pub(super) ranks: Ranks,
     /// The rank that made each of them.
     pub(super) makers: Vec<usize>,
-    pub(super) told: Vec<Told>,
+    told: Vec<Option<Told>>,
     /// Those that this rank made, and after [`Integrated::deliver`] those that it needs.
     pub(super) answers: Vec<Option<Arc<Answer>>>,
 }
 
 impl Integrated {
-    /// All blocks that `make` makes, number k by the rank `makers[k]`.
-    pub(super) fn made(ranks: Ranks, makers: Vec<usize>, make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
-        let is_own = |place: usize| makers[place] == ranks.number();
-        // A few pairs cost as much as all others together: each is scheduled by itself.
-        let places = (0..makers.len()).into_par_iter().with_max_len(1);
-        let answers: Vec<Option<Arc<Answer>>> =
-            places.map(|place| is_own(place).then(|| make(place))).collect();
-        let told = ranks.map_by(&makers, |place| {
-            let answer = answers[place].as_ref().expect("this rank made it");
-            Told { block: answer.block.account(), remainder: answer.remainder }
-        });
-        Self { ranks, makers, told, answers }
+    /// The blocks that `make` makes of these pieces of work, shared between ranks.
+    pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
+        let mut all = Self {
+            makers: vec![0; pieces.len()],
+            told: vec![None; pieces.len()],
+            answers: vec![None; pieces.len()],
+            ranks,
+        };
+        let mut balance = Balance::new(all.ranks.count());
+        let ranks = all.ranks.clone();
+        let part = ranks.part(pieces.len());
+        for round in balance::rounds(pieces.len(), all.ranks.count()) {
+            let makers = balance.share(&round, pieces);
+            let own = round.iter().zip(&makers).filter(|(_, maker)| **maker == all.ranks.number());
+            let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), &make);
+            let told =
+                |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
+            let told = all.ranks.merged(&makers, made.iter().map(told).collect());
+            let mut made = made.into_iter();
+            for ((place, maker), told) in round.into_iter().zip(makers).zip(told) {
+                balance.take(maker, &pieces[place], &told.block);
+                all.makers[place] = maker;
+                all.told[place] = Some(told);
+                all.answers[place] = (maker == all.ranks.number()).then(|| made.next()).flatten();
+            }
+        }
+        all
+    }
+
+    /// What is told of a block.
+    pub(super) fn told(&self, place: usize) -> &Told {
+        self.told[place].as_ref().expect("all blocks were made")
     }
 
     /// Sends the values of each block to the ranks that hold its row or its column; to all ranks where its task is `left`.
@@ -63,7 +84,7 @@ impl Integrated {
             tasks.iter().zip(sources).filter(|(_, source)| self.makers[source.place()] == me)
         {
             let place = source.place();
-            match is_left(task, &self.told[place].block) {
+            match is_left(task, &self.told(place).block) {
                 true => wanted.extend((0..self.ranks.count()).map(|rank| (rank, place))),
                 false => {
                     wanted
@@ -78,7 +99,7 @@ impl Integrated {
             parcels[rank].push((place, self.values(place).to_vec()));
         }
         for (place, values) in self.ranks.exchange(parcels).into_iter().flatten() {
-            let Told { block, remainder } = self.told[place];
+            let Told { block, remainder } = *self.told(place);
             self.answers[place] = Some(Arc::new(Answer::known(Block::told(values, &block), remainder)));
         }
     }

@@ -1,10 +1,12 @@
 //! The elements with the data that sorting needs, and the pairs that are left to integrate.
 
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use crate::elements::Element;
 use crate::elements::patch::Patch;
+use crate::elements::{Element, Elements};
 use crate::transport::blocks::block::Accuracy;
+use crate::transport::contact::sectors::sectors;
 use crate::transport::estimates::coarse::CoarseEstimate;
 use crate::transport::estimates::entry_bounds::EntryBounds;
 use crate::visibility::Visibility;
@@ -35,6 +37,32 @@ pub(super) struct Scene<'a> {
     pub(super) accuracy: Accuracy,
     pub(super) unreached: Unreached,
     pub(super) wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+}
+
+impl<'a> Scene<'a> {
+    /// The elements between which blocks of the pairs that are `wanted` are to be found.
+    pub(super) fn new(
+        elements: &'a Elements,
+        visibility: &'a Visibility,
+        wanted: &'a (dyn Fn(usize, usize) -> bool + Sync),
+        accuracy: Accuracy,
+        unreached: Unreached,
+    ) -> Self {
+        let list = elements.list();
+        Self {
+            list,
+            panels: list.iter().map(Panel::of).collect(),
+            reaches: list.iter().map(EntryBounds::of).collect(),
+            ranks: list.iter().map(Rank::of).collect(),
+            roughs: list.par_iter().map(CoarseEstimate::of).collect(),
+            is_estimated: visibility.has_obstacles() || list.iter().any(|element| element.plane.is_none()),
+            parts: list.par_iter().map(sectors).collect(),
+            visibility,
+            accuracy,
+            unreached,
+            wanted,
+        }
+    }
 }
 
 /// A pair whose block is to be found.

@@ -1,0 +1,75 @@
+//! How evenly ranks would share the exact blocks of a scene, for any number of them.
+//!
+//!     cargo run --release --example ranks -- [SCENE …]
+//!
+//! Each block is integrated once, and what it cost is recorded. The rule that shares blocks between ranks
+//! (`transport/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
+//! is the mean work of a rank over that of the one with the most; a kernel sample counts 1 and a segment tested for visibility 20.
+
+use radiosity::elements::Discretization;
+use radiosity::elements::Subdivide;
+use radiosity::transport::{Work, shared, work};
+use radiosity::visibility::Visibility;
+use radiosity::{Options, Scene};
+
+/// Numbers of ranks.
+const RANKS: [usize; 8] = [2, 3, 4, 10, 30, 100, 1000, 10_000];
+
+/// Kernel samples that take as long as a segment tested for visibility.
+const A_RAY: f64 = 20.0;
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let mut names: Vec<String> = std::env::args().skip(1).collect();
+    if names.is_empty() {
+        names = ["cornell-box", "two-boxes", "temple"].map(str::to_owned).to_vec();
+    }
+    for name in names {
+        let scene = Scene::load(&name)?;
+        let costs = costs(&scene)?;
+        let total = |of: fn(&Work) -> u64| costs.iter().map(of).sum::<u64>();
+        let (samples, rays) = (total(Work::samples), total(Work::rays));
+        println!("{name}: {} blocks, {samples} kernel samples, {rays} rays", costs.len());
+        println!("{:>7} {:>10} {:>16} {:>13}", "ranks", "efficiency", "samples max/mean", "rays max/mean");
+        for ranks in RANKS.into_iter().filter(|ranks| *ranks <= costs.len()) {
+            row(ranks, &shared(&costs, ranks));
+        }
+        let mut dearest: Vec<f64> = costs.iter().map(|own| cost([own.samples(), own.rays()])).collect();
+        dearest.sort_by(|a, b| b.total_cmp(a));
+        let all: f64 = dearest.iter().sum();
+        let share = |count: usize| 100.0 * dearest.iter().take(count).sum::<f64>() / all;
+        println!(
+            "the dearest block costs {:.3} % of all, the dearest 1 % {:.1} %\n",
+            share(1),
+            share(costs.len() / 100)
+        );
+    }
+    Ok(())
+}
+
+/// What the blocks of a scene cost at default accuracy.
+fn costs(scene: &Scene) -> Result<Vec<Work>, Box<dyn std::error::Error>> {
+    let options = Options::default();
+    let visibility = Visibility::new(scene, (&options).into());
+    let subdivide = Subdivide::Auto { occluded: visibility.any_shadow() };
+    let Options { order, space, layers, .. } = options;
+    let elements = options.elements(scene, &Discretization { order, space, subdivide, layers }, None)?;
+    let sends = |element: usize| scene.surfaces[elements.list()[element].surface].material.sends();
+    Ok(work(&elements, &sends, &visibility, options.accuracy()))
+}
+
+fn cost([samples, rays]: [u64; 2]) -> f64 {
+    samples as f64 + A_RAY * rays as f64
+}
+
+fn row(ranks: usize, done: &[[u64; 2]]) {
+    let excess = |of: &dyn Fn(&[u64; 2]) -> f64| {
+        let most = done.iter().map(of).fold(0.0, f64::max);
+        most * ranks as f64 / done.iter().map(of).sum::<f64>().max(f64::MIN_POSITIVE)
+    };
+    println!(
+        "{ranks:>7} {:>10.3} {:>16.3} {:>13.3}",
+        1.0 / excess(&|own| cost(*own)),
+        excess(&|own| own[0] as f64),
+        excess(&|own| own[1] as f64)
+    );
+}

@@ -1,0 +1,59 @@
+//! What the blocks of a scene cost, and how they would be shared.
+
+use crate::elements::Elements;
+use crate::transport::blocks::block::{Account, Accuracy};
+use crate::transport::schedule::balance::{Balance, Piece, rounds};
+use crate::transport::schedule::task::{Scene, Unreached};
+use crate::visibility::Visibility;
+
+/// The work that a block was.
+#[derive(Clone, Copy, Debug)]
+pub struct Work {
+    piece: Piece,
+    account: Account,
+}
+
+impl Work {
+    /// Terms of its rules.
+    pub fn samples(&self) -> u64 {
+        self.account.samples
+    }
+
+    /// Segments tested for visibility.
+    pub fn rays(&self) -> u64 {
+        self.account.rays
+    }
+}
+
+/// Integrates the blocks of all pairs of which at least one element `sends` light, and tells what each of them cost.
+pub fn work(
+    elements: &Elements,
+    sends: &(dyn Fn(usize) -> bool + Sync),
+    visibility: &Visibility,
+    accuracy: Accuracy,
+) -> Vec<Work> {
+    let wanted = |a: usize, b: usize| sends(a) || sends(b);
+    let unreached = if visibility.casts() { Unreached::Left } else { Unreached::Kept };
+    let scene = Scene::new(elements, visibility, &wanted, accuracy, unreached);
+    let (tasks, _) = scene.sort();
+    let goals = scene.goals(&tasks);
+    let sources = scene.share(&tasks, &goals);
+    let integrated = scene.integrate(&tasks, &goals, &sources, None, &|_, _| {});
+    let pieces = scene.pieces(&tasks, &sources).into_iter().enumerate();
+    pieces.map(|(place, piece)| Work { piece, account: integrated.told(place).block }).collect()
+}
+
+/// Kernel samples and rays of each of so many ranks that share this work.
+pub fn shared(work: &[Work], ranks: usize) -> Vec<[u64; 2]> {
+    let pieces: Vec<Piece> = work.iter().map(|work| work.piece).collect();
+    let (mut balance, mut done) = (Balance::new(ranks), vec![[0; 2]; ranks]);
+    for round in rounds(pieces.len(), ranks) {
+        let makers = balance.share(&round, &pieces);
+        for (place, maker) in round.into_iter().zip(makers) {
+            balance.take(maker, &pieces[place], &work[place].account);
+            done[maker][0] += work[place].samples();
+            done[maker][1] += work[place].rays();
+        }
+    }
+    done
+}
