@@ -8,11 +8,17 @@
 //! As with a pool of threads, work runs within ranks ([`Ranks::within`]) and finds them ([`current`]) where it has something to
 //! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
 
+pub mod place;
 pub mod comm;
 pub mod journal;
 pub mod shares;
 pub mod threads;
 mod traffic;
+pub mod failure;
+#[cfg(any(test, feature = "mpi"))]
+mod rounds;
+#[cfg(feature = "mpi")]
+pub mod processes;
 
 use std::cell::RefCell;
 use std::sync::Arc;
@@ -23,6 +29,7 @@ use serde::de::DeserializeOwned;
 
 use comm::Comm;
 use journal::{Journal, RecordedPart};
+use place::Place;
 use traffic::Counter;
 pub use traffic::Traffic;
 
@@ -109,6 +116,18 @@ impl Ranks {
         self.number() == 0
     }
 
+    /// What of its machine this rank may use.
+    pub fn place(&self) -> Place {
+        self.shared.as_ref().map_or_else(Place::alone, |shared| shared.comm.place())
+    }
+
+    /// Waits for all of them.
+    pub fn meet(&self) {
+        if let Some(shared) = &self.shared {
+            shared.comm.meet();
+        }
+    }
+
     /// Bytes that this rank has sent to others so far.
     pub fn traffic(&self) -> Traffic {
         self.shared.as_ref().map_or_else(Traffic::default, |shared| shared.sent.read())
@@ -128,6 +147,15 @@ impl Ranks {
     /// Whether any rank says yes.
     pub fn any(&self, own: bool) -> bool {
         if self.are_alone() { own } else { self.all(own).contains(&true) }
+    }
+
+    /// What the first of them has: for what may differ from rank to rank, such as the time.
+    pub fn of_first<T: Serialize + DeserializeOwned>(&self, own: T) -> T {
+        if self.are_alone() {
+            return own;
+        }
+        let all = self.all(self.is_first().then_some(own));
+        all.into_iter().flatten().next().expect("there is a first rank")
     }
 
     /// What each rank has for this one, in their order; `to[k]` is what this one has for rank k.

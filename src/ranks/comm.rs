@@ -2,6 +2,8 @@
 
 use std::fmt::Debug;
 
+use super::place::Place;
+
 /// Messages between ranks. All ranks call the same functions in the same order; a call ends when the others have made theirs.
 /// Only one thread of a rank calls at a time.
 pub trait Comm: Debug + Send + Sync {
@@ -10,6 +12,12 @@ pub trait Comm: Debug + Send + Sync {
 
     /// Number of ranks.
     fn size(&self) -> usize;
+
+    /// What of its machine this rank may use.
+    fn place(&self) -> Place;
+
+    /// Waits for all ranks.
+    fn meet(&self);
 
     /// The bytes of each rank, in their order.
     fn all_gather(&self, own: Vec<u8>) -> Vec<Vec<u8>>;

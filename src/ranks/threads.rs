@@ -5,6 +5,7 @@ use std::thread;
 
 use super::Ranks;
 use super::comm::Comm;
+use super::place::Place;
 use super::shares;
 
 /// One of several threads that are ranks to each other.
@@ -56,6 +57,14 @@ impl Comm for Thread {
 
     fn size(&self) -> usize {
         self.table.messages.len()
+    }
+
+    fn place(&self) -> Place {
+        Place::beside(self.size())
+    }
+
+    fn meet(&self) {
+        self.table.barrier.wait();
     }
 
     fn all_gather(&self, own: Vec<u8>) -> Vec<Vec<u8>> {

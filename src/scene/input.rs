@@ -5,16 +5,22 @@ use std::io::{self, Read};
 
 use radiosity_formats::text::decode_western;
 
+use crate::ranks;
+
 /// Most bytes that are read: some million surfaces. An endless input ends here.
 const MOST: u64 = 1 << 30;
 
-/// The bytes of a file, or of standard input for `-`.
+/// The bytes of a file, or of standard input for `-`: that of the first rank, which shares it.
 ///
 /// # Errors
 /// What cannot be opened or read, or is longer than 2³⁰ bytes.
 pub fn bytes(source: &str) -> io::Result<Vec<u8>> {
     match source {
-        "-" => all(io::stdin(), MOST),
+        "-" => {
+            let ranks = ranks::current();
+            let own = if ranks.is_first() { all(io::stdin(), MOST)? } else { Vec::new() };
+            Ok(ranks.of_first(own))
+        }
         path => all(File::open(path)?, MOST),
     }
 }

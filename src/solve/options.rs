@@ -1,6 +1,5 @@
 //! What to solve and how well.
 
-use std::num::NonZero;
 use std::time::Instant;
 
 use radiosity_solvers::method::Method;
@@ -16,6 +15,7 @@ use crate::elements::cells::Layers;
 use crate::elements::mesh::Mesh;
 use crate::elements::space::Space;
 use crate::elements::{Discretization, ElementError, Elements};
+use crate::ranks;
 use crate::scene::Scene;
 use crate::transport::Accuracy;
 use crate::visibility::{Hiding, Shadows};
@@ -144,13 +144,19 @@ impl Options {
 }
 
 impl Options {
-    /// Whether rays are no longer wanted.
+    /// Whether rays are no longer wanted, on any rank.
     pub(super) fn is_stopped(&self) -> bool {
-        self.stop.is_some_and(Stop::is_raised) || self.is_late()
+        let is_raised = self.stop.is_some_and(|stop| ranks::current().any(stop.is_raised()));
+        is_raised || self.is_late()
     }
 
-    /// Whether the deadline has passed.
+    /// Whether the deadline has passed on any rank.
     pub(crate) fn is_late(&self) -> bool {
+        self.deadline.is_some() && ranks::current().any(self.is_late_here())
+    }
+
+    /// Whether the deadline has passed, by the clock of this rank.
+    pub(crate) fn is_late_here(&self) -> bool {
         self.deadline.is_some_and(|deadline| Instant::now() >= deadline)
     }
 
@@ -169,7 +175,7 @@ impl From<&Options> for Shadows {
 }
 
 fn all_threads() -> usize {
-    std::thread::available_parallelism().map_or(1, NonZero::get)
+    ranks::current().place().threads
 }
 
 /// A solver, (de)serialised by its name.

@@ -61,7 +61,7 @@ pub(super) fn estimate(
     let solution = &outcome.solution;
     let goes_on = |done, all| {
         progress(Progress::Estimate(done, all));
-        !options.is_late()
+        !options.is_late_here()
     };
     let at = |sensors: &[Sensor]| missed_at(outcome, &visibility, sensors, (goal, expected), &goes_on);
     match goal.of {

@@ -4,6 +4,7 @@ use std::time::{Duration, Instant};
 
 use radiosity_solvers::SolveError;
 
+use crate::ranks;
 use crate::scene::Scene;
 use crate::solve::{Failure, Fit, Options, Outcome, Progress, timed};
 
@@ -30,9 +31,10 @@ pub(super) fn estimated(
     Ok(estimate)
 }
 
-/// Whether a run that would take so long ends in time.
+/// Whether a run that would take so long ends in time on all ranks.
 pub(super) fn fits(deadline: Option<Instant>, run: Duration) -> bool {
-    deadline.is_none_or(|deadline| deadline.saturating_duration_since(Instant::now()) >= run)
+    let is_late = |deadline: Instant| deadline.saturating_duration_since(Instant::now()) < run;
+    deadline.is_none_or(|deadline| !ranks::current().any(is_late(deadline)))
 }
 
 /// A run after the first, or the reason why it ends the sequence.

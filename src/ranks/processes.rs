@@ -1,0 +1,195 @@
+//! Ranks that are processes, started by `mpirun`, `srun` or the like and connected by MPI (Message Passing Interface Forum,
+//! *MPI: A Message-Passing Interface Standard*, version 3.1, 2015).
+//!
+//! Before ranks share anything they pass a [gate](gate): it tells whether all are about to do the same, and whether one of them
+//! has failed. What completes a vector has no gate, as iterative solvers do it again and again.
+
+mod gate;
+mod messages;
+
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind, set_hook};
+use std::process::ExitCode;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use ::mpi::environment::Universe;
+use ::mpi::topology::SimpleCommunicator;
+use ::mpi::traits::Communicator;
+use ::mpi::{Threading, initialize_with_threading};
+
+use super::Ranks;
+use super::comm::Comm;
+use super::failure::Failure;
+use super::place::{Place, allowed};
+use super::shares;
+use gate::{Call, Passed, fail, pass};
+use messages::{all_gather, complete, exchange};
+
+/// How long a rank that failed waits for the others before it ends them. Chosen.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+/// The processes of this run, until it is dropped.
+pub struct World {
+    processes: Processes,
+    /// Ends MPI when it is dropped.
+    _universe: Universe,
+}
+
+/// One of them.
+#[derive(Clone, Debug)]
+struct Processes {
+    rank: usize,
+    size: usize,
+    place: Place,
+    /// Number of calls so far; held during each.
+    calls: Arc<Mutex<u64>>,
+}
+
+/// Unwinds a rank where another has failed.
+struct Ended(Failure);
+
+impl World {
+    /// Begins MPI; None where it began before in this process.
+    ///
+    /// # Panics
+    /// If this MPI allows calls from the main thread only.
+    pub fn join() -> Option<Self> {
+        let (universe, threading) = initialize_with_threading(Threading::Serialized)?;
+        assert!(threading >= Threading::Serialized, "this MPI takes calls from the main thread only");
+        let world = universe.world();
+        let [rank, size] = [world.rank(), world.size()].map(|number| number as usize);
+        let processes = Processes { rank, size, place: place(&world), calls: Arc::default() };
+        Some(Self { processes, _universe: universe })
+    }
+
+    /// All of its ranks.
+    pub fn ranks(&self) -> Ranks {
+        Ranks::of(self.processes.clone())
+    }
+
+    /// Does `work` on all ranks, and returns how all of them end: where one fails, all do, within seconds. `tell` says why, on one
+    /// of them. A panic counts as a failure; it is not printed where it happens.
+    pub fn run(self, work: impl FnOnce() -> Result<(), Failure>, tell: impl Fn(&str)) -> ExitCode {
+        let noted: Arc<Mutex<Option<String>>> = Arc::default();
+        let note = Arc::clone(&noted);
+        set_hook(Box::new(move |panic| {
+            locked(&note).get_or_insert(panic.to_string());
+        }));
+        let own = match catch_unwind(AssertUnwindSafe(|| self.ranks().within(work))) {
+            Ok(ended) => ended,
+            Err(payload) => match payload.downcast::<Ended>() {
+                Ok(ended) => return self.told(&ended.0, tell),
+                Err(payload) => Err(Failure::of_panic(&*payload, locked(&noted).take())),
+            },
+        };
+        match self.processes.end(own.err(), &tell) {
+            Some(failure) => self.told(&failure, tell),
+            None => ExitCode::SUCCESS,
+        }
+    }
+
+    /// Says why all ranks end, on the first.
+    fn told(&self, failure: &Failure, tell: impl Fn(&str)) -> ExitCode {
+        if self.processes.rank == 0 {
+            tell(&failure.message);
+        }
+        ExitCode::from(failure.code)
+    }
+}
+
+/// What of its machine this process may use.
+fn place(world: &SimpleCommunicator) -> Place {
+    let machine = world.split_shared(world.rank());
+    let own: Vec<u8> = allowed().into_iter().flat_map(|number| (number as u32).to_le_bytes()).collect();
+    let numbers = |bytes: Vec<u8>| -> Vec<usize> {
+        bytes.as_chunks::<4>().0.iter().map(|bytes| u32::from_le_bytes(*bytes) as usize).collect()
+    };
+    let all: Vec<Vec<usize>> = all_gather(&machine, &own).into_iter().map(numbers).collect();
+    Place::among(&all, machine.rank() as usize)
+}
+
+/// What a mutex holds, whoever panicked.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+impl Processes {
+    /// Does `share` with all ranks, once they are all about to.
+    fn shared<T>(&self, call: Call, share: impl FnOnce(&SimpleCommunicator) -> T) -> T {
+        let mut calls = locked(&self.calls);
+        *calls += 1;
+        let world = SimpleCommunicator::world();
+        match pass(&world, call, *calls) {
+            Passed::Together => share(&world),
+            Passed::Apart => panic!("the ranks do different things; they need the same arguments and files"),
+            Passed::Failed => {
+                let failure = failed(&world, None).expect("a rank has failed");
+                resume_unwind(Box::new(Ended(failure)))
+            }
+        }
+    }
+
+    /// Ends together with all ranks: with `own`, or with how another failed.
+    fn end(&self, own: Option<Failure>, tell: &impl Fn(&str)) -> Option<Failure> {
+        let calls = *locked(&self.calls) + 1;
+        let world = SimpleCommunicator::world();
+        let Some(own) = own else {
+            return match pass(&world, Call::End, calls) {
+                Passed::Together => None,
+                Passed::Failed => failed(&world, None),
+                Passed::Apart => {
+                    let message = "error: one rank has done less than another\n".to_owned();
+                    self.end(Some(Failure { code: 1, message }), tell)
+                }
+            };
+        };
+        fail(&world, PATIENCE, &|| {
+            let own = own.clone().on(self.rank);
+            tell(&own.message);
+            world.abort(i32::from(own.code))
+        });
+        failed(&world, Some(&own))
+    }
+}
+
+/// How all ranks end, of which some have failed; `own` is how this one has.
+fn failed(world: &SimpleCommunicator, own: Option<&Failure>) -> Option<Failure> {
+    let own = postcard::to_allocvec(&own).expect("a failure is two plain values");
+    let all = all_gather(world, &own).into_iter();
+    Failure::of_all(
+        all.map(|bytes| postcard::from_bytes(&bytes).expect("all ranks run one program")).collect(),
+    )
+}
+
+impl Comm for Processes {
+    fn rank(&self) -> usize {
+        self.rank
+    }
+
+    fn size(&self) -> usize {
+        self.size
+    }
+
+    fn place(&self) -> Place {
+        self.place
+    }
+
+    fn meet(&self) {
+        self.shared(Call::Meet, |_| ());
+    }
+
+    fn all_gather(&self, own: Vec<u8>) -> Vec<Vec<u8>> {
+        self.shared(Call::Gather, |world| all_gather(world, &own))
+    }
+
+    fn exchange(&self, to: Vec<Vec<u8>>) -> Vec<Vec<u8>> {
+        self.shared(Call::Exchange, |world| exchange(world, to))
+    }
+
+    fn complete(&self, values: &mut [f64], ends: &[usize]) {
+        let mut calls = locked(&self.calls);
+        *calls += 1;
+        let own = values[shares::range(ends, self.rank)].to_vec();
+        complete(&SimpleCommunicator::world(), &own, ends, values);
+    }
+}

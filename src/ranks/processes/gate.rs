@@ -1,0 +1,90 @@
+//! A gate that all ranks pass together, or not at all.
+//!
+//! Each says what it is about to do by a number c, the same for all that do the same, or that it has failed. Two maxima over the
+//! ranks, of c and of its complement, tell whether all say the same. A rank that waits sleeps: others may need its processor.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use ::mpi::collective::SystemOperation;
+use ::mpi::request::scope;
+use ::mpi::topology::SimpleCommunicator;
+use ::mpi::traits::CommunicatorCollectives;
+
+/// What a rank is about to do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u64)]
+pub(super) enum Call {
+    Meet,
+    Gather,
+    Exchange,
+    End,
+}
+
+/// Number of different [`Call`]s, or more.
+const CALLS: u64 = 4;
+
+/// What there is beyond the gate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Passed {
+    /// All ranks are about to do the same.
+    Together,
+    /// A rank has failed.
+    Failed,
+    /// They are about to do different things.
+    Apart,
+}
+
+/// How long a rank waits busily, and how long it then only lets others go first. Chosen.
+const BUSY: Duration = Duration::from_micros(50);
+const YIELDING: Duration = Duration::from_millis(1);
+
+/// Longest sleep of a rank that waits, and its sleep over the time waited so far. Chosen.
+const LONGEST: Duration = Duration::from_millis(2);
+const ASLEEP: f64 = 0.1;
+
+/// Waits until all ranks are here, where this one is about to do `call` after so many other calls.
+pub(super) fn pass(world: &SimpleCommunicator, call: Call, before: u64) -> Passed {
+    let own = CALLS * before + call as u64;
+    passed(world, [own, u64::MAX - own], &|_| ())
+}
+
+/// Waits until all ranks are here, where this one has failed; after `patience` it gives up, which ends its process.
+pub(super) fn fail(world: &SimpleCommunicator, patience: Duration, give_up: &dyn Fn()) {
+    passed(world, [u64::MAX, 0], &|waited| {
+        if waited > patience {
+            give_up();
+        }
+    });
+}
+
+/// Waits until all ranks are here, where this one says `said`; `look` gets the time waited, now and then.
+fn passed(world: &SimpleCommunicator, said: [u64; 2], look: &dyn Fn(Duration)) -> Passed {
+    let mut greatest = [0; 2];
+    scope(|scope| {
+        let mut request =
+            world.immediate_all_reduce_into(scope, &said[..], &mut greatest[..], SystemOperation::max());
+        let begun = Instant::now();
+        while let Err(open) = request.test() {
+            request = open;
+            look(begun.elapsed());
+            wait(begun.elapsed());
+        }
+    });
+    match greatest {
+        [u64::MAX, _] => Passed::Failed,
+        [most, rest] if most == u64::MAX - rest => Passed::Together,
+        _ => Passed::Apart,
+    }
+}
+
+/// Waits a little, after so much waiting.
+fn wait(waited: Duration) {
+    if waited < BUSY {
+        std::hint::spin_loop();
+    } else if waited < YIELDING {
+        thread::yield_now();
+    } else {
+        thread::sleep(LONGEST.min(waited.mul_f64(ASLEEP)));
+    }
+}
