@@ -1,5 +1,6 @@
 //! Command line: the verbs, and what each does with the library.
 
+mod console;
 mod interrupt;
 mod masks;
 mod memory;
@@ -50,7 +51,7 @@ mod report;
 use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
-use error::CliError;
+pub(crate) use error::CliError;
 use options::MethodArgs;
 use run::Loaded;
 
@@ -107,12 +108,15 @@ enum Verb {
 }
 
 impl Cli {
-    /// What was typed; ends the program with a message where that makes no sense.
-    pub(crate) fn typed() -> Self {
-        let matches = Self::command().get_matches_from(joined(std::env::args_os()));
-        let mut cli = Self::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    /// What was typed.
+    ///
+    /// # Errors
+    /// [`CliError::Typed`] where that makes no sense, or asks for help.
+    pub(crate) fn typed() -> Result<Self, CliError> {
+        let matches = Self::command().try_get_matches_from(joined(std::env::args_os()))?;
+        let mut cli = Self::from_arg_matches(&matches)?;
         cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
-        cli
+        Ok(cli)
     }
 
     /// Does what was asked.

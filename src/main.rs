@@ -4,18 +4,8 @@
 //! scene file has to be changed first.
 
 mod cli;
+mod launch;
 
-use std::{io::Write, process::ExitCode};
-
-use crate::cli::Cli;
-
-fn main() -> ExitCode {
-    match Cli::typed().run() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            // A closed stderr is no error: nobody would see a message.
-            let _ = std::io::stderr().write_all(error.explain().as_bytes());
-            error.exit_code()
-        }
-    }
+fn main() -> std::process::ExitCode {
+    launch::launch()
 }

@@ -6,7 +6,6 @@ mod frames;
 mod readings;
 mod summary;
 
-use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -24,6 +23,7 @@ use radiosity::solve::{Algorithm, Options, in_threads};
 
 use crate::cli::{
     basis::{self, require_all_bounces},
+    console,
     error::CliError,
     numbers::{Counts, fraction, positive},
     options::{MethodArgs, SceneArg},
@@ -259,8 +259,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
         lines.extend(read_error.map(|error| error.to_string()));
-        // A closed stderr is no error: nobody would see the lines.
-        drop(stderr().write_all((lines.join("\n") + "\n").as_bytes()));
+        console::tell(&(lines.join("\n") + "\n"));
     }
     Ok(())
 }

@@ -3,7 +3,6 @@
 use std::{
     collections::BTreeMap,
     fmt::{self, Write as _},
-    io::{Write as _, stdout},
 };
 
 use clap::{Args, ValueEnum};
@@ -17,7 +16,7 @@ use radiosity::scene::{
 use radiosity_geom::DVec3;
 use serde_json::{Value, json};
 
-use crate::cli::{error::CliError, materials, options::SceneArg, table::Table};
+use crate::cli::{console, error::CliError, materials, options::SceneArg, table::Table};
 
 /// Says what is in a scene, what touches what, and what looks wrong
 #[derive(Debug, Args)]
@@ -54,7 +53,7 @@ pub(crate) fn run(args: &CheckArgs, scene: &Scene) -> Result<(), CliError> {
         }
         Format::Json => format!("{:#}\n", as_json(scene, &inspection)),
     };
-    stdout().write_all(text.as_bytes())?;
+    console::print(text.as_bytes())?;
     let is_wrong = |warning: &&Warning| !warning.is_of_something_missing();
     let repairs = scene.imported().map_or(0, |imported| imported.repairs.len());
     match inspection.warnings.iter().filter(is_wrong).count() + repairs {

@@ -1,10 +1,9 @@
 //! `radiosity completions`: what a shell needs to complete the command line.
 
-use std::io::{Write, stdout};
-
 use clap::{Args, Command};
 use clap_complete::{Shell, generate};
 
+use crate::cli::console;
 use crate::cli::error::CliError;
 
 /// Prints the completions of a shell
@@ -23,5 +22,5 @@ pub(crate) fn run(args: &CompletionsArgs, mut command: Command) -> Result<(), Cl
     let name = command.get_name().to_owned();
     let mut script = Vec::new();
     generate(args.shell, &mut command, name, &mut script);
-    Ok(stdout().write_all(&script)?)
+    Ok(console::print(&script)?)
 }

@@ -1,6 +1,6 @@
 //! `radiosity convergence`: how the error of a scene's radiosity falls with order, layers, unknowns and time.
 
-use std::io::{Write, stderr};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::builder::{PossibleValuesParser, TypedValueParser};
@@ -14,7 +14,7 @@ use radiosity::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
-    basis,
+    basis, console,
     destination::Destination,
     error::CliError,
     format::of_ending,
@@ -115,8 +115,7 @@ pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliErro
     draw(&chart(args, scene, &runs), kind, &output)?;
     Destination::Stdout.write(|writer| writer.write_all(table.as_bytes()))?;
     if !args.quiet {
-        // A closed stderr is no error: nobody would see a message.
-        let _ = writeln!(stderr(), "wrote {}", path.display());
+        console::tell(&format!("wrote {}\n", path.display()));
     }
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! `radiosity convert`: a scene in another format, or a solution as a grid.
 
-use std::io::{Write, stderr};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
@@ -13,7 +13,7 @@ use radiosity::output::solution_file::{is_solution, read};
 use radiosity::scene::{Notation, Scene, Source};
 
 use crate::cli::{
-    error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
+    console, error::CliError, options::SceneArg, output_file::OutputFile, solution_format::SolutionFormat,
 };
 
 const EXAMPLES: &str = "\
@@ -94,7 +94,7 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
     }
     let also = materials.map(|_| format!(" and {}", beside.display())).unwrap_or_default();
     told += &format!("wrote {}{also}\n", args.output.display());
-    stderr().write_all(told.as_bytes())?;
+    console::tell(&told);
     Ok(())
 }
 
@@ -115,7 +115,7 @@ fn grid(args: &ConvertArgs) -> Result<(), CliError> {
     let factors = args.scene.later();
     let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };
     let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
-    stderr().write_all(format!("wrote {written}\n").as_bytes())?;
+    console::tell(&format!("wrote {written}\n"));
     Ok(())
 }
 

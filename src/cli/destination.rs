@@ -2,6 +2,8 @@
 
 use std::io::{self, BufWriter, ErrorKind, Write, stdout};
 
+use radiosity::ranks;
+
 use crate::cli::{error::CliError, output_file::OutputFile};
 
 /// A file, or standard output.
@@ -24,6 +26,7 @@ impl Destination {
     pub(crate) fn write(&self, write: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> Result<(), CliError> {
         match self {
             Self::File(file) => file.write(|writer| write(writer)),
+            Self::Stdout if !ranks::current().is_first() => Ok(()),
             Self::Stdout => {
                 let mut writer = BufWriter::new(stdout().lock());
                 match write(&mut writer).and_then(|()| writer.flush()) {

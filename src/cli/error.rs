@@ -1,6 +1,6 @@
 //! Errors that end a command, their messages, and the exit code.
 
-use std::{fmt::Write, io, path::PathBuf, process::ExitCode};
+use std::{fmt::Write, io, path::PathBuf};
 
 use radiosity::animation::error::AnimationError;
 use radiosity::elements::ElementError;
@@ -20,6 +20,9 @@ use crate::cli::points::PointsError;
 /// Why a command ended early.
 #[derive(Debug, Error)]
 pub(crate) enum CliError {
+    /// The command line makes no sense, or asks for help.
+    #[error(transparent)]
+    Typed(#[from] clap::Error),
     /// Something is wrong with the scene.
     #[error(transparent)]
     Scene(#[from] SceneError),
@@ -194,9 +197,10 @@ impl From<AnimationError> for CliError {
 
 impl CliError {
     /// 2 if the command line or a file has to be changed, 3 if an accuracy was not reached, else 1. A closed pipe on standard
-    /// output is no error.
-    pub(crate) fn exit_code(&self) -> ExitCode {
+    /// output is no error, nor is a wish for help.
+    pub(crate) fn exit_code(&self) -> u8 {
         match self {
+            CliError::Typed(error) => error.exit_code() as u8,
             CliError::Scene(_)
             | CliError::Solution(_)
             | CliError::Points(_)
@@ -211,7 +215,7 @@ impl CliError {
             | CliError::PairsAsArray { .. }
             | CliError::Heat(_)
             | CliError::Vtu { .. }
-            | CliError::Refused { .. } => ExitCode::from(2),
+            | CliError::Refused { .. } => 2,
             CliError::Solve(
                 Failure::Elements(_)
                 | Failure::NoChart { .. }
@@ -224,17 +228,17 @@ impl CliError {
                     | HierarchyError::Coating { .. },
                 )
                 | Failure::Memory { .. },
-            ) => ExitCode::from(2),
+            ) => 2,
             CliError::Frame { cause, .. } => cause.exit_code(),
-            CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => ExitCode::SUCCESS,
-            CliError::Missed { .. } => ExitCode::from(3),
+            CliError::Stdout(error) if error.kind() == io::ErrorKind::BrokenPipe => 0,
+            CliError::Missed { .. } => 3,
             CliError::LooksWrong { .. }
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
             | CliError::Solve(_)
             | CliError::Chart(_)
-            | CliError::Stdout(_) => ExitCode::from(1),
+            | CliError::Stdout(_) => 1,
         }
     }
 
@@ -297,7 +301,8 @@ impl CliError {
             CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
                 Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
             }
-            CliError::LooksWrong { .. }
+            CliError::Typed(_)
+            | CliError::LooksWrong { .. }
             | CliError::Missed { .. }
             | CliError::Relight(RelightError::NotApart)
             | CliError::Partial { .. }

@@ -2,7 +2,7 @@
 
 mod picture;
 
-use std::io::{self, Write, stderr};
+use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -17,8 +17,9 @@ use radiosity::transport::{Accuracy, Miss};
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    destination::Destination, error::CliError, format, heat::picture::PictureArgs, memory, options::SceneArg,
-    output_file::OutputFile, progress::Progress, run::remarks, table::Table, transfers::TransferArgs,
+    console, destination::Destination, error::CliError, format, heat::picture::PictureArgs, memory,
+    options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks, table::Table,
+    transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -222,7 +223,6 @@ impl HeatArgs {
         }
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));
-        // A closed stderr is no error: nobody would see a message.
-        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+        console::tell(&(lines.join("\n") + "\n"));
     }
 }

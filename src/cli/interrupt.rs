@@ -8,8 +8,10 @@ use std::collections::BTreeSet;
 use std::io::{Write, stderr};
 use std::path::PathBuf;
 use std::process::Child;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
+use radiosity::ranks;
 use radiosity::solve::Stop;
 
 /// The exit code of a program that Ctrl-C ended, by convention of shells: 128 plus the number of the signal, 2.
@@ -19,6 +21,9 @@ static TEMPORARY: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
 /// A program that works for this one.
 static EMPLOYED: Mutex<Option<Child>> = Mutex::new(None);
+
+/// Whether another rank says what happens.
+static IS_QUIET: AtomicBool = AtomicBool::new(false);
 
 /// Raised by Ctrl-C to let work finish with what it has.
 pub(crate) static STOP: Stop = Stop::new();
@@ -44,10 +49,11 @@ fn employed() -> MutexGuard<'static, Option<Child>> {
 
 /// From now on Ctrl-C removes the temporary files and ends the program.
 pub(crate) fn watch() {
+    IS_QUIET.store(!ranks::current().is_first(), Ordering::Relaxed);
     // Where signals cannot be watched Ctrl-C still ends the program, as it always does.
     let _ = ctrlc::set_handler(|| {
         if STOP.raise() {
-            let _ = stderr().write_all(b"\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
+            tell("\nfinishing with the rays sent so far; Ctrl-C again ends at once\n");
             return;
         }
         let files = temporary_files();
@@ -58,7 +64,14 @@ pub(crate) fn watch() {
         for file in files.iter() {
             let _ = std::fs::remove_file(file);
         }
-        let _ = stderr().write_all(b"\ninterrupted\n");
+        tell("\ninterrupted\n");
         std::process::exit(EXIT_CODE);
     });
+}
+
+/// Writes to stderr, from a thread that belongs to no ranks.
+fn tell(text: &str) {
+    if !IS_QUIET.load(Ordering::Relaxed) {
+        drop(stderr().write_all(text.as_bytes()));
+    }
 }

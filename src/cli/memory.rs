@@ -3,6 +3,8 @@
 use std::fs::read_to_string;
 use std::path::Path;
 
+use radiosity::ranks;
+
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
@@ -12,9 +14,13 @@ pub(crate) fn bytes(text: &str) -> Result<u64, String> {
     parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
 }
 
-/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown.
+/// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown. Ranks of
+/// one machine share it, and all take what the one with the least has.
 pub(crate) fn usable() -> Option<u64> {
-    let free = [machine(), confined()].into_iter().flatten().min()?;
+    let free = [machine(), confined()].into_iter().flatten().min();
+    let ranks = ranks::current();
+    let own = free.map(|free| free / ranks.place().companions as u64);
+    let free = ranks.all(own).into_iter().flatten().min()?;
     Some((SHARE * free as f64) as u64)
 }
 

@@ -6,6 +6,7 @@ use std::{
     path::{Path, PathBuf},
 };
 
+use radiosity::ranks::{self, Ranks};
 use tempfile::{Builder, NamedTempFile};
 
 use crate::cli::error::CliError;
@@ -25,6 +26,8 @@ enum Target {
     Regular(PathBuf),
     /// A device or a pipe, which cannot be replaced.
     Special,
+    /// What another rank writes.
+    Elsewhere,
 }
 
 impl OutputFile {
@@ -40,8 +43,19 @@ impl OutputFile {
                 cure: "without -o tables go to standard output; ./- is a file of that name".to_owned(),
             });
         }
-        let target = target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?;
+        let ranks = ranks::current();
+        let target = match ranks.is_first() {
+            true => target(path).map_err(|reason| CliError::Unwritable { path: path.to_owned(), reason })?,
+            false => Target::Elsewhere,
+        };
+        // Where the first fails, no other goes on.
+        ranks.meet();
         Ok(OutputFile { typed: path.to_owned(), target })
+    }
+
+    /// Whether another rank writes it.
+    pub(crate) fn is_elsewhere(&self) -> bool {
+        matches!(self.target, Target::Elsewhere)
     }
 
     /// This output, if it is another file than `path`, which belongs to `what`.
@@ -49,8 +63,11 @@ impl OutputFile {
     /// # Errors
     /// [`CliError::Refused`] if both are one file, through links or not.
     pub(crate) fn apart_from(self, path: &Path, what: &str) -> Result<Self, CliError> {
-        let Target::Regular(own) = &self.target else { return Ok(self) };
-        if resolved(path).is_ok_and(|path| path == *own) {
+        let is_same = match &self.target {
+            Target::Regular(own) => resolved(path).is_ok_and(|path| path == *own),
+            Target::Special | Target::Elsewhere => false,
+        };
+        if ranks::current().of_first(is_same) {
             return Err(CliError::Refused {
                 message: format!("{}: this is the file of {what} as well", self.typed.display()),
                 cure: "choose another name".to_owned(),
@@ -88,7 +105,7 @@ impl OutputFile {
     /// [`CliError::Unwritten`]
     pub(crate) fn draft(&self) -> Result<Draft, CliError> {
         match &self.target {
-            Target::Special => Ok(Draft { path: self.typed.clone(), temporary: None }),
+            Target::Special | Target::Elsewhere => Ok(Draft { path: self.typed.clone(), temporary: None }),
             Target::Regular(path) => {
                 let temporary = Temporary::beside(path).map_err(|reason| self.unwritten(reason))?;
                 Ok(Draft { path: temporary.file.path().to_owned(), temporary: Some(temporary) })
@@ -119,7 +136,10 @@ impl OutputFile {
             write(&mut writer)?;
             writer.flush()
         };
+        // What is written is made here alone.
+        let fill = |file: &File| Ranks::alone().within(|| fill(file));
         match &self.target {
+            Target::Elsewhere => Ok(None),
             Target::Special => fill(&OpenOptions::new().write(true).open(&self.typed)?).map(|()| None),
             Target::Regular(path) => {
                 let temporary = Temporary::beside(path)?;

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use radiosity::output::round::round_above;
+use radiosity::ranks;
 use radiosity::solve::Progress as Stage;
 
 /// A progress bar; silent if stderr is not a terminal or the user wants quiet. It has no colours.
@@ -21,8 +22,9 @@ pub(crate) struct Progress {
 const LONG: f64 = 1.0;
 
 impl Progress {
-    /// A bar that shows nothing yet.
+    /// A bar that shows nothing yet; on the rank that writes only.
     pub(crate) fn new(quiet: bool) -> Self {
+        let quiet = quiet || !ranks::current().is_first();
         let shown = !quiet && stderr().is_terminal();
         let target =
             if shown { ProgressDrawTarget::stderr_with_hz(10) } else { ProgressDrawTarget::hidden() };
@@ -86,7 +88,9 @@ impl Progress {
 
     /// Writes a line about a finished stage, also without a terminal.
     pub(crate) fn tell(&self, stage: &str, took: Duration) {
-        self.write(format!("{stage}: {:.3} s\n", took.as_secs_f64()));
+        if !self.quiet {
+            self.write(format!("{stage}: {:.3} s\n", took.as_secs_f64()));
+        }
     }
 
     fn write(&self, line: String) {

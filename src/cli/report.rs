@@ -4,7 +4,6 @@ mod args;
 mod kind;
 mod light;
 
-use std::io::{Write, stderr};
 use std::path::Path;
 
 use radiosity::heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
@@ -12,7 +11,7 @@ use radiosity::output::report_page::ReportPage;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Progress as Stage};
 
-use crate::cli::{error::CliError, memory, progress::Progress, run::Loaded};
+use crate::cli::{console, error::CliError, memory, progress::Progress, run::Loaded};
 pub(crate) use args::ReportPageArgs;
 use kind::Files;
 use light::Wanted;
@@ -57,8 +56,7 @@ fn run_in_the_dark(args: &ReportPageArgs, path: &Path, loaded: &Loaded) -> Resul
     files.write(&page.document())?;
     drop(progress);
     if !args.report.quiet {
-        // A closed stderr is no error: nobody would see a message.
-        let _ = writeln!(stderr(), "wrote {}", files.written());
+        console::tell(&format!("wrote {}\n", files.written()));
     }
     Ok(())
 }

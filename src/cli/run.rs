@@ -1,6 +1,5 @@
 //! What every verb that needs light does first: solve, with progress and a report.
 
-use std::io::{Write, stderr};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -16,6 +15,7 @@ use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
 use radiosity::output::round::decimals;
 use radiosity::output::solution_file::{is_solution, read};
+use radiosity::ranks;
 use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Functional, Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
@@ -23,6 +23,7 @@ use radiosity::studies::adaptation::{Achieved, Aim, Goal};
 
 use crate::cli::aim::at_probes;
 use crate::cli::basis;
+use crate::cli::console;
 use crate::cli::error::CliError;
 use crate::cli::memory;
 use crate::cli::modes::{Order, Shadows};
@@ -313,7 +314,7 @@ impl Run {
     /// Number of threads that work.
     pub(crate) fn threads(&self) -> usize {
         match self.threads {
-            0 => std::thread::available_parallelism().map_or(1, usize::from),
+            0 => ranks::current().place().threads,
             threads => threads,
         }
     }
@@ -467,8 +468,7 @@ impl Run {
         lines.extend(self.report.planes.iter().flat_map(|plane| plane.lines(&self.report.unit)));
         lines.extend(self.report.warnings.iter().map(|warning| format!("warning: {}", warning.message)));
         lines.extend(written.map(|path| format!("wrote {path}")));
-        // A closed stderr is no error: nobody would see a message.
-        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+        console::tell(&(lines.join("\n") + "\n"));
     }
 }
 

@@ -1,11 +1,9 @@
 //! `radiosity scenes`: the built-in scenes.
 
-use std::io::{Write, stdout};
-
 use clap::Args;
 use radiosity::scene::{Parameter, Scene};
 
-use crate::cli::{error::CliError, table::Table};
+use crate::cli::{console, error::CliError, table::Table};
 
 /// Lists the built-in scenes
 #[derive(Debug, Args)]
@@ -26,5 +24,5 @@ pub(crate) fn run(_: &ScenesArgs) -> Result<(), CliError> {
         }
     }
     let hint = "for example: radiosity render teapot --set height=1.3";
-    Ok(stdout().write_all(format!("{scenes}\n{parameters}\n{hint}\n").as_bytes())?)
+    Ok(console::print(format!("{scenes}\n{parameters}\n{hint}\n").as_bytes())?)
 }

@@ -1,10 +1,9 @@
 //! `radiosity schema`: the scene format for editors and other programs.
 
-use std::io::{Write, stdout};
-
 use clap::Args;
 use radiosity::scene;
 
+use crate::cli::console;
 use crate::cli::error::CliError;
 
 /// Prints the JSON schema of the scene format
@@ -19,5 +18,5 @@ pub(crate) struct SchemaArgs {}
 
 /// Prints the schema.
 pub(crate) fn run(_: &SchemaArgs) -> Result<(), CliError> {
-    Ok(stdout().write_all(format!("{:#}\n", scene::schema()).as_bytes())?)
+    Ok(console::print(format!("{:#}\n", scene::schema()).as_bytes())?)
 }

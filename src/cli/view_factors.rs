@@ -1,7 +1,7 @@
 //! `radiosity view-factors`: the share of what leaves each surface that reaches each other.
 
 use std::collections::BTreeSet;
-use std::io::{self, Write, stderr};
+use std::io::{self, Write};
 use std::path::PathBuf;
 use std::time::Instant;
 
@@ -16,7 +16,7 @@ use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::{Options, ViewFactors};
 
 use crate::cli::{
-    destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
+    console, destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
     progress::Progress, run::remarks, transfers::TransferArgs,
 };
 
@@ -221,8 +221,7 @@ impl ViewFactorsArgs {
             lines.push(format!("warning: {}", missed(&miss, names)));
         }
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
-        // A closed stderr is no error: nobody would see a message.
-        let _ = stderr().write_all((lines.join("\n") + "\n").as_bytes());
+        console::tell(&(lines.join("\n") + "\n"));
     }
 
     /// What row sums and reciprocity say.

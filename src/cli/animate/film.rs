@@ -7,6 +7,7 @@ use gif::Repeat;
 use radiosity::output::exr_file::write_exr;
 use radiosity::output::picture::Picture;
 use radiosity::output::raster::Raster;
+use radiosity::ranks;
 
 use super::encoder::{Container, Encoder, require_program};
 use crate::cli::error::CliError;
@@ -88,7 +89,9 @@ impl Film {
                 ),
             },
             Some(ending) if let Some(container) = Container::of(ending) => {
-                require_program(name)?;
+                if ranks::current().is_first() {
+                    require_program(name)?;
+                }
                 let output = Some(loaded.apart(OutputFile::reserve(name)?)?);
                 Ok(Self::Encoded { output, container, fps, encoder: None })
             }
@@ -101,7 +104,9 @@ impl Film {
 
     /// Whether the picture of a frame is there already.
     pub(super) fn has(&self, frame: usize) -> bool {
-        matches!(self, Self::Files(pattern) if pattern.path(frame).exists())
+        // Others may look when it has just been written.
+        let Self::Files(pattern) = self else { return false };
+        ranks::current().of_first(pattern.path(frame).exists())
     }
 
     /// Whether it holds values rather than colours.
@@ -125,8 +130,11 @@ impl Film {
                 let picture = picture();
                 output.write(|writer| picture.write_png(writer))
             }
-            Self::Gif { fps, size, frames, .. } => {
+            Self::Gif { output, fps, size, frames } => {
                 let picture = picture();
+                if output.is_elsewhere() {
+                    return Ok(());
+                }
                 let [width, height] = picture.size().map(|pixels| pixels as u16);
                 let mut frame = gif::Frame::from_rgb_speed(width, height, picture.codes(), SPEED);
                 // Each ends at the nearest unit to where it should: rounding does not add up.
@@ -138,6 +146,9 @@ impl Film {
             }
             Self::Encoded { output, container, fps, encoder } => {
                 let picture = picture();
+                if output.as_ref().is_some_and(OutputFile::is_elsewhere) {
+                    return Ok(());
+                }
                 if let Some(output) = output.take() {
                     *encoder = Some(Encoder::start(output, *container, picture.size(), *fps)?);
                 }
