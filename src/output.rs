@@ -38,6 +38,8 @@ pub mod render;
 pub mod lightmap;
 pub mod tessellation;
 pub mod missed;
+pub(crate) mod peak_memory;
+pub mod rank_work;
 pub mod report;
 pub mod scale;
 pub mod false_colour;

@@ -15,6 +15,7 @@ pub mod shares;
 pub mod threads;
 mod traffic;
 pub mod failure;
+pub mod vector;
 #[cfg(any(test, feature = "mpi"))]
 mod rounds;
 #[cfg(feature = "mpi")]
@@ -128,9 +129,16 @@ impl Ranks {
         }
     }
 
-    /// Bytes that this rank has sent to others so far.
+    /// What this rank has done for all, and sent to others, so far; nothing is counted where it is alone.
     pub fn traffic(&self) -> Traffic {
         self.shared.as_ref().map_or_else(Traffic::default, |shared| shared.sent.read())
+    }
+
+    /// Counts kernel samples and rays that this rank has computed for all.
+    pub fn count_work(&self, samples: u64, rays: u64) {
+        if let Some(shared) = &self.shared {
+            shared.sent.count_work(samples, rays);
+        }
     }
 
     /// What each rank has, in their order.
@@ -245,6 +253,18 @@ impl Part<'_> {
             None => make(*piece),
         };
         Ranks::alone().within(|| pieces.par_iter().with_max_len(1).map(&known).collect())
+    }
+
+    /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
+    /// piece.
+    pub fn map_even<T>(&self, count: usize, together: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        let piece = |piece: usize| -> Vec<T> {
+            (piece * together..((piece + 1) * together).min(count)).map(&make).collect()
+        };
+        self.map(&vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
     }
 }
 

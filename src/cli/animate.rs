@@ -14,6 +14,7 @@ use radiosity::animation::follower::{Follower, Way};
 use radiosity::animation::frame::Frame;
 use radiosity::output::image::Image;
 use radiosity::output::picture::Picture;
+use radiosity::output::rank_work::RanksWork;
 use radiosity::output::raster::Raster;
 use radiosity::output::reader::Read;
 use radiosity::output::render::{render, usual_read, white_balance};
@@ -258,6 +259,7 @@ pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     drop(progress);
     if !args.quiet {
         let mut lines = summary::lines(&follower, made, begun.elapsed().as_secs_f64());
+        lines.extend(RanksWork::so_far(asked.threads).map(|work| work.to_string()));
         lines.extend(read_error.map(|error| error.to_string()));
         console::tell(&(lines.join("\n") + "\n"));
     }

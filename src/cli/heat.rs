@@ -10,6 +10,7 @@ use clap::{Args, ValueEnum};
 use radiosity::heat::{Heat, HeatOptions, Stage};
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
+use radiosity::output::rank_work::RanksWork;
 use radiosity::output::round::significant;
 use radiosity::scene::{MAX_ORDER, Scene};
 use radiosity::solve::{Options, Progress as Step, Transport, in_threads};
@@ -176,7 +177,7 @@ impl HeatArgs {
             shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
             memory: self.memory.or_else(memory::usable),
-            threads: self.transfers.threads.unwrap_or(usual.threads),
+            threads: self.transfers.threads(),
             ..usual
         }
     }
@@ -187,6 +188,7 @@ impl HeatArgs {
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
         let (given, taken) = (sum(1.0), sum(-1.0));
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
+        lines.extend(RanksWork::so_far(self.transfers.threads()).map(|work| work.to_string()));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         let whole = if !heat.is_closed() {

@@ -11,6 +11,7 @@ use radiosity::gather::choice::By;
 use radiosity::hierarchy::Counts;
 use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::Probe;
+use radiosity::output::rank_work::RanksWork;
 use radiosity::output::read_error::ReadError;
 use radiosity::output::report::Report;
 use radiosity::output::round::decimals;
@@ -344,6 +345,7 @@ impl Run {
     pub(crate) fn finish(mut self, progress: Progress, written: Option<&str>) -> Result<(), CliError> {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
+        self.report.ranks = RanksWork::so_far(self.threads());
         drop(progress);
         if let Some(file) = &self.report_file {
             file.write(|writer| Ok(serde_json::to_writer_pretty(writer, &self.report)?))?;
@@ -439,13 +441,14 @@ impl Run {
                 self.bounces()
             ),
             self.costs(),
-            format!(
-                "{}; row sums {} to {}",
-                balance(checks),
-                decimals(checks.row_sum_min, 4),
-                decimals(checks.row_sum_max, 4)
-            ),
         ];
+        lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));
+        lines.push(format!(
+            "{}; row sums {} to {}",
+            balance(checks),
+            decimals(checks.row_sum_min, 4),
+            decimals(checks.row_sum_max, 4)
+        ));
         lines.extend(groups(&self.report.light_groups));
         lines.extend(remarks(&self.solved.scene));
         lines.extend(self.solved.scene.fitted.line());

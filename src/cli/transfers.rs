@@ -1,6 +1,7 @@
 //! Options of commands that integrate transfers and nothing of light: `view-factors` and `heat`.
 
 use clap::Args;
+use radiosity::solve::Options;
 use radiosity::transport::Accuracy;
 
 use crate::cli::{
@@ -31,7 +32,7 @@ pub(crate) struct TransferArgs {
 
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = threads)]
-    pub(crate) threads: Option<usize>,
+    threads: Option<usize>,
 
     /// Prints no progress and no summary
     #[arg(long, short)]
@@ -41,6 +42,11 @@ pub(crate) struct TransferArgs {
 impl TransferArgs {
     pub(crate) fn accuracy(&self) -> Accuracy {
         Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
+    }
+
+    /// Threads to use.
+    pub(crate) fn threads(&self) -> usize {
+        self.threads.unwrap_or(Options::default().threads)
     }
 
     /// Refuses masks, which carry light.

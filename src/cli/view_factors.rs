@@ -7,11 +7,11 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use radiosity::output::missed::missed;
+use radiosity::output::rank_work::RanksWork;
 use radiosity::output::round::decimals;
 use radiosity::output::view_factors as output;
 use radiosity::output::view_factors::Sparse;
 use radiosity::scene::Scene;
-use radiosity::solve;
 use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::{Options, ViewFactors};
 
@@ -195,7 +195,7 @@ impl ViewFactorsArgs {
             subdivide: self.transfers.subdivide.0,
             accuracy: self.transfers.accuracy(),
             shadows: self.transfers.shadows.hiding(),
-            threads: self.transfers.threads.unwrap_or(solve::Options::default().threads),
+            threads: self.transfers.threads(),
         }
     }
 
@@ -211,6 +211,7 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
+        lines.extend(RanksWork::so_far(self.transfers.threads()).map(|work| work.to_string()));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         if self.pairs.is_empty() {

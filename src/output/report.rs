@@ -8,7 +8,9 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::elements::Elements;
 use crate::hierarchy::Counts;
+use crate::output::peak_memory::peak_bytes;
 use crate::output::plane_figures::PlaneFigures;
+use crate::output::rank_work::RanksWork;
 use crate::output::read_error::ReadError;
 use crate::scene::{Fitted, Imported, LightGroup};
 use crate::solve::{Functional, Outcome};
@@ -51,6 +53,9 @@ pub struct Report {
     pub solver: String,
     /// Threads used.
     pub threads: usize,
+    /// What each rank has done and sent, where several share the work.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ranks: Option<RanksWork>,
     /// Version of the program.
     pub version: &'static str,
     /// Wall time per stage.
@@ -167,6 +172,7 @@ impl Report {
             orders: orders(elements),
             solver: outcome.solver.to_owned(),
             threads: options.threads,
+            ranks: None,
             version: env!("CARGO_PKG_VERSION"),
             seconds: seconds(outcome),
             peak_bytes: peak_bytes(),
@@ -229,12 +235,4 @@ fn seconds(outcome: &Outcome) -> Seconds {
         estimate: stages.estimate.as_secs_f64(),
         ..Seconds::default()
     }
-}
-
-/// Peak resident memory as Linux reports it; None elsewhere.
-fn peak_bytes() -> Option<u64> {
-    let status = std::fs::read_to_string("/proc/self/status").ok()?;
-    let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:"))?;
-    let kibibytes: u64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(1024 * kibibytes)
 }
