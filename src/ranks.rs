@@ -225,6 +225,18 @@ impl Ranks {
         Part { recorded: self.journal.as_ref().map(|journal| journal.part(pieces)) }
     }
 
+    /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
+    /// piece.
+    pub fn map_even<T>(&self, count: usize, together: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T>
+    where
+        T: Serialize + DeserializeOwned + Send,
+    {
+        let piece = |piece: usize| -> Vec<T> {
+            (piece * together..((piece + 1) * together).min(count)).map(&make).collect()
+        };
+        self.map(&vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
+    }
+
     /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
     /// the other.
     pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I) -> T + Sync) -> Vec<T> {
@@ -253,18 +265,6 @@ impl Part<'_> {
             None => make(*piece),
         };
         Ranks::alone().within(|| pieces.par_iter().with_max_len(1).map(&known).collect())
-    }
-
-    /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
-    /// piece.
-    pub fn map_even<T>(&self, count: usize, together: usize, make: impl Fn(usize) -> T + Sync) -> Vec<T>
-    where
-        T: Serialize + DeserializeOwned + Send,
-    {
-        let piece = |piece: usize| -> Vec<T> {
-            (piece * together..((piece + 1) * together).min(count)).map(&make).collect()
-        };
-        self.map(&vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
     }
 }
 

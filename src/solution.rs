@@ -18,21 +18,24 @@ use crate::elements::Elements;
 use crate::elements::coating::Coating;
 use crate::light::emitters::{Emitters, Radiances};
 use crate::light::point_lights::PointLights;
+use crate::ranks::vector;
 use crate::scene::Scene;
 use crate::system::Coefficients;
 use crate::zatz1993::masked_light::MaskedLight;
 
 use group_light::{GroupLight, Incident};
 use powers::Powers;
+use serde::{Deserialize, Serialize};
 
 /// A place on a surface.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Place {
     /// Index of the surface.
     pub surface: usize,
     /// Its parameters there, in [−1, 1]².
     pub parameters: [f64; 2],
     /// The point.
+    #[serde(with = "vector")]
     pub position: DVec3,
 }
 

@@ -28,6 +28,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 
 use radiosity_geom::{DVec3, Encounter, Ray};
+use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
 use crate::elements::patch::Patch;
@@ -109,7 +110,7 @@ pub struct Estimate {
 }
 
 /// Standard deviation of an irradiance by rays.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Deviation {
     /// Over the irradiance, root mean square over the bands.
     pub relative: f64,

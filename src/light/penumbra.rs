@@ -24,6 +24,7 @@
 use std::iter;
 
 use radiosity_geom::DVec3;
+use serde::{Deserialize, Serialize};
 use smallvec::SmallVec;
 
 use crate::light::blockers::{Before, Shadows};
@@ -109,7 +110,7 @@ pub(crate) struct Factor {
 }
 
 /// Which emitters a point sees.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub(crate) enum Shade {
     /// Some only partly.
     Partial,

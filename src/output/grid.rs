@@ -15,7 +15,7 @@ use std::collections::BTreeSet;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_area};
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use crate::elements::cells::cells_of;
 use crate::elements::clip_to_cell;
@@ -28,10 +28,12 @@ use crate::light::occluders::Site;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::light::reflected::Reflection;
 use crate::output::reader::{Light, Reader, Value};
+use crate::ranks;
+use crate::ranks::vector;
 use crate::solution::Place;
 
 /// Means over one cell of one surface.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Cell {
     /// Index of the surface.
     pub surface: usize,
@@ -51,6 +53,7 @@ pub struct Cell {
     pub exposed: f64,
     /// The point in the middle of the cell's parameters, in the coordinates that the scene is computed in: less
     /// [`Scene::middle`](crate::scene::Scene::middle).
+    #[serde(with = "vector")]
     pub position: DVec3,
 }
 
@@ -88,7 +91,7 @@ pub fn grid(
         (0..surfaces).map(|surface| outline(reader.solution().elements().shape(surface))).collect();
     let rects: Vec<Rect> = cells_of(cells).collect();
     let (total, done) = (surfaces * rects.len(), AtomicUsize::new(0));
-    let all = (0..total).into_par_iter().with_max_len(AT_ONCE).map(|place| {
+    let all = ranks::current().map_even(total, AT_ONCE, |place| {
         let (surface, k) = (place / rects.len(), place % rects.len());
         let integrals = Integrals::over(reader, surface, &rects[k], rates);
         progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
@@ -99,7 +102,7 @@ pub fn grid(
         let [u, v] = rects[k].center();
         integrals.cell(surface, [k / cells[1], k % cells[1]], shape.jet(u, v).position, area)
     });
-    all.filter(|cell| cell.area > 0.0).collect()
+    all.into_iter().filter(|cell| cell.area > 0.0).collect()
 }
 
 /// Convex pieces of the outer outline of a planar surface; None for curved ones.

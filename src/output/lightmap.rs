@@ -28,8 +28,6 @@ mod fill;
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use rayon::prelude::*;
-
 use super::frame_light::FrameLight;
 use super::frame_light::eye::Seen;
 use super::frame_light::frame::Frame;
@@ -37,12 +35,14 @@ use super::frame_light::picture_light::PictureLight;
 use super::frame_light::trial::seconds;
 use super::reader::Read;
 use crate::elements::Elements;
+use crate::ranks;
 use crate::scene::Scene;
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
 use crate::solved::Solved;
 use fill::fill;
 use places::Places;
+use serde::{Deserialize, Serialize};
 use sizes::sizes;
 
 /// Relative accuracy of recomputed light: that of pictures.
@@ -74,7 +74,7 @@ pub struct Part {
 }
 
 /// The irradiance of one surface at its texels.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct LightTexture {
     size: [usize; 2],
     bands: usize,
@@ -129,13 +129,15 @@ impl Lightmap {
         observe(Stage::Expected(lights.iter().map(|light| all.seconds(light)).sum()));
         let count = parts.len() * all.count();
         let done = AtomicUsize::new(0);
-        let texture = |(surface, size): (usize, [usize; 2])| {
+        let texture = |surface: usize| {
+            let size = sizes[surface];
             let tell =
                 |own: usize| observe(Stage::Texels(done.fetch_add(own, Ordering::Relaxed) + own, count));
             let places = Places::of(solution.elements(), surface, size, diagonal);
             LightTexture::of(solution.bands().len(), places.all(), size, &lights, &tell)
         };
-        let surfaces = sizes.par_iter().copied().enumerate().with_max_len(1).map(texture).collect();
+        let texels: Vec<f64> = sizes.iter().map(|[along_u, along_v]| (along_u * along_v) as f64).collect();
+        let surfaces = ranks::current().map(&texels, texture);
         Self { parts, surfaces }
     }
 

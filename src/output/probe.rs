@@ -1,13 +1,14 @@
 //! Irradiance at single points, and radiosity where they lie on a surface.
 
 use radiosity_geom::DVec3;
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use crate::gather::by_rays::Deviation;
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::output::reader::{Light, Reader, Value};
+use crate::ranks;
 use crate::scene::SensorPlane;
 use crate::solution::Place;
 
@@ -47,7 +48,7 @@ pub struct Reading {
 }
 
 /// The surface under a probe.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OnSurface {
     /// Index of the surface.
     pub surface: usize,
@@ -58,7 +59,7 @@ pub struct OnSurface {
 }
 
 /// Why a probe cannot be read: polynomials exist on surfaces only, for their own normals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error, Serialize, Deserialize)]
 pub enum ProbeFault {
     /// The probe lies on no surface.
     #[error("the point lies on no surface that its normal leaves")]
@@ -67,6 +68,9 @@ pub enum ProbeFault {
     #[error("the normal is not that of the surface under the point")]
     Tilted,
 }
+
+/// Probes that one thread reads after each other. Chosen: they take up to some milliseconds each.
+const TOGETHER: usize = 4;
 
 /// Reads every probe; `middle` was subtracted from the scene's coordinates
 /// ([`Scene::middle`](crate::scene::Scene::middle)), and `progress` gets (probes done, probes in all), from any thread.
@@ -80,18 +84,27 @@ pub fn probe(
     progress: &(dyn Fn(usize, usize) + Sync),
 ) -> Result<Vec<Reading>, (usize, ProbeFault)> {
     let done = AtomicUsize::new(0);
-    let readings: Vec<Result<Reading, ProbeFault>> = probes
-        .par_iter()
-        .map(|probe| {
-            let reading = read(reader, probe, middle);
-            progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
-            reading
-        })
-        .collect();
-    readings.into_iter().enumerate().map(|(k, reading)| reading.map_err(|fault| (k, fault))).collect()
+    let found = ranks::current().map_even(probes.len(), TOGETHER, |number| {
+        let found = read(reader, &probes[number], middle);
+        progress(done.fetch_add(1, Ordering::Relaxed) + 1, probes.len());
+        found
+    });
+    let reading = |(number, found): (usize, Result<Found, ProbeFault>)| {
+        let Found { irradiance, deviation, on } = found.map_err(|fault| (number, fault))?;
+        Ok(Reading { probe: probes[number], irradiance, deviation, on })
+    };
+    found.into_iter().enumerate().map(reading).collect()
 }
 
-fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeFault> {
+/// What was read at a probe.
+#[derive(Serialize, Deserialize)]
+struct Found {
+    irradiance: Vec<f64>,
+    deviation: Option<Deviation>,
+    on: Option<OnSurface>,
+}
+
+fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Found, ProbeFault> {
     let (position, normal) = (probe.position - middle, probe.normal);
     let elements = reader.solution().elements();
     let spot = Spot::find(elements, reader.visibility(), position, normal);
@@ -113,7 +126,7 @@ fn read(reader: &Reader, probe: &Probe, middle: DVec3) -> Result<Reading, ProbeF
         }
     };
     let Value { irradiance, deviation } = value;
-    Ok(Reading { probe: *probe, irradiance, deviation, on })
+    Ok(Found { irradiance, deviation, on })
 }
 
 /// Where a spot is read: polynomials have a value at the foot itself, recomputed light near it.

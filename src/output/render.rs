@@ -6,7 +6,7 @@
 
 use std::ops::Range;
 
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::frame_light::eye::Eye;
 use super::frame_light::frame::Frame;
@@ -22,6 +22,7 @@ use super::samples::Samples;
 use super::shown::Shown;
 use crate::gather::choice::seconds_to_gather;
 use crate::light::penumbra::Care;
+use crate::ranks;
 use crate::scene::Camera;
 use crate::solution::Solution;
 use crate::visibility::Visibility;
@@ -46,9 +47,6 @@ const MARGIN: usize = 5 * COARSEST;
 
 /// Rays for direct light at one of several samples of a pixel: their errors average out. Chosen.
 const ONE_OF_SEVERAL: Care = Care { rough: 3.0, sure: false };
-
-/// Most rows that a thread gets at once: rows of a picture take very different times. Chosen; not tuned.
-const ROWS: usize = 4;
 
 /// The corners of the unit square.
 const CORNERS: [[u32; 2]; 4] = [[0, 0], [1, 0], [0, 1], [1, 1]];
@@ -112,7 +110,7 @@ pub fn usual_read(solution: &Solution, visibility: &Visibility, pixels: u64) -> 
 }
 
 /// The radiosity seen through a pixel.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 struct Pixel {
     /// Mean over the pixel, per band.
     radiosity: Vec<f64>,
@@ -157,23 +155,18 @@ impl Shot<'_> {
             });
         };
         let lit = FrameLight::over(&frame, self.light, &tell);
-        let middles: Vec<Pixel> =
-            (0..frame.len()).into_par_iter().map(|pixel| self.middle(&lit, pixel)).collect();
-        rows.into_par_iter()
-            .with_max_len(ROWS)
-            .flat_map_iter(|row| {
-                let start = (row - first) * width;
-                let pixel = |pixel: usize| {
-                    let is_fine = self.samples > 1
-                        && (self.is_edge(&frame, pixel, first) || differs(&frame, &middles, pixel));
-                    let sampled = || self.sampled(&lit, pixel, first, &middles[pixel]);
-                    let value = if is_fine { sampled() } else { middles[pixel].clone() };
-                    done.add();
-                    value
-                };
-                (start..start + width).map(pixel).collect::<Vec<Pixel>>()
-            })
-            .collect()
+        let ranks = ranks::current();
+        let middles: Vec<Pixel> = ranks.map_even(frame.len(), width, |pixel| self.middle(&lit, pixel));
+        let pixel = |pixel: usize| {
+            let is_fine =
+                self.samples > 1 && (self.is_edge(&frame, pixel, first) || differs(&frame, &middles, pixel));
+            let sampled = || self.sampled(&lit, pixel, first, &middles[pixel]);
+            let value = if is_fine { sampled() } else { middles[pixel].clone() };
+            done.add();
+            value
+        };
+        let start = (rows.start - first) * width;
+        ranks.map_even(rows.len() * width, width, |place| pixel(start + place))
     }
 
     /// What the middle of a pixel sees.

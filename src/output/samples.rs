@@ -4,11 +4,13 @@
 //! lamp once it is cut off at white, and edges become stairs. Of more than 16, sorted by brightness, groups of
 //! about equal numbers are averaged: such samples look alike.
 
+use serde::{Deserialize, Serialize};
+
 /// Most values that are kept. Chosen: lamps end in steps of a sixteenth at worst.
 const MOST: usize = 16;
 
 /// Radiosities (W m⁻²) seen through parts of a pixel, in 32 bits; nothing is seen through the rest of it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Samples {
     bands: usize,
     /// Of each part its share in the pixel, then its radiosity per band.

@@ -1,9 +1,10 @@
 //! What a camera sees in each pixel: one surface or several, and whether an emitter is among them.
 
 use radiosity_geom::Encounter;
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 use super::pinhole::Pinhole;
+use crate::ranks;
 use crate::scene::{Camera, Scene};
 use crate::visibility::Visibility;
 
@@ -17,6 +18,7 @@ pub struct Sights {
 }
 
 /// One pixel.
+#[derive(Serialize, Deserialize)]
 struct Sight {
     part: Option<u32>,
     emitter: bool,
@@ -27,7 +29,7 @@ impl Sights {
     pub fn through(camera: &Camera, samples: u32, scene: &Scene, visibility: &Visibility) -> Self {
         let view = Pinhole::new(camera);
         let count = camera.width as usize * camera.height as usize;
-        let sights = (0..count).into_par_iter().map(|index| {
+        let sights = ranks::current().map_even(count, camera.width as usize, |index| {
             let pixel = [index as u32 % camera.width, index as u32 / camera.width];
             sight(
                 view.rays(pixel, samples).map(|ray| {
@@ -37,7 +39,7 @@ impl Sights {
                 scene,
             )
         });
-        let (parts, emitters) = sights.map(|sight| (sight.part, sight.emitter)).unzip();
+        let (parts, emitters) = sights.into_iter().map(|sight| (sight.part, sight.emitter)).unzip();
         Self { parts, emitters }
     }
 

@@ -15,6 +15,7 @@ use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
 use crate::elements::Elements;
+use crate::ranks;
 use crate::scene::Camera;
 use crate::visibility::Visibility;
 
@@ -25,13 +26,10 @@ const NOTHING: u32 = u32::MAX;
 pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, samples: u32) -> Vec<f64> {
     let view = Pinhole::new(camera);
     let [columns, rows] = [camera.width, camera.height].map(|pixels| (pixels * samples) as usize);
-    let seen: Vec<Vec<u32>> = (0..=rows)
-        .into_par_iter()
-        .map(|row| {
-            let at = |k: usize| (k as f64 + 0.5) / f64::from(samples);
-            (0..=columns).map(|column| element(elements, visibility, &view, at(column), at(row))).collect()
-        })
-        .collect();
+    let seen: Vec<Vec<u32>> = ranks::current().map_even(rows + 1, 1, |row| {
+        let at = |k: usize| (k as f64 + 0.5) / f64::from(samples);
+        (0..=columns).map(|column| element(elements, visibility, &view, at(column), at(row))).collect()
+    });
     let border = |row: usize, column: usize| {
         let here = seen[row][column];
         here != seen[row][column + 1] || here != seen[row + 1][column]

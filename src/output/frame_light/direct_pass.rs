@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::light::penumbra::{Care, Shade};
+use crate::ranks;
 
 use super::frame::Frame;
 use super::picture_light::{Lit, PictureLight};
@@ -11,6 +12,9 @@ use super::tally::Tally;
 /// Pixels that are compared with one, to each side. Chosen: with first rays that miss a shadow in four of five pixels, one of so
 /// many still finds it.
 const BESIDE: isize = 2;
+
+/// Pixels that one thread looks at after each other. Chosen: they take some microseconds each.
+const TOGETHER: usize = 64;
 
 /// The direct irradiance of all pixels; nothing where nothing is seen. `tell` gets (done, all) of the pixels, twice.
 pub(crate) fn lit(
@@ -25,11 +29,12 @@ pub(crate) fn lit(
         lit
     };
     let tally = Tally::new(frame.len(), tell);
-    let first: Vec<Lit> = (0..frame.len()).into_par_iter().map(|pixel| look(pixel, false, &tally)).collect();
+    let ranks = ranks::current();
+    let first: Vec<Lit> = ranks.map_even(frame.len(), TOGETHER, |pixel| look(pixel, false, &tally));
     let unsure: Vec<usize> =
         (0..frame.len()).into_par_iter().filter(|pixel| is_unsure(frame, &first, *pixel)).collect();
     let tally = Tally::new(unsure.len(), tell);
-    let again: Vec<Lit> = unsure.par_iter().map(|pixel| look(*pixel, true, &tally)).collect();
+    let again: Vec<Lit> = ranks.map_even(unsure.len(), TOGETHER, |place| look(unsure[place], true, &tally));
     let mut all: Vec<Vec<f64>> = first.into_iter().map(|lit| lit.bands).collect();
     unsure.into_iter().zip(again).for_each(|(pixel, lit)| all[pixel] = lit.bands);
     all

@@ -1,10 +1,12 @@
 //! What camera rays see.
 
 use radiosity_geom::{DVec3, Encounter, Ray};
+use serde::{Deserialize, Serialize};
 
 use crate::elements::Elements;
 use crate::gather::spot::Spot;
 use crate::light::receiver_point::ReceiverPoint;
+use crate::ranks::vector;
 use crate::solution::Place;
 use crate::visibility::Visibility;
 
@@ -15,13 +17,14 @@ const BENT: f64 = 0.3;
 const LEVEL: f64 = 0.1;
 
 /// A place on the front of a surface.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub(crate) struct Seen {
     /// Index of the element.
     pub element: usize,
     /// The place.
     pub place: Place,
     /// Unit normal there.
+    #[serde(with = "vector")]
     pub normal: DVec3,
 }
 

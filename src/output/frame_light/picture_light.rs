@@ -1,6 +1,7 @@
 //! The light of a picture, in two parts: direct light, which has edges, and the rest, which is smooth.
 
 use radiosity_geom::DVec3;
+use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
 use crate::gather::by_rays::{Estimate, RayGather};
@@ -30,7 +31,7 @@ const IN_PENUMBRA: f64 = 2.0;
 const BEHIND: Care = Care { rough: 1.0, sure: true };
 
 /// Direct irradiance at a place.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(crate) struct Lit {
     /// Per band (W m⁻²).
     pub bands: Vec<f64>,

@@ -10,7 +10,9 @@
 //! References: G. Ward, F. Rubinstein, R. Clear, *A ray tracing solution for diffuse interreflection*, SIGGRAPH 1988
 //! (interpolation of indirect light); there by the distances of what is seen, here by what the fit leaves.
 
-use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::ranks;
 
 use super::eye::Seen;
 use super::fit::{Fit, Found};
@@ -40,6 +42,10 @@ const ASIDE_BETWEEN: f64 = 0.8;
 /// Reach of the fit for places between pixels, in pixels.
 const BETWEEN: f64 = 2.5;
 
+/// Pixels that one thread computes after each other, and fits. Chosen: they take some milliseconds, and some microseconds, each.
+const DEAR: usize = 1;
+const CHEAP: usize = 256;
+
 /// Light that is computed where it is wanted.
 pub(crate) trait Source: Sync {
     /// The smooth light at a pixel and what it sees.
@@ -50,7 +56,7 @@ pub(crate) trait Source: Sync {
 }
 
 /// Light that was computed.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(crate) struct Known {
     /// Irradiance per band (W m⁻²).
     pub bands: Vec<f64>,
@@ -79,23 +85,20 @@ impl<'a> Smooth<'a> {
         let mut values = vec![0.0; frame.len() * bands];
         let mut open: Vec<usize> = (0..frame.len()).filter(|pixel| frame.seen(*pixel).is_some()).collect();
         let mut spacing = COARSEST;
+        let ranks = ranks::current();
         while !open.is_empty() && spacing > 0 {
             let wanted = wanted(frame, &known, &open, spacing);
             let tally = Tally::new(wanted.len(), tell);
-            let computed: Vec<Option<Known>> = wanted
-                .par_iter()
-                .with_max_len(1)
-                .map(|pixel| {
-                    let known = frame.seen(*pixel).map(|seen| source.smooth(*pixel, seen));
-                    tally.add();
-                    known
-                })
-                .collect();
+            let compute = |place: usize| {
+                let pixel = wanted[place];
+                let known = frame.seen(pixel).map(|seen| source.smooth(pixel, seen));
+                tally.add();
+                known
+            };
+            let computed: Vec<Option<Known>> = ranks.map_even(wanted.len(), DEAR, compute);
             wanted.into_iter().zip(computed).for_each(|(pixel, value)| known[pixel] = value);
-            let found: Vec<Option<Vec<f64>>> = open
-                .par_iter()
-                .map(|pixel| fitted(frame, &known, *pixel, spacing, source.other(*pixel)))
-                .collect();
+            let fit = |place: usize| fitted(frame, &known, open[place], spacing, source.other(open[place]));
+            let found: Vec<Option<Vec<f64>>> = ranks.map_even(open.len(), CHEAP, fit);
             let mut left = Vec::new();
             for (pixel, value) in open.into_iter().zip(found) {
                 match value {

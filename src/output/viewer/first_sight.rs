@@ -4,13 +4,13 @@
 //! fiftieth of the view, its borders decide on the exposure.
 
 use radiosity_geom::Encounter;
-use rayon::prelude::*;
 
 use super::start::Start;
 use crate::output::lightmap::Lightmap;
 use crate::output::pinhole::Pinhole;
 use crate::output::raster::Raster;
 use crate::output::shown::Shown;
+use crate::ranks;
 use crate::scene::Camera;
 use crate::solved::Solved;
 
@@ -22,15 +22,14 @@ pub(super) fn first_sight(solved: &Solved, lightmap: &Lightmap, start: &Start) -
     let camera = smaller(&start.camera);
     let sight = Sight { solved, lightmap, shown: start.shown, view: Pinhole::new(&camera) };
     let size = [camera.width, camera.height];
-    let count = camera.width * camera.height;
+    let [count, width] = [camera.width * camera.height, camera.width].map(|number| number as usize);
+    let ranks = ranks::current();
     let middles: Vec<Option<usize>> =
-        (0..count).into_par_iter().map(|pixel| Some(sight.meet(place(size, pixel, [0.5; 2]))?.0)).collect();
-    let pixels: Vec<(Vec<f64>, f64)> = (0..count)
-        .into_par_iter()
-        .map(|pixel| {
-            sight.mean(size, pixel, if is_inside(&middles, size, pixel) { 1 } else { start.samples })
-        })
-        .collect();
+        ranks.map_even(count, width, |pixel| Some(sight.meet(place(size, pixel as u32, [0.5; 2]))?.0));
+    let pixels: Vec<(Vec<f64>, f64)> = ranks.map_even(count, width, |pixel| {
+        let samples = if is_inside(&middles, size, pixel as u32) { 1 } else { start.samples };
+        sight.mean(size, pixel as u32, samples)
+    });
     let (values, coverage): (Vec<Vec<f64>>, Vec<f64>) = pixels.into_iter().unzip();
     Raster::new(size, solved.scene.bands.clone(), values.concat(), coverage)
 }
