@@ -55,6 +55,25 @@ fn ctrl_c_leaves_what_the_rays_told_so_far_where_that_is_asked_for() {
 }
 
 #[test]
+#[cfg(not(feature = "mpi"))]
+fn without_mpi_several_processes_are_refused_by_the_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let started = |number: &str, count: &str| {
+        let variables = [("OMPI_COMM_WORLD_RANK", number), ("OMPI_COMM_WORLD_SIZE", count)];
+        command(folder.path(), &["scenes"]).envs(variables).output().unwrap()
+    };
+    let [first, second] = ["0", "1"].map(|number| started(number, "2"));
+    let message = String::from_utf8_lossy(&first.stderr);
+    assert!(message.starts_with("error: ") && message.contains("--features mpi"), "{message}");
+    assert!(second.stderr.is_empty(), "the message is said once");
+    for refused in [first, second] {
+        assert_eq!(refused.status.code(), Some(2));
+        assert!(refused.stdout.is_empty());
+    }
+    assert!(started("0", "1").status.success(), "one process is one process, whoever starts it");
+}
+
+#[test]
 fn a_solver_that_does_not_converge_writes_only_what_it_is_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();

@@ -5,12 +5,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents of all packages.
-const DOCUMENTS: [&str; 13] = [
+const DOCUMENTS: [&str; 14] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
     "docs/measured.md",
     "docs/outputs.md",
+    "docs/ranks.md",
     "docs/viewer.md",
     "benches/README.md",
     "core/README.md",
