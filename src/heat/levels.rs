@@ -60,7 +60,8 @@ struct Part {
 /// For each surface the first surface of its part: surfaces that exchange heat, and sides of one shield.
 fn parts(roles: &Roles, model: &Model, surfaces: usize) -> Vec<usize> {
     let list = model.elements().list();
-    let seen = model.blocks().iter().map(|(row, column, _)| [list[row].surface, list[column].surface]);
+    let stored = model.blocks().first_entries().into_iter();
+    let seen = stored.map(|first| [list[first.row].surface, list[first.column].surface]);
     let pairs = seen.chain(roles.shields.iter().map(|shield| shield.sides));
     let mut parents: Vec<usize> = (0..surfaces).collect();
     for pair in pairs {

@@ -9,6 +9,7 @@
 use crate::elements::Element;
 use crate::inspection::Regions;
 use crate::solve::Model;
+use crate::transport::blocks::FirstEntry;
 use crate::visibility::Visibility;
 
 /// Height over a plane, relative to the extents, up to which points lie in it. Chosen.
@@ -34,7 +35,9 @@ impl Pairs {
             return Self { exact: Vec::new(), elements: count };
         }
         let mut stored = vec![false; triangle(count)];
-        model.blocks().iter().for_each(|(row, column, _)| stored[place(row, column)] = true);
+        for FirstEntry { row, column, .. } in model.blocks().first_entries() {
+            stored[place(row, column)] = true;
+        }
         // Without rays, what is not stored is zero.
         let has_rays = model.blocks().pairs.by_rays > 0;
         let exact = |i: usize, j: usize| {
