@@ -9,8 +9,8 @@
 pub(in crate::transport) mod order;
 mod congruent;
 mod task;
-mod work;
 mod balance;
+mod work;
 mod goal;
 mod integrated;
 mod recalled;
