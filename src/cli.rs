@@ -3,8 +3,7 @@
 mod console;
 mod interrupt;
 mod masks;
-mod memory;
-mod modes;
+mod subdivide;
 mod numbers;
 mod points;
 mod error;
@@ -17,7 +16,6 @@ mod format;
 mod output_file;
 mod import;
 mod options;
-mod basis;
 mod forecast;
 mod destination;
 mod progress;
@@ -139,7 +137,7 @@ impl Cli {
             Verb::ViewFactors(args) => view_factors::run(args),
             Verb::Heat(args) => heat::run(args),
             Verb::Report(args) => report::run(args, Loaded::dark_or_lit(&args.scene, &self.fixing)?),
-            Verb::Check(args) => check::run(args, &args.scene.load_repaired()?),
+            Verb::Check(args) => check::run(args, &args.scene.request().load_repaired()?),
             Verb::Convert(args) => convert::run(args),
             Verb::Scenes(args) => scenes::run(args),
             Verb::Schema(args) => schema::run(args),

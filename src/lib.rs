@@ -72,6 +72,7 @@ pub mod animation;
 pub mod view_factors;
 pub mod heat;
 pub mod output;
+pub mod request;
 
 pub use radiosity_formats as formats;
 pub use radiosity_geom as geom;

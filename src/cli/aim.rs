@@ -3,12 +3,10 @@
 use std::ffi::OsString;
 use std::str::FromStr;
 
-use radiosity::geom::DVec3;
-use radiosity::output::pinhole::Pinhole;
 use radiosity::output::probe::Probe;
-use radiosity::scene::{Camera, Scene};
+use radiosity::request::aim::{at_probes, of_picture};
+use radiosity::scene::Scene;
 use radiosity::studies::adaptation::{Aim, Goal};
-use radiosity::visibility::{Shadows, Visibility};
 
 use crate::cli::error::CliError;
 use crate::cli::planes::plane;
@@ -16,9 +14,6 @@ use crate::cli::points::Points;
 
 /// What is typed.
 const FORM: &str = "expected gathered, solution, picture, points FILE or plane NAME";
-
-/// Points of a picture along each of its sides. Chosen: about as many as errors are estimated at.
-const ACROSS: u32 = 16;
 
 /// What is to be accurate.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -51,6 +46,16 @@ impl FromStr for Wanted {
 }
 
 impl Wanted {
+    /// Of what the accuracy is.
+    pub(crate) fn aim(&self) -> Aim {
+        match self {
+            Self::Gathered => Aim::Gathered,
+            Self::Solution => Aim::Solution,
+            Self::Points(_) | Self::Plane(_) => Aim::Points,
+            Self::Picture => Aim::Seen,
+        }
+    }
+
     /// The goal of this accuracy in a scene.
     pub(crate) fn goal(&self, accuracy: f64, scene: &Scene) -> Result<Goal, CliError> {
         match self {
@@ -61,45 +66,9 @@ impl Wanted {
                 let sensors: Vec<Probe> = Probe::of_plane(&plane(name, 0, scene)?).collect();
                 Ok(at_probes(accuracy, &sensors, scene))
             }
-            Self::Picture => match &scene.camera {
-                Some(camera) => match seen(scene, camera) {
-                    points if points.is_empty() => Err(CliError::Refused {
-                        message: format!("{}: the camera sees no front of any surface", scene.origin),
-                        cure: "turn the camera, or take --for gathered".to_owned(),
-                    }),
-                    points => Ok(Goal::seen(accuracy, points)),
-                },
-                None => Err(CliError::Refused {
-                    message: format!(
-                        "{}: there is no camera, so nothing says what the picture shows",
-                        scene.origin
-                    ),
-                    cure: "add [camera] with eye and target, or take --for gathered".to_owned(),
-                }),
-            },
+            Self::Picture => Ok(of_picture(accuracy, scene)?),
         }
     }
-}
-
-/// The goal of this accuracy at these sensors.
-pub(crate) fn at_probes(accuracy: f64, probes: &[Probe], scene: &Scene) -> Goal {
-    let at = |probe: &Probe| [probe.position - scene.middle, probe.normal];
-    Goal::at(accuracy, probes.iter().map(at).collect())
-}
-
-/// Points, with normals, of surfaces that a camera sees, evenly over its picture.
-fn seen(scene: &Scene, camera: &Camera) -> Vec<[DVec3; 2]> {
-    let visibility = Visibility::new(scene, Shadows::Off);
-    let pinhole = Pinhole::new(camera);
-    let place = |k: u32, size: u32| (f64::from(k) + 0.5) * f64::from(size) / f64::from(ACROSS);
-    let rays = (0..ACROSS * ACROSS)
-        .map(|k| pinhole.ray(place(k % ACROSS, camera.width), place(k / ACROSS, camera.height)));
-    let point = |ray| {
-        let met = visibility.nearest(&ray)?;
-        let jet = scene.surfaces[met.surface].shape.jet(met.hit.u, met.hit.v);
-        met.front.then_some([jet.position, jet.normal])
-    };
-    rays.filter_map(point).collect()
 }
 
 /// What was typed, with `--for points FILE` and `--for plane NAME` written as one word after `--for`.

@@ -20,10 +20,11 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::{render, usual_read, white_balance};
 use radiosity::output::shown::Shown;
 use radiosity::output::tone::Tone;
+use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels};
+use radiosity::request::require_all_bounces;
 use radiosity::solve::{Algorithm, Options, in_threads};
 
 use crate::cli::{
-    basis::{self, require_all_bounces},
     console,
     error::CliError,
     numbers::{Counts, fraction, positive},
@@ -31,7 +32,6 @@ use crate::cli::{
     points::Points,
     progress::Progress,
     read::ReadArgs,
-    render::{SAMPLES, pixels, require_pixels},
     run::{Loaded, options},
 };
 use film::Film;
@@ -136,7 +136,7 @@ impl AnimateArgs {
         let refuse = |message: &str, cure: &str| {
             Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
         };
-        if self.method.wanted_accuracy().is_some() {
+        if self.method.request().wanted_accuracy().is_some() {
             return refuse(
                 "--accuracy: elements that one frame needs are not those of another",
                 "leave it out and choose --quality, or --order and --eps, which hold for all frames",
@@ -189,7 +189,7 @@ struct Shutter<'a> {
 impl Shutter<'_> {
     /// The picture of a frame, through its own camera.
     fn take(&mut self, frame: &Frame) -> Result<Raster, CliError> {
-        let camera = super::render::camera(self.args.size, &frame.scene)?;
+        let camera = camera(self.args.size.map(|Counts(size)| size), &frame.scene)?;
         let visibility = &frame.visibility;
         let usual = || usual_read(&frame.solution, visibility, pixels(&camera));
         let read = *self.read.get_or_insert_with(usual);
@@ -209,16 +209,16 @@ impl Shutter<'_> {
 pub(crate) fn run(args: &AnimateArgs, loaded: Loaded) -> Result<(), CliError> {
     let begun = Instant::now();
     let scene = &loaded.scene;
-    basis::check(&args.method)?;
+    args.method.request().check()?;
     let frames = "frames that follow each other hold all light";
-    require_all_bounces(&args.method, frames, "take single frames: render --frame K --bounces …")?;
+    require_all_bounces(&args.method.request(), frames, "take single frames: render --frame K --bounces …")?;
     let asked = options(&args.method);
     args.refuse_methods(&asked)?;
     let range = FrameRange::within(args.frames, scene)?;
     let points = args.probe.as_deref().map(Points::load).transpose()?;
     let mut film = args.film(&loaded, range.ends()[0])?;
     if film.is_some() {
-        require_pixels(&super::render::camera(args.size, scene)?, scene, &args.method)?;
+        require_pixels(&camera(args.size.map(|Counts(size)| size), scene)?, scene, args.method.memory)?;
     }
     let progress = Progress::new(args.quiet);
     let mut follower = Follower::new(scene, &asked, args.way(), range.ends());

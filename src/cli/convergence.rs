@@ -7,6 +7,7 @@ use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::{Args, ValueEnum};
 use radiosity::Basis;
 use radiosity::output::chart::Chart;
+use radiosity::request::check_ways;
 use radiosity::scene::Scene;
 use radiosity::solution::Solution;
 use radiosity::solved::Solved;
@@ -14,7 +15,7 @@ use radiosity::studies::convergence::{Reference, Run, Way, convergence};
 use radiosity::studies::error_norm::distance;
 
 use crate::cli::{
-    basis, console,
+    console,
     destination::Destination,
     error::CliError,
     format::of_ending,
@@ -81,15 +82,15 @@ pub(crate) enum Format {
 /// Solves the scene again and again, prints the table and draws the errors.
 pub(crate) fn run(args: &ConvergenceArgs, loaded: &Loaded) -> Result<(), CliError> {
     let scene = &loaded.scene;
-    if args.method.wanted_accuracy().is_some() {
+    if args.method.request().wanted_accuracy().is_some() {
         return Err(CliError::Refused {
             message: "convergence runs every order and chooses none".to_owned(),
             cure: "leave out --accuracy, and give --max-order a number".to_owned(),
         });
     }
     args.check_basis()?;
-    basis::check(&args.method)?;
-    basis::check_ways(&args.method, &args.other_ways())?;
+    args.method.request().check()?;
+    check_ways(&args.method.request(), &args.other_ways())?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.svg", scene.name).into());
     let kind = kind(&path)?;
     let output = args.scene.kept_apart(OutputFile::reserve(&path)?)?;

@@ -101,7 +101,8 @@ pub(crate) fn run(args: &ConvertArgs) -> Result<(), CliError> {
 /// Reads a solution and writes its grid.
 fn grid(args: &ConvertArgs) -> Result<(), CliError> {
     let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
-    let text = args.scene.text()?;
+    let request = args.scene.request();
+    let text = request.text()?;
     if !is_solution(&text.text) {
         return Err(CliError::Refused {
             message: format!("{}: a scene has no light yet, and a grid holds light", text.origin),
@@ -112,7 +113,7 @@ fn grid(args: &ConvertArgs) -> Result<(), CliError> {
         return Err(CliError::Fixed { origin: text.origin.to_string(), option: "--frame".to_owned() });
     }
     let solved = read(&text)?;
-    let factors = args.scene.later();
+    let factors = request.later();
     let solved = if factors.is_empty() { solved } else { solved.relight(&factors)? };
     let written = SolutionFormat::Vtu.write(&solved, &args.output, &output)?;
     console::tell(&format!("wrote {written}\n"));
@@ -127,7 +128,7 @@ struct Texts {
 }
 
 fn texts(args: &ConvertArgs, target: Target, materials: &str) -> Result<Texts, CliError> {
-    let scene = args.scene.load()?;
+    let scene = args.scene.request().load()?;
     let mut remarks: Vec<String> = scene.imported().map(|own| own.lines().collect()).unwrap_or_default();
     match target {
         Target::Own(notation) => {

@@ -3,16 +3,16 @@
 use std::{fmt::Write, io, path::PathBuf};
 
 use radiosity::animation::error::AnimationError;
-use radiosity::elements::ElementError;
 use radiosity::heat::HeatError;
 use radiosity::hierarchy::HierarchyError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::output::vtu::VtuError;
-use radiosity::scene::{Place, SceneError};
+use radiosity::request::picture::NoCamera;
+use radiosity::request::{LoadError, Refusal};
+use radiosity::scene::SceneError;
 use radiosity::solve::Failure;
 use radiosity::solved::RelightError;
-use radiosity_solvers::SolveError;
 use thiserror::Error;
 
 use crate::cli::points::PointsError;
@@ -116,13 +116,8 @@ pub(crate) enum CliError {
         count: usize,
     },
     /// A picture was asked of a scene without a camera.
-    #[error("{origin}: there is no camera to take a picture with")]
-    NoCamera {
-        /// The scene as named in messages.
-        origin: String,
-        /// A camera that sees the scene, as one would write it.
-        proposal: String,
-    },
+    #[error(transparent)]
+    NoCamera(#[from] NoCamera),
     /// What was asked for cannot be done.
     #[error("{message}")]
     Refused {
@@ -176,6 +171,22 @@ impl From<HeatError> for CliError {
     }
 }
 
+impl From<Refusal> for CliError {
+    fn from(Refusal { message, cure }: Refusal) -> Self {
+        Self::Refused { message, cure }
+    }
+}
+
+impl From<LoadError> for CliError {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Scene(error) => Self::Scene(error),
+            LoadError::Solved { origin } => Self::AlreadySolved { origin },
+            LoadError::Refused(refusal) => refusal.into(),
+        }
+    }
+}
+
 impl From<AnimationError> for CliError {
     fn from(error: AnimationError) -> Self {
         match error {
@@ -209,7 +220,7 @@ impl CliError {
             | CliError::Relight(_)
             | CliError::Fixed { .. }
             | CliError::Unwritable { .. }
-            | CliError::NoCamera { .. }
+            | CliError::NoCamera(_)
             | CliError::NoPair { .. }
             | CliError::UnknownFormat { .. }
             | CliError::PairsAsArray { .. }
@@ -248,10 +259,8 @@ impl CliError {
             return String::new();
         }
         let mut text = format!("error: {self}\n");
-        if let CliError::Scene(SceneError { place: Some(place), .. }) = self
-            && !place.text.is_empty()
-        {
-            text += &excerpt(place);
+        if let CliError::Scene(SceneError { place: Some(place), .. }) = self {
+            text += &place.excerpt();
         }
         if let Some(cure) = self.cure() {
             writeln!(text, "help: {cure}").expect("a String takes all text");
@@ -268,7 +277,8 @@ impl CliError {
                 "give it to render, probe or grid; for anything else, give the scene it was made from".into(),
             ),
             CliError::NotSolved { .. } => Some(
-                "solve it first with `radiosity solve`; render, probe and grid take --set for scenes as well".into(),
+                "solve it first with `radiosity solve`; render, probe and grid take --set for scenes as well"
+                    .into(),
             ),
             CliError::Relight(RelightError::Scene(error)) => error.cure(),
             CliError::Fixed { .. } => {
@@ -278,9 +288,7 @@ impl CliError {
             CliError::Unwritable { .. } => {
                 Some("choose a file in a folder that exists and can be written to".into())
             }
-            CliError::NoCamera { proposal, .. } => {
-                Some(format!("add a [camera] with eye and target to the scene, such as {proposal}"))
-            }
+            CliError::NoCamera(error) => Some(error.cure()),
             CliError::Refused { cure, .. } => Some(cure.clone()),
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
@@ -291,16 +299,7 @@ impl CliError {
             CliError::Vtu { reason, .. } => Some(reason.cure().into()),
             CliError::Heat(error) => error.cure().map(str::to_owned),
             CliError::PairsAsArray { .. } => Some("choose --format csv or json".into()),
-            CliError::Solve(Failure::Memory { fits, .. }) => Some(match fits.is_empty() {
-                true => "allow more with --memory, or leave it out".into(),
-                false => "ask for one of these, or allow more with --memory".into(),
-            }),
-            CliError::Solve(Failure::Elements(ElementError::Layers { .. })) => {
-                Some("take fewer --layers or a larger --ratio".into())
-            }
-            CliError::Solve(Failure::Solver { source: SolveError::NotConverged { .. }, .. }) => {
-                Some("raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is".into())
-            }
+            CliError::Solve(failure) => failure.cure(),
             CliError::Typed(_)
             | CliError::LooksWrong { .. }
             | CliError::Missed { .. }
@@ -308,7 +307,6 @@ impl CliError {
             | CliError::Partial { .. }
             | CliError::Stopped { .. }
             | CliError::Unwritten { .. }
-            | CliError::Solve(_)
             | CliError::Chart(_)
             | CliError::Stdout(_) => None,
         }
@@ -321,25 +319,4 @@ fn estimated(estimate: Option<f64>) -> String {
         || "its error is not known".to_owned(),
         |estimate| format!("the estimated error is {estimate:.1e}"),
     )
-}
-
-/// Longest part of a line that is shown, in characters. Chosen.
-const SHOWN: usize = 100;
-
-/// The line at `place` with the part in question underlined:
-///
-/// ```text
-///    |
-/// 12 | reflectance = 1.2
-///    |               ^^^
-/// ```
-fn excerpt(place: &Place) -> String {
-    let number = place.line.to_string();
-    let margin = " ".repeat(number.len());
-    // Of a long line show the part from a little before the place.
-    let skipped = (place.column - 1).saturating_sub(SHOWN / 2);
-    let shown: String = place.text.chars().skip(skipped).take(SHOWN).collect();
-    let indent = " ".repeat(place.column - 1 - skipped);
-    let marks = "^".repeat(place.width.min(SHOWN.saturating_sub(indent.len()).max(1)));
-    format!("{margin} |\n{number} | {shown}\n{margin} | {indent}{marks}\n")
 }

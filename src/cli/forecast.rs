@@ -1,9 +1,9 @@
 //! What results will need, before the work.
 
+use radiosity::request::memory::require;
 use radiosity::scene::Scene;
 
 use crate::cli::error::CliError;
-use crate::cli::memory::usable;
 use crate::cli::options::MethodArgs;
 
 /// Bytes of a texel beside its bands, of each band, and of each band of a light group. Measured in textures: 150 for
@@ -21,20 +21,5 @@ pub(crate) fn require_texels(
 ) -> Result<(), CliError> {
     let parts = 1 + scene.light_groups().len() as u64;
     let texel = TEXEL + scene.bands.len() as u64 * (BAND + parts * OF_GROUP);
-    require(texels as u64 * texel, method, ["the texels", less])
-}
-
-/// Refuses to begin on results of so many bytes where there is no room for them; `what` they are, and how to need less.
-pub(crate) fn require(needed: u64, method: &MethodArgs, [what, less]: [&str; 2]) -> Result<(), CliError> {
-    match method.memory.or_else(usable) {
-        Some(allowed) if allowed < needed => Err(CliError::Refused {
-            message: format!(
-                "not enough memory: {what} need about {:.0} MB, {:.0} MB allowed",
-                needed as f64 / 1e6,
-                allowed as f64 / 1e6
-            ),
-            cure: format!("{less}, or allow more with --memory"),
-        }),
-        _ => Ok(()),
-    }
+    Ok(require(texels as u64 * texel, method.memory, ["the texels", less])?)
 }

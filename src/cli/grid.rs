@@ -7,6 +7,7 @@ use radiosity::gather::choice::By;
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::read_error::ReadError;
 use radiosity::output::reader::Reader;
+use radiosity::request::memory::require;
 use radiosity::scene::Scene;
 use radiosity::solved::Solved;
 use serde::Serialize;
@@ -14,7 +15,6 @@ use serde::Serialize;
 use crate::cli::{
     data::DataArgs,
     error::CliError,
-    forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     progress::Progress,
@@ -64,7 +64,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let [cells, surfaces] =
         [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
     let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
-    forecast::require(needed, &args.method, ["the cells", "ask for fewer with --cells"])?;
+    require(needed, args.method.memory, ["the cells", "ask for fewer with --cells"])?;
     args.read.check(&loaded.options(&args.method), &args.method)?;
     if args.read_samples.is_some() && args.read.read_by == Some(By::Rays) {
         return Err(CliError::Refused {

@@ -7,18 +7,19 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use radiosity::heat::{Heat, HeatOptions, Stage};
+use radiosity::heat::{Heat, Stage};
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
 use radiosity::output::rank_work::RanksWork;
 use radiosity::output::round::significant;
+use radiosity::request::HeatRequest;
 use radiosity::scene::{MAX_ORDER, Scene};
-use radiosity::solve::{Options, Progress as Step, Transport, in_threads};
-use radiosity::transport::{Accuracy, Miss};
+use radiosity::solve::{Progress as Step, Transport, in_threads};
+use radiosity::transport::Miss;
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    console, destination::Destination, error::CliError, format, heat::picture::PictureArgs, memory,
+    console, destination::Destination, error::CliError, format, heat::picture::PictureArgs, numbers::bytes,
     options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks, table::Table,
     transfers::TransferArgs,
 };
@@ -71,7 +72,7 @@ pub(crate) struct HeatArgs {
     pub(crate) transport: Transport,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
     memory: Option<u64>,
 
     #[command(flatten)]
@@ -108,11 +109,11 @@ const DIGITS: usize = 6;
 /// Computes the balance of heat and writes it.
 pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
     let start = Instant::now();
-    args.transfers.require_no_masks()?;
+    args.transfers.request().check()?;
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
     let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
     let matrix_format = matrix_format.transpose()?;
-    let scene = args.scene.load_lit()?;
+    let scene = args.scene.request().load_lit()?;
     let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
@@ -133,7 +134,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         }
         _ => {}
     };
-    let wanted = HeatOptions { options: args.options(), conductances: matrix.is_some() };
+    let wanted = args.request().options();
     let heat = Heat::of(&scene, &wanted, &show)?;
     destination.write(|writer| write(&heat, format, writer))?;
     if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
@@ -166,19 +167,14 @@ fn write(heat: &Heat, format: Format, writer: &mut dyn Write) -> io::Result<()> 
 }
 
 impl HeatArgs {
-    fn options(&self) -> Options {
-        let usual = HeatOptions::default().options;
-        let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
-        Options {
+    /// What is asked for.
+    fn request(&self) -> HeatRequest {
+        HeatRequest {
+            transfers: self.transfers.request(),
             order: self.order as usize,
-            subdivide: self.transfers.subdivide.0,
-            eps,
-            shadow_eps,
-            shadows: self.transfers.shadows.hiding(),
             transport: self.transport,
-            memory: self.memory.or_else(memory::usable),
-            threads: self.transfers.threads(),
-            ..usual
+            memory: self.memory,
+            conductances: self.conductances.is_some(),
         }
     }
 
@@ -188,7 +184,7 @@ impl HeatArgs {
         let sum = |sign: f64| -> f64 { heat.surfaces.iter().map(|own| (sign * own.flow).max(0.0)).sum() };
         let (given, taken) = (sum(1.0), sum(-1.0));
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
-        lines.extend(RanksWork::so_far(self.transfers.threads()).map(|work| work.to_string()));
+        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         let whole = if !heat.is_closed() {

@@ -3,6 +3,7 @@
 use std::num::NonZeroUsize;
 
 use clap::Args;
+use radiosity::request::ranges::MASK_CELLS;
 use radiosity::zatz1993::masked_light::{Average, Masking};
 
 /// How masks are made.
@@ -25,7 +26,7 @@ impl MaskArgs {
 }
 
 fn cells(text: &str) -> Result<NonZeroUsize, String> {
-    const MOST: usize = 1000;
-    let number = text.parse::<usize>().ok().filter(|number| *number <= MOST);
-    number.and_then(NonZeroUsize::new).ok_or_else(|| format!("expected a number from 1 to {MOST}"))
+    let number = text.parse::<usize>().ok().filter(|number| MASK_CELLS.contains(&(*number as u64)));
+    let expected = || format!("expected a number from {} to {}", MASK_CELLS.start(), MASK_CELLS.end());
+    number.and_then(NonZeroUsize::new).ok_or_else(expected)
 }

@@ -3,6 +3,8 @@
 use std::str::FromStr;
 
 use clap::builder::RangedU64ValueParser;
+use radiosity::request::ranges;
+use radiosity::request::ranges::PIXELS;
 
 /// Two counts written `AxB`, such as `16x16` or `800x600`, each at most 16384 as in scenes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,55 +14,58 @@ impl FromStr for Counts {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        const MOST: u32 = 16384;
-        let count = |part: &str| part.parse().ok().filter(|count| (1..=MOST).contains(count));
+        let count = |part: &str| part.parse().ok().filter(|count: &u32| PIXELS.contains(&u64::from(*count)));
         text.split_once(['x', 'X', '×'])
             .and_then(|(first, second)| Some(Counts([count(first)?, count(second)?])))
-            .ok_or_else(|| format!("expected two numbers from 1 to {MOST} with an x between, such as 16x16"))
+            .ok_or_else(|| {
+                format!("expected two numbers from 1 to {} with an x between, such as 16x16", PIXELS.end())
+            })
     }
 }
 
 /// A number above 0.
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "expected a number above 0, such as 1e-8")
+    number(text, ranges::positive)
 }
 
 /// A time in seconds.
 pub(crate) fn seconds(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0, "expected seconds, above 0, such as 30")
+    number(text, ranges::seconds)
 }
 
 /// A number that is not negative.
 pub(crate) fn not_negative(text: &str) -> Result<f64, String> {
-    number(text, |x| x >= 0.0, "expected a length of 0 or more, such as 1e-6")
+    number(text, ranges::not_negative)
 }
 
 /// A number between 0 and 1.
 pub(crate) fn fraction(text: &str) -> Result<f64, String> {
-    number(text, |x| x > 0.0 && x < 1.0, "expected a number above 0 and below 1, such as 1e-3")
+    number(text, ranges::fraction)
 }
 
-/// A relative accuracy: below 1e-14 rounding decides, and work would never end.
+/// A relative accuracy.
 pub(crate) fn accuracy(text: &str) -> Result<f64, String> {
-    number(
-        text,
-        |x| (1e-14..1.0).contains(&x),
-        "expected a number from 1e-14, near rounding, to below 1, such as 1e-3",
-    )
+    number(text, ranges::accuracy)
 }
 
-fn number(text: &str, inside: fn(f64) -> bool, expected: &str) -> Result<f64, String> {
-    text.parse().ok().filter(|&x: &f64| x.is_finite() && inside(x)).ok_or_else(|| expected.to_owned())
+/// A number in a range; what is no number is not in it.
+fn number(text: &str, checked: fn(f64) -> Result<f64, &'static str>) -> Result<f64, String> {
+    Ok(checked(text.parse().unwrap_or(f64::NAN))?)
 }
 
-/// A number of threads, at most 1024: more would bring any machine to a standstill (chosen).
+/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
+pub(crate) fn bytes(text: &str) -> Result<u64, String> {
+    let parsed = text.parse::<bytesize::ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
+    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
+}
+
+/// A number of threads.
 pub(crate) fn threads(text: &str) -> Result<usize, String> {
-    const MOST: usize = 1024;
-    let count = text.parse().ok().filter(|count| (1..=MOST).contains(count));
-    count.ok_or_else(|| format!("expected a whole number from 1 to {MOST}; leave it out for one a core"))
+    let count = text.parse().ok().filter(|count| ranges::THREADS.contains(&(*count as u64)));
+    count.ok_or_else(|| format!("{}; leave it out for one a core", ranges::whole(&ranges::THREADS)))
 }
 
 /// A count from 1 on.
 pub(crate) fn at_least_one() -> RangedU64ValueParser<usize> {
-    RangedU64ValueParser::new().range(1..=u64::from(u32::MAX))
+    RangedU64ValueParser::new().range(ranges::ITERATIONS)
 }

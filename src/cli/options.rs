@@ -1,7 +1,6 @@
 //! Options that several verbs share.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use clap::{
     ArgMatches, Args, Command,
@@ -9,9 +8,10 @@ use clap::{
     parser::ValueSource,
 };
 use radiosity::Basis;
+use radiosity::elements::cells::Layers;
 use radiosity::output::quality::Quality;
-use radiosity::output::solution_file::is_solution;
-use radiosity::scene::{Scene, Source};
+use radiosity::request::{Kernel, MethodRequest, Order, SceneRequest, Shadows, ranges};
+use radiosity::scene::Scene;
 use radiosity::solve::{Algorithm, Direct, MOST_RAYS, Preconditioning, Transport};
 use radiosity::studies::adaptation::Goal;
 use radiosity_solvers::method::Method;
@@ -21,10 +21,9 @@ use crate::cli::{
     error::CliError,
     import::ImportArgs,
     masks::MaskArgs,
-    memory,
-    modes::{Kernel, Order, Shadows, Subdivide},
-    numbers::{accuracy, at_least_one, fraction, not_negative, positive, seconds, threads},
+    numbers::{accuracy, at_least_one, bytes, fraction, not_negative, positive, seconds, threads},
     output_file::OutputFile,
+    subdivide::Subdivide,
 };
 
 /// Help on the scene of verbs that read solutions as well.
@@ -66,33 +65,21 @@ pub(crate) struct SceneArg {
 }
 
 impl SceneArg {
-    /// Loads the scene; refuses a solution.
-    pub(crate) fn load(&self) -> Result<Scene, CliError> {
-        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
-    }
-
-    /// Loads the scene as [`SceneArg::load`] does, even if it needs repairs.
-    pub(crate) fn load_repaired(&self) -> Result<Scene, CliError> {
-        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
-    }
-
-    /// The scene of a text that [`SceneArg::text`] gave, with its variables and light groups as they were set.
-    pub(crate) fn parse(&self, text: &Source) -> Result<Scene, CliError> {
-        Ok(Scene::parse_with(text, &self.later())?)
-    }
-
-    /// Loads the scene with its light groups at the factors that were set; refuses a solution.
-    pub(crate) fn load_lit(&self) -> Result<Scene, CliError> {
-        self.parse(&unsolved(self.text()?)?)
+    /// What is asked for.
+    pub(crate) fn request(&self) -> SceneRequest {
+        SceneRequest {
+            source: self.scene.clone(),
+            settings: self.settings.clone(),
+            frame: self.frame,
+            tolerance: self.tolerance_length,
+            strict: self.strict,
+            import: self.import.request(),
+        }
     }
 
     /// The file of the scene, if it comes from one.
     pub(crate) fn path(&self) -> Option<&Path> {
-        (self.scene != "-" && !self.is_builtin()).then(|| Path::new(&self.scene))
-    }
-
-    fn is_builtin(&self) -> bool {
-        Scene::builtins().iter().any(|builtin| builtin.name == self.scene)
+        (self.scene != "-" && !self.request().is_builtin()).then(|| Path::new(&self.scene))
     }
 
     /// An output, which must not take the place of the scene.
@@ -104,34 +91,6 @@ impl SceneArg {
             Some(path) => output.apart_from(path, "the scene"),
             None => Ok(output),
         }
-    }
-
-    /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
-    pub(crate) fn text(&self) -> Result<Source, CliError> {
-        self.text_with(if self.is_builtin() { &self.settings } else { &[] }, self.strict)
-    }
-
-    fn text_with(&self, settings: &[(String, f64)], strict: bool) -> Result<Source, CliError> {
-        let import = self.import.import(&self.scene, strict, self.tolerance_length)?;
-        let text = Scene::text_by(&self.scene, &borrowed(settings), &import)?;
-        let text = text.within(self.tolerance_length);
-        Ok(match self.frame {
-            Some(frame) => text.at(frame),
-            None => text,
-        })
-    }
-
-    /// The settings of variables and light groups, which a scene has that is not built in.
-    pub(crate) fn later(&self) -> Vec<(&str, f64)> {
-        if self.is_builtin() { Vec::new() } else { borrowed(&self.settings) }
-    }
-}
-
-/// The text of a scene; refuses a solution.
-fn unsolved(text: Source) -> Result<Source, CliError> {
-    match is_solution(&text.text) {
-        true => Err(CliError::AlreadySolved { origin: text.origin.to_string() }),
-        false => Ok(text),
     }
 }
 
@@ -225,7 +184,7 @@ pub(crate) struct MethodArgs {
     pub(crate) preconditioner: Preconditioning,
 
     /// Light that was reflected K times at the most before it arrives: 0 for light straight from emitters [default: all]
-    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(0..=MOST_BOUNCES), allow_negative_numbers = true)]
+    #[arg(long, value_name = "K", value_parser = bounces(), allow_negative_numbers = true)]
     pub(crate) bounces: Option<u16>,
 
     /// Relative residual at which an iterative solver stops
@@ -253,7 +212,7 @@ pub(crate) struct MethodArgs {
     pub(crate) masks: MaskArgs,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = memory::bytes)]
+    #[arg(long, value_name = "BYTES", value_parser = bytes)]
     pub(crate) memory: Option<u64>,
 
     /// Threads to use, all by default; results do not depend on it
@@ -262,77 +221,43 @@ pub(crate) struct MethodArgs {
 }
 
 impl MethodArgs {
-    /// Refuses rays together with the methods of 1993, which know none, and a time limit without a wanted accuracy.
-    pub(crate) fn check(&self) -> Result<(), CliError> {
-        if self.time_limit.is_some() && self.wanted_accuracy().is_none() {
-            let message = "--time-limit does nothing without an accuracy that is wanted".to_owned();
-            let cure = "add --accuracy, such as --accuracy 1e-2, or leave --time-limit out".to_owned();
-            return Err(CliError::Refused { message, cure });
+    /// What is asked for.
+    pub(crate) fn request(&self) -> MethodRequest {
+        MethodRequest {
+            quality: self.quality,
+            algorithm: self.algorithm,
+            basis: self.basis,
+            order: self.order,
+            accuracy: self.accuracy,
+            aim: self.aim.as_ref().map(Wanted::aim),
+            time_limit: self.time_limit,
+            tensor: self.tensor,
+            subdivide: self.subdivide.0,
+            layers: Layers { count: self.layers, ratio: self.ratio },
+            eps: self.eps,
+            kernel: self.kernel,
+            transport: self.transport,
+            rays: self.rays,
+            solver: self.solver,
+            preconditioner: self.preconditioner,
+            bounces: self.bounces.map(usize::from),
+            tolerance: self.tolerance,
+            max_iterations: self.max_iterations,
+            shadows: self.shadows,
+            direct: self.direct,
+            shadow_eps: self.shadow_eps,
+            masks: self.masks.masking(),
+            memory: self.memory,
+            threads: self.threads,
         }
-        self.check_algorithm()?;
-        let rays = match (self.transport, self.rays) {
-            (Transport::Sampled, _) => "--transport sampled",
-            (_, Some(_)) => "--rays",
-            _ => return Ok(()),
-        };
-        let other = match (self.kernel.rules(), self.shadows, self.transport) {
-            (Some(_), ..) => "--kernel",
-            (_, Shadows::Mask, _) => "--shadows mask",
-            (_, Shadows::Off, _) => "--shadows off",
-            (.., Transport::Exact) => "--transport exact",
-            _ => return Ok(()),
-        };
-        let message = format!("{rays} does not go with {other}");
-        Err(CliError::Refused { message, cure: "leave one of them out".to_owned() })
-    }
-
-    /// Refuses options that hierarchical radiosity does not know.
-    fn check_algorithm(&self) -> Result<(), CliError> {
-        let is_higher = matches!(self.order, Some(Order::Degree(1..)));
-        let unknown = [
-            (is_higher, "--order above 0"),
-            (self.tensor, "--tensor"),
-            (self.subdivide.0.is_some(), "--subdivide"),
-            (self.layers > 0, "--layers"),
-            (self.kernel.rules().is_some(), "--kernel"),
-            (self.transport != Transport::Auto, "--transport"),
-            (self.rays.is_some(), "--rays"),
-            (self.shadows != Shadows::Auto, "--shadows"),
-            (self.shadow_eps.is_some(), "--shadow-eps"),
-            (self.direct != Direct::Auto, "--direct"),
-        ];
-        match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
-            Some((_, name)) if self.algorithm == Algorithm::Hierarchical => Err(CliError::Refused {
-                message: format!("--method hierarchical knows no {name}: it links constants"),
-                cure: format!("leave {name} out, or leave --method out"),
-            }),
-            _ => Ok(()),
-        }
-    }
-
-    /// When the time allowed ends, if it does.
-    pub(crate) fn deadline(&self) -> Option<Instant> {
-        let limit = Duration::try_from_secs_f64(self.time_limit?).ok()?;
-        Instant::now().checked_add(limit)
     }
 
     /// The accuracy wanted in a scene, and of what, if one is.
     pub(crate) fn goal(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
         let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);
-        self.wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene)).transpose()
-    }
-
-    /// The relative error wanted, if one is.
-    pub(crate) fn wanted_accuracy(&self) -> Option<f64> {
-        self.accuracy.or_else(|| (self.order == Some(Order::Auto)).then_some(AUTO_ACCURACY))
+        self.request().wanted_accuracy().map(|accuracy| aim.goal(accuracy, scene)).transpose()
     }
 }
-
-/// Most reflections that are counted. Chosen: all but 5e-5 of the light of a closed room of reflectance 0.99.
-const MOST_BOUNCES: i64 = 1000;
-
-/// The accuracy that `--order auto` means. Chosen.
-const AUTO_ACCURACY: f64 = 1e-2;
 
 /// Options of the messages during the work and after it.
 #[derive(Debug, Args)]
@@ -377,7 +302,11 @@ impl MethodArgs {
 }
 
 fn layers() -> RangedU64ValueParser<usize> {
-    RangedU64ValueParser::new().range(0..=8)
+    RangedU64ValueParser::new().range(ranges::LAYERS)
+}
+
+fn bounces() -> RangedU64ValueParser<u16> {
+    RangedU64ValueParser::new().range(ranges::BOUNCES)
 }
 
 fn solver() -> impl TypedValueParser<Value = &'static Method> {

@@ -7,18 +7,14 @@ use radiosity::gather::choice::By;
 use radiosity::output::grid::Rates;
 use radiosity::output::quality::Reading;
 use radiosity::output::reader::Read;
+use radiosity::request::ReadRequest;
+use radiosity::request::ranges;
 use radiosity::solve::Options;
-use radiosity::studies::adaptation::Goal;
-use radiosity::visibility::Hiding;
 
-use crate::cli::aim::Wanted;
 use crate::cli::error::CliError;
 use crate::cli::numbers::accuracy;
 use crate::cli::options::MethodArgs;
 use crate::cli::run::Run;
-
-/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
-const BY_RAYS: f64 = 1e-2;
 
 /// What a summary says of light that was not gathered because that would have taken long.
 pub(crate) const ROUGH: &str = " (light from lamps recomputed, all other light as polynomials: --read gather is finer, and takes longer)";
@@ -41,31 +37,14 @@ pub(crate) struct ReadArgs {
 }
 
 impl ReadArgs {
+    /// What is asked for.
+    fn request(&self) -> ReadRequest {
+        ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps }
+    }
+
     /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
     pub(crate) fn check(&self, options: &Options, method: &MethodArgs) -> Result<(), CliError> {
-        check_aim(self.read, method)?;
-        let refuse = |message: &str, cure: &str| {
-            Err(CliError::Refused { message: message.to_owned(), cure: cure.to_owned() })
-        };
-        match self.read {
-            Some(Read::Basis) if self.read_eps.is_some() => refuse(
-                "--read-eps is the accuracy of recomputed light, and --read basis recomputes none",
-                "leave one of them out",
-            ),
-            Some(Read::Basis | Read::Direct) if self.read_by.is_some() => refuse(
-                "--read-by says by what light is gathered, and --read basis and direct gather none",
-                "leave one of them out, or take --read gather",
-            ),
-            _ if self.read_by == Some(By::Rays)
-                && (options.masks.is_some() || options.shadows == Hiding::Off) =>
-            {
-                refuse(
-                    "--read-by rays always sees exact shadows, and the solution has others: --shadows mask or off",
-                    "take --read-by cells, or solve with other shadows",
-                )
-            }
-            _ => Ok(()),
-        }
+        Ok(self.request().check(options, &method.request())?)
     }
 
     /// By what light is gathered.
@@ -75,43 +54,12 @@ impl ReadArgs {
 
     /// As typed, the rest as the quality says.
     pub(crate) fn plain(&self, method: &MethodArgs) -> Reading {
-        let usual = method.quality.reading();
-        self.typed(usual, method.eps.unwrap_or(usual.eps))
+        self.request().plain(&method.request())
     }
 
-    /// As typed; `eps` where no accuracy was, and the rest as usual.
-    fn typed(&self, usual: Reading, eps: f64) -> Reading {
-        Reading {
-            read: self.read.unwrap_or(usual.read),
-            by: self.by(),
-            eps: self.read_eps.unwrap_or(eps),
-            rates: usual.rates,
-        }
-    }
-
-    /// As typed, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
-    /// asked for.
+    /// As typed, the rest as the quality and the solution say.
     pub(crate) fn reading(&self, method: &MethodArgs, run: &Run) -> Reading {
-        let usual = method.quality.reading();
-        let is_sampled = run.solved.outcome.sampling.is_some();
-        let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
-        let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), run.saved_accuracy()]
-            .into_iter()
-            .flatten();
-        self.typed(usual, asked.fold(of_solution, f64::min))
-    }
-}
-
-/// Refuses an accuracy of gathered light where polynomials are read.
-pub(crate) fn check_aim(read: Option<Read>, method: &MethodArgs) -> Result<(), CliError> {
-    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Wanted::Solution);
-    match read {
-        Some(Read::Basis | Read::Direct) if is_of_gathered => Err(CliError::Refused {
-            message: "--accuracy is that of gathered light, and --read basis and direct read polynomials"
-                .to_owned(),
-            cure: "add --for solution, or take --read gather".to_owned(),
-        }),
-        _ => Ok(()),
+        self.request().reading(&method.request(), &run.solved, run.is_saved())
     }
 }
 
@@ -123,12 +71,18 @@ impl FromStr for Samples {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        const MOST: usize = 64;
-        let count = |part: &str| part.trim().parse().ok().filter(|count| (1..=MOST).contains(count));
+        let count = |part: &str| {
+            part.trim().parse().ok().filter(|count: &usize| ranges::POINTS.contains(&(*count as u64)))
+        };
         text.split_once(',')
             .and_then(|(direct, indirect)| {
                 Some(Samples(Rates { direct: count(direct)?, indirect: count(indirect)? }))
             })
-            .ok_or_else(|| format!("expected two numbers from 1 to {MOST} with a comma between, such as 8,2"))
+            .ok_or_else(|| {
+                format!(
+                    "expected two numbers from 1 to {} with a comma between, such as 8,2",
+                    ranges::POINTS.end()
+                )
+            })
     }
 }

@@ -10,22 +10,22 @@ use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
 use radiosity::output::viewer::Start;
 use radiosity::output::wireframe::wireframe;
+use radiosity::request::check_aim;
+use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solution::Solution;
 use radiosity::studies::adaptation::{Goal, importance};
 use radiosity::visibility::Visibility;
-use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 
 use crate::cli::{
     aim::Wanted,
     bake::Bake,
     error::CliError,
-    forecast,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
     page,
     progress::Progress,
-    read::{ROUGH, check_aim},
+    read::ROUGH,
     run::{Loaded, Run},
     style::{Kind, StyleArgs},
 };
@@ -71,32 +71,21 @@ pub(crate) struct RenderArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// Camera rays along each side of a pixel unless told otherwise. Chosen.
-pub(crate) const SAMPLES: u32 = 3;
-
-/// Bytes of a pixel beside its bands, and of each band. Measured: 130 for three bands.
-const PIXEL: u64 = 60;
-const BAND: u64 = 24;
-
-/// Bytes more of a pixel that is worked on, and how many are at once. Measured: 330 for three bands.
-const IN_WORK: u64 = 330;
-const AT_ONCE: u64 = 1 << 20;
-
 /// Solves the scene and writes a picture.
 pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     let path = args.output.clone().unwrap_or_else(|| format!("{}.png", loaded.scene.name).into());
-    check_aim(args.read, &args.method)?;
+    check_aim(args.read, &args.method.request())?;
     let kind = args.style.kind(&path)?;
     if kind == Kind::Glb {
         return args.bake(&path)?.run(loaded);
     }
     let output = loaded.reserve(&path, &args.report)?;
-    let camera = camera(args.size, &loaded.scene)?;
+    let camera = camera(args.size(), &loaded.scene)?;
     if kind == Kind::Html {
         let start = args.start(&loaded.scene, camera)?;
         return page::write(loaded, &args.method, &args.report, (&path, &output), &start, args.read);
     }
-    require_pixels(&camera, &loaded.scene, &args.method)?;
+    require_pixels(&camera, &loaded.scene, args.method.memory)?;
     let [quantity, unit] = args.shown(&loaded.scene);
     let mut style = args.style.prepare(&loaded.scene, &camera, [quantity, unit])?;
     let wanted = args.wanted(&loaded.scene)?;
@@ -141,18 +130,6 @@ pub(crate) fn run(args: &RenderArgs, loaded: Loaded) -> Result<(), CliError> {
     run.finish(progress, Some(&written))
 }
 
-/// Pixels of a camera's picture.
-pub(crate) fn pixels(camera: &Camera) -> u64 {
-    u64::from(camera.width) * u64::from(camera.height)
-}
-
-/// Refuses a picture for which there is no room.
-pub(crate) fn require_pixels(camera: &Camera, scene: &Scene, method: &MethodArgs) -> Result<(), CliError> {
-    let pixels = pixels(camera);
-    let needed = pixels * (PIXEL + BAND * scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
-    forecast::require(needed, method, ["the pixels", "ask for fewer with --size"])
-}
-
 /// Shows how far a picture is.
 pub(crate) fn show(progress: &Progress, stage: Stage) {
     match stage {
@@ -160,14 +137,6 @@ pub(crate) fn show(progress: &Progress, stage: Stage) {
         Stage::Direct(done, total) => progress.show("direct light", done, total),
         Stage::Gather(done, total) => progress.show("gathering", done, total),
         Stage::Pixels(done, total) => progress.show("picture", done, total),
-    }
-}
-
-/// The camera with the pixels that were asked for.
-pub(crate) fn sized(camera: Camera, size: Option<Counts>) -> Camera {
-    match size {
-        Some(Counts([width, height])) => Camera { width, height, ..camera },
-        None => camera,
     }
 }
 
@@ -188,6 +157,11 @@ impl RenderArgs {
             return refuse("light is read at the middles of texels, and --samples counts rays", "--samples");
         }
         Ok(Bake { path, size: *size, read: *read, style, method, report })
+    }
+
+    /// Pixels across and down, if they were typed.
+    fn size(&self) -> Option<[u32; 2]> {
+        self.size.map(|Counts(size)| size)
     }
 
     /// Camera rays along each side of a pixel.
@@ -220,37 +194,4 @@ impl RenderArgs {
         // No accuracy follows from the sensors alone; any stands for none.
         self.importance.then(|| aim.goal(1.0, scene)).transpose()
     }
-}
-
-/// The scene's camera with so many pixels, or with its own.
-pub(crate) fn camera(size: Option<Counts>, scene: &Scene) -> Result<Camera, CliError> {
-    let no_camera = || CliError::NoCamera { origin: scene.origin.clone(), proposal: proposal(scene) };
-    let camera = scene.camera.clone().ok_or_else(no_camera)?;
-    Ok(sized(camera, size))
-}
-
-/// A camera for a scene without one, in one line: inside what looks like a room, outside of anything else.
-///
-/// A scene looks like a room if rays from its middle along all axes, in both directions, meet a surface.
-fn proposal(scene: &Scene) -> String {
-    let shapes = || scene.surfaces.iter().map(|surface| &surface.shape);
-    let bounds = shapes().fold(Aabb::EMPTY, |bounds, shape| bounds.union(shape.bounds(&Rect::FULL)));
-    let (middle, size) = (bounds.center(), bounds.max - bounds.min);
-    let axes = [DVec3::X, DVec3::Y, DVec3::Z];
-    let meets =
-        |direction: DVec3| shapes().any(|shape| shape.intersect(&Ray::new(middle, direction)).is_some());
-    let room = axes.into_iter().all(|axis| meets(axis) && meets(-axis));
-    let (eye, fov) = if room {
-        (middle + size * DVec3::new(0.3, -0.45, 0.1), 75)
-    } else {
-        (middle + bounds.diagonal() * DVec3::new(0.5, -1.2, 0.5), 50)
-    };
-    // Rounded to a power of ten between a thousandth and a hundredth of the scene's diagonal.
-    let step = 10f64.powf((1e-3 * bounds.diagonal()).log10().ceil());
-    let decimals = (-step.log10()).max(0.0).round() as usize;
-    let point = |p: DVec3| {
-        let [x, y, z] = (p + scene.middle).to_array().map(|x| (x / step).round() * step + 0.0);
-        format!("[{x:.decimals$}, {y:.decimals$}, {z:.decimals$}]")
-    };
-    format!("[camera] eye = {}, target = {}, up = [0, 0, 1], fov = {fov}", point(eye), point(middle))
 }

@@ -8,10 +8,11 @@ use std::path::Path;
 
 use radiosity::heat::{Heat, HeatError, HeatOptions, Stage as HeatStage};
 use radiosity::output::report_page::ReportPage;
+use radiosity::request::memory::usable;
 use radiosity::scene::Scene;
 use radiosity::solve::{Options, Progress as Stage};
 
-use crate::cli::{console, error::CliError, memory, progress::Progress, run::Loaded};
+use crate::cli::{console, error::CliError, progress::Progress, run::Loaded};
 pub(crate) use args::ReportPageArgs;
 use kind::Files;
 use light::Wanted;
@@ -72,7 +73,7 @@ fn heat(args: &ReportPageArgs, scene: &Scene, progress: &Progress) -> Result<Hea
     };
     let usual = HeatOptions::default();
     let threads = args.method.threads.unwrap_or(usual.options.threads);
-    let memory = args.method.memory.or_else(memory::usable);
+    let memory = args.method.memory.or_else(usable);
     Heat::of(scene, &HeatOptions { options: Options { memory, threads, ..usual.options }, ..usual }, &show)
 }
 

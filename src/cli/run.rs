@@ -5,8 +5,6 @@ use std::time::Instant;
 
 use radiosity::Basis;
 use radiosity::checks::Checks;
-use radiosity::elements::cells::Layers;
-use radiosity::elements::space::Space;
 use radiosity::gather::choice::By;
 use radiosity::hierarchy::Counts;
 use radiosity::output::plane_figures::PlaneFigures;
@@ -17,17 +15,14 @@ use radiosity::output::report::Report;
 use radiosity::output::round::decimals;
 use radiosity::output::solution_file::{is_solution, read};
 use radiosity::ranks;
+use radiosity::request::aim::at_probes;
 use radiosity::scene::{LightGroup, Scene};
 use radiosity::solve::{Functional, Options, Outcome, Progress as Stage, in_threads};
 use radiosity::solved::Solved;
 use radiosity::studies::adaptation::{Achieved, Aim, Goal};
 
-use crate::cli::aim::at_probes;
-use crate::cli::basis;
 use crate::cli::console;
 use crate::cli::error::CliError;
-use crate::cli::memory;
-use crate::cli::modes::{Order, Shadows};
 use crate::cli::options::{MethodArgs, ReportArgs, SceneArg, borrowed};
 use crate::cli::output_file::OutputFile;
 use crate::cli::progress::Progress;
@@ -68,7 +63,7 @@ impl Loaded {
     /// Reads a scene that has light.
     pub(crate) fn lit(source: &SceneArg) -> Result<Self, CliError> {
         let started = Instant::now();
-        Self::new(source.path(), source.load_lit()?, None, started).required()
+        Self::new(source.path(), source.request().load_lit()?, None, started).required()
     }
 
     /// Reads a scene that has light, or a solution file; with a solution file the options in `fixed`, which were typed
@@ -80,9 +75,10 @@ impl Loaded {
     /// The same, whether it has light or not.
     pub(crate) fn dark_or_lit(source: &SceneArg, fixed: &[String]) -> Result<Self, CliError> {
         let started = Instant::now();
-        let text = source.text()?;
+        let request = source.request();
+        let text = request.text()?;
         if !is_solution(&text.text) {
-            let scene = source.parse(&text)?;
+            let scene = request.parse(&text)?;
             return Ok(Self::new(source.path(), scene, None, started));
         }
         let tolerance = source.tolerance_length.map(|_| "--tolerance-length".to_owned());
@@ -90,7 +86,7 @@ impl Loaded {
         if let Some(option) = fixed.first().or(tolerance.as_ref()).or(frame.as_ref()) {
             return Err(CliError::Fixed { origin: text.origin.to_string(), option: option.clone() });
         }
-        Ok(Self::saved(source.path(), relit(read(&text)?, &source.later())?, started))
+        Ok(Self::saved(source.path(), relit(read(&text)?, &request.later())?, started))
     }
 
     /// Reads a solution file, with its light groups at the factors that were set.
@@ -233,7 +229,7 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        let goal = match (&method.aim, method.wanted_accuracy()) {
+        let goal = match (&method.aim, method.request().wanted_accuracy()) {
             (None, Some(accuracy)) => Some(at_probes(accuracy, sensors, &loaded.scene)),
             _ => method.goal(&loaded.scene)?,
         };
@@ -261,7 +257,7 @@ impl Run {
         report: &ReportArgs,
         progress: &Progress,
     ) -> Result<Self, CliError> {
-        basis::check(method)?;
+        method.request().check()?;
         let start = Start::of(&loaded, asked.threads, report)?;
         let bands = loaded.scene.bands.len();
         let observe = |stage| match stage {
@@ -302,14 +298,9 @@ impl Run {
         }
     }
 
-    /// Relative accuracy that a solution read from a file is worth being read to, where that is finer than usual.
-    pub(crate) fn saved_accuracy(&self) -> Option<f64> {
-        let Solved { options, achieved, .. } = &self.solved;
-        match achieved {
-            _ if !self.saved => None,
-            Some(achieved) => achieved.wanted.or(achieved.estimate).map(Goal::reading),
-            None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
-        }
+    /// Whether the solution was read from a file.
+    pub(crate) fn is_saved(&self) -> bool {
+        self.saved
     }
 
     /// Number of threads that work.
@@ -501,36 +492,5 @@ fn groups(groups: &[LightGroup]) -> Option<String> {
 
 /// The library's options of a method as typed.
 pub(crate) fn options(method: &MethodArgs) -> Options {
-    let defaults = method.quality.options();
-    Options {
-        algorithm: method.algorithm,
-        basis: method.basis,
-        order: match method.order {
-            _ if method.basis == Basis::Constant => 0,
-            _ if method.basis == Basis::Linear => 1,
-            Some(Order::Degree(order)) => order,
-            None if method.wanted_accuracy().is_none() => defaults.order,
-            Some(Order::Auto) | None => 0,
-        },
-        space: if method.tensor { Space::Tensor } else { Space::Total },
-        subdivide: method.subdivide.0,
-        layers: Layers { count: method.layers, ratio: method.ratio },
-        eps: method.eps.unwrap_or(defaults.eps),
-        kernel: method.kernel.rules(),
-        transport: method.transport,
-        rays: method.rays,
-        shadow_eps: method.shadow_eps.or(method.eps).unwrap_or(defaults.shadow_eps),
-        shadows: method.shadows.hiding(),
-        masks: (method.shadows == Shadows::Mask).then(|| method.masks.masking()),
-        direct: method.direct,
-        method: method.solver,
-        preconditioner: method.preconditioner,
-        bounces: method.bounces.map(usize::from),
-        tolerance: method.tolerance,
-        max_iterations: method.max_iterations,
-        memory: method.memory.or_else(memory::usable),
-        deadline: method.deadline(),
-        threads: method.threads.unwrap_or(defaults.threads),
-        ..defaults
-    }
+    method.request().options()
 }

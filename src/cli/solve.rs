@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use radiosity::request::require_all_bounces;
 use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
-    basis::require_all_bounces,
     error::CliError,
     interrupt::STOP,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
@@ -43,7 +43,11 @@ pub(crate) struct SolveArgs {
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
     let kept = "a solution is kept for readers, who would gather from it as if it were all light";
-    require_all_bounces(&args.method, kept, "type --bounces to render, probe or grid, with the scene")?;
+    require_all_bounces(
+        &args.method.request(),
+        kept,
+        "type --bounces to render, probe or grid, with the scene",
+    )?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());
     let format = SolutionFormat::of(&path);
     format.check(&path, &options(&args.method))?;

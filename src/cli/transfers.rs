@@ -1,13 +1,11 @@
 //! Options of commands that integrate transfers and nothing of light: `view-factors` and `heat`.
 
 use clap::Args;
-use radiosity::solve::Options;
-use radiosity::transport::Accuracy;
+use radiosity::request::{Shadows, TransferRequest};
 
 use crate::cli::{
-    error::CliError,
-    modes::{Shadows, Subdivide},
     numbers::{accuracy, threads},
+    subdivide::Subdivide,
 };
 
 /// How transfers are integrated.
@@ -15,7 +13,7 @@ use crate::cli::{
 pub(crate) struct TransferArgs {
     /// Cuts each surface into K × K elements, which are summed: sharper shadows; auto looks at what the scene needs
     #[arg(long, value_name = "auto|K", default_value = "auto")]
-    pub(crate) subdivide: Subdivide,
+    subdivide: Subdivide,
 
     /// Accuracy of each factor, relative to itself or a hundredth of the largest of its row; to the largest of
     /// its row where rays carry it
@@ -28,7 +26,7 @@ pub(crate) struct TransferArgs {
 
     /// How it is found out what surfaces hide from each other
     #[arg(long, value_name = "MODE", default_value = "auto")]
-    pub(crate) shadows: Shadows,
+    shadows: Shadows,
 
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = threads)]
@@ -40,23 +38,14 @@ pub(crate) struct TransferArgs {
 }
 
 impl TransferArgs {
-    pub(crate) fn accuracy(&self) -> Accuracy {
-        Accuracy { eps: self.eps, shadow_eps: self.shadow_eps.unwrap_or(self.eps) }
-    }
-
-    /// Threads to use.
-    pub(crate) fn threads(&self) -> usize {
-        self.threads.unwrap_or(Options::default().threads)
-    }
-
-    /// Refuses masks, which carry light.
-    pub(crate) fn require_no_masks(&self) -> Result<(), CliError> {
-        if self.shadows != Shadows::Mask {
-            return Ok(());
+    /// What is asked for.
+    pub(crate) fn request(&self) -> TransferRequest {
+        TransferRequest {
+            subdivide: self.subdivide.0,
+            eps: self.eps,
+            shadow_eps: self.shadow_eps,
+            shadows: self.shadows,
+            threads: self.threads,
         }
-        Err(CliError::Refused {
-            message: "--shadows mask: masks carry light of lamps, and there is none here".to_owned(),
-            cure: "choose auto, exact, rays or off".to_owned(),
-        })
     }
 }

@@ -13,7 +13,7 @@ use radiosity::output::view_factors as output;
 use radiosity::output::view_factors::Sparse;
 use radiosity::scene::Scene;
 use radiosity::transport::{Accuracy, Miss};
-use radiosity::view_factors::{Options, ViewFactors};
+use radiosity::view_factors::ViewFactors;
 
 use crate::cli::{
     console, destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
@@ -94,8 +94,8 @@ const FROM_ONE: f64 = 3.0;
 pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
-    args.transfers.require_no_masks()?;
-    let scene = args.scene.load()?;
+    args.transfers.request().check()?;
+    let scene = args.scene.request().load()?;
     let pairs: Vec<[usize; 2]> =
         args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
     let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
@@ -104,7 +104,7 @@ pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
-    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.options(), &show)?;
+    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request().factors(), &show)?;
     let form = Form { format, sparse: args.sparse, pairs };
     destination.write(|writer| form.write(&scene, &factors, writer))?;
     drop(progress);
@@ -190,15 +190,6 @@ impl ViewFactorsArgs {
         Err(CliError::Refused { message, cure: cure.to_owned() })
     }
 
-    fn options(&self) -> Options {
-        Options {
-            subdivide: self.transfers.subdivide.0,
-            accuracy: self.transfers.accuracy(),
-            shadows: self.transfers.shadows.hiding(),
-            threads: self.transfers.threads(),
-        }
-    }
-
     /// The summary on stderr.
     fn tell(&self, scene: &Scene, factors: &ViewFactors, start: Instant) {
         let mut lines = vec![
@@ -211,7 +202,7 @@ impl ViewFactorsArgs {
                 factors.rays
             ),
         ];
-        lines.extend(RanksWork::so_far(self.transfers.threads()).map(|work| work.to_string()));
+        lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         if self.pairs.is_empty() {
@@ -231,7 +222,7 @@ impl ViewFactorsArgs {
         let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
         let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
         let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
-        let Accuracy { eps, shadow_eps } = self.transfers.accuracy();
+        let Accuracy { eps, shadow_eps } = self.transfers.request().accuracy();
         let shadows = if factors.rays > 0 { shadow_eps } else { 0.0 };
         let tolerance = FROM_ONE * eps.max(shadows).max(factors.accuracy_reached);
         let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();

@@ -90,6 +90,32 @@ pub struct Place {
     pub width: usize,
 }
 
+/// Longest part of a line that an excerpt shows, in characters. Chosen.
+const SHOWN: usize = 100;
+
+impl Place {
+    /// The line with the part in question underlined; nothing where the line is not known.
+    ///
+    /// ```text
+    ///    |
+    /// 12 | reflectance = 1.2
+    ///    |               ^^^
+    /// ```
+    pub fn excerpt(&self) -> String {
+        if self.text.is_empty() {
+            return String::new();
+        }
+        let number = self.line.to_string();
+        let margin = " ".repeat(number.len());
+        // Of a long line show the part from a little before the place.
+        let skipped = (self.column - 1).saturating_sub(SHOWN / 2);
+        let shown: String = self.text.chars().skip(skipped).take(SHOWN).collect();
+        let indent = " ".repeat(self.column - 1 - skipped);
+        let marks = "^".repeat(self.width.min(SHOWN.saturating_sub(indent.len()).max(1)));
+        format!("{margin} |\n{number} | {shown}\n{margin} | {indent}{marks}\n")
+    }
+}
+
 /// A line of a text, and which text where that is an included one. Displays as `line 9` or `line 9 of lamps.toml`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Line {

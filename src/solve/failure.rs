@@ -108,3 +108,19 @@ pub enum Failure {
         source: ThreadPoolBuildError,
     },
 }
+
+impl Failure {
+    /// How to mend it, where that is known and the message does not say it.
+    pub fn cure(&self) -> Option<String> {
+        let cure = match self {
+            Self::Memory { fits, .. } if fits.is_empty() => "allow more with --memory, or leave it out",
+            Self::Memory { .. } => "ask for one of these, or allow more with --memory",
+            Self::Elements(ElementError::Layers { .. }) => "take fewer --layers or a larger --ratio",
+            Self::Solver { source: SolveError::NotConverged { .. }, .. } => {
+                "raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is"
+            }
+            _ => return None,
+        };
+        Some(cure.to_owned())
+    }
+}

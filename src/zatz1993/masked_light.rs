@@ -43,6 +43,13 @@ pub struct Masking {
     pub average: Average,
 }
 
+impl Default for Masking {
+    /// 40 cells along each side, of which each tells the part of the light that arrives.
+    fn default() -> Self {
+        Self { cells: const { NonZeroUsize::new(40).expect("40 is not 0") }, average: Average::Weighted }
+    }
+}
+
 /// The value of a mask at its nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

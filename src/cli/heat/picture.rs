@@ -10,16 +10,12 @@ use radiosity::output::reader::Read;
 use radiosity::output::render::render;
 use radiosity::output::shown::Shown;
 use radiosity::output::sights::Sights;
+use radiosity::request::picture::{SAMPLES, camera};
 use radiosity::scene::{Camera, Scene};
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    colours::ColourArgs,
-    error::CliError,
-    format,
-    numbers::Counts,
-    output_file::OutputFile,
-    render::{SAMPLES, camera},
+    colours::ColourArgs, error::CliError, format, numbers::Counts, output_file::OutputFile,
     style::with_legend,
 };
 
@@ -91,7 +87,7 @@ impl PictureArgs {
         }
         self.colours.check()?;
         format::of_file::<Kind>(path)?;
-        let camera = camera(self.size, scene)?;
+        let camera = camera(self.size.map(|Counts(size)| size), scene)?;
         let mut known = others.iter().filter_map(|(path, what)| Some(((*path)?, *what)));
         let file = reserve(path)?;
         let file = known.try_fold(file, |file, (path, what)| file.apart_from(path, what))?;

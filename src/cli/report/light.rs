@@ -14,6 +14,7 @@ use radiosity::output::report_page::{LightPart, PICTURE, ReportedPlane, plan_nam
 use radiosity::output::shown::{Shown, band_name, of_bands};
 use radiosity::output::surface_light::SurfaceLight;
 use radiosity::output::uniformity::Uniformity;
+use radiosity::request::picture::{SAMPLES, pixels, require_pixels, sized};
 use radiosity::scene::{Camera, Scene};
 use radiosity::solved::Solved;
 
@@ -21,6 +22,7 @@ use super::args::ReportPageArgs;
 use crate::cli::{
     colours::ColourArgs,
     error::CliError,
+    numbers::Counts,
     planes::plane,
     progress::Progress,
     render,
@@ -55,8 +57,8 @@ impl<'a> Wanted<'a> {
     /// What was asked for of `scene`.
     pub(super) fn of(args: &'a ReportPageArgs, scene: &Scene) -> Result<Self, CliError> {
         args.colours.check()?;
-        let camera = scene.camera.clone().map(|camera| render::sized(camera, args.size));
-        camera.iter().try_for_each(|camera| render::require_pixels(camera, scene, &args.method))?;
+        let camera = scene.camera.clone().map(|camera| sized(camera, args.size.map(|Counts(size)| size)));
+        camera.iter().try_for_each(|camera| require_pixels(camera, scene, args.method.memory))?;
         let mut planes = scene.planes.clone();
         for (index, text) in args.plane.iter().enumerate() {
             let typed = plane(text, index, scene)?;
@@ -112,9 +114,9 @@ impl<'a> Wanted<'a> {
 /// The picture through the camera, as `radiosity render` takes it.
 fn picture(run: &Run, camera: &Camera, progress: &Progress) -> Result<Picture, CliError> {
     let (solution, visibility) = (&run.solved.outcome.solution, run.solved.visibility());
-    let read = usual_read(solution, visibility, render::pixels(camera));
+    let read = usual_read(solution, visibility, pixels(camera));
     let observe = |stage| render::show(progress, stage);
-    let take = || render(solution, visibility, camera, render::SAMPLES, read, Shown::Radiosity, &observe);
+    let take = || render(solution, visibility, camera, SAMPLES, read, Shown::Radiosity, &observe);
     let raster = run.in_threads(take)?;
     Ok(Image::new(&raster, white_balance(solution)).photograph())
 }

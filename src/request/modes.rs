@@ -2,14 +2,15 @@
 
 use std::str::FromStr;
 
-use clap::ValueEnum;
-use radiosity::scene::{MAX_ORDER, MAX_PARTS};
-use radiosity::visibility::Hiding;
-use radiosity::zatz1993::transfers::{Reading, Rules};
+use serde::Deserialize;
+
+use crate::scene::MAX_ORDER;
+use crate::visibility::Hiding;
+use crate::zatz1993::transfers::{Reading, Rules};
 
 /// `--order`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Order {
+pub enum Order {
     /// As the accuracy needs.
     Auto,
     /// This one; with `--accuracy`, at least this one.
@@ -26,24 +27,13 @@ impl FromStr for Order {
     }
 }
 
-/// `--subdivide`: elements along u and along v; None, written `auto`, is as the scene needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Subdivide(pub(crate) Option<usize>);
-
-impl FromStr for Subdivide {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let parts = || text.parse().ok().filter(|parts| (1..=MAX_PARTS).contains(parts)).map(Some);
-        let subdivide = if text == "auto" { Some(None) } else { parts() };
-        subdivide.map(Self).ok_or_else(|| format!("expected a whole number from 1 to {MAX_PARTS}, or auto"))
-    }
-}
-
 /// `--shadows`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Shadows {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Shadows {
     /// Planar surfaces behind planar ones by their outlines, all else by rays
+    #[default]
     Auto,
     /// Nothing hides anything
     Off,
@@ -56,8 +46,8 @@ pub(crate) enum Shadows {
 }
 
 impl Shadows {
-    /// The same, for the library.
-    pub(crate) fn hiding(self) -> Hiding {
+    /// How surfaces hide each other.
+    pub fn hiding(self) -> Hiding {
         match self {
             Shadows::Auto | Shadows::Mask => Hiding::Auto,
             Shadows::Off => Hiding::Off,
@@ -68,9 +58,12 @@ impl Shadows {
 }
 
 /// `--kernel`. The paper's rules take N + 2 points a direction, which fits the numbers it prints.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Kernel {
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
+pub enum Kernel {
     /// As accurate as --eps says
+    #[default]
     Default,
     /// Zatz 1993: N + 2 Gauss-Legendre points a direction for every pair
     PaperLegendre,
@@ -80,7 +73,7 @@ pub(crate) enum Kernel {
 
 impl Kernel {
     /// The rules of 1993 that it names. Of the readings of the hybrid, H1 fits the numbers the paper prints best.
-    pub(crate) fn rules(self) -> Option<Rules> {
+    pub fn rules(self) -> Option<Rules> {
         match self {
             Kernel::Default => None,
             Kernel::PaperLegendre => Some(Rules::Legendre),

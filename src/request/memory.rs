@@ -1,27 +1,41 @@
-//! How much memory there is to use.
+//! How much memory there is to use, and whether results have room in it.
 
 use std::fs::read_to_string;
 use std::path::Path;
 
-use radiosity::ranks;
+use super::refusal::Refusal;
+use crate::ranks;
 
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
 
-/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
-pub(crate) fn bytes(text: &str) -> Result<u64, String> {
-    let parsed = text.parse::<bytesize::ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
-    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
-}
-
 /// 80 % of the free memory of the machine, or of the control group of this process, whichever is less; None if unknown. Ranks of
 /// one machine share it, and all take what the one with the least has.
-pub(crate) fn usable() -> Option<u64> {
+pub fn usable() -> Option<u64> {
     let free = [machine(), confined()].into_iter().flatten().min();
     let ranks = ranks::current();
     let own = free.map(|free| free / ranks.place().companions as u64);
     let free = ranks.all(own).into_iter().flatten().min()?;
     Some((SHARE * free as f64) as u64)
+}
+
+/// Refuses to begin on results of so many bytes where there is no room for them in what is `allowed`, or usable; `what` they are, and how
+/// to need less.
+///
+/// # Errors
+/// Where there is no room.
+pub fn require(needed: u64, allowed: Option<u64>, [what, less]: [&str; 2]) -> Result<(), Refusal> {
+    match allowed.or_else(usable) {
+        Some(allowed) if allowed < needed => Err(Refusal::new(
+            format!(
+                "not enough memory: {what} need about {:.0} MB, {:.0} MB allowed",
+                needed as f64 / 1e6,
+                allowed as f64 / 1e6
+            ),
+            format!("{less}, or allow more with --memory"),
+        )),
+        _ => Ok(()),
+    }
 }
 
 /// Free memory of the machine, as Linux reports it ("MemAvailable").

@@ -1,0 +1,104 @@
+//! How a solution is to be read: what is asked for, and what the solution is worth being read to.
+
+use super::method::MethodRequest;
+use super::refusal::Refusal;
+use crate::gather::choice::By;
+use crate::output::quality::Reading;
+use crate::output::reader::Read;
+use crate::solve::Options;
+use crate::solved::Solved;
+use crate::studies::adaptation::{Aim, Goal};
+use crate::visibility::Hiding;
+
+/// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
+const BY_RAYS: f64 = 1e-2;
+
+/// How a solution is to be read; None where nothing was said.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ReadRequest {
+    /// What is read.
+    pub read: Option<Read>,
+    /// By what light is gathered.
+    pub by: Option<By>,
+    /// Relative accuracy of recomputed light.
+    pub eps: Option<f64>,
+}
+
+impl ReadRequest {
+    /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.
+    ///
+    /// # Errors
+    /// The first such option.
+    pub fn check(&self, options: &Options, method: &MethodRequest) -> Result<(), Refusal> {
+        check_aim(self.read, method)?;
+        let refuse = |message: &str, cure: &str| Err(Refusal::new(message, cure));
+        match self.read {
+            Some(Read::Basis) if self.eps.is_some() => refuse(
+                "--read-eps is the accuracy of recomputed light, and --read basis recomputes none",
+                "leave one of them out",
+            ),
+            Some(Read::Basis | Read::Direct) if self.by.is_some() => refuse(
+                "--read-by says by what light is gathered, and --read basis and direct gather none",
+                "leave one of them out, or take --read gather",
+            ),
+            _ if self.by == Some(By::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
+                refuse(
+                    "--read-by rays always sees exact shadows, and the solution has others: --shadows mask or off",
+                    "take --read-by cells, or solve with other shadows",
+                )
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// As asked, the rest as the quality says.
+    pub fn plain(&self, method: &MethodRequest) -> Reading {
+        let usual = method.quality.reading();
+        self.asked(usual, method.eps.unwrap_or(usual.eps))
+    }
+
+    /// As asked; `eps` where no accuracy was, and the rest as usual.
+    fn asked(&self, usual: Reading, eps: f64) -> Reading {
+        Reading {
+            read: self.read.unwrap_or(usual.read),
+            by: self.by.unwrap_or_default(),
+            eps: self.eps.unwrap_or(eps),
+            rates: usual.rates,
+        }
+    }
+
+    /// As asked, the rest as the quality and the solution say; no coarser than the accuracy of the solution, where one was
+    /// asked for. `is_saved`: the solution was read from a file.
+    pub fn reading(&self, method: &MethodRequest, solved: &Solved, is_saved: bool) -> Reading {
+        let usual = method.quality.reading();
+        let is_sampled = solved.outcome.sampling.is_some();
+        let of_solution = if is_sampled { usual.eps.max(BY_RAYS) } else { usual.eps };
+        let saved = if is_saved { saved_accuracy(solved) } else { None };
+        let asked = [method.eps, method.wanted_accuracy().map(Goal::reading), saved].into_iter().flatten();
+        self.asked(usual, asked.fold(of_solution, f64::min))
+    }
+}
+
+/// Relative accuracy that a solution read from a file is worth being read to, where that is finer than usual.
+fn saved_accuracy(solved: &Solved) -> Option<f64> {
+    let Solved { options, achieved, .. } = solved;
+    match achieved {
+        Some(achieved) => achieved.wanted.or(achieved.estimate).map(Goal::reading),
+        None => Some(options.eps).filter(|eps| *eps < Options::default().eps),
+    }
+}
+
+/// Refuses an accuracy of gathered light where polynomials are read.
+///
+/// # Errors
+/// If that is what was asked for.
+pub fn check_aim(read: Option<Read>, method: &MethodRequest) -> Result<(), Refusal> {
+    let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Aim::Solution);
+    match read {
+        Some(Read::Basis | Read::Direct) if is_of_gathered => Err(Refusal::new(
+            "--accuracy is that of gathered light, and --read basis and direct read polynomials",
+            "add --for solution, or take --read gather",
+        )),
+        _ => Ok(()),
+    }
+}
