@@ -5,6 +5,7 @@ pub mod mark;
 pub mod round;
 pub(crate) mod segment;
 pub(crate) mod interpolant;
+pub mod warning;
 pub mod uniformity;
 pub mod shown;
 pub mod field;

@@ -10,13 +10,18 @@ Lengths are those of the scene; exitance, irradiance and radiosity are in the sc
 lm/m². Arrays are of NumPy's float64.
 """
 
-from ._radiosity import Error, __version__, builtins
+from ._radiosity import Error, RadiosityWarning, __version__, builtins
+from .heat import Heat
+from .plane import Plane
 from .scene import Scene, load
 from .solution import Solution, load_solution
 from .view_factors import ViewFactors, view_factor, view_factors
 
 __all__ = [
     "Error",
+    "Heat",
+    "Plane",
+    "RadiosityWarning",
     "Scene",
     "Solution",
     "ViewFactors",

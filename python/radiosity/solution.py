@@ -1,31 +1,192 @@
-"""Solutions: light, read at points, on planes and through cameras."""
+"""Solutions: light, read at points, on planes, over cells and through cameras."""
 
 from __future__ import annotations
 
+import json
 import os
+import tempfile
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _radiosity
+from ._radiosity import Error
+from .arrays import Numbers, numbers, vector
+from .plane import Plane
 from .progress import Observer, Shown
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .options import Picture, Reading
+    from .scene import Scene
 
 
 class Solution:
-    """A scene with the light in it."""
+    """A scene with the light in it. Values are in the unit of the scene."""
 
     def __init__(self, native: _radiosity.Solution) -> None:
         self._native = native
 
+    @property
+    def scene(self) -> Scene:
+        """The scene."""
+        from .scene import Scene
+
+        return Scene._of(self._native.scene)
+
+    @property
+    def report(self) -> dict[str, Any]:
+        """Counts, times, self-checks and warnings, as `radiosity solve --report` writes them."""
+        return json.loads(self._native.report)
+
+    @property
+    def coefficients(self) -> Numbers:
+        """Coefficients of the radiosity, an array (bands, unknowns).
+
+        They belong to the orthonormal polynomials of the elements, element by element (`elements`); ∫ B² dA over an element is the
+        sum of their squares.
+        """
+        return self._native.coefficients
+
+    @property
+    def elements(self) -> list[tuple[str, int]]:
+        """Of each element the name of its surface, and how many coefficients it has."""
+        names = self._native.scene.surfaces
+        return [(names[surface], count) for surface, count in self._native.elements]
+
     def irradiance(
-        self, points: ArrayLike, normals: ArrayLike, *, progress: bool | Observer | None = None
-    ) -> NDArray[np.float64]:
-        """Irradiance (the scene's unit) at `points` (n, 3) along unit `normals` (n, 3): an array (n, bands)."""
-        points, normals = np.asarray(points, np.float64), np.asarray(normals, np.float64)
+        self,
+        points: ArrayLike,
+        normals: ArrayLike,
+        *,
+        progress: bool | Observer | None = None,
+        **reading: Unpack[Reading],
+    ) -> Numbers:
+        """Irradiance at `points` (n, 3) along `normals` (n, 3) of any length, or along one for all: an array (n, bands).
+
+        Points are in the coordinates of the scene. All options are listed in `radiosity.options.Reading`.
+        """
+        points = numbers("points", points, ("n", 3))
+        normals = np.atleast_2d(np.asarray(normals, np.float64))
+        normals = numbers("normals", normals, ("n", 3))
         with Shown(progress) as observer:
-            return self._native.irradiance(points, normals, observer)
+            return self._native.irradiance(points, normals, reading, observer)
+
+    def plane(
+        self,
+        name_or_origin: str | ArrayLike,
+        u: ArrayLike | None = None,
+        v: ArrayLike | None = None,
+        spacing: float | ArrayLike | None = None,
+        *,
+        progress: bool | Observer | None = None,
+        **reading: Unpack[Reading],
+    ) -> Plane:
+        """The irradiance on a plane of sensors.
+
+        It is one of the scene, `plane("desk")`, or goes from a corner along two edges: `plane(origin, u, v, spacing)`. Cells are at most
+        `spacing` long, one number or one along each edge; sensors stand in their middles and receive along u × v.
+        """
+        given = _plane(name_or_origin, u, v, spacing)
+        with Shown(progress) as observer:
+            return Plane(self._native.plane(given, reading, observer), self._native.scene)
+
+    def grid(
+        self, cells: tuple[int, int] = (16, 16), *, progress: bool | Observer | None = None, **reading: Unpack[Reading]
+    ) -> dict[str, Any]:
+        """Means over the cells of every surface, so many along u and v.
+
+        The arrays are "surface" (names), "index" (n, 2), "irradiance" and "radiosity" (n, bands), "area" (n,), "position" (n, 3).
+        """
+        along_u, along_v = cells
+        with Shown(progress) as observer:
+            grid = self._native.grid({"cells_u": along_u, "cells_v": along_v, **reading}, observer)
+        names = np.array(self._native.scene.surfaces)
+        return {
+            "surface": names[grid.surface],
+            "index": np.array(grid.index, int).reshape(-1, 2),
+            "irradiance": grid.irradiance,
+            "radiosity": grid.radiosity,
+            "area": grid.area,
+            "position": grid.position,
+        }
+
+    def render(
+        self,
+        camera: Mapping[str, Any] | None = None,
+        size: tuple[int, int] | None = None,
+        *,
+        progress: bool | Observer | None = None,
+        **picture: Unpack[Picture],
+    ) -> Numbers:
+        """A picture of the radiosity: an array (rows, columns, bands), the first row on top. The radiance is 1/π of it.
+
+        `camera` has eye, target and, unless they are +z and 40, up and fov (degrees, vertical); None is that of the scene. `size` is
+        (width, height) in pixels. All options are listed in `radiosity.options.Picture`.
+        """
+        options = dict(picture)
+        if size is not None:
+            options["width"], options["height"] = size
+        with Shown(progress) as observer:
+            return self._native.render(_camera(camera), options, observer)
+
+    def relight(self, factors: Mapping[str, float]) -> Solution:
+        """The same with light groups at other factors (≥ 0) of the emission that the scene states; nothing is solved again."""
+        return Solution(self._native.relight({name: float(factor) for name, factor in factors.items()}))
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Writes the solution: .json, which `load_solution` and `radiosity render` read, or .vtu for ParaView."""
+        path = os.fspath(path)
+        folder = os.path.dirname(path) or "."
+        handle, beside = tempfile.mkstemp(dir=folder, prefix=".radiosity-")
+        os.close(handle)
+        try:
+            self._native.save(beside, path.lower().endswith(".vtu"))
+            os.chmod(beside, 0o666 & ~_mask())
+            os.replace(beside, path)
+        except BaseException:
+            os.unlink(beside)
+            raise
+
+    def __repr__(self) -> str:
+        return f"<Solution of {self._native.scene.name!r}>"
 
 
-def load_solution(path: str | os.PathLike[str]) -> Solution:
-    """The solution in a file that `Solution.save` or `radiosity solve` wrote."""
-    return Solution(_radiosity.load_solution(os.fspath(path)))
+def _mask() -> int:
+    """Permissions that new files do not get."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def _plane(origin: Any, u: Any, v: Any, spacing: Any) -> Any:
+    """A plane as it is handed on."""
+    rest = [part is None for part in (u, v, spacing)]
+    if isinstance(origin, str):
+        if not all(rest):
+            raise Error("plane: a name, and edges or a spacing\nhelp: give a name alone, or origin, u, v and spacing")
+        return origin
+    if any(rest):
+        raise Error("plane: no edges or no spacing\nhelp: give origin, u, v and spacing, or the name of a plane of the scene")
+    both = np.broadcast_to(numbers("spacing", np.atleast_1d(np.asarray(spacing, float)), ("1 or 2",)), (2,))
+    return vector("origin", origin), vector("u", u), vector("v", v), tuple(both.tolist())
+
+
+def _camera(camera: Mapping[str, Any] | None) -> Any:
+    """A camera as it is handed on."""
+    if camera is None:
+        return None
+    unknown = set(camera) - {"eye", "target", "up", "fov"}
+    if unknown or not {"eye", "target"} <= set(camera):
+        raise Error(f"camera: keys {sorted(camera)} instead of eye, target and, where they differ from +z and 40, up and fov")
+    eye, target, up = (vector(key, camera.get(key, (0, 0, 1))) for key in ("eye", "target", "up"))
+    return eye, target, up, float(camera.get("fov", 40))
+
+
+def load_solution(path: str | os.PathLike[str], *, set: Mapping[str, float] | None = None) -> Solution:
+    """The solution in a file that `Solution.save` or `radiosity solve` wrote; `set` gives factors to light groups."""
+    factors = {name: float(value) for name, value in (set or {}).items()}
+    return Solution(_radiosity.load_solution(os.fspath(path), factors))

@@ -3,54 +3,100 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
 
-import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _radiosity
+from .arrays import Numbers, numbers, polygons
 from .progress import Observer, Shown
 from .scene import Scene
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from .options import Transfers
 
 
 class ViewFactors:
     """The view factors F_ij between n surfaces."""
 
-    def __init__(self, native: _radiosity.ViewFactors) -> None:
+    def __init__(self, native: _radiosity.ViewFactors, *, sparse: bool = False) -> None:
         self._native = native
-        self.matrix: NDArray[np.float64] = native.matrix
-        """F, an array (n, n); A_i F_ij = A_j F_ji."""
+        self._sparse = sparse
+
+    @cached_property
+    def matrix(self) -> Any:
+        """F, an array (n, n), or an array of SciPy's CSR where it was asked for; A_i F_ij = A_j F_ji."""
+        if not self._sparse:
+            return self._native.dense()
+        try:
+            from scipy.sparse import csr_array
+        except ImportError as error:
+            raise ImportError("sparse=True needs SciPy: pip install scipy") from error
+        count = len(self.names)
+        return csr_array(self._native.sparse(), shape=(count, count))
 
     @property
     def names(self) -> list[str]:
-        """Names of the surfaces."""
+        """Names of the surfaces; of polygons surface-1, surface-2 and so on."""
         return self._native.names
 
     @property
-    def areas(self) -> NDArray[np.float64]:
+    def areas(self) -> Numbers:
         """Areas of the surfaces (scene length²), an array (n,)."""
         return self._native.areas
 
     @property
-    def row_sums(self) -> NDArray[np.float64]:
+    def row_sums(self) -> Numbers:
         """Σ_j F_ij, an array (n,): 1 for each surface of a closed scene."""
         return self._native.row_sums
 
+    @property
+    def error(self) -> float:
+        """Largest error that is left in a transfer, relative to it or a hundredth of the largest of its row; 0 where all are as asked."""
+        return self._native.errors[0]
+
+    @property
+    def reciprocity(self) -> float:
+        """Largest difference of A_i F_ij and A_j F_ji, over the smaller area, of pairs that were integrated from either side."""
+        return self._native.errors[1]
+
+    @property
+    def seconds(self) -> float:
+        """Time that they took."""
+        return self._native.seconds
+
+    def __repr__(self) -> str:
+        return f"<ViewFactors of {len(self.names)} surfaces>"
+
 
 def view_factors(
-    of: Scene | ArrayLike | Sequence[ArrayLike], *, progress: bool | Observer | None = None
+    of: Scene | ArrayLike | Sequence[ArrayLike],
+    *,
+    sparse: bool = False,
+    progress: bool | Observer | None = None,
+    **method: Unpack[Transfers],
 ) -> ViewFactors:
-    """The view factors between the surfaces of a scene, or between polygons.
+    """The view factors between the surfaces of a scene, or between polygons, as `radiosity view-factors` computes them.
 
     `of` is a scene, an array (n, k, 3) or a list of arrays (k, 3): the vertices of each polygon, counterclockwise as seen from its
-    front. Only fronts send and receive; all sides block.
+    front. Only fronts send and receive; all sides block. `sparse=True` leaves zeros out. All options are listed in
+    `radiosity.options.Transfers`.
     """
     with Shown(progress) as observer:
         if isinstance(of, Scene):
-            return ViewFactors(_radiosity.view_factors_of_scene(of._native, observer))
-        polygons = [np.asarray(polygon, np.float64) for polygon in of]
-        return ViewFactors(_radiosity.view_factors_of_polygons(polygons, observer))
+            found = _radiosity.view_factors_of_scene(of._native, method, observer)
+        else:
+            found = _radiosity.view_factors_of_polygons(polygons(of), False, method, observer)
+    return ViewFactors(found, sparse=sparse)
 
 
-def view_factor(a: ArrayLike, b: ArrayLike, blockers: Sequence[ArrayLike] = ()) -> float:
+def view_factor(
+    a: ArrayLike, b: ArrayLike, blockers: Sequence[ArrayLike] | ArrayLike = (), **method: Unpack[Transfers]
+) -> float:
     """The share of what leaves the polygon `a` (k, 3) that reaches the polygon `b` (k, 3), past `blockers`."""
-    return float(view_factors([a, b, *blockers], progress=False).matrix[0, 1])
+    pair = [numbers("a", a, ("k", 3)), numbers("b", b, ("k", 3))]
+    found = _radiosity.view_factors_of_polygons(pair + polygons(blockers), True, method, None)
+    return found.factor(0, 1)

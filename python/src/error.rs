@@ -1,11 +1,21 @@
 //! Errors of the library as exceptions of Python: what is wrong, the line in question, and the cure.
 
-use pyo3::exceptions::PyValueError;
-use pyo3::{PyErr, create_exception};
+mod spelling;
+
+use std::ffi::CString;
+
+use pyo3::exceptions::{PyOSError, PyUserWarning, PyValueError};
+use pyo3::{PyErr, PyResult, Python, create_exception};
+use radiosity::heat::HeatError;
 use radiosity::output::solution_file::SolutionError;
+use radiosity::output::vtu::VtuError;
+use radiosity::request::picture::NoCamera;
+use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::{Fault, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solved::RelightError;
+
+use spelling::spelt;
 
 create_exception!(
     radiosity,
@@ -14,25 +24,40 @@ create_exception!(
     "What was asked for cannot be done; the text says what is wrong, and how to mend it where that is known."
 );
 
+create_exception!(
+    radiosity,
+    RadiosityWarning,
+    PyUserWarning,
+    "What was computed is less accurate than was asked for, or something in the scene looks wrong."
+);
+
 /// An error on its way to Python.
 #[derive(Debug)]
 pub(crate) struct Trouble {
     message: String,
+    /// The line of a text that is meant, or nothing.
+    excerpt: String,
     cure: Option<String>,
 }
 
 impl Trouble {
     /// What is wrong, and how to mend it.
     pub(crate) fn new(message: impl Into<String>, cure: impl Into<String>) -> Self {
-        Self { message: message.into(), cure: Some(cure.into()) }
+        Self { message: message.into(), excerpt: String::new(), cure: Some(cure.into()) }
     }
 
-    /// The text: message and cure.
-    fn text(self) -> String {
-        match self.cure {
-            Some(cure) => format!("{}\nhelp: {cure}", self.message),
-            None => self.message,
-        }
+    /// What is wrong, where the message says all.
+    fn plain(message: impl ToString, cure: Option<String>) -> Self {
+        Self { message: message.to_string(), excerpt: String::new(), cure }
+    }
+
+    /// Message, line and cure.
+    fn text(&self) -> String {
+        let Self { message, excerpt, cure } = self;
+        let mut lines = vec![spelt(message)];
+        lines.extend(excerpt.lines().map(str::to_owned));
+        lines.extend(cure.as_ref().map(|cure| format!("help: {}", spelt(cure))));
+        lines.join("\n")
     }
 }
 
@@ -44,19 +69,36 @@ impl From<Trouble> for PyErr {
 
 impl From<SceneError> for Trouble {
     fn from(error: SceneError) -> Self {
-        Self { message: error.to_string(), cure: error.cure() }
+        let excerpt = error.place.as_ref().map(|place| place.excerpt()).unwrap_or_default();
+        Self { message: error.to_string(), excerpt, cure: error.cure() }
+    }
+}
+
+impl From<Refusal> for Trouble {
+    fn from(Refusal { message, cure }: Refusal) -> Self {
+        Self::new(message, cure)
+    }
+}
+
+impl From<LoadError> for Trouble {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Scene(error) => error.into(),
+            LoadError::Solved { .. } => Self::new(error.to_string(), "read it with load_solution"),
+            LoadError::Refused(refusal) => refusal.into(),
+        }
     }
 }
 
 impl From<Fault> for Trouble {
     fn from(fault: Fault) -> Self {
-        Self { message: fault.to_string(), cure: fault.cure() }
+        Self::plain(&fault, fault.cure())
     }
 }
 
 impl From<SolutionError> for Trouble {
     fn from(error: SolutionError) -> Self {
-        Self { message: error.to_string(), cure: Some(error.cure().to_owned()) }
+        Self::plain(&error, Some(error.cure().to_owned()))
     }
 }
 
@@ -64,13 +106,50 @@ impl From<RelightError> for Trouble {
     fn from(error: RelightError) -> Self {
         match error {
             RelightError::Scene(error) => error.into(),
-            RelightError::NotApart => Self { message: error.to_string(), cure: None },
+            RelightError::NotApart => Self::plain(error, None),
         }
     }
 }
 
 impl From<Failure> for Trouble {
     fn from(failure: Failure) -> Self {
-        Self { message: failure.to_string(), cure: None }
+        Self::plain(&failure, failure.cure())
     }
+}
+
+impl From<HeatError> for Trouble {
+    fn from(error: HeatError) -> Self {
+        match error {
+            HeatError::Solve(failure) => failure.into(),
+            other => Self::plain(&other, other.cure().map(str::to_owned)),
+        }
+    }
+}
+
+impl From<NoCamera> for Trouble {
+    fn from(error: NoCamera) -> Self {
+        Self::plain(&error, Some(error.cure()))
+    }
+}
+
+impl From<VtuError> for Trouble {
+    fn from(error: VtuError) -> Self {
+        Self::plain(&error, Some(error.cure().to_owned()))
+    }
+}
+
+/// A file that cannot be read or written.
+pub(crate) fn file_error(path: &str, error: &std::io::Error) -> PyErr {
+    PyOSError::new_err((error.raw_os_error(), error.to_string(), path.to_owned()))
+}
+
+/// Warns the caller of the package.
+///
+/// # Errors
+/// Where warnings are turned into exceptions.
+pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
+    let text = CString::new(spelt(message)).unwrap_or_default();
+    // The first frame is that of the package itself.
+    const CALLER: i32 = 2;
+    PyErr::warn(py, &py.get_type::<RadiosityWarning>(), &text, CALLER)
 }

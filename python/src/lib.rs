@@ -3,9 +3,15 @@
 //! Python's classes (`radiosity/*.py`) hold the arguments with their documentation; what is here turns them into those of the
 //! library, works without the lock of the interpreter (`work`), and hands arrays back.
 
+mod arguments;
 mod arrays;
 mod error;
+mod grid;
+mod heat;
+mod picture;
+mod plane;
 mod progress;
+mod requests;
 mod scene;
 mod solution;
 mod view_factors;
@@ -21,7 +27,13 @@ mod _radiosity {
     const __version__: &str = env!("CARGO_PKG_VERSION");
 
     #[pymodule_export]
-    use super::error::Error;
+    use super::error::{Error, RadiosityWarning};
+    #[pymodule_export]
+    use super::grid::Grid;
+    #[pymodule_export]
+    use super::heat::{Heat, heat_of};
+    #[pymodule_export]
+    use super::plane::Plane;
     #[pymodule_export]
     use super::scene::{Scene, builtins, load, parse};
     #[pymodule_export]

@@ -2,11 +2,24 @@
 
 use std::collections::BTreeMap;
 
+use numpy::ndarray::arr2;
+use numpy::{PyArray2, PyReadonlyArray2};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use radiosity::geom::DVec3;
+use radiosity::output::probe::Probe;
+use radiosity::request::aim::{at_probes, of_picture};
+use radiosity::request::{MethodRequest, SceneRequest, ranges};
+use radiosity::scene;
+use radiosity::scene::Notation;
+use radiosity::solve::{Failure, Options};
 use radiosity::solved::Solved;
-use radiosity::{Options, scene};
+use radiosity::studies::adaptation::{Aim, Goal};
 
+use crate::arguments::Arguments;
+use crate::arrays::probes;
 use crate::error::Trouble;
+use crate::requests;
 use crate::solution::Solution;
 use crate::work::work;
 
@@ -16,58 +29,186 @@ pub(crate) struct Scene {
     pub(crate) scene: scene::Scene,
 }
 
-/// The scene in a file, or one that is built in; `settings` are its variables, parameters and light groups.
+/// The scene in a file, or one that is built in; `settings` are its parameters, variables and light groups, the other arguments
+/// those of `radiosity.load`.
 #[pyfunction]
-pub(crate) fn load(source: &str, settings: BTreeMap<String, f64>) -> Result<Scene, Trouble> {
-    let settings: Vec<(&str, f64)> = settings.iter().map(|(name, value)| (name.as_str(), *value)).collect();
-    Ok(Scene { scene: scene::Scene::load_with(source, &settings)? })
+pub(crate) fn load(
+    source: String,
+    settings: BTreeMap<String, f64>,
+    given: &Bound<'_, PyDict>,
+) -> PyResult<Scene> {
+    let mut given = Arguments::of(given)?;
+    let any = |number: f64| if number.is_finite() { Ok(number) } else { Err("expected a finite number") };
+    let request = SceneRequest {
+        source,
+        settings: settings.into_iter().collect(),
+        frame: given.number("frame", any)?,
+        tolerance: given.number("tolerance_length", ranges::not_negative)?,
+        strict: given.flag("strict")?,
+        import: requests::import(&mut given)?,
+    };
+    given.finish("load")?;
+    Ok(Scene { scene: request.load_lit().map_err(Trouble::from)? })
 }
 
-/// The scene in a text in TOML or JSON; `name` stands before messages.
+/// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in the current folder.
 #[pyfunction]
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
-    Ok(Scene { scene: scene::Scene::parse(&scene::Source::new(name, text))? })
+    let source = scene::Source::new(name, text).with_files();
+    Ok(Scene { scene: scene::Scene::parse(&source)? })
 }
 
-/// The names of the built-in scenes.
+/// The names of the built-in scenes with their parameters and the values these have unless set.
 #[pyfunction]
-pub(crate) fn builtins() -> Vec<&'static str> {
-    scene::Scene::builtin_names().collect()
+pub(crate) fn builtins() -> BTreeMap<&'static str, BTreeMap<&'static str, f64>> {
+    let parameters = |own: &'static scene::Builtin| own.parameters.iter().map(|one| (one.name, one.default));
+    scene::Scene::builtins().iter().map(|own| (own.name, parameters(own).collect())).collect()
 }
 
 #[pymethods]
 impl Scene {
-    /// Its name.
     #[getter]
     fn name(&self) -> &str {
         &self.scene.name
     }
 
-    /// Names of its bands.
+    #[getter]
+    fn title(&self) -> Option<&str> {
+        self.scene.title.as_deref()
+    }
+
     #[getter]
     fn bands(&self) -> Vec<String> {
         self.scene.bands.clone()
     }
 
-    /// Unit of exitance, irradiance and radiosity.
     #[getter]
     fn unit(&self) -> &str {
         &self.scene.unit
     }
 
-    /// Names of its surfaces.
     #[getter]
     fn surfaces(&self) -> Vec<String> {
         self.scene.surfaces.iter().map(|surface| surface.name.clone()).collect()
     }
 
-    /// Solves it.
-    fn solve(&self, py: Python<'_>, observer: Option<Bound<'_, PyAny>>) -> PyResult<Solution> {
+    #[getter]
+    fn planes(&self) -> Vec<String> {
+        self.scene.planes.iter().map(|plane| plane.name().to_owned()).collect()
+    }
+
+    /// The factor of each light group.
+    #[getter]
+    fn light_groups(&self) -> BTreeMap<String, f64> {
+        let groups = self.scene.light_groups().into_iter();
+        groups.map(|group| (group.name.clone(), group.factor)).collect()
+    }
+
+    /// What was done to the file of another program that it was read from.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.scene.imported().map(|imported| imported.lines().collect()).unwrap_or_default()
+    }
+
+    /// The sensors of a plane of the scene: points (n, 3) and normals (n, 3).
+    fn sensors<'py>(
+        &self,
+        py: Python<'py>,
+        name: &str,
+    ) -> Result<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>), Trouble> {
+        let sensors: Vec<Probe> = Probe::of_plane(self.scene.plane_named(name)?).collect();
+        let rows = |of: fn(&Probe) -> DVec3| sensors.iter().map(|own| of(own).to_array()).collect::<Vec<_>>();
+        let rows = |of| PyArray2::from_owned_array(py, arr2(&rows(of)));
+        Ok((rows(|own| own.position), rows(|own| own.normal)))
+    }
+
+    /// Its text in TOML.
+    fn to_toml(&self) -> Result<String, Trouble> {
+        Ok(self.scene.text(Notation::Toml)?)
+    }
+
+    /// Solves it. `aim` is what an accuracy is wanted of: "gathered", "solution", "picture", or "points" with `sensors`.
+    fn solve(
+        &self,
+        py: Python<'_>,
+        given: &Bound<'_, PyDict>,
+        aim: Option<&str>,
+        sensors: Option<(PyReadonlyArray2<'_, f64>, PyReadonlyArray2<'_, f64>)>,
+        observer: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Solution> {
+        let mut given = Arguments::of(given)?;
+        let keep_partial = given.flag("keep_partial")?;
+        let mut method = requests::method(&mut given)?;
+        given.finish("solve")?;
+        let wanted = Wanted::of(aim, sensors)?;
+        method.aim = aim.is_some().then_some(wanted.aim());
+        method.check().map_err(Trouble::from)?;
+        self.scene.require_light().map_err(Trouble::from)?;
+        let options = Options { keep_partial, ..method.options() };
         let scene = self.scene.clone();
         let bands = scene.bands.len();
-        let solved = work(py, observer.as_ref(), |progress| {
-            Solved::new(scene, Options::default(), &|stage| progress.stage(stage, bands))
+        let solved = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
+            let show = |stage| progress.stage(stage, bands);
+            Ok(solved(scene, options, wanted.goal(&method, &self.scene)?, &show)?)
         })?;
-        Ok(Solution { solved })
+        Solution::found(py, solved, method)
+    }
+}
+
+fn solved(
+    scene: scene::Scene,
+    options: Options,
+    goal: Option<Goal>,
+    show: &(dyn Fn(radiosity::solve::Progress) + Sync),
+) -> Result<Solved, Failure> {
+    match goal {
+        Some(goal) => Solved::to_accuracy(scene, &options, &goal, show),
+        None => Solved::new(scene, options, show),
+    }
+}
+
+/// Of what an accuracy is wanted.
+enum Wanted {
+    Gathered,
+    Solution,
+    Picture,
+    At(Vec<Probe>),
+}
+
+impl Wanted {
+    fn of(
+        aim: Option<&str>,
+        sensors: Option<(PyReadonlyArray2<'_, f64>, PyReadonlyArray2<'_, f64>)>,
+    ) -> Result<Self, Trouble> {
+        match (aim.unwrap_or("gathered"), sensors) {
+            ("points", Some((points, normals))) => Ok(Self::At(probes(&points, &normals)?)),
+            ("gathered", _) => Ok(Self::Gathered),
+            ("solution", _) => Ok(Self::Solution),
+            ("picture", _) => Ok(Self::Picture),
+            (other, _) => Err(Trouble::new(
+                format!("aim={other:?} cannot be"),
+                "expected gathered, solution, picture, (\"plane\", name) or (\"points\", points, normals)",
+            )),
+        }
+    }
+
+    fn aim(&self) -> Aim {
+        match self {
+            Self::Gathered => Aim::Gathered,
+            Self::Solution => Aim::Solution,
+            Self::Picture => Aim::Seen,
+            Self::At(_) => Aim::Points,
+        }
+    }
+
+    /// The goal in a scene, if an accuracy is wanted.
+    fn goal(&self, method: &MethodRequest, scene: &scene::Scene) -> Result<Option<Goal>, Trouble> {
+        let Some(accuracy) = method.wanted_accuracy() else { return Ok(None) };
+        Ok(Some(match self {
+            Self::Gathered => Goal::new(accuracy, Aim::Gathered),
+            Self::Solution => Goal::new(accuracy, Aim::Solution),
+            Self::Picture => of_picture(accuracy, scene)?,
+            Self::At(probes) => at_probes(accuracy, probes, scene),
+        }))
     }
 }

@@ -1,55 +1,276 @@
-//! Solutions: read at points, and written to files.
+//! Solutions: read at points, on planes, over cells and through cameras; dimmed; written.
+
+use std::fs::File;
+use std::io::{BufWriter, Write};
+use std::sync::Arc;
 
 use numpy::{PyArrayDyn, PyReadonlyArray2};
 use pyo3::prelude::*;
-use radiosity::output::probe::{Probe, probe};
-use radiosity::output::reader::{Read, Reader};
-use radiosity::output::solution_file;
-use radiosity::scene::{Scene, Source};
+use pyo3::types::PyDict;
+use radiosity::output::grid::{Cell, grid};
+use radiosity::output::probe::{Probe, Reading, probe};
+use radiosity::output::quality::Reading as How;
+use radiosity::output::read_error::ReadError;
+use radiosity::output::reader::Reader;
+use radiosity::output::report::Report;
+use radiosity::output::solution_file::{self, SolutionFile, is_solution};
+use radiosity::output::vtu::Grid as Cells;
+use radiosity::request::{MethodRequest, memory, ranges, require_all_bounces};
+use radiosity::scene::Scene as Whole;
 use radiosity::solve::in_threads;
 use radiosity::solved::Solved;
+use std::collections::BTreeMap;
 
-use crate::arrays::{array, points};
-use crate::error::Trouble;
+use crate::arguments::Arguments;
+use crate::arrays::{array, probes};
+use crate::error::{Trouble, file_error, warn};
+use crate::grid::Grid;
+use crate::picture;
+use crate::plane::{self, Plane};
+use crate::progress::Progress;
+use crate::requests;
+use crate::scene::Scene;
 use crate::work::work;
 
 /// A scene with its solution.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Solution {
-    pub(crate) solved: Solved,
+    pub(crate) solved: Arc<Solved>,
+    /// How it was asked for; as usual where it was read.
+    pub(crate) method: MethodRequest,
+    /// Whether it was read from a file.
+    is_saved: bool,
+    report: Report,
 }
 
-/// The solution in a file.
+/// The solution in a file, with its light groups at these factors.
 #[pyfunction]
-pub(crate) fn load_solution(path: &str) -> Result<Solution, Trouble> {
-    let text: Source = Scene::text_of(path, &[])?;
-    Ok(Solution { solved: solution_file::read(&text)? })
+pub(crate) fn load_solution(path: &str, factors: BTreeMap<String, f64>) -> PyResult<Solution> {
+    let text = Whole::text_of(path, &[]).map_err(Trouble::from)?;
+    if !is_solution(&text.text) {
+        let cure = "solve it first: load(…).solve()";
+        return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure).into());
+    }
+    let solved = solution_file::read(&text).map_err(Trouble::from)?;
+    let factors: Vec<(&str, f64)> = factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
+    let solved = if factors.is_empty() { solved } else { solved.relight(&factors).map_err(Trouble::from)? };
+    Ok(Solution::new(solved, MethodRequest::default(), true))
 }
+
+impl Solution {
+    fn new(solved: Solved, method: MethodRequest, is_saved: bool) -> Self {
+        let report = Report::new(&solved);
+        Self { solved: Arc::new(solved), method, is_saved, report }
+    }
+
+    /// One that was just found; warns of what its report warns of.
+    pub(crate) fn found(py: Python<'_>, solved: Solved, method: MethodRequest) -> PyResult<Self> {
+        let own = Self::new(solved, method, false);
+        own.report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
+        Ok(own)
+    }
+
+    /// How it is read as `given`, and by how many threads.
+    fn reading(&self, given: &mut Arguments<'_>) -> PyResult<(How, usize)> {
+        let threads = requests::threads(given)?.unwrap_or(self.solved.options.threads);
+        let request = requests::reading(given)?;
+        request.check(&self.solved.options, &self.method).map_err(Trouble::from)?;
+        Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
+    }
+
+    /// Reads it while `observer` hears how far that is.
+    pub(crate) fn read<T: Send>(
+        &self,
+        py: Python<'_>,
+        observer: Option<&Bound<'_, PyAny>>,
+        threads: usize,
+        read: impl FnOnce(&Progress) -> T + Send,
+    ) -> PyResult<T> {
+        work(py, observer, |progress| in_threads(threads, || read(progress)))
+    }
+
+    /// What sensors read as `given`; warns where rays leave more of an error than was asked for.
+    fn sense(
+        &self,
+        py: Python<'_>,
+        sensors: &[Probe],
+        given: Arguments<'_>,
+        function: &str,
+        observer: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Vec<Reading>> {
+        let mut given = given;
+        let (how, threads) = self.reading(&mut given)?;
+        given.finish(function)?;
+        let readings = self.read(py, observer, threads, |progress| {
+            let tell = |done, total| progress.step("points", done, total);
+            probe(&self.reader(&how), sensors, self.solved.scene.middle, &tell)
+        })?;
+        let readings = readings.map_err(|(index, fault)| {
+            let cure =
+                "the polynomials are known on surfaces alone, along their normals: choose --read gather";
+            Trouble::new(format!("points[{index}]: {fault}"), cure)
+        })?;
+        warn_of(py, ReadError::of(readings.iter().map(|reading| reading.deviation)), how.eps)?;
+        Ok(readings)
+    }
+
+    fn reader(&self, how: &How) -> Reader<'_> {
+        Reader::by(how.by, &self.solved.outcome.solution, self.solved.visibility(), how.read, how.eps)
+    }
+
+    fn cells(&self, how: &How, sides: [usize; 2], progress: &Progress) -> Vec<Cell> {
+        grid(&self.reader(how), sides, how.rates, &|done, total| progress.step("cells", done, total))
+    }
+}
+
+/// Warns where rays leave more of an error than was asked for.
+fn warn_of(py: Python<'_>, error: Option<ReadError>, asked: f64) -> PyResult<()> {
+    match error.and_then(|error| error.warning(asked)) {
+        Some(warning) => warn(py, &warning.message),
+        None => Ok(()),
+    }
+}
+
+/// Bytes of a cell beside its bands, and of each band. Measured for the command: 395 for three bands with their text.
+const CELL: u64 = 140;
+const BAND: u64 = 85;
 
 #[pymethods]
 impl Solution {
-    /// Irradiance at points (n, 3) for unit normals (n, 3): an array (n, bands).
+    /// The scene.
+    #[getter]
+    fn scene(&self) -> Scene {
+        Scene { scene: self.solved.scene.clone() }
+    }
+
+    /// The report, in JSON.
+    #[getter]
+    fn report(&self) -> String {
+        serde_json::to_string(&self.report).expect("a report is plain data")
+    }
+
+    /// Coefficients of the radiosity in the orthonormal bases of the elements: an array (bands, unknowns).
+    #[getter]
+    fn coefficients<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let bands = self.solved.outcome.solution.bands();
+        let numbers: Vec<f64> =
+            bands.iter().flat_map(|band| band.coefficients.radiosity.iter().copied()).collect();
+        array(py, &[bands.len(), numbers.len() / bands.len()], numbers)
+    }
+
+    /// The surface of each element, and how many coefficients it has.
+    #[getter]
+    fn elements(&self) -> Vec<(usize, usize)> {
+        let elements = self.solved.outcome.solution.elements().list();
+        elements.iter().map(|element| (element.surface, element.basis.len())).collect()
+    }
+
+    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands).
     fn irradiance<'py>(
         &self,
         py: Python<'py>,
         positions: PyReadonlyArray2<'_, f64>,
         normals: PyReadonlyArray2<'_, f64>,
+        given: &Bound<'_, PyDict>,
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let (positions, normals) = (points("points", &positions)?, points("normals", &normals)?);
-        let probes: Vec<Probe> =
-            positions.into_iter().zip(normals).map(|(position, normal)| Probe { position, normal }).collect();
-        let Solved { scene, options, outcome, .. } = &self.solved;
-        let readings = work(py, observer.as_ref(), |progress| {
-            let read = || {
-                let reader = Reader::new(&outcome.solution, self.solved.visibility(), Read::Gather, 1.25e-3);
-                probe(&reader, &probes, scene.middle, &|done, total| progress.step("points", done, total))
-            };
-            in_threads(options.threads, read).map_err(Trouble::from)
-        })?;
-        let readings =
-            readings.map_err(|(index, fault)| Trouble::new(format!("points[{index}]: {fault}"), ""))?;
+        let sensors = probes(&positions, &normals)?;
+        let given = Arguments::of(given)?;
+        let readings = self.sense(py, &sensors, given, "irradiance", observer.as_ref())?;
         let numbers = readings.into_iter().flat_map(|reading| reading.irradiance).collect();
-        Ok(array(py, &[probes.len(), scene.bands.len()], numbers))
+        Ok(array(py, &[sensors.len(), self.solved.scene.bands.len()], numbers))
     }
+
+    /// What a plane of sensors reads: one of the scene by its name, or one from a corner along two edges.
+    fn plane(
+        &self,
+        py: Python<'_>,
+        plane: plane::Given,
+        given: &Bound<'_, PyDict>,
+        observer: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Plane> {
+        let plane = plane.of(&self.solved.scene)?;
+        let sensors: Vec<Probe> = Probe::of_plane(&plane).collect();
+        let readings = self.sense(py, &sensors, Arguments::of(given)?, "plane", observer.as_ref())?;
+        let own = Plane::new(plane, &self.solved.scene, readings);
+        own.warning().map_or(Ok(()), |message| warn(py, &message))?;
+        Ok(own)
+    }
+
+    /// Means over the cells of every surface.
+    fn grid(
+        &self,
+        py: Python<'_>,
+        given: &Bound<'_, PyDict>,
+        observer: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Grid> {
+        let mut given = Arguments::of(given)?;
+        let mut side = |name| Ok::<_, PyErr>(given.count(name, &ranges::PIXELS)?.unwrap_or(16));
+        let sides = [side("cells_u")?, side("cells_v")?];
+        let (how, threads) = self.reading(&mut given)?;
+        given.finish("grid")?;
+        let scene = &self.solved.scene;
+        let count = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
+        let needed = count * (CELL + BAND * scene.bands.len() as u64);
+        memory::require(needed, self.method.memory, ["the cells", "ask for fewer with --cells"])
+            .map_err(Trouble::from)?;
+        let cells =
+            self.read(py, observer.as_ref(), threads, |progress| self.cells(&how, sides, progress))?;
+        warn_of(py, ReadError::of(cells.iter().map(|cell| cell.deviation)), how.eps)?;
+        Ok(Grid::new(cells, scene))
+    }
+
+    /// A picture: an array (rows, columns, bands).
+    fn render<'py>(
+        &self,
+        py: Python<'py>,
+        camera: Option<picture::Given>,
+        given: &Bound<'_, PyDict>,
+        observer: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+        let shot = picture::Shot::of(camera, &mut Arguments::of(given)?, self)?;
+        let raster = self.read(py, observer.as_ref(), shot.threads, |progress| {
+            shot.take(&self.solved.outcome.solution, self.solved.visibility(), progress)
+        })?;
+        let [width, height] = raster.size().map(|pixels| pixels as usize);
+        let numbers = raster.pixels().flatten().copied().collect();
+        Ok(array(py, &[height, width, self.solved.scene.bands.len()], numbers))
+    }
+
+    /// The same with light groups at other factors.
+    fn relight(&self, factors: BTreeMap<String, f64>) -> Result<Self, Trouble> {
+        let factors: Vec<(&str, f64)> =
+            factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
+        Ok(Self::new(self.solved.relight(&factors)?, self.method.clone(), self.is_saved))
+    }
+
+    /// Writes it as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
+    fn save(&self, py: Python<'_>, path: &str, is_grid: bool) -> PyResult<()> {
+        let kept = "a solution is kept for readers, who would gather from it as if it were all light";
+        require_all_bounces(&self.method, kept, "solve the scene without --bounces")
+            .map_err(Trouble::from)?;
+        py.detach(|| match is_grid {
+            true => self.write_grid(path),
+            false => self.write_json(path),
+        })
+    }
+}
+
+impl Solution {
+    fn write_json(&self, path: &str) -> PyResult<()> {
+        write(path, |file| Ok(serde_json::to_writer(file, &SolutionFile::new(&self.solved))?))
+    }
+
+    fn write_grid(&self, path: &str) -> PyResult<()> {
+        let grid = Cells::new(&self.solved.scene, &self.solved.outcome.solution).map_err(Trouble::from)?;
+        write(path, |file| grid.write(file))
+    }
+}
+
+fn write(path: &str, to: impl FnOnce(&mut BufWriter<File>) -> std::io::Result<()>) -> PyResult<()> {
+    let written = File::create(path).map(BufWriter::new).and_then(|mut file| {
+        to(&mut file)?;
+        file.flush()
+    });
+    written.map_err(|error| file_error(path, &error))
 }

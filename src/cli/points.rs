@@ -140,14 +140,10 @@ impl Columns {
                 format!("column {} ({}): farther off than 1e30", self.places[place] + 1, COLUMNS[place]);
             return Err((fault, "give the point in the unit of the scene, whose numbers end at 1e30"));
         }
-        let normal = DVec3::new(nx, ny, nz);
-        // Scaled by the largest component first: squares of very long or short normals leave the range of numbers.
-        let largest = normal.abs().max_element();
-        if largest == 0.0 {
+        Probe::along(DVec3::new(x, y, z), DVec3::new(nx, ny, nz)).ok_or_else(|| {
             let fault = format!("column {} (nx): the normal is zero", self.places[3] + 1);
-            return Err((fault, "give the direction that the light is received along, of any length but 0"));
-        }
-        Ok(Probe { position: DVec3::new(x, y, z), normal: (normal / largest).normalize() })
+            (fault, "give the direction that the light is received along, of any length but 0")
+        })
     }
 }
 

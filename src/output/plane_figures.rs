@@ -4,6 +4,7 @@ use serde::Serialize;
 
 use super::probe::Reading;
 use super::uniformity::Uniformity;
+use super::warning::Warning;
 use crate::scene::SensorPlane;
 
 /// Part of the greatest irradiance of a plane below which there is no light: it is the rounding of gathered light.
@@ -57,6 +58,18 @@ impl PlaneFigures {
             _ => BandFigures::Several { bands: bands.iter().enumerate().map(named).collect() },
         };
         Self { name: plane.name().to_owned(), points: readings.len(), dark: dark(readings), figures }
+    }
+
+    /// A warning where sensors get no light, which a plane that goes through furniture has.
+    pub fn warning(&self) -> Option<Warning> {
+        let message = || {
+            format!(
+                "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
+                 the plane, or read several planes around what stands in it",
+                self.dark, self.points, self.name
+            )
+        };
+        (self.dark > 0).then(|| Warning::general("dark-sensors", message()))
     }
 
     /// A line for each band, with values in `unit`.

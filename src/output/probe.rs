@@ -27,6 +27,14 @@ pub struct Probe {
 }
 
 impl Probe {
+    /// A probe that receives along a direction of any length; None for one of length 0, or not finite.
+    pub fn along(position: DVec3, direction: DVec3) -> Option<Self> {
+        // Scaled by the largest component first: squares of very long or short directions leave the range of numbers.
+        let largest = direction.abs().max_element();
+        let is_some = direction.is_finite() && largest > 0.0;
+        is_some.then(|| Self { position, normal: (direction / largest).normalize() })
+    }
+
     /// The sensors of a plane, in order.
     pub fn of_plane(plane: &SensorPlane) -> impl Iterator<Item = Self> {
         let normal = plane.normal();

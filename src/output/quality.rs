@@ -11,14 +11,17 @@
 //! Shadows of the draft's transfers may be rough: cells and points are gathered with exact shadows, and in pictures
 //! read from polynomials the error of the basis dominates.
 
+use serde::Deserialize;
+
 use crate::gather::choice::{By, USUAL_EPS};
 use crate::output::grid::Rates;
 use crate::output::reader::Read;
 use crate::solve::Options;
 
 /// A preset.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 pub enum Quality {
     /// A draft.
     Quick,

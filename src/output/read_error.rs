@@ -6,6 +6,10 @@ use serde::Serialize;
 
 use crate::gather::by_rays::Deviation;
 use crate::output::round::decimals;
+use crate::output::warning::Warning;
+
+/// Errors of readings, over those asked for, that are worth a warning. Chosen.
+const MISSED: f64 = 1.5;
 
 /// Standard deviations of readings by rays, relative to each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -26,6 +30,20 @@ impl ReadError {
         let largest = deviations.iter().map(|deviation| deviation.relative).reduce(f64::max)?;
         let dark = deviations.iter().filter(|deviation| deviation.is_dark).count();
         Some(Self { rms: (squares / deviations.len() as f64).sqrt(), largest, dark })
+    }
+}
+
+impl ReadError {
+    /// A warning where readings that were to err by `asked` err by much more.
+    pub fn warning(&self, asked: f64) -> Option<Warning> {
+        let message = || {
+            format!(
+                "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
+                 see small bright things or the edges of many; ask for a smaller --read-eps there",
+                self.rms, self.largest
+            )
+        };
+        (self.rms > MISSED * asked).then(|| Warning::general("reading-error", message()))
     }
 }
 

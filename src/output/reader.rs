@@ -1,6 +1,7 @@
 //! Readers: the sources of values at points and means over cells.
 
 use radiosity_geom::DVec3;
+use serde::Deserialize;
 
 use crate::gather::Gather;
 use crate::gather::by_rays::{Deviation, Estimate, RayGather, Receiver};
@@ -11,8 +12,9 @@ use crate::solution::{Place, Solution};
 use crate::visibility::Visibility;
 
 /// The source of irradiance.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 pub enum Read {
     /// The polynomials of the elements alone.
     Basis,

@@ -1,6 +1,5 @@
 //! The report of a run: JSON with stable keys.
 
-mod warning;
 mod warnings;
 
 use serde::Serialize;
@@ -12,12 +11,12 @@ use crate::output::peak_memory::peak_bytes;
 use crate::output::plane_figures::PlaneFigures;
 use crate::output::rank_work::RanksWork;
 use crate::output::read_error::ReadError;
+pub use crate::output::warning::Warning;
 use crate::scene::{Fitted, Imported, LightGroup};
 use crate::solve::{Functional, Outcome};
 use crate::solved::Solved;
 use crate::transport::PairCounts;
-pub use warning::Warning;
-use warnings::{dark, warnings};
+use warnings::warnings;
 
 /// The report of a run: what was done, its cost, and self-checks.
 #[derive(Clone, Debug, Serialize)]
@@ -196,27 +195,16 @@ impl Report {
 
     /// Adds the errors of readings by rays that were to err by `asked`, with a warning where they err by much more.
     pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
-        let missed = error.filter(|error| error.rms > MISSED * asked);
-        self.warnings.extend(missed.map(|error| {
-            let message = format!(
-                "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
-                 see small bright things or the edges of many; ask for a smaller --read-eps there",
-                error.rms, error.largest
-            );
-            Warning::general("reading-error", message)
-        }));
+        self.warnings.extend(error.and_then(|error| error.warning(asked)));
         self.read_error = error;
     }
 
     /// Adds what planes read, with warnings of sensors without light.
     pub fn add_planes(&mut self, planes: Vec<PlaneFigures>) {
-        self.warnings.extend(planes.iter().filter_map(dark));
+        self.warnings.extend(planes.iter().filter_map(PlaneFigures::warning));
         self.planes.extend(planes);
     }
 }
-
-/// Errors of readings, over those asked for, that are worth a warning. Chosen.
-const MISSED: f64 = 1.5;
 
 /// Lowest and highest degree of the elements; zeros if there are none.
 fn orders(elements: &Elements) -> [usize; 2] {

@@ -1,10 +1,13 @@
 //! What a picture shows of the light.
 
+use serde::Deserialize;
+
 use crate::elements::coating::Coating;
 
 /// The quantity that a picture shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "cli", derive(clap::ValueEnum))]
+#[serde(rename_all = "kebab-case")]
 pub enum Shown {
     /// What leaves surfaces, as the eye sees it.
     #[default]

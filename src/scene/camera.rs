@@ -33,7 +33,7 @@ impl Camera {
     }
 
     /// The camera after `middle` was subtracted from all coordinates.
-    pub(super) fn about(self, middle: DVec3) -> Self {
+    pub fn about(self, middle: DVec3) -> Self {
         Self { eye: self.eye - middle, target: self.target - middle, ..self }
     }
 
@@ -42,7 +42,7 @@ impl Camera {
     /// # Errors
     /// [`Fault::NotFinite`] or [`Fault::OutOfRange`] for a number; [`Fault::BadCamera`] if eye and target coincide or
     /// `up` lies along the view.
-    pub(super) fn checked(self) -> Result<Self, Fault> {
+    pub fn checked(self) -> Result<Self, Fault> {
         let numbers = [self.eye, self.target, self.up].into_iter().flat_map(|point| point.to_array());
         if let Some(value) = numbers.chain([self.fov]).find(|value| !value.is_finite()) {
             return Err(Fault::NotFinite { value });

@@ -205,7 +205,7 @@ impl Source {
     }
 
     /// The same text, which may include files.
-    pub(super) fn with_files(self) -> Self {
+    pub fn with_files(self) -> Self {
         Self { reads_files: true, ..self }
     }
 

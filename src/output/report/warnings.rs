@@ -2,7 +2,6 @@
 
 use crate::inspection::Inspection;
 use crate::output::missed::missed;
-use crate::output::plane_figures::PlaneFigures;
 use crate::scene::Scene;
 use crate::solution::Band;
 use crate::solve::{Options, Outcome};
@@ -10,7 +9,7 @@ use crate::solved::Solved;
 use crate::studies::adaptation::{Achieved, End};
 use crate::transport::Miss;
 
-use super::warning::Warning;
+use crate::output::warning::Warning;
 
 /// The warnings of a solved scene.
 pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
@@ -225,16 +224,4 @@ fn inaccurate(scene: &Scene, outcome: &Outcome, miss: &Miss) -> Warning {
     let [surface, other] = miss.pair.map(|element| &scene.surfaces[list[element].surface].name);
     let told = Warning::general("accuracy-reached", missed(miss, [surface, other]));
     Warning { surface: Some(surface.clone()), other: Some(other.clone()), size: Some(miss.error), ..told }
-}
-
-/// A warning about sensors without light, which a plane that goes through furniture has.
-pub(super) fn dark(plane: &PlaneFigures) -> Option<Warning> {
-    let message = || {
-        format!(
-            "{} of the {} sensors of plane {:?} get no light, as sensors within a body do, and count in its figures: move \
-             the plane, or read several planes around what stands in it",
-            plane.dark, plane.points, plane.name
-        )
-    };
-    (plane.dark > 0).then(|| Warning::general("dark-sensors", message()))
 }

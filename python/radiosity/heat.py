@@ -1,0 +1,88 @@
+"""Balances of radiant heat."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from . import _radiosity
+from .arrays import Numbers
+
+
+class Heat:
+    """Temperatures and flows of radiant heat of n surfaces; arrays are of shape (n,)."""
+
+    def __init__(self, native: _radiosity.Heat) -> None:
+        self._native = native
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the surfaces."""
+        return self._native.names
+
+    @property
+    def areas(self) -> Numbers:
+        """Areas (m²)."""
+        return self._native.areas
+
+    @property
+    def emissivity(self) -> Numbers:
+        """Emissivities; nan where none is known."""
+        return self._native.emissivity
+
+    @property
+    def temperature(self) -> Numbers:
+        """Temperatures (K), given or found; of a surface of known flux that of its mean σT⁴."""
+        return self._native.temperature
+
+    @property
+    def temperature_error(self) -> Numbers:
+        """Estimated errors of the temperatures (K); 0 where they are given."""
+        return self._native.temperature_error
+
+    @property
+    def flux(self) -> Numbers:
+        """Net fluxes (W/m²): heat that leaves a surface as radiation, over its area."""
+        return self._native.flux
+
+    @property
+    def power(self) -> Numbers:
+        """Net flows (W): flux times area."""
+        return self._native.power
+
+    @property
+    def power_error(self) -> Numbers:
+        """Estimated errors of the flows (W); 0 where they are given."""
+        return self._native.power_error
+
+    @property
+    def radiosity(self) -> Numbers:
+        """What leaves each surface (W/m²)."""
+        return self._native.radiosity
+
+    @property
+    def irradiance(self) -> Numbers:
+        """What arrives at each surface (W/m²)."""
+        return self._native.irradiance
+
+    @property
+    def lost(self) -> float:
+        """Flow (W) that leaves the scene, to surroundings at 0 K; in a closed scene how well the balance closes."""
+        return self._native.lost
+
+    @property
+    def is_closed(self) -> bool:
+        """Whether hardly any heat leaves the scene."""
+        return self._native.is_closed
+
+    @cached_property
+    def conductances(self) -> Numbers | None:
+        """C (m²), an array (n, n), with `conductances=True`: from i to j flow C_ij σ (T_i⁴ − T_j⁴) watts."""
+        return self._native.conductances
+
+    @property
+    def surroundings(self) -> Numbers | None:
+        """Conductances to the surroundings (m²), with `conductances=True`."""
+        return self._native.surroundings
+
+    def __repr__(self) -> str:
+        return f"<Heat of {len(self.names)} surfaces>"

@@ -1,0 +1,76 @@
+"""What planes of sensors read."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+import numpy as np
+
+from . import _radiosity
+from .arrays import Numbers
+
+
+class Plane:
+    """The irradiance (the scene's unit) on a plane of sensors, rows along its first edge and columns along its second."""
+
+    def __init__(self, native: _radiosity.Plane, scene: _radiosity.Scene) -> None:
+        self._native = native
+        self.name: str = native.name
+        """Its name."""
+        self.bands: list[str] = scene.bands
+        """Names of the bands."""
+        self.unit: str = scene.unit
+        """Unit of the values."""
+
+    @cached_property
+    def values(self) -> Numbers:
+        """Irradiance, an array (rows, columns, bands)."""
+        return self._native.values
+
+    @cached_property
+    def points(self) -> Numbers:
+        """Where the sensors are, an array (rows, columns, 3)."""
+        return self._native.points
+
+    @property
+    def normal(self) -> Numbers:
+        """The unit normal along which they receive, an array (3,)."""
+        return np.array(self._native.normal)
+
+    @cached_property
+    def _figures(self) -> Numbers:
+        return np.array(self._native.figures)
+
+    @property
+    def mean(self) -> Numbers:
+        """Mean of each band, an array (bands,)."""
+        return self._figures[:, 0]
+
+    @property
+    def min(self) -> Numbers:
+        """Least value of each band, an array (bands,)."""
+        return self._figures[:, 1]
+
+    @property
+    def max(self) -> Numbers:
+        """Greatest value of each band, an array (bands,)."""
+        return self._figures[:, 2]
+
+    @property
+    def u0(self) -> Numbers:
+        """Overall uniformity, least over mean (EN 12464-1), of each band, an array (bands,); nan in the dark."""
+        return self._figures[:, 3]
+
+    @property
+    def ud(self) -> Numbers:
+        """Least over greatest, of each band, an array (bands,); nan in the dark."""
+        return self._figures[:, 4]
+
+    @property
+    def dark(self) -> int:
+        """How many sensors get no light, as those within a body do."""
+        return self._native.dark
+
+    def __repr__(self) -> str:
+        rows, columns, _ = self.values.shape
+        return f"<Plane {self.name!r}: {rows} × {columns} sensors, mean {self.mean} {self.unit}, U0 {self.u0}>"

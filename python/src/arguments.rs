@@ -1,0 +1,105 @@
+//! Arguments by name: checked, and taken one by one; what is left was not known.
+
+use std::collections::BTreeMap;
+use std::fmt::Display;
+use std::ops::RangeInclusive;
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use radiosity::request::ranges;
+use serde::de::value::Error as Unknown;
+use serde::de::{DeserializeOwned, IntoDeserializer};
+
+use crate::error::Trouble;
+
+/// Arguments that were given; those that are None are as good as not given.
+pub(crate) struct Arguments<'py> {
+    given: BTreeMap<String, Bound<'py, PyAny>>,
+}
+
+impl<'py> Arguments<'py> {
+    /// Those in a dictionary by name.
+    ///
+    /// # Errors
+    /// Names that are no text.
+    pub(crate) fn of(given: &Bound<'py, PyDict>) -> PyResult<Self> {
+        let named = given.iter().filter(|(_, value)| !value.is_none());
+        let named = named.map(|(name, value)| Ok((name.extract::<String>()?, value)));
+        Ok(Self { given: named.collect::<PyResult<_>>()? })
+    }
+
+    /// A number that `check` lets pass.
+    pub(crate) fn number(
+        &mut self,
+        name: &str,
+        check: fn(f64) -> Result<f64, &'static str>,
+    ) -> PyResult<Option<f64>> {
+        let Some(value) = self.given.remove(name) else { return Ok(None) };
+        let number = value.extract::<f64>().map_err(|_| wrong_type(name, "a number", &value))?;
+        Ok(Some(check(number).map_err(|expected| out_of_range(name, &value, expected))?))
+    }
+
+    /// A whole number in a range.
+    pub(crate) fn whole(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<u64>> {
+        let Some(value) = self.given.remove(name) else { return Ok(None) };
+        let expected = ranges::whole(range);
+        let number = value.extract::<i128>().map_err(|_| wrong_type(name, "a whole number", &value))?;
+        let number = u64::try_from(number).ok().filter(|number| range.contains(number));
+        Ok(Some(number.ok_or_else(|| out_of_range(name, &value, &expected))?))
+    }
+
+    /// The same, as an index.
+    pub(crate) fn count(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<usize>> {
+        // On machines of fewer bits no range is so wide.
+        Ok(self.whole(name, range)?.map(|number| number as usize))
+    }
+
+    /// Whether something is wanted.
+    pub(crate) fn flag(&mut self, name: &str) -> PyResult<bool> {
+        let Some(value) = self.given.remove(name) else { return Ok(false) };
+        value.extract::<bool>().map_err(|_| wrong_type(name, "True or False", &value))
+    }
+
+    /// One of several things that have names.
+    pub(crate) fn named<T: DeserializeOwned>(&mut self, name: &str) -> PyResult<Option<T>> {
+        self.read(name, |text| {
+            T::deserialize(IntoDeserializer::<Unknown>::into_deserializer(text))
+                .map_err(|unknown| unknown.to_string())
+        })
+    }
+
+    /// What `read` makes of a text, or of a number as it is written.
+    pub(crate) fn read<T, E: Display>(
+        &mut self,
+        name: &str,
+        read: impl FnOnce(&str) -> Result<T, E>,
+    ) -> PyResult<Option<T>> {
+        let Some(value) = self.given.remove(name) else { return Ok(None) };
+        let text = value.str()?.to_string();
+        Ok(Some(read(&text).map_err(|expected| out_of_range(name, &value, &expected.to_string()))?))
+    }
+
+    /// Refuses what was not taken, as Python refuses arguments that a function does not know.
+    pub(crate) fn finish(self, function: &str) -> PyResult<()> {
+        match self.given.keys().next() {
+            None => Ok(()),
+            Some(name) => {
+                Err(PyTypeError::new_err(format!("{function}() got an unexpected keyword argument '{name}'")))
+            }
+        }
+    }
+}
+
+/// The argument as it was given.
+fn shown(value: &Bound<'_, PyAny>) -> String {
+    value.repr().map_or_else(|_| "…".to_owned(), |text| text.to_string())
+}
+
+fn wrong_type(name: &str, expected: &str, value: &Bound<'_, PyAny>) -> PyErr {
+    PyTypeError::new_err(format!("{name}={}: expected {expected}", shown(value)))
+}
+
+fn out_of_range(name: &str, value: &Bound<'_, PyAny>, expected: &str) -> PyErr {
+    Trouble::new(format!("{name}={} cannot be", shown(value)), expected).into()
+}

@@ -1,0 +1,151 @@
+//! Balances of radiant heat.
+
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use radiosity::heat as library;
+use radiosity::heat::SurfaceHeat;
+use radiosity::output::missed::missed;
+use radiosity::solve::Progress as Step;
+use radiosity::transport::Miss;
+
+use crate::arguments::Arguments;
+use crate::arrays::array;
+use crate::error::{Trouble, warn};
+use crate::progress::Progress;
+use crate::requests;
+use crate::scene::Scene;
+use crate::work::work;
+
+/// The balance of heat of a scene.
+#[pyclass(frozen, module = "radiosity._radiosity")]
+pub(crate) struct Heat {
+    heat: library::Heat,
+}
+
+/// The balance of heat of a scene.
+#[pyfunction]
+pub(crate) fn heat_of(
+    py: Python<'_>,
+    scene: &Scene,
+    given: &Bound<'_, PyDict>,
+    observer: Option<Bound<'_, PyAny>>,
+) -> PyResult<Heat> {
+    let mut given = Arguments::of(given)?;
+    let request = requests::heat(&mut given)?;
+    given.finish("heat")?;
+    request.transfers.check().map_err(Trouble::from)?;
+    let heat = work(py, observer.as_ref(), |progress| {
+        library::Heat::of(&scene.scene, &request.options(), &|stage| show(progress, stage))
+    })?;
+    if let Some(miss) = heat.outcome.miss.filter(Miss::is_real) {
+        let surface = |element: usize| heat.outcome.solution.elements().list()[element].surface;
+        warn(
+            py,
+            &missed(&miss, miss.pair.map(|element| scene.scene.surfaces[surface(element)].name.as_str())),
+        )?;
+    }
+    if heat.error_orders.is_empty() {
+        warn(py, &no_error_of_order(request.order))?;
+    }
+    Ok(Heat { heat })
+}
+
+fn no_error_of_order(order: usize) -> String {
+    format!(
+        "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
+         fluxes miss; allow more with --memory",
+        order + 1
+    )
+}
+
+fn show(progress: &Progress, stage: library::Stage) {
+    match stage {
+        library::Stage::Error(Step::Blocks(done, total)) => progress.step("for the error", done, total),
+        library::Stage::Solution(stage) | library::Stage::Error(stage) => progress.stage(stage, 1),
+    }
+}
+
+impl Heat {
+    fn of_surfaces<'py>(&self, py: Python<'py>, of: fn(&SurfaceHeat) -> f64) -> Bound<'py, PyArrayDyn<f64>> {
+        array(py, &[self.heat.surfaces.len()], self.heat.surfaces.iter().map(of).collect())
+    }
+}
+
+#[pymethods]
+impl Heat {
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        self.heat.surfaces.iter().map(|own| own.name.clone()).collect()
+    }
+
+    #[getter]
+    fn areas<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.area)
+    }
+
+    /// Not a number where it is not known.
+    #[getter]
+    fn emissivity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.emissivity.unwrap_or(f64::NAN))
+    }
+
+    #[getter]
+    fn temperature<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.temperature)
+    }
+
+    #[getter]
+    fn temperature_error<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.temperature_error)
+    }
+
+    #[getter]
+    fn flux<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.flux)
+    }
+
+    #[getter]
+    fn power<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.flow)
+    }
+
+    #[getter]
+    fn power_error<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.flow_error)
+    }
+
+    #[getter]
+    fn radiosity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.radiosity)
+    }
+
+    #[getter]
+    fn irradiance<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        self.of_surfaces(py, |own| own.irradiance)
+    }
+
+    #[getter]
+    fn lost(&self) -> f64 {
+        self.heat.lost
+    }
+
+    #[getter]
+    fn is_closed(&self) -> bool {
+        self.heat.is_closed()
+    }
+
+    /// An array (n, n), if they were asked for.
+    #[getter]
+    fn conductances<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArrayDyn<f64>>> {
+        let rows = &self.heat.conductances.as_ref()?.rows;
+        Some(array(py, &[rows.len(), rows.len()], rows.iter().flatten().copied().collect()))
+    }
+
+    /// Conductances to the surroundings, an array (n,), if they were asked for.
+    #[getter]
+    fn surroundings<'py>(&self, py: Python<'py>) -> Option<Bound<'py, PyArrayDyn<f64>>> {
+        let lost = &self.heat.conductances.as_ref()?.lost;
+        Some(array(py, &[lost.len()], lost.clone()))
+    }
+}

@@ -1,0 +1,84 @@
+//! Pictures as arrays.
+
+use pyo3::prelude::*;
+use radiosity::geom::DVec3;
+use radiosity::output::raster::Raster;
+use radiosity::output::reader::Read;
+use radiosity::output::render::{Stage, render, usual_read};
+use radiosity::output::shown::Shown;
+use radiosity::request::picture::{SAMPLES, camera, pixels, require_pixels, sized};
+use radiosity::request::{check_aim, ranges};
+use radiosity::scene::{Camera, Scene};
+use radiosity::solution::Solution as Light;
+use radiosity::visibility::Visibility;
+
+use crate::arguments::Arguments;
+use crate::error::Trouble;
+use crate::progress::Progress;
+use crate::requests;
+use crate::solution::Solution;
+
+/// A camera as it is given: eye, target, up, and the vertical angle of view in degrees.
+#[derive(FromPyObject)]
+pub(crate) struct Given([f64; 3], [f64; 3], [f64; 3], f64);
+
+impl Given {
+    /// The camera in the coordinates of a scene's surfaces.
+    fn of(self, scene: &Scene) -> Result<Camera, Trouble> {
+        let Self(eye, target, up, fov) = self;
+        let [eye, target, up] = [eye, target, up].map(DVec3::from_array);
+        let camera = Camera { up, fov, ..Camera::new(eye, target) }.checked()?;
+        Ok(camera.about(scene.middle))
+    }
+}
+
+/// A picture about to be taken.
+pub(crate) struct Shot {
+    camera: Camera,
+    samples: u32,
+    read: Option<Read>,
+    show: Shown,
+    pub(crate) threads: usize,
+}
+
+impl Shot {
+    /// As `given`, through a camera or that of the scene.
+    pub(crate) fn of(
+        through: Option<Given>,
+        given: &mut Arguments<'_>,
+        solution: &Solution,
+    ) -> PyResult<Self> {
+        let scene = &solution.solved.scene;
+        let side = |pixels: Option<u64>| pixels.map(|pixels| pixels as u32);
+        let size =
+            side(given.whole("width", &ranges::PIXELS)?).zip(side(given.whole("height", &ranges::PIXELS)?));
+        let size = size.map(<[u32; 2]>::from);
+        let camera = match through {
+            Some(own) => sized(own.of(scene)?, size),
+            None => camera(size, scene).map_err(Trouble::from)?,
+        };
+        let shot = Self {
+            samples: given.whole("samples", &ranges::SAMPLES)?.map_or(SAMPLES, |samples| samples as u32),
+            read: given.named("read")?,
+            show: given.named("show")?.unwrap_or_default(),
+            threads: requests::threads(given)?.unwrap_or(solution.solved.options.threads),
+            camera,
+        };
+        check_aim(shot.read, &solution.method).map_err(Trouble::from)?;
+        require_pixels(&shot.camera, scene, solution.method.memory).map_err(Trouble::from)?;
+        Ok(shot)
+    }
+
+    /// Takes it.
+    pub(crate) fn take(&self, light: &Light, visibility: &Visibility, progress: &Progress) -> Raster {
+        let usual = || usual_read(light, visibility, pixels(&self.camera));
+        let read = self.read.unwrap_or_else(usual);
+        let observe = |stage| match stage {
+            Stage::Expected(_) => {}
+            Stage::Direct(done, total) => progress.step("direct light", done, total),
+            Stage::Gather(done, total) => progress.step("gathering", done, total),
+            Stage::Pixels(done, total) => progress.step("picture", done, total),
+        };
+        render(light, visibility, &self.camera, self.samples, read, self.show, &observe)
+    }
+}

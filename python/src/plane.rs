@@ -1,0 +1,105 @@
+//! What planes of sensors read.
+
+use numpy::PyArrayDyn;
+use pyo3::prelude::*;
+use radiosity::geom::DVec3;
+use radiosity::output::plane_figures::{BandFigures, PlaneFigures};
+use radiosity::output::probe::Reading;
+use radiosity::output::uniformity::Uniformity;
+use radiosity::scene::{Scene, SensorPlane};
+
+use crate::arrays::array;
+use crate::error::Trouble;
+
+/// A plane as it is given: by its name in the scene, or by a corner, two edges and the largest spacing along each.
+#[derive(FromPyObject)]
+pub(crate) enum Given {
+    Named(String),
+    Typed([f64; 3], [f64; 3], [f64; 3], [f64; 2]),
+}
+
+impl Given {
+    /// The plane in a scene.
+    pub(crate) fn of(self, scene: &Scene) -> Result<SensorPlane, Trouble> {
+        match self {
+            Self::Named(name) => Ok(scene.plane_named(&name)?.clone()),
+            Self::Typed(origin, first, second, spacing) => {
+                let edges = [first, second].map(DVec3::from_array);
+                Ok(SensorPlane::new("plane-1", DVec3::from_array(origin), edges, spacing)?)
+            }
+        }
+    }
+}
+
+/// The irradiance on a plane of sensors.
+#[pyclass(frozen, module = "radiosity._radiosity")]
+pub(crate) struct Plane {
+    plane: SensorPlane,
+    bands: usize,
+    readings: Vec<Reading>,
+    figures: PlaneFigures,
+}
+
+impl Plane {
+    pub(crate) fn new(plane: SensorPlane, scene: &Scene, readings: Vec<Reading>) -> Self {
+        let figures = PlaneFigures::of(&plane, &scene.bands, &readings);
+        Self { plane, bands: scene.bands.len(), readings, figures }
+    }
+
+    /// What is to be told of sensors in the dark.
+    pub(crate) fn warning(&self) -> Option<String> {
+        self.figures.warning().map(|warning| warning.message)
+    }
+
+    fn of_bands(&self) -> Vec<Uniformity> {
+        match &self.figures.figures {
+            BandFigures::One(own) => vec![*own],
+            BandFigures::Several { bands } => bands.iter().map(|band| band.figures).collect(),
+        }
+    }
+}
+
+#[pymethods]
+impl Plane {
+    #[getter]
+    fn name(&self) -> &str {
+        self.plane.name()
+    }
+
+    /// Irradiance: an array (rows, columns, bands), rows along the first edge.
+    #[getter]
+    fn values<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let [rows, columns] = self.plane.counts();
+        let numbers = self.readings.iter().flat_map(|reading| reading.irradiance.iter().copied());
+        array(py, &[rows, columns, self.bands], numbers.collect())
+    }
+
+    /// Where the sensors are: an array (rows, columns, 3).
+    #[getter]
+    fn points<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let [rows, columns] = self.plane.counts();
+        let numbers = self.plane.sensors().flat_map(|point| point.to_array());
+        array(py, &[rows, columns, 3], numbers.collect())
+    }
+
+    /// The unit normal along which they receive.
+    #[getter]
+    fn normal(&self) -> [f64; 3] {
+        self.plane.normal().to_array()
+    }
+
+    /// Mean, least, greatest, U0 and Ud of each band; not a number in the dark.
+    #[getter]
+    fn figures(&self) -> Vec<[f64; 5]> {
+        let numbers = |own: Uniformity| {
+            [own.mean, own.min, own.max, own.u0.unwrap_or(f64::NAN), own.ud.unwrap_or(f64::NAN)]
+        };
+        self.of_bands().into_iter().map(numbers).collect()
+    }
+
+    /// How many sensors get no light.
+    #[getter]
+    fn dark(&self) -> usize {
+        self.figures.dark
+    }
+}

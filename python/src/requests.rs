@@ -1,0 +1,140 @@
+//! Arguments as what the library calls a request.
+
+use std::num::NonZeroUsize;
+use std::path::PathBuf;
+
+use pyo3::prelude::*;
+use radiosity::elements::cells::Layers;
+use radiosity::formats::{format::Format, model::Sides};
+use radiosity::output::quality::Quality;
+use radiosity::request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest, ranges};
+use radiosity::scene::{MAX_ORDER, MAX_PARTS};
+use radiosity::solve::MOST_RAYS;
+use radiosity::zatz1993::masked_light::Masking;
+use radiosity_solvers::method::Method;
+
+use crate::arguments::Arguments;
+use crate::error::Trouble;
+
+/// Most bytes of memory: as many as there can be.
+const BYTES: std::ops::RangeInclusive<u64> = 1..=u64::MAX;
+
+/// How light is to be computed.
+pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
+    let usual = MethodRequest::default();
+    let layers = Layers {
+        count: given.count("layers", &ranges::LAYERS)?.unwrap_or(usual.layers.count),
+        ratio: given.number("ratio", ranges::fraction)?.unwrap_or(usual.layers.ratio),
+    };
+    Ok(MethodRequest {
+        quality: given.named::<Quality>("quality")?.unwrap_or(usual.quality),
+        algorithm: given.named("method")?.unwrap_or(usual.algorithm),
+        basis: given.named("basis")?.unwrap_or(usual.basis),
+        order: given.read("order", str::parse)?,
+        accuracy: given.number("accuracy", ranges::fraction)?,
+        aim: None,
+        time_limit: given.number("time_limit", ranges::seconds)?,
+        tensor: given.flag("tensor")?,
+        subdivide: subdivide(given)?,
+        layers,
+        eps: given.number("eps", ranges::accuracy)?,
+        kernel: given.named("kernel")?.unwrap_or(usual.kernel),
+        transport: given.named("transport")?.unwrap_or(usual.transport),
+        rays: given.whole("rays", &(1..=MOST_RAYS))?,
+        solver: given.read("solver", Method::named)?.unwrap_or(usual.solver),
+        preconditioner: given.named("preconditioner")?.unwrap_or(usual.preconditioner),
+        bounces: given.count("bounces", &ranges::BOUNCES)?,
+        tolerance: given.number("tolerance", ranges::positive)?.unwrap_or(usual.tolerance),
+        max_iterations: given.count("max_iterations", &ranges::ITERATIONS)?.unwrap_or(usual.max_iterations),
+        shadows: given.named("shadows")?.unwrap_or(usual.shadows),
+        direct: given.named("direct")?.unwrap_or(usual.direct),
+        shadow_eps: given.number("shadow_eps", ranges::accuracy)?,
+        masks: masks(given)?,
+        memory: given.whole("memory", &BYTES)?,
+        threads: threads(given)?,
+    })
+}
+
+/// How masks are made.
+fn masks(given: &mut Arguments<'_>) -> PyResult<Masking> {
+    let usual = Masking::default();
+    let cells = given.count("mask_cells", &ranges::MASK_CELLS)?.and_then(NonZeroUsize::new);
+    let average = given.named("mask_average")?.unwrap_or(usual.average);
+    Ok(Masking { cells: cells.unwrap_or(usual.cells), average })
+}
+
+/// Elements along a side of each surface; None chooses.
+fn subdivide(given: &mut Arguments<'_>) -> PyResult<Option<usize>> {
+    let parts = |text: &str| match text {
+        "auto" => Ok(None),
+        text => {
+            let parts = text.parse().ok().filter(|parts| (1..=MAX_PARTS).contains(parts));
+            parts.map(Some).ok_or_else(|| format!("expected a whole number from 1 to {MAX_PARTS}, or auto"))
+        }
+    };
+    Ok(given.read("subdivide", parts)?.flatten())
+}
+
+/// How many threads are to work.
+pub(crate) fn threads(given: &mut Arguments<'_>) -> PyResult<Option<usize>> {
+    given.count("threads", &ranges::THREADS)
+}
+
+/// How a solution is to be read.
+pub(crate) fn reading(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
+    let (read, by) = (given.named("read")?, given.named("read_by")?);
+    Ok(ReadRequest { read, by, eps: given.number("read_eps", ranges::accuracy)? })
+}
+
+/// How transfers are to be integrated, to the accuracy `eps` unless another one is given.
+pub(crate) fn transfers(given: &mut Arguments<'_>, eps: f64) -> PyResult<TransferRequest> {
+    let usual = TransferRequest::new(eps);
+    Ok(TransferRequest {
+        subdivide: subdivide(given)?,
+        eps: given.number("eps", ranges::accuracy)?.unwrap_or(usual.eps),
+        shadow_eps: given.number("shadow_eps", ranges::accuracy)?,
+        shadows: given.named("shadows")?.unwrap_or(usual.shadows),
+        threads: threads(given)?,
+    })
+}
+
+/// How a balance of heat is to be computed.
+pub(crate) fn heat(given: &mut Arguments<'_>) -> PyResult<HeatRequest> {
+    let usual = HeatRequest::default();
+    Ok(HeatRequest {
+        transfers: transfers(given, TransferRequest::HEAT)?,
+        order: given.count("order", &(0..=MAX_ORDER as u64))?.unwrap_or(usual.order),
+        transport: given.named("transport")?.unwrap_or(usual.transport),
+        memory: given.whole("memory", &BYTES)?,
+        conductances: given.flag("conductances")?,
+    })
+}
+
+/// How a scene of another program is to be read.
+pub(crate) fn import(given: &mut Arguments<'_>) -> PyResult<ImportRequest> {
+    let format = |text: &str| {
+        let names = || Format::ALL.map(Format::name).join(", ");
+        let known = Format::ALL.into_iter().find(|format| format.name() == text);
+        known.ok_or_else(|| format!("expected one of {}", names()))
+    };
+    Ok(ImportRequest {
+        format: given.read("format", format)?,
+        sides: sides(given)?,
+        materials: given.read("materials", |path| Ok::<_, String>(PathBuf::from(path)))?,
+        unit: given.read("unit", str::parse)?,
+        up: given.read("up", str::parse)?,
+        fix_fronts: given.flag("fix_fronts")?,
+        grey: given.flag("grey")?,
+    })
+}
+
+fn sides(given: &mut Arguments<'_>) -> PyResult<Option<Sides>> {
+    match (given.flag("one_sided")?, given.flag("two_sided")?) {
+        (true, true) => {
+            Err(Trouble::new("--one-sided does not go with --two-sided", "leave one of them out").into())
+        }
+        (true, false) => Ok(Some(Sides::Front)),
+        (false, true) => Ok(Some(Sides::Both)),
+        (false, false) => Ok(None),
+    }
+}
