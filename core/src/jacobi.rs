@@ -4,8 +4,10 @@ mod integral;
 mod anchored;
 pub(crate) mod monic;
 mod polynomials;
+mod table;
 mod weight;
 
 pub(crate) use self::integral::integral;
 pub use self::polynomials::{Polynomials, orthonormal};
+pub use self::table::{Entry, Table};
 pub use self::weight::{Weight, WeightError};

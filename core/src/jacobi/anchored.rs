@@ -15,7 +15,7 @@
 
 use super::{Weight, integral};
 use crate::double::Double;
-use crate::recurrence::Step;
+use crate::recurrence::{Differences, Step};
 
 /// Walks k = 0, 1, … along the end x = 1 of a weight.
 #[derive(Clone, Copy)]
@@ -64,5 +64,42 @@ impl Anchor {
         self.end = self.end.mul(growth.sqrt());
         self.k += 1;
         Step { keep, kappa: Double::new(keep).sub(rest).hi, sigma: sigma.hi }
+    }
+}
+
+/// p_k at an end and the steps from there, for k = 0, 1, …; `turn` is −1 at the end −1 of the mirrored weight, else 1.
+pub(super) fn anchored(weight: Weight, turn: f64) -> impl Iterator<Item = (f64, Step)> {
+    let (mut anchor, mut sign) = (Anchor::new(weight), 1.0);
+    core::iter::repeat_with(move || {
+        let value = sign * anchor.end();
+        sign *= turn;
+        (value, anchor.advance())
+    })
+}
+
+/// Writes p_k(x) from the values at the nearer end and the steps from there.
+#[inline(always)]
+pub(super) fn write(x: f64, end: impl Iterator<Item = (f64, Step)>, out: &mut [f64]) {
+    let mut walk = Differences::new(1.0 - x.abs());
+    for (p, (value, step)) in out.iter_mut().zip(end) {
+        *p = value * walk.value();
+        walk.advance(step);
+    }
+}
+
+/// Writes p_k(x) and p_k′(x) from the values at the nearer end and the steps from there.
+#[inline(always)]
+pub(super) fn write_with_derivatives(
+    x: f64,
+    end: impl Iterator<Item = (f64, Step)>,
+    out: &mut [f64],
+    slopes: &mut [f64],
+) {
+    let outward = if x < 0.0 { 1.0 } else { -1.0 };
+    let mut walk = Differences::new(1.0 - x.abs());
+    for ((p, d), (value, step)) in out.iter_mut().zip(slopes).zip(end) {
+        *p = value * walk.value();
+        *d = outward * value * walk.slope();
+        walk.advance_with_slope(step);
     }
 }

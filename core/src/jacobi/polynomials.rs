@@ -4,24 +4,17 @@
 //! anchored at the nearer end (module `anchored`), in tiles from the three-term recurrence (module `recurrence`).
 
 use super::Weight;
-use super::anchored::Anchor;
+use super::anchored::{Anchor, anchored, write, write_with_derivatives};
 use super::monic::Monic;
 use crate::double::Double;
-use crate::recurrence::{Differences, Recurrence, Step};
+use crate::recurrence::{Recurrence, Step};
 
 /// Writes p₀(x) … p_{m−1}(x), m = `out.len()`, for x ∈ [−1, 1].
 ///
-/// Makes the coefficients as it goes; where many points share a weight, [`Polynomials`] keeps them.
+/// Makes the coefficients as it goes; where many points share a weight, [`Polynomials`] and [`Table`](super::Table) keep them.
 pub fn orthonormal(weight: Weight, x: f64, out: &mut [f64]) {
     let (end, turn) = if x < 0.0 { (weight.mirrored(), -1.0) } else { (weight, 1.0) };
-    let mut anchor = Anchor::new(end);
-    let mut walk = Differences::new(1.0 - x.abs());
-    let (mut sign, mut scale) = (1.0, anchor.end());
-    for p in out {
-        *p = sign * scale * walk.value();
-        walk.advance(anchor.advance());
-        (sign, scale) = (sign * turn, anchor.end());
-    }
+    write(x, anchored(end, turn), out);
 }
 
 /// One end: the steps along k and the value of p_k there.
@@ -34,8 +27,7 @@ struct End<const N: usize> {
 impl<const N: usize> End<N> {
     /// The end +1 of a weight.
     const fn right(weight: Weight) -> End<N> {
-        let none = Step { keep: 0.0, kappa: 0.0, sigma: 0.0 };
-        let mut end = End { steps: [none; N], value: [0.0; N] };
+        let mut end = End { steps: [Step::NONE; N], value: [0.0; N] };
         let mut anchor = Anchor::new(weight);
         let mut k = 0;
         while k < N {
@@ -55,6 +47,12 @@ impl<const N: usize> End<N> {
             k += 2;
         }
         end
+    }
+
+    /// Values at the end, and steps to the next.
+    #[inline(always)]
+    fn iter(&self) -> impl Iterator<Item = (f64, Step)> {
+        self.value.iter().copied().zip(self.steps.iter().copied())
     }
 }
 
@@ -120,24 +118,12 @@ impl<const N: usize> Polynomials<N> {
 
     /// Writes p_k(x) for x ∈ [−1, 1], anchored at the nearer end.
     pub fn values(&self, x: f64, out: &mut [f64; N]) {
-        let end = self.nearer(x);
-        let mut walk = Differences::new(1.0 - x.abs());
-        for (k, p) in out.iter_mut().enumerate() {
-            *p = end.value[k] * walk.value();
-            walk.advance(end.steps[k]);
-        }
+        write(x, self.nearer(x).iter(), out);
     }
 
     /// Writes p_k(x) and p_k′(x) for x ∈ [−1, 1], anchored at the nearer end.
     pub fn values_with_derivatives(&self, x: f64, out: &mut [f64; N], slopes: &mut [f64; N]) {
-        let end = self.nearer(x);
-        let outward = if x < 0.0 { 1.0 } else { -1.0 };
-        let mut walk = Differences::new(1.0 - x.abs());
-        for k in 0..N {
-            out[k] = end.value[k] * walk.value();
-            slopes[k] = outward * end.value[k] * walk.slope();
-            walk.advance_with_slope(end.steps[k]);
-        }
+        write_with_derivatives(x, self.nearer(x).iter(), out, slopes);
     }
 
     fn nearer(&self, x: f64) -> &End<N> {

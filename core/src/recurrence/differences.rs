@@ -17,6 +17,11 @@ pub(crate) struct Step {
     pub(crate) sigma: f64,
 }
 
+impl Step {
+    /// The place of a step that is not made yet.
+    pub(crate) const NONE: Step = Step { keep: 0.0, kappa: 0.0, sigma: 0.0 };
+}
+
 /// R_k, D_k and dR_k/dy at one point, y its distance from the end of anchorage.
 pub(crate) struct Differences {
     y: f64,

@@ -1,7 +1,7 @@
 //! Values and derivatives: tables, big integers, orthonormality, and the agreement of all ways to evaluate.
 
 use proptest::prelude::*;
-use radiosity_core::jacobi::{self, Polynomials, Weight};
+use radiosity_core::jacobi::{self, Entry, Polynomials, Table, Weight};
 use radiosity_core::legendre;
 
 use crate::oracle::{Fixed, Oracle};
@@ -161,6 +161,16 @@ proptest! {
         jacobi::orthonormal(weight, x, &mut alone);
         table.recurrence().values(x, &mut plain);
         prop_assert_eq!(anchored, alone);
+        let mut entries = [Entry::EMPTY; 23];
+        let kept = Table::new(weight, &mut entries);
+        let (mut slopes, mut kept_slopes, mut kept_values) = ([0.0; 20], [0.0; 20], [0.0; 20]);
+        kept.values(x, &mut alone);
+        prop_assert_eq!(anchored, alone);
+        table.values_with_derivatives(x, &mut alone, &mut slopes);
+        kept.values_with_derivatives(x, &mut kept_values, &mut kept_slopes);
+        prop_assert_eq!((alone, slopes), (kept_values, kept_slopes));
+        let norms = table.norms();
+        prop_assert!((0..20).all(|n| (kept.norm(n) / norms[n] - 1.0).abs() < 1e-14));
         let size = anchored.iter().fold(0.0f64, |size, p| size.max(p.abs()));
         for n in 0..20 {
             prop_assert!((plain[n] - anchored[n]).abs() <= 1e-11 * size);
