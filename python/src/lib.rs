@@ -17,11 +17,16 @@ mod solution;
 mod view_factors;
 mod work;
 
+mod core;
+
 use pyo3::prelude::*;
 
 /// What `radiosity` is made of.
 #[pymodule]
 mod _radiosity {
+    #[pymodule_export]
+    use super::core::_core;
+
     #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "the name that Python expects")]
     const __version__: &str = env!("CARGO_PKG_VERSION");

@@ -1,0 +1,55 @@
+"""Conversions of coefficients between orthonormal Jacobi and Legendre polynomials."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import SupportsIndex
+
+from numpy.typing import ArrayLike
+
+from .._radiosity import _core
+from .arguments import Array, finite, refusal, whole
+
+
+def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
+    """Coefficients of orthonormal Jacobi polynomials → coefficients of orthonormal Legendre polynomials, of the same function.
+
+    Parameters
+    ----------
+    coefficients : array_like of shape (..., m)
+        c_0 … c_{m−1} along the last axis: Σ c_n p_n^(α,β) = Σ d_k p_k.
+    alpha, beta : int
+        Whole exponents, 0 … 255.
+
+    Returns
+    -------
+    ndarray of shape (..., m)
+        d_0 … d_{m−1}. By m = 30 the conversion loses no digit if α or β is 0, one for (2, 2), five for (10, 10).
+
+    Raises
+    ------
+    Error
+        If an exponent is not whole or out of range, or there is no coefficient.
+    """
+    return _convert(_core.to_legendre, coefficients, alpha, beta)
+
+
+def legendre_to_jacobi(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
+    """Coefficients of orthonormal Legendre polynomials → coefficients of orthonormal Jacobi polynomials, of the same function.
+
+    Arguments, result and errors are those of :func:`jacobi_to_legendre`.
+    """
+    return _convert(_core.from_legendre, coefficients, alpha, beta)
+
+
+def _convert(
+    turn: Callable[[int, int, int, Array], None], coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex
+) -> Array:
+    cure = "give whole exponents up to 255"
+    alpha, beta = whole("alpha", alpha, 0, 255, cure), whole("beta", beta, 0, 255, cure)
+    given = finite("coefficients", coefficients)
+    if given.ndim == 0 or given.shape[-1] == 0:
+        raise refusal(f"coefficients: an array of shape {given.shape} instead of (..., m)", "give one coefficient at least")
+    out = given.copy()
+    turn(alpha, beta, out.shape[-1], out.reshape(-1))
+    return out

@@ -1,0 +1,118 @@
+//! Values of orthonormal and classical polynomials, and sums of them.
+
+use numpy::PyReadonlyArray1;
+use pyo3::prelude::*;
+use radiosity_core::jacobi::Entry;
+use radiosity_core::legendre;
+
+use super::family::Family;
+use super::{Input, Output, misfit, weight, work};
+
+/// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β.
+#[pyfunction]
+pub(super) fn orthonormal(
+    py: Python<'_>,
+    alpha: f64,
+    beta: f64,
+    count: usize,
+    x: Input<'_>,
+    mut out: Output<'_>,
+) -> PyResult<()> {
+    let weight = weight(alpha, beta)?;
+    let (x, out) = (x.as_slice()?, out.as_slice_mut()?);
+    check(x.len(), count, out.len())?;
+    work(py, out.len(), || {
+        let mut entries = vec![Entry::EMPTY; count];
+        let family = Family::new(weight, &mut entries);
+        for (&x, row) in x.iter().zip(out.chunks_exact_mut(count)) {
+            family.values(x, row);
+        }
+    });
+    Ok(())
+}
+
+/// As [`orthonormal`], and `slopes[i · m + k]` = `p_k′(x[i])`.
+#[pyfunction]
+pub(super) fn orthonormal_with_derivatives(
+    py: Python<'_>,
+    alpha: f64,
+    beta: f64,
+    count: usize,
+    x: Input<'_>,
+    mut out: Output<'_>,
+    mut slopes: Output<'_>,
+) -> PyResult<()> {
+    let weight = weight(alpha, beta)?;
+    let (x, out, slopes) = (x.as_slice()?, out.as_slice_mut()?, slopes.as_slice_mut()?);
+    check(x.len(), count, out.len())?;
+    check(x.len(), count, slopes.len())?;
+    work(py, out.len(), || {
+        let mut entries = vec![Entry::EMPTY; count];
+        let family = Family::new(weight, &mut entries);
+        let rows = out.chunks_exact_mut(count).zip(slopes.chunks_exact_mut(count));
+        for (&x, (row, slopes)) in x.iter().zip(rows) {
+            family.values_with_derivatives(x, row, slopes);
+        }
+    });
+    Ok(())
+}
+
+/// `out[i]` = `P_n(x[i])`, n = `degrees[i]`: classical polynomials with P_n(1) = C(n + α, n).
+#[pyfunction]
+pub(super) fn classical(
+    py: Python<'_>,
+    alpha: f64,
+    beta: f64,
+    degrees: PyReadonlyArray1<'_, usize>,
+    x: Input<'_>,
+    mut out: Output<'_>,
+) -> PyResult<()> {
+    let weight = weight(alpha, beta)?;
+    let (degrees, x, out) = (degrees.as_slice()?, x.as_slice()?, out.as_slice_mut()?);
+    check(x.len(), 1, degrees.len())?;
+    check(x.len(), 1, out.len())?;
+    let count = 1 + degrees.iter().max().unwrap_or(&0);
+    work(py, out.len().saturating_mul(count), || {
+        let (mut entries, mut values) = (vec![Entry::EMPTY; count], vec![0.0; count]);
+        let family = Family::new(weight, &mut entries);
+        let norms: Vec<f64> = norms(&family, degrees, count);
+        for ((&n, &x), out) in degrees.iter().zip(x).zip(out) {
+            family.values(x, &mut values[..=n]);
+            *out = values[n] * norms[n];
+        }
+    });
+    Ok(())
+}
+
+/// P_n/p_n of the degrees that occur; 0 elsewhere.
+fn norms(family: &Family<'_>, degrees: &[usize], count: usize) -> Vec<f64> {
+    let mut norms = vec![0.0; count];
+    for &n in degrees {
+        if norms[n] == 0.0 {
+            norms[n] = family.norm(n);
+        }
+    }
+    norms
+}
+
+/// `out[i]` = Σ `f[n]` p_n(`x[i]`) with orthonormal Legendre polynomials, by Clenshaw's recurrence.
+#[pyfunction]
+pub(super) fn legendre_sum(py: Python<'_>, f: Input<'_>, x: Input<'_>, mut out: Output<'_>) -> PyResult<()> {
+    let (f, x, out) = (f.as_slice()?, x.as_slice()?, out.as_slice_mut()?);
+    check(x.len(), 1, out.len())?;
+    work(py, out.len().saturating_mul(f.len()), || {
+        for (&x, out) in x.iter().zip(out) {
+            *out = legendre::sum(f, x);
+        }
+    });
+    Ok(())
+}
+
+/// Refuses an array that does not have `count` > 0 numbers for each of `points`.
+fn check(points: usize, count: usize, numbers: usize) -> PyResult<()> {
+    if count > 0 && points.checked_mul(count) == Some(numbers) {
+        Ok(())
+    } else {
+        Err(misfit("one number per point and polynomial is wanted"))
+    }
+}
