@@ -154,6 +154,12 @@ class Solution:
     def __repr__(self) -> str:
         return f"<Solution of {self._native.scene.name!r}>"
 
+    def plot(self, **options: Any) -> Any:
+        """Plots the light with PyVista: :func:`radiosity.interop.plot`, whose arguments it takes."""
+        from .interop import plot
+
+        return plot(self, **options)
+
 
 def _mask() -> int:
     """Permissions that new files do not get."""

@@ -5,9 +5,11 @@
 
 mod arguments;
 mod arrays;
+mod core;
 mod error;
 mod grid;
 mod heat;
+mod mesh;
 mod picture;
 mod plane;
 mod progress;
@@ -15,9 +17,8 @@ mod requests;
 mod scene;
 mod solution;
 mod view_factors;
+mod vtu;
 mod work;
-
-mod core;
 
 use pyo3::prelude::*;
 
@@ -25,12 +26,11 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _radiosity {
     #[pymodule_export]
-    use super::core::_core;
-
-    #[pymodule_export]
     #[allow(non_upper_case_globals, reason = "the name that Python expects")]
     const __version__: &str = env!("CARGO_PKG_VERSION");
 
+    #[pymodule_export]
+    use super::core::_core;
     #[pymodule_export]
     use super::error::{Error, RadiosityWarning};
     #[pymodule_export]
@@ -40,9 +40,13 @@ mod _radiosity {
     #[pymodule_export]
     use super::plane::Plane;
     #[pymodule_export]
+    use super::mesh::mesh_polygons;
+    #[pymodule_export]
     use super::scene::{Scene, builtins, load, parse};
     #[pymodule_export]
     use super::solution::{Solution, load_solution};
     #[pymodule_export]
     use super::view_factors::{ViewFactors, view_factors_of_polygons, view_factors_of_scene};
+    #[pymodule_export]
+    use super::vtu::vtu;
 }
