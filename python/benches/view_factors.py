@@ -114,9 +114,7 @@ def main() -> None:
     print(f"{len(polygons)} faces, {given.threads} threads, best of {given.repeat}\n")
     print("| | time (s) | worst row sum − 1 | worst factor of whole walls |")
     print("| --- | --- | --- | --- |")
-    own, factors = best(
-        given.repeat, lambda: radiosity.view_factors(polygons, threads=given.threads, progress=False).matrix
-    )
+    own, factors = best(given.repeat, lambda: radiosity.view_factors(polygons, threads=given.threads, progress=False).matrix)
     told("radiosity.view_factors", own, factors)
     if given.command:
         with tempfile.TemporaryDirectory() as folder:

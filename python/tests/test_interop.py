@@ -158,7 +158,8 @@ def test_missing_packages_are_named_with_their_cure(monkeypatch):
 
 def test_materials_are_checked_as_in_scene_files():
     meshio = pytest.importorskip("meshio")
-    mesh = meshio.Mesh(*(lambda v, f: (v, [("triangle", f)]))(*grid(1)))
+    vertices, triangles = grid(1)
+    mesh = meshio.Mesh(vertices, [("triangle", triangles)])
     for material, text in [
         ({"reflectance": 1.5}, "reflectance"),
         ({"reflectanse": 0.5}, "reflectanse"),

@@ -2,45 +2,18 @@
 
 from __future__ import annotations
 
-import operator
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._radiosity import Error
-
-Array = NDArray[np.float64]
+from ..arguments import Array, real, refusal
 
 LARGEST_EXPONENT = 256.0
 """The largest exponent α or β."""
 
 LARGEST_DEGREE = 100_000
 """The largest degree of polynomials."""
-
-
-def refusal(message: str, cure: str) -> Error:
-    """What is wrong, and how to mend it."""
-    return Error(f"{message}\nhelp: {cure}")
-
-
-def whole(name: str, value: Any, least: int, most: int, cure: str) -> int:
-    """A whole number in a range; whole floats pass, as in SciPy."""
-    if isinstance(value, (float, np.floating)) and float(value).is_integer():
-        value = int(value)
-    if isinstance(value, (float, np.floating)):
-        raise refusal(f"{name} is {value}, not a whole number", f"give a whole number from {least} to {most}")
-    try:
-        number = operator.index(value)
-    except TypeError:
-        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}") from None
-    if not least <= number <= most:
-        raise refusal(f"{name} = {_short(number)} is not in {least} … {most}", cure)
-    return number
-
-
-def _short(number: int) -> str:
-    return str(number) if abs(number) < 10**20 else f"±10^{abs(number).bit_length() * 3 // 10}"
 
 
 def exponents(alpha: float, beta: float) -> tuple[float, float]:
@@ -62,25 +35,6 @@ def check_exponents(name: str, array: Array) -> None:
     if wrong.any():
         first = array[wrong].flat[0]
         raise refusal(f"{name} = {first} is no exponent", f"give a number above −1 and at most {LARGEST_EXPONENT:g}")
-
-
-def real(name: str, value: ArrayLike) -> Array:
-    """A contiguous array of floats; nothing complex, no objects, no text."""
-    try:
-        array = np.asarray(value)
-    except ValueError:
-        raise refusal(f"{name}: rows of different lengths", "give an array, or lists of equal lengths") from None
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{name}: real numbers are wanted, not {array.dtype}")
-    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
-
-
-def finite(name: str, value: ArrayLike) -> Array:
-    """Finite numbers."""
-    array = real(name, value)
-    if not np.isfinite(array).all():
-        raise refusal(f"{name}: an entry is no finite number", "give finite numbers")
-    return array
 
 
 def interval_points(name: str, value: ArrayLike) -> Array:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .._radiosity import _core
-from .arguments import Array, interval_points, refusal, whole
+from ..arguments import Array, refusal, whole
+from .arguments import interval_points
 
 _LARGEST_ORDER = {"square": 63, "triangle": 200}
 
@@ -18,9 +19,7 @@ _LARGEST_ORDER = {"square": 63, "triangle": 200}
 def orthonormal_square(order: SupportsIndex, points: ArrayLike, gradients: Literal[False] = False) -> Array: ...
 @overload
 def orthonormal_square(order: SupportsIndex, points: ArrayLike, gradients: Literal[True]) -> tuple[Array, Array]: ...
-def orthonormal_square(
-    order: SupportsIndex, points: ArrayLike, gradients: bool = False
-) -> Array | tuple[Array, Array]:
+def orthonormal_square(order: SupportsIndex, points: ArrayLike, gradients: bool = False) -> Array | tuple[Array, Array]:
     """φ_k(s, t) = p_i(s) p_j(t), i + j ≤ order, orthonormal on the square [−1, 1]².
 
     Parameters
@@ -51,9 +50,7 @@ def orthonormal_square(
 def orthonormal_triangle(order: SupportsIndex, points: ArrayLike, gradients: Literal[False] = False) -> Array: ...
 @overload
 def orthonormal_triangle(order: SupportsIndex, points: ArrayLike, gradients: Literal[True]) -> tuple[Array, Array]: ...
-def orthonormal_triangle(
-    order: SupportsIndex, points: ArrayLike, gradients: bool = False
-) -> Array | tuple[Array, Array]:
+def orthonormal_triangle(order: SupportsIndex, points: ArrayLike, gradients: bool = False) -> Array | tuple[Array, Array]:
     """Dubiner's polynomials of total degree ≤ order, orthonormal on the triangle (−1, −1), (1, −1), (−1, 1).
 
     Parameters

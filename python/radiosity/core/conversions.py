@@ -8,7 +8,7 @@ from typing import SupportsIndex
 from numpy.typing import ArrayLike
 
 from .._radiosity import _core
-from .arguments import Array, finite, refusal, whole
+from ..arguments import Array, finite, refusal, whole
 
 
 def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:

@@ -8,19 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._radiosity import _core
-from .arguments import (
-    LARGEST_DEGREE,
-    Array,
-    check_exponents,
-    common_shape,
-    exponents,
-    finite,
-    interval_points,
-    real,
-    refusal,
-    whole,
-    whole_degrees,
-)
+from ..arguments import Array, finite, real, refusal, whole
+from .arguments import LARGEST_DEGREE, check_exponents, common_shape, exponents, interval_points, whole_degrees
 
 
 def eval_legendre(n: ArrayLike, x: ArrayLike) -> float | Array:
@@ -95,9 +84,7 @@ def orthonormal_legendre(n: SupportsIndex, x: ArrayLike, derivatives: bool = Fal
 
 
 @overload
-def orthonormal_jacobi(
-    n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, derivatives: Literal[False] = False
-) -> Array: ...
+def orthonormal_jacobi(n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, derivatives: Literal[False] = False) -> Array: ...
 @overload
 def orthonormal_jacobi(
     n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, derivatives: Literal[True]
@@ -162,9 +149,7 @@ def legendre_sum(coefficients: ArrayLike, x: ArrayLike) -> float | Array:
     return out if out.shape else out.item()
 
 
-def _orthonormal(
-    n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, derivatives: bool
-) -> Array | tuple[Array, Array]:
+def _orthonormal(n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, derivatives: bool) -> Array | tuple[Array, Array]:
     count = 1 + whole("n", n, 0, LARGEST_DEGREE, "give the largest degree")
     alpha, beta = exponents(alpha, beta)
     points = interval_points("x", x)
@@ -177,9 +162,7 @@ def _orthonormal(
     return out, slopes
 
 
-def _classical(
-    degrees: NDArray[np.uintp], alpha: float, beta: float, points: Array, shape: tuple[int, ...]
-) -> Array:
+def _classical(degrees: NDArray[np.uintp], alpha: float, beta: float, points: Array, shape: tuple[int, ...]) -> Array:
     """P_n(x) for one weight, of a common shape."""
     out = np.empty(shape)
     flat = [np.ascontiguousarray(np.broadcast_to(array, shape)).reshape(-1) for array in (degrees, points)]
@@ -187,9 +170,7 @@ def _classical(
     return out
 
 
-def _classical_of_many(
-    degrees: NDArray[np.uintp], alphas: Array, betas: Array, points: Array, shape: tuple[int, ...]
-) -> Array:
+def _classical_of_many(degrees: NDArray[np.uintp], alphas: Array, betas: Array, points: Array, shape: tuple[int, ...]) -> Array:
     """P_n(x) for arrays of exponents: one call for each weight that occurs."""
     degrees, points = np.broadcast_to(degrees, shape), np.broadcast_to(points, shape)
     alphas, betas = np.broadcast_to(alphas, shape), np.broadcast_to(betas, shape)

@@ -7,7 +7,8 @@ from typing import Literal, SupportsIndex, overload
 import numpy as np
 
 from .._radiosity import _core
-from .arguments import Array, exponents, refusal, whole
+from ..arguments import Array, refusal, whole
+from .arguments import exponents
 
 # A rule of more points takes a minute; the asymptotic one fills memory.
 _MOST_POINTS = 100_000
@@ -84,9 +85,7 @@ def legendre_asymptotic(n: SupportsIndex, mu: bool = False) -> tuple[Array, Arra
 def roots_jacobi(n: SupportsIndex, alpha: float, beta: float, mu: Literal[False] = False) -> tuple[Array, Array]: ...
 @overload
 def roots_jacobi(n: SupportsIndex, alpha: float, beta: float, mu: Literal[True]) -> tuple[Array, Array, float]: ...
-def roots_jacobi(
-    n: SupportsIndex, alpha: float, beta: float, mu: bool = False
-) -> tuple[Array, Array] | tuple[Array, Array, float]:
+def roots_jacobi(n: SupportsIndex, alpha: float, beta: float, mu: bool = False) -> tuple[Array, Array] | tuple[Array, Array, float]:
     """Nodes and weights of the Gauss–Jacobi rule: ∫₋₁¹ f(x) (1 − x)^α (1 + x)^β dx = Σ w_i f(x_i) for degrees ≤ 2n − 1.
 
     Parameters

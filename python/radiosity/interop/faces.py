@@ -9,14 +9,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .._radiosity import Error
+from ..arguments import Array, real, refusal, rows
 
 
 @dataclass
 class Faces:
     """Faces that share vertices: corners counter-clockwise seen from the front, one face behind the other."""
 
-    vertices: NDArray[np.float64]
+    vertices: Array
     """(v, 3), scene length."""
     corners: NDArray[np.int64]
     """Rows of `vertices`, (c,)."""
@@ -42,7 +42,7 @@ class Faces:
         sizes = np.asarray(sizes, np.int64)
         names, own = np.unique(np.array([str(label) for label in labels], dtype=str), return_inverse=True)
         if len(own) != len(sizes):
-            raise Error(f"{len(own)} labels for {len(sizes)} faces\nhelp: give one label for each face")
+            raise refusal(f"{len(own)} labels for {len(sizes)} faces", "give one label for each face")
         flat = np.ascontiguousarray(corners, dtype=np.int64).reshape(-1)
         return cls(positions(vertices), flat, np.cumsum(sizes), own.astype(np.int64), names.tolist())
 
@@ -54,22 +54,20 @@ class Faces:
         return Faces(self.vertices, self.corners[order], self.ends, self.labels, self.names)
 
 
-def positions(vertices: ArrayLike) -> NDArray[np.float64]:
+def positions(vertices: ArrayLike) -> Array:
     """Vertices (v, 3); those in a plane, (v, 2), lie at z = 0."""
-    array = np.asarray(vertices, np.float64)
-    if array.ndim != 2 or array.shape[1] not in (2, 3):
-        raise Error(f"vertices: an array of shape {array.shape} instead of (v, 3)\nhelp: give a row x, y, z for each of them")
-    if array.shape[1] == 2:
+    array = real("vertices", vertices)
+    if array.ndim == 2 and array.shape[1] == 2:
         array = np.column_stack([array, np.zeros(len(array))])
-    return np.ascontiguousarray(array)
+    return rows("vertices", array)
 
 
 def whole_numbers(name: str, block: ArrayLike) -> NDArray[np.int64]:
     """Faces of equally many corners, (n, k)."""
     array = np.asarray(block)
     if array.ndim != 2 or (array.size and array.dtype.kind not in "iu"):
-        raise Error(
-            f"{name}: an array of {array.dtype} of shape {array.shape} instead of whole numbers of shape (f, k)\n"
-            "help: give a row of indices of vertices for each of them"
+        raise refusal(
+            f"{name}: an array of {array.dtype} of shape {array.shape} instead of whole numbers of shape (f, k)",
+            "give a row of indices of vertices for each of them",
         )
     return array.astype(np.int64)

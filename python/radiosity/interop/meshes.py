@@ -8,7 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from .._radiosity import Error, mesh_polygons
+from .._radiosity import mesh_polygons
+from ..arguments import refusal
 from ..scene import Scene
 from .faces import Faces
 from .optional import optional
@@ -71,9 +72,9 @@ def from_meshio(
     blocks = [(index, block) for index, block in enumerate(mesh.cells) if block.type not in _CELLS_WITHOUT_AREA]
     for _, block in blocks:
         if block.type not in _FLAT_CELLS:
-            raise Error(
-                f"the mesh has cells of type {block.type}; {', '.join(_FLAT_CELLS)} are wanted\n"
-                "help: take the boundary of the mesh, with straight sides"
+            raise refusal(
+                f"the mesh has cells of type {block.type}; {', '.join(_FLAT_CELLS)} are wanted",
+                "take the boundary of the mesh, with straight sides",
             )
     labels = [label for index, block in blocks for label in _meshio_labels(mesh, index, len(block.data), by)]
     faces = Faces.of(mesh.points, (block.data for _, block in blocks), labels)
@@ -110,9 +111,9 @@ def from_pyvista(
         If the mesh is no PolyData or has strips, if a label has no material, and what scenes refuse.
     """
     if not isinstance(mesh, optional("pyvista", "from_pyvista").PolyData) or mesh.n_strips:
-        raise Error(
-            f"a pyvista.PolyData of faces is wanted, not {type(mesh).__name__}"
-            "\nhelp: give mesh.extract_surface().triangulate()"
+        raise refusal(
+            f"mesh: a pyvista.PolyData of faces is wanted, not {type(mesh).__name__}",
+            "give mesh.extract_surface().triangulate()",
         )
     sizes, corners = _padded(np.asarray(mesh.faces))
     labels = ["surface"] * len(sizes) if by is None else _face_labels(mesh.cell_data, by, mesh.n_cells - len(sizes))
@@ -192,7 +193,7 @@ def _named(data: Any, by: str) -> Any:
         return data[by]
     except KeyError:
         there = ", ".join(sorted(data.keys())) or "nothing"
-        raise Error(f"by = {by!r}: the mesh has no data of that name for its faces\nhelp: it has {there}") from None
+        raise refusal(f"by = {by!r}: the mesh has no data of that name for its faces", f"it has {there}") from None
 
 
 def _padded(faces: Any) -> tuple[Any, Any]:
@@ -210,7 +211,9 @@ def _trimesh_parts(mesh: Any) -> list[tuple[Any, Any, str, Any]]:
     if hasattr(mesh, "geometry"):
         return [part for node in mesh.graph.nodes_geometry for part in [_trimesh_node(mesh, node)] if part]
     if not hasattr(mesh, "faces"):
-        raise Error(f"a trimesh.Trimesh or trimesh.Scene is wanted, not {type(mesh).__name__}\nhelp: load it with trimesh.load_scene")
+        raise refusal(
+            f"mesh: a trimesh.Trimesh or trimesh.Scene is wanted, not {type(mesh).__name__}", "load it with trimesh.load_scene"
+        )
     return [(mesh.vertices, mesh.faces, "surface", mesh.face_attributes)]
 
 
@@ -236,7 +239,7 @@ def _scene(
 ) -> Scene:
     """Merges faces and names their materials; the rest is what scene files say."""
     if not len(faces.ends):
-        raise Error("the mesh has no faces\nhelp: give triangles, quadrilaterals or polygons")
+        raise refusal("the mesh has no faces", "give triangles, quadrilaterals or polygons")
     own = _materials(faces.names, materials)
     faces = faces.turned_over() if flip else faces
     surfaces = mesh_polygons(faces.vertices, faces.corners, faces.ends, faces.labels, faces.names)
@@ -251,7 +254,7 @@ def _scene(
     try:
         text = json.dumps(document, allow_nan=False, default=_plain)
     except ValueError:
-        raise Error("materials: a number is not finite\nhelp: give finite numbers") from None
+        raise refusal("materials: a number is not finite", "give finite numbers") from None
     return Scene.from_toml(text, name)
 
 
@@ -271,9 +274,7 @@ def _materials(labels: list[str], materials: Materials) -> dict[str, Any]:
         given = dict.fromkeys(labels, given)
     missing = [label for label in labels if label not in given]
     if missing:
-        raise Error(
-            f"materials: none for the label {missing[0]!r}\nhelp: the labels of the faces are {', '.join(labels)}"
-        )
+        raise refusal(f"materials: none for the label {missing[0]!r}", f"the labels of the faces are {', '.join(labels)}")
     for label in labels:
         if not isinstance(given[label], Mapping):
             raise TypeError(f"materials[{label!r}]: a mapping is wanted, not {type(given[label]).__name__}")

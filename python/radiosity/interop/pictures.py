@@ -7,7 +7,7 @@ import tempfile
 from typing import Any
 
 from .. import _radiosity
-from .._radiosity import Error
+from ..arguments import refusal
 from ..solution import Solution
 from .optional import optional
 
@@ -79,7 +79,7 @@ def plot(
     grid = to_pyvista(solution)
     shown = _field(grid, quantity, band)
     if subdivide not in range(5):
-        raise Error(f"subdivide = {subdivide!r} is not in 0 … 4\nhelp: give 2, or more for smoother pictures")
+        raise refusal(f"subdivide = {subdivide!r} is not in 0 … 4", "give 2, or more for smoother pictures")
     return _surface(grid, subdivide).plot(**{"scalars": shown, "cmap": "inferno", "scalar_bar_args": {"title": shown}, **options})
 
 
@@ -102,5 +102,5 @@ def _field(grid: Any, quantity: str, band: str | None) -> str:
     if band is not None:
         wanted = [name for name in wanted if name == f"{quantity} {band}"]
     if not wanted:
-        raise Error(f"no {quantity!r} of band {band!r} is known\nhelp: there are {', '.join(fields)}")
+        raise refusal(f"no {quantity!r} of band {band!r} is known", f"there are {', '.join(fields)}")
     return wanted[0]

@@ -1,0 +1,66 @@
+"""What users give → checked numbers and arrays; messages name the argument, what it is, and what is wanted."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._radiosity import Error
+
+Array = NDArray[np.float64]
+
+
+def refusal(message: str, cure: str) -> Error:
+    """What is wrong, and how to mend it."""
+    return Error(f"{message}\nhelp: {cure}")
+
+
+def whole(name: str, value: Any, least: int, most: int, cure: str) -> int:
+    """A whole number in a range; whole floats pass, as in SciPy."""
+    if isinstance(value, (float, np.floating)) and float(value).is_integer():
+        value = int(value)
+    if isinstance(value, (float, np.floating)):
+        raise refusal(f"{name} is {value}, not a whole number", f"give a whole number from {least} to {most}")
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name}: a whole number is wanted, not {type(value).__name__}") from None
+    if not least <= number <= most:
+        raise refusal(f"{name} = {_short(number)} is not in {least} … {most}", cure)
+    return number
+
+
+def _short(number: int) -> str:
+    return str(number) if abs(number) < 10**20 else f"±10^{abs(number).bit_length() * 3 // 10}"
+
+
+def real(name: str, value: ArrayLike) -> Array:
+    """A contiguous array of floats; nothing complex, no objects, no text."""
+    try:
+        array = np.asarray(value)
+    except ValueError:
+        raise refusal(f"{name}: rows of different lengths", "give an array, or lists of equal lengths") from None
+    if array.dtype.kind not in "fiu":
+        raise TypeError(f"{name}: real numbers are wanted, not {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+
+
+def finite(name: str, value: ArrayLike) -> Array:
+    """Finite numbers."""
+    array = real(name, value)
+    if not np.isfinite(array).all():
+        raise refusal(f"{name}: an entry is no finite number", "give finite numbers")
+    return array
+
+
+def rows(name: str, value: ArrayLike, least: int = 0) -> Array:
+    """Finite points (n, 3), `least` at least."""
+    array = finite(name, value)
+    if array.ndim != 2 or array.shape[1] != 3:
+        raise refusal(f"{name}: an array of shape {array.shape} instead of (n, 3)", "give a row x, y, z for each point")
+    if len(array) < least:
+        raise refusal(f"{name}: {len(array)} points", f"give {least} points at least")
+    return array

@@ -1,0 +1,144 @@
+"""Calls with one bad argument: each is refused with a message that names it, or what is wanted; none panics, none ends the process.
+
+    python python/tests/bad_inputs.py        # prints how many were refused
+
+`test_bad_inputs.py` runs this in a process of its own, so that an abort is seen.
+"""
+
+from __future__ import annotations
+
+import math
+import sys
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+import radiosity
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
+from radiosity import core
+
+NUMBERS = [math.nan, math.inf, -math.inf, -1, -1.5, -(10**30), 10**30, 1e300, 2.5, 0, 1 + 2j, True]
+THINGS = [None, "text", b"bytes", "", object(), {}, {1: 2}, [], [[]], set(), len, radiosity, "\0", "\ud800"]
+
+SQUARE = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]
+ABOVE = [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 1.0, 1.0], [1.0, 0.0, 1.0]]
+
+
+def arrays() -> st.SearchStrategy[Any]:
+    """Arrays of wrong shapes, kinds and numbers."""
+    shapes = st.lists(st.integers(0, 4), min_size=0, max_size=4).map(tuple)
+    fills = st.sampled_from([math.nan, math.inf, -math.inf, 1e300, -1e300, 1e-300, 2.0, 0.0, 1e155, 5e-324])
+    kinds = st.sampled_from([np.float64, np.float32, np.complex128, object, "U5", "datetime64[s]", bool, np.int8])
+
+    def made(shape: tuple[int, ...], fill: float, kind: Any) -> np.ndarray:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            try:
+                return np.full(shape, fill).astype(kind)
+            except (ValueError, OverflowError, TypeError):
+                return np.full(shape, fill)
+
+    scattered = st.tuples(st.integers(0, 6), st.integers(2, 4), st.randoms(use_true_random=False)).map(
+        lambda t: np.array([[t[2].choice([0.0, 1.0, math.nan, math.inf, 1e200, 0.5]) for _ in range(t[1])] for _ in range(t[0])])
+    )
+    ragged = st.sampled_from([[[0, 0, 0], [1, 0]], [[1, 2, 3], 4], [[[0]], [1]], [SQUARE, SQUARE[:2]], [SQUARE, [[0, 0]]]])
+    return st.one_of(st.builds(made, shapes, fills, kinds), scattered, ragged)
+
+
+ANYTHING = st.one_of(st.sampled_from(NUMBERS), st.sampled_from(THINGS), arrays())
+
+
+@dataclass
+class Call:
+    """A function with arguments that it takes, and the words that tell of each bad one."""
+
+    function: Callable[..., Any]
+    arguments: dict[str, Any]
+    words: dict[str, list[str]] = field(default_factory=dict)
+    fixed: frozenset[str] = frozenset()
+
+    def told(self, name: str, message: str) -> bool:
+        """Whether a message names the argument, or what it stands for."""
+        return any(word in message for word in [name, *self.words.get(name, [])])
+
+
+SMALL = radiosity.load("parallel-squares")
+LIGHT = SMALL.solve(progress=False)
+
+CALLS = [
+    Call(core.roots_legendre, {"n": 3}),
+    Call(core.legendre_asymptotic, {"n": 300}),
+    Call(core.roots_jacobi, {"n": 3, "alpha": 0.5, "beta": 0.0}),
+    Call(core.triangle_rule, {"n": 3}),
+    Call(core.eval_legendre, {"n": 3, "x": 0.5}),
+    Call(
+        core.eval_jacobi,
+        {"n": 3, "alpha": 0.5, "beta": 0.0, "x": [0.5, 0.2]},
+        {name: ["shapes", "P_n"] for name in ("n", "alpha", "beta", "x")},
+    ),
+    Call(core.orthonormal_legendre, {"n": 3, "x": 0.5}),
+    Call(core.orthonormal_jacobi, {"n": 3, "alpha": 0.5, "beta": 0.0, "x": 0.5}),
+    Call(core.legendre_sum, {"coefficients": [1.0, 2.0], "x": 0.5}),
+    Call(core.jacobi_to_legendre, {"coefficients": [1.0, 2.0], "alpha": 0, "beta": 2}),
+    Call(core.orthonormal_square, {"order": 3, "points": [[0.1, 0.2]]}),
+    Call(core.orthonormal_triangle, {"order": 3, "points": [[-0.1, -0.2]]}),
+    Call(radiosity.load, {"source": "furnace-cube"}),
+    Call(
+        radiosity.view_factor, {"a": SQUARE, "b": ABOVE, "blockers": []}, {name: ["polygons["] for name in ("a", "b", "blockers")}
+    ),
+    Call(LIGHT.irradiance, {"points": [[0.5, 0.5, 0.5]], "normals": [[0.0, 0.0, 1.0]]}),
+]
+
+
+@st.composite
+def cases(draw: st.DrawFn) -> tuple[Call, str, Any]:
+    """A call, the argument that is bad, and its value."""
+    call = draw(st.sampled_from(CALLS))
+    name = draw(st.sampled_from(sorted(set(call.arguments) - call.fixed)))
+    return call, name, draw(ANYTHING)
+
+
+REFUSED: dict[str, int] = {}
+
+
+def attempt(call: Call, name: str, value: Any) -> None:
+    """Makes the call; what is raised has to be one of three exceptions and to tell of the argument."""
+    title = getattr(call.function, "__qualname__", repr(call.function))
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            call.function(**{**call.arguments, name: value})
+    except (radiosity.Error, ValueError, TypeError) as error:
+        REFUSED[title] = REFUSED.get(title, 0) + 1
+        assert call.told(name, str(error)), f"{title}({name}={value!r}) says only: {type(error).__name__}: {error}"
+    except BaseException as error:
+        raise AssertionError(f"{title}({name}={value!r}) raises {type(error).__name__}: {error}") from error
+
+
+def search(examples: int) -> None:
+    """Makes so many calls."""
+    limits = settings(
+        max_examples=examples,
+        deadline=None,
+        database=None,
+        derandomize=True,
+        phases=[Phase.generate, Phase.shrink],
+        suppress_health_check=list(HealthCheck),
+    )
+
+    @limits
+    @given(cases())
+    def run(case: tuple[Call, str, Any]) -> None:
+        attempt(*case)
+
+    run()
+
+
+if __name__ == "__main__":
+    search(int(sys.argv[1]) if len(sys.argv) > 1 else 2000)
+    for title, count in sorted(REFUSED.items()):
+        print(f"{count:5} {title}")
+    print(sum(REFUSED.values()), "refused")
