@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -37,12 +38,17 @@ def _short(number: int) -> str:
     return str(number) if abs(number) < 10**20 else f"±10^{abs(number).bit_length() * 3 // 10}"
 
 
-def real(name: str, value: ArrayLike) -> Array:
-    """A contiguous array of floats; nothing complex, no objects, no text."""
+def array_of(name: str, value: ArrayLike) -> NDArray[Any]:
+    """An array of any kind."""
     try:
-        array = np.asarray(value)
+        return np.asarray(value)
     except ValueError:
         raise refusal(f"{name}: rows of different lengths", "give an array, or lists of equal lengths") from None
+
+
+def real(name: str, value: ArrayLike) -> Array:
+    """A contiguous array of floats; nothing complex, no objects, no text."""
+    array = array_of(name, value)
     if array.dtype.kind not in "fiu":
         raise TypeError(f"{name}: real numbers are wanted, not {array.dtype}")
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
@@ -64,3 +70,21 @@ def rows(name: str, value: ArrayLike, least: int = 0) -> Array:
     if len(array) < least:
         raise refusal(f"{name}: {len(array)} points", f"give {least} points at least")
     return array
+
+
+def text(name: str, value: Any) -> str:
+    """A text."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name}: a text is wanted, not {type(value).__name__}")
+    try:
+        value.encode()
+    except UnicodeEncodeError:
+        raise refusal(f"{name}: {value!r} has half a character", "give a text of whole characters") from None
+    return value
+
+
+def texts(name: str, value: Any) -> list[str]:
+    """Texts, in a list or a tuple."""
+    if isinstance(value, (str, bytes)) or not isinstance(value, Sequence):
+        raise TypeError(f"{name}: a list of texts is wanted, not {type(value).__name__}")
+    return [text(f"{name}[{index}]", own) for index, own in enumerate(value)]

@@ -12,13 +12,14 @@ import sys
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
 import radiosity
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
-from radiosity import core
+from radiosity import core, interop
 
 NUMBERS = [math.nan, math.inf, -math.inf, -1, -1.5, -(10**30), 10**30, 1e300, 2.5, 0, 1 + 2j, True]
 THINGS = [None, "text", b"bytes", "", object(), {}, {1: 2}, [], [[]], set(), len, radiosity, "\0", "\ud800"]
@@ -65,6 +66,13 @@ class Call:
         return any(word in message for word in [name, *self.words.get(name, [])])
 
 
+def of_faces(points: Any, faces: Any, materials: Any, bands: Any, unit: Any, name: Any, by: Any) -> radiosity.Scene:
+    """The scene of a mesh of meshio, as that package hands it over."""
+    block = SimpleNamespace(type="triangle", data=faces)
+    mesh = SimpleNamespace(points=points, cells=[block], cell_data={}, cell_sets={}, field_data={})
+    return interop.from_meshio(mesh, materials, bands=bands, unit=unit, name=name, by=by)
+
+
 SMALL = radiosity.load("parallel-squares")
 LIGHT = SMALL.solve(progress=False)
 
@@ -90,6 +98,19 @@ CALLS = [
         radiosity.view_factor, {"a": SQUARE, "b": ABOVE, "blockers": []}, {name: ["polygons["] for name in ("a", "b", "blockers")}
     ),
     Call(LIGHT.irradiance, {"points": [[0.5, 0.5, 0.5]], "normals": [[0.0, 0.0, 1.0]]}),
+    Call(
+        of_faces,
+        {
+            "points": SQUARE,
+            "faces": [[0, 1, 2], [0, 2, 3]],
+            "materials": {"reflectance": 0.5},
+            "bands": ["grey"],
+            "unit": None,
+            "name": "mesh",
+            "by": None,
+        },
+        {"points": ["vertices", "faces"], "materials": ["reflectance", "material"], "bands": ["band"], "faces": ["face"]},
+    ),
 ]
 
 

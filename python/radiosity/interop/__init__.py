@@ -3,7 +3,8 @@
     import meshio
     from radiosity import interop
 
-    scene = interop.from_meshio(meshio.read("room.msh"), {"wall": {"reflectance": 0.6}, "lamp": {"reflectance": 0, "emission": 900}})
+    materials = {"wall": {"reflectance": 0.6}, "lamp": {"reflectance": 0, "emission": 900}}
+    scene = interop.from_meshio(meshio.read("room.msh"), materials)
     scene.solve(accuracy=1e-2).plot()
 
 None of these packages is needed to import this one; each is imported where it is used.

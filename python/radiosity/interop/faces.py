@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..arguments import Array, real, refusal, rows
+from ..arguments import Array, array_of, real, refusal, rows
 
 
 @dataclass
@@ -64,7 +64,7 @@ def positions(vertices: ArrayLike) -> Array:
 
 def whole_numbers(name: str, block: ArrayLike) -> NDArray[np.int64]:
     """Faces of equally many corners, (n, k)."""
-    array = np.asarray(block)
+    array = array_of(name, block)
     if array.ndim != 2 or (array.size and array.dtype.kind not in "iu"):
         raise refusal(
             f"{name}: an array of {array.dtype} of shape {array.shape} instead of whole numbers of shape (f, k)",

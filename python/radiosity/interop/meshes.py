@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from .._radiosity import mesh_polygons
-from ..arguments import refusal
+from ..arguments import refusal, text, texts
 from ..scene import Scene
-from .faces import Faces
+from .faces import Faces, whole_numbers
 from .optional import optional
 
 Materials = Mapping[str, Any]
@@ -76,9 +76,10 @@ def from_meshio(
                 f"the mesh has cells of type {block.type}; {', '.join(_FLAT_CELLS)} are wanted",
                 "take the boundary of the mesh, with straight sides",
             )
-    labels = [label for index, block in blocks for label in _meshio_labels(mesh, index, len(block.data), by)]
-    faces = Faces.of(mesh.points, (block.data for _, block in blocks), labels)
-    return _scene(faces, materials, flip=flip, two_sided=two_sided, bands=bands, unit=unit, name=name)
+    faces = [whole_numbers("faces", block.data) for _, block in blocks]
+    labels = [label for (index, _), own in zip(blocks, faces, strict=True) for label in _meshio_labels(mesh, index, len(own), by)]
+    own = Faces.of(mesh.points, faces, labels)
+    return _scene(own, materials, flip=flip, two_sided=two_sided, bands=bands, unit=unit, name=name)
 
 
 def from_pyvista(
@@ -190,7 +191,7 @@ def _face_labels(data: Any, by: str, skipped: int) -> list[Any]:
 
 def _named(data: Any, by: str) -> Any:
     try:
-        return data[by]
+        return data[text("by", by)]
     except KeyError:
         there = ", ".join(sorted(data.keys())) or "nothing"
         raise refusal(f"by = {by!r}: the mesh has no data of that name for its faces", f"it has {there}") from None
@@ -243,19 +244,19 @@ def _scene(
     own = _materials(faces.names, materials)
     faces = faces.turned_over() if flip else faces
     surfaces = mesh_polygons(faces.vertices, faces.corners, faces.ends, faces.labels, faces.names)
-    document: dict[str, Any] = {"bands": list(bands), "materials": own}
+    document: dict[str, Any] = {"bands": texts("bands", bands), "materials": own}
     if unit is not None:
-        document["unit"] = unit
+        document["unit"] = text("unit", unit)
     sides = {"two_sided": True} if two_sided else {}
     document["surfaces"] = [
         {"name": title, "material": faces.names[label], **sides, **_shape(rings, is_patch)}
         for title, label, rings, is_patch in surfaces
     ]
     try:
-        text = json.dumps(document, allow_nan=False, default=_plain)
+        written = json.dumps(document, allow_nan=False, default=_plain)
     except ValueError:
         raise refusal("materials: a number is not finite", "give finite numbers") from None
-    return Scene.from_toml(text, name)
+    return Scene.from_toml(written, text("name", name))
 
 
 def _shape(rings: list[list[list[float]]], is_patch: bool) -> dict[str, Any]:
