@@ -244,19 +244,35 @@ def _scene(
     own = _materials(faces.names, materials)
     faces = faces.turned_over() if flip else faces
     surfaces = mesh_polygons(faces.vertices, faces.corners, faces.ends, faces.labels, faces.names)
-    document: dict[str, Any] = {"bands": texts("bands", bands), "materials": own}
-    if unit is not None:
-        document["unit"] = text("unit", unit)
     sides = {"two_sided": True} if two_sided else {}
-    document["surfaces"] = [
+    listed = [
         {"name": title, "material": faces.names[label], **sides, **_shape(rings, is_patch)}
         for title, label, rings, is_patch in surfaces
     ]
+    entries = {"bands": texts("bands", bands), "materials": own, "surfaces": listed}
+    if unit is not None:
+        entries["unit"] = text("unit", unit)
+    return Scene.from_toml(_written(entries), text("name", name))
+
+
+def _written(entries: dict[str, Any]) -> str:
+    """A scene file in JSON, whose lines messages show: one for each entry, material and surface."""
+    return "{" + ",\n".join(f"{json.dumps(key)}: {_lines(value)}" for key, value in entries.items()) + "}"
+
+
+def _lines(value: Any) -> str:
+    if isinstance(value, dict):
+        return "{" + ",\n".join(f"{json.dumps(key)}: {_line(own)}" for key, own in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ",\n".join(map(_line, value)) + "]"
+    return _line(value)
+
+
+def _line(value: Any) -> str:
     try:
-        written = json.dumps(document, allow_nan=False, default=_plain)
+        return json.dumps(value, allow_nan=False, default=_plain)
     except ValueError:
         raise refusal("materials: a number is not finite", "give finite numbers") from None
-    return Scene.from_toml(written, text("name", name))
 
 
 def _shape(rings: list[list[list[float]]], is_patch: bool) -> dict[str, Any]:

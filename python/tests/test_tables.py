@@ -1,0 +1,45 @@
+"""Tables of pandas and arrays of xarray hold what the arrays hold."""
+
+import sys
+
+import numpy as np
+import pytest
+from radiosity.interop import tables
+
+POINTS = np.arange(18.0).reshape(2, 3, 3)
+VALUES = np.arange(12.0).reshape(2, 3, 2)
+
+
+def test_points_become_rows():
+    pytest.importorskip("pandas")
+    frame = tables.points_frame(POINTS, VALUES, ["r", "g"])
+    assert list(frame.columns) == ["x", "y", "z", "r", "g"]
+    np.testing.assert_array_equal(frame.iloc[4], [*POINTS[1, 1], *VALUES[1, 1]])
+
+
+def test_planes_become_arrays_with_coordinates():
+    pytest.importorskip("xarray")
+    array = tables.plane_array(POINTS, VALUES, ["r", "g"], name="desk", unit="lx")
+    assert array.sizes == {"row": 2, "column": 3, "band": 2}
+    assert array.sel(band="g")[1, 2] == VALUES[1, 2, 1]
+    assert array.y[0, 1] == POINTS[0, 1, 1]
+    assert array.attrs["units"] == "lx" and array.name == "desk"
+
+
+def test_surfaces_and_factors_go_by_names():
+    pytest.importorskip("pandas")
+    assert tables.surfaces_frame(["a", "b"], {"area": [1.0, 2.0]}).loc["b", "area"] == 2.0
+    assert tables.factors_frame(["a", "b"], np.array([[0.0, 0.25], [0.5, 0.0]])).loc["a", "b"] == 0.25
+
+
+@pytest.mark.parametrize(
+    ("package", "call"),
+    [
+        ("pandas", lambda: tables.points_frame(POINTS, VALUES, ["r", "g"])),
+        ("xarray", lambda: tables.plane_array(POINTS, VALUES, ["r", "g"], name="desk", unit="lx")),
+    ],
+)
+def test_missing_packages_are_named_with_their_cure(monkeypatch, package, call):
+    monkeypatch.setitem(sys.modules, package, None)
+    with pytest.raises(ImportError, match=f"pip install {package}"):
+        call()
