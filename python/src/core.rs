@@ -23,9 +23,9 @@ pub(crate) mod _core {
     #[pymodule_export]
     use super::bases::{square_basis, triangle_basis, triangle_rule};
     #[pymodule_export]
-    use super::conversions::{from_legendre, to_legendre};
+    use super::conversions::convert;
     #[pymodule_export]
-    use super::polynomials::{classical, legendre_sum, orthonormal, orthonormal_with_derivatives};
+    use super::polynomials::{classical, legendre_sum, orthonormal};
     #[pymodule_export]
     use super::rules::{asymptotic_rule, integral, jacobi_rule, legendre_rule};
 }

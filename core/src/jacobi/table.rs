@@ -75,7 +75,11 @@ impl<'a> Table<'a> {
     }
 
     fn check(&self, count: usize) {
-        assert!(count <= self.entries.len(), "{count} polynomials asked of a table of {}", self.entries.len());
+        assert!(
+            count <= self.entries.len(),
+            "{count} polynomials asked of a table of {}",
+            self.entries.len()
+        );
     }
 
     fn nearer(&self, x: f64) -> impl Iterator<Item = (f64, Step)> {

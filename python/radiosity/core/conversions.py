@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import SupportsIndex
 
 from numpy.typing import ArrayLike
@@ -31,7 +30,7 @@ def jacobi_to_legendre(coefficients: ArrayLike, alpha: SupportsIndex, beta: Supp
     Error
         If an exponent is not whole or out of range, or there is no coefficient.
     """
-    return _convert(_core.to_legendre, coefficients, alpha, beta)
+    return _convert(False, coefficients, alpha, beta)
 
 
 def legendre_to_jacobi(coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
@@ -39,17 +38,15 @@ def legendre_to_jacobi(coefficients: ArrayLike, alpha: SupportsIndex, beta: Supp
 
     Arguments, result and errors are those of :func:`jacobi_to_legendre`.
     """
-    return _convert(_core.from_legendre, coefficients, alpha, beta)
+    return _convert(True, coefficients, alpha, beta)
 
 
-def _convert(
-    turn: Callable[[int, int, int, Array], None], coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex
-) -> Array:
+def _convert(backwards: bool, coefficients: ArrayLike, alpha: SupportsIndex, beta: SupportsIndex) -> Array:
     cure = "give whole exponents up to 255"
     alpha, beta = whole("alpha", alpha, 0, 255, cure), whole("beta", beta, 0, 255, cure)
     given = finite("coefficients", coefficients)
     if given.ndim == 0 or given.shape[-1] == 0:
         raise refusal(f"coefficients: an array of shape {given.shape} instead of (..., m)", "give one coefficient at least")
     out = given.copy()
-    turn(alpha, beta, out.shape[-1], out.reshape(-1))
+    _core.convert(alpha, beta, backwards, out.shape[-1], out.reshape(-1))
     return out

@@ -158,7 +158,7 @@ def _orthonormal(n: SupportsIndex, alpha: float, beta: float, x: ArrayLike, deri
         _core.orthonormal(alpha, beta, count, points.reshape(-1), out.reshape(-1))
         return out
     slopes = np.empty_like(out)
-    _core.orthonormal_with_derivatives(alpha, beta, count, points.reshape(-1), out.reshape(-1), slopes.reshape(-1))
+    _core.orthonormal(alpha, beta, count, points.reshape(-1), out.reshape(-1), slopes.reshape(-1))
     return out, slopes
 
 

@@ -5,10 +5,16 @@ use radiosity_core::basis::{total, triangle};
 
 use super::{Input, Output, misfit, work};
 
-/// A basis in two variables: functions of its order, s, t and the slices to write.
+/// Writes the functions of an order at (s, t).
+type Values = fn(usize, f64, f64, &mut [f64]);
+
+/// Writes the functions of an order and both partial derivatives at (s, t).
+type Gradients = fn(usize, f64, f64, &mut [f64], &mut [f64], &mut [f64]);
+
+/// A basis in two variables.
 struct Basis {
-    values: fn(usize, f64, f64, &mut [f64]),
-    gradients: fn(usize, f64, f64, &mut [f64], &mut [f64], &mut [f64]),
+    values: Values,
+    gradients: Gradients,
 }
 
 const SQUARE: Basis = Basis { values: total::values, gradients: total::gradients };
@@ -73,10 +79,7 @@ fn write(
 ) -> PyResult<()> {
     let count = total::count(order);
     let (points, out) = (points.as_slice()?.as_chunks::<2>().0, out.as_slice_mut()?);
-    let slopes = match &mut gradients {
-        Some(slopes) => Some(slopes.as_slice_mut()?),
-        None => None,
-    };
+    let slopes = gradients.as_mut().map(|slopes| slopes.as_slice_mut()).transpose()?;
     let fits = |length: usize, wide: usize| points.len().checked_mul(count * wide) == Some(length);
     if !fits(out.len(), 1) || slopes.as_ref().is_some_and(|slopes| !fits(slopes.len(), 2)) {
         return Err(misfit("one number per point and function is wanted"));

@@ -8,8 +8,10 @@ use radiosity_core::legendre;
 use super::family::Family;
 use super::{Input, Output, misfit, weight, work};
 
-/// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β.
+/// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β, and
+/// `slopes[i · m + k]` = `p_k′(x[i])` where slopes are given.
 #[pyfunction]
+#[pyo3(signature = (alpha, beta, count, x, out, slopes=None))]
 pub(super) fn orthonormal(
     py: Python<'_>,
     alpha: f64,
@@ -17,41 +19,24 @@ pub(super) fn orthonormal(
     count: usize,
     x: Input<'_>,
     mut out: Output<'_>,
+    mut slopes: Option<Output<'_>>,
 ) -> PyResult<()> {
     let weight = weight(alpha, beta)?;
     let (x, out) = (x.as_slice()?, out.as_slice_mut()?);
+    let slopes = slopes.as_mut().map(|slopes| slopes.as_slice_mut()).transpose()?;
     check(x.len(), count, out.len())?;
+    check(x.len(), count, slopes.as_ref().map_or(out.len(), |slopes| slopes.len()))?;
     work(py, out.len(), || {
         let mut entries = vec![Entry::EMPTY; count];
         let family = Family::new(weight, &mut entries);
-        for (&x, row) in x.iter().zip(out.chunks_exact_mut(count)) {
-            family.values(x, row);
-        }
-    });
-    Ok(())
-}
-
-/// As [`orthonormal`], and `slopes[i · m + k]` = `p_k′(x[i])`.
-#[pyfunction]
-pub(super) fn orthonormal_with_derivatives(
-    py: Python<'_>,
-    alpha: f64,
-    beta: f64,
-    count: usize,
-    x: Input<'_>,
-    mut out: Output<'_>,
-    mut slopes: Output<'_>,
-) -> PyResult<()> {
-    let weight = weight(alpha, beta)?;
-    let (x, out, slopes) = (x.as_slice()?, out.as_slice_mut()?, slopes.as_slice_mut()?);
-    check(x.len(), count, out.len())?;
-    check(x.len(), count, slopes.len())?;
-    work(py, out.len(), || {
-        let mut entries = vec![Entry::EMPTY; count];
-        let family = Family::new(weight, &mut entries);
-        let rows = out.chunks_exact_mut(count).zip(slopes.chunks_exact_mut(count));
-        for (&x, (row, slopes)) in x.iter().zip(rows) {
-            family.values_with_derivatives(x, row, slopes);
+        let rows = x.iter().zip(out.chunks_exact_mut(count));
+        match slopes {
+            None => rows.for_each(|(&x, row)| family.values(x, row)),
+            Some(slopes) => {
+                let slopes = slopes.chunks_exact_mut(count);
+                rows.zip(slopes)
+                    .for_each(|((&x, row), slopes)| family.values_with_derivatives(x, row, slopes));
+            }
         }
     });
     Ok(())
