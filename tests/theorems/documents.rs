@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The documents of all packages.
-const DOCUMENTS: [&str; 14] = [
+const DOCUMENTS: [&str; 16] = [
     "README.md",
     "CHANGELOG.md",
     "CONTRIBUTING.md",
@@ -18,6 +18,8 @@ const DOCUMENTS: [&str; 14] = [
     "core/benches/README.md",
     "geom/README.md",
     "geom/benches/README.md",
+    "python/README.md",
+    "python/docs/tutorial.md",
     "solvers/README.md",
     "solvers/benches/README.md",
 ];

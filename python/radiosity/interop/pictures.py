@@ -50,7 +50,7 @@ def plot(
     subdivide: int = 2,
     **options: Any,
 ) -> Any:
-    """Plots the light of a solution with PyVista.
+    """Plots the light of a solution with PyVista, fronts only: a room is looked into from outside.
 
     Parameters
     ----------
@@ -80,7 +80,16 @@ def plot(
     shown = _field(grid, quantity, band)
     if subdivide not in range(5):
         raise refusal(f"subdivide = {subdivide!r} is not in 0 … 4", "give 2, or more for smoother pictures")
-    return _surface(grid, subdivide).plot(**{"scalars": shown, "cmap": "inferno", "scalar_bar_args": {"title": shown}, **options})
+    usual = {
+        "scalars": shown,
+        "clim": (0.0, float(grid.point_data[shown].max()) or 1.0),
+        "cmap": "inferno",
+        "lighting": False,
+        "culling": "back",
+        "background": "white",
+        "scalar_bar_args": {"title": shown, "color": "black"},
+    }
+    return _surface(grid, subdivide).plot(**{**usual, **options})
 
 
 def _surface(grid: Any, subdivide: int) -> Any:
