@@ -15,8 +15,9 @@ from collections.abc import Callable, Iterable
 import mpmath as mp
 import numpy as np
 import scipy
-from radiosity import core
 from scipy import special
+
+from radiosity import core
 
 mp.mp.dps = 60
 

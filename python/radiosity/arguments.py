@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import operator
-from collections.abc import Sequence
+import os
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -70,6 +71,37 @@ def rows(name: str, value: ArrayLike, least: int = 0) -> Array:
     if len(array) < least:
         raise refusal(f"{name}: {len(array)} points", f"give {least} points at least")
     return array
+
+
+def number(name: str, value: Any) -> float:
+    """One number."""
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}") from None
+
+
+def pair(name: str, value: Any) -> tuple[Any, Any]:
+    """Two things, of whatever kind."""
+    try:
+        first, second = value
+    except (TypeError, ValueError):
+        raise TypeError(f"{name}: two numbers are wanted, not {value!r:.60}") from None
+    return first, second
+
+
+def named_numbers(name: str, value: Any) -> dict[str, float]:
+    """Numbers by name, of a mapping."""
+    if not isinstance(value, Mapping):
+        raise TypeError(f"{name}: a mapping of names to numbers is wanted, not {type(value).__name__}")
+    return {text(name, key): number(f"{name}[{key!r}]", own) for key, own in value.items()}
+
+
+def path(name: str, value: Any) -> str:
+    """The path of a file."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise TypeError(f"{name}: a path is wanted, not {type(value).__name__}")
+    return text(name, os.fspath(value))
 
 
 def text(name: str, value: Any) -> str:

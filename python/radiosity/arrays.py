@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._radiosity import Error
+from .arguments import finite
 
 Numbers = NDArray[np.float64]
 
@@ -28,8 +29,8 @@ def numbers(what: str, given: ArrayLike, shape: tuple[int | str, ...]) -> Number
 
 
 def vector(what: str, given: ArrayLike) -> tuple[float, float, float]:
-    """Three numbers."""
-    x, y, z = numbers(what, given, (3,)).tolist()
+    """Three finite numbers."""
+    x, y, z = finite(what, numbers(what, given, (3,))).tolist()
     return x, y, z
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
 from . import _radiosity
 from .arrays import Numbers
@@ -83,6 +84,14 @@ class Heat:
     def surroundings(self) -> Numbers | None:
         """Conductances to the surroundings (m²), with `conductances=True`."""
         return self._native.surroundings
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame with a row for each surface, in the units of the properties whose names its columns have."""
+        from .interop.tables import surfaces_frame
+
+        found = ("temperature", "temperature_error", "flux", "power", "power_error", "radiosity", "irradiance")
+        columns = ("areas", "emissivity", *found)
+        return surfaces_frame(self.names, {column: getattr(self, column) for column in columns})
 
     def __repr__(self) -> str:
         return f"<Heat of {len(self.names)} surfaces>"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -70,6 +71,18 @@ class Plane:
     def dark(self) -> int:
         """How many sensors get no light, as those within a body do."""
         return self._native.dark
+
+    def to_pandas(self) -> Any:
+        """A pandas.DataFrame with a row for each sensor: x, y, z (scene length) and the irradiance of each band."""
+        from .interop.tables import points_frame
+
+        return points_frame(self.points, self.values, self.bands)
+
+    def to_xarray(self) -> Any:
+        """An xarray.DataArray with the axes row, column and band, and the coordinates x, y and z (scene length)."""
+        from .interop.tables import plane_array
+
+        return plane_array(self.points, self.values, self.bands, name=self.name, unit=self.unit)
 
     def __repr__(self) -> str:
         rows, columns, _ = self.values.shape

@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
+from .arguments import array_of, named_numbers, path, texts
+from .arguments import text as checked_text
 from .arrays import numbers, polygons, vector
 from .heat import Heat
 from .progress import Observer, Shown
@@ -51,8 +53,8 @@ class Scene:
 
         `name` stands before messages; `unit` is that of exitance, irradiance and radiosity, W/m² unless it is told.
         """
-        self._label = name
-        self._parts: dict[str, Any] = {"bands": list(bands), "materials": {}, "surfaces": []}
+        self._label = checked_text("name", name)
+        self._parts: dict[str, Any] = {"bands": texts("bands", bands), "materials": {}, "surfaces": []}
         self._parts |= _known(title=title, unit=unit)
         self._valid: _radiosity.Scene | None = None
 
@@ -65,7 +67,7 @@ class Scene:
     @classmethod
     def from_toml(cls, text: str, name: str = "scene") -> Scene:
         """The scene in a text in TOML or JSON, as docs/scene.md describes it; `name` stands before messages."""
-        return cls._of(_radiosity.parse(text, name))
+        return cls._of(_radiosity.parse(checked_text("text", text), checked_text("name", name)))
 
     @property
     def _native(self) -> _radiosity.Scene:
@@ -85,6 +87,7 @@ class Scene:
         `reflectance` (0 ≤ ρ < 1) and `emission` (exitance, W/m² or lm/m²) are numbers, or have one for each band. Further keys:
         `transmittance`, `group`, and for heat `emissivity`, `temperature` (K), `heat_flux` (W/m²), `adiabatic`.
         """
+        name = checked_text("material", name)
         materials = self._add("materials")["materials"]
         if name in materials:
             raise Error(f"material {name!r} is given twice\nhelp: give each its own name")
@@ -114,7 +117,7 @@ class Scene:
     ) -> None:
         """Adds a mesh of triangles: `vertices` (v, 3) and their indices in `faces` (f, 3), as `name-1`, `name-2` and so on."""
         corners = numbers("vertices", vertices, ("v", 3))
-        indices = np.asarray(faces)
+        indices = array_of("faces", faces)
         if indices.ndim != 2 or indices.shape[1] != 3 or indices.dtype.kind not in "iu":
             raise Error(f"faces: an array of shape {indices.shape} of {indices.dtype} instead of (f, 3) of whole numbers")
         if indices.size and not (0 <= indices.min() and indices.max() < len(corners)):
@@ -264,5 +267,5 @@ def load(source: str | os.PathLike[str], *, set: Mapping[str, float] | None = No
     or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml of Mitsuba, .rad of Radiance, .vs3 of View3D. All options are listed
     in `radiosity.options.Import`.
     """
-    settings = {name: float(value) for name, value in (set or {}).items()}
-    return Scene._of(_radiosity.load(os.fspath(source), settings, options))
+    settings = named_numbers("set", {} if set is None else set)
+    return Scene._of(_radiosity.load(path("source", source), settings, options))

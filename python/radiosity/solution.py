@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
+from .arguments import finite, named_numbers, number, pair, real
+from .arguments import path as checked_path
 from .arrays import Numbers, numbers, vector
 from .plane import Plane
 from .progress import Observer, Shown
@@ -40,7 +42,8 @@ class Solution:
     @property
     def report(self) -> dict[str, Any]:
         """Counts, times, self-checks and warnings, as `radiosity solve --report` writes them."""
-        return json.loads(self._native.report)
+        report: dict[str, Any] = json.loads(self._native.report)
+        return report
 
     @property
     def coefficients(self) -> Numbers:
@@ -70,8 +73,7 @@ class Solution:
         Points are in the coordinates of the scene. All options are listed in `radiosity.options.Reading`.
         """
         points = numbers("points", points, ("n", 3))
-        normals = np.atleast_2d(np.asarray(normals, np.float64))
-        normals = numbers("normals", normals, ("n", 3))
+        normals = numbers("normals", np.atleast_2d(real("normals", normals)), ("n", 3))
         with Shown(progress) as observer:
             return self._native.irradiance(points, normals, reading, observer)
 
@@ -101,7 +103,7 @@ class Solution:
 
         The arrays are "surface" (names), "index" (n, 2), "irradiance" and "radiosity" (n, bands), "area" (n,), "position" (n, 3).
         """
-        along_u, along_v = cells
+        along_u, along_v = pair("cells", cells)
         with Shown(progress) as observer:
             grid = self._native.grid({"cells_u": along_u, "cells_v": along_v, **reading}, observer)
         names = np.array(self._native.scene.surfaces)
@@ -129,17 +131,17 @@ class Solution:
         """
         options = dict(picture)
         if size is not None:
-            options["width"], options["height"] = size
+            options["width"], options["height"] = pair("size", size)
         with Shown(progress) as observer:
             return self._native.render(_camera(camera), options, observer)
 
     def relight(self, factors: Mapping[str, float]) -> Solution:
         """The same with light groups at other factors (≥ 0) of the emission that the scene states; nothing is solved again."""
-        return Solution(self._native.relight({name: float(factor) for name, factor in factors.items()}))
+        return Solution(self._native.relight(named_numbers("factors", factors)))
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the solution: .json, which `load_solution` and `radiosity render` read, or .vtu for ParaView."""
-        path = os.fspath(path)
+        path = checked_path("path", path)
         folder = os.path.dirname(path) or "."
         handle, beside = tempfile.mkstemp(dir=folder, prefix=".radiosity-")
         os.close(handle)
@@ -177,7 +179,7 @@ def _plane(origin: Any, u: Any, v: Any, spacing: Any) -> Any:
         return origin
     if any(rest):
         raise Error("plane: no edges or no spacing\nhelp: give origin, u, v and spacing, or the name of a plane of the scene")
-    both = np.broadcast_to(numbers("spacing", np.atleast_1d(np.asarray(spacing, float)), ("1 or 2",)), (2,))
+    both = np.broadcast_to(numbers("spacing", np.atleast_1d(finite("spacing", spacing)), ("1 or 2",)), (2,))
     return vector("origin", origin), vector("u", u), vector("v", v), tuple(both.tolist())
 
 
@@ -185,14 +187,16 @@ def _camera(camera: Mapping[str, Any] | None) -> Any:
     """A camera as it is handed on."""
     if camera is None:
         return None
+    if not isinstance(camera, Mapping):
+        raise TypeError(f"camera: a mapping with eye and target is wanted, not {type(camera).__name__}")
     unknown = set(camera) - {"eye", "target", "up", "fov"}
     if unknown or not {"eye", "target"} <= set(camera):
         raise Error(f"camera: keys {sorted(camera)} instead of eye, target and, where they differ from +z and 40, up and fov")
     eye, target, up = (vector(key, camera.get(key, (0, 0, 1))) for key in ("eye", "target", "up"))
-    return eye, target, up, float(camera.get("fov", 40))
+    return eye, target, up, number("fov", camera.get("fov", 40))
 
 
 def load_solution(path: str | os.PathLike[str], *, set: Mapping[str, float] | None = None) -> Solution:
     """The solution in a file that `Solution.save` or `radiosity solve` wrote; `set` gives factors to light groups."""
-    factors = {name: float(value) for name, value in (set or {}).items()}
-    return Solution(_radiosity.load_solution(os.fspath(path), factors))
+    factors = named_numbers("set", {} if set is None else set)
+    return Solution(_radiosity.load_solution(checked_path("path", path), factors))

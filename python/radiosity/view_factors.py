@@ -68,6 +68,12 @@ class ViewFactors:
         """Time that they took."""
         return self._native.seconds
 
+    def to_pandas(self) -> Any:
+        """F as a pandas.DataFrame: from the surface of the row to that of the column."""
+        from .interop.tables import factors_frame
+
+        return factors_frame(self.names, self._native.dense())
+
     def __repr__(self) -> str:
         return f"<ViewFactors of {len(self.names)} surfaces>"
 

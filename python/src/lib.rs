@@ -17,7 +17,6 @@ mod requests;
 mod scene;
 mod solution;
 mod view_factors;
-mod vtu;
 mod work;
 
 use pyo3::prelude::*;
@@ -47,6 +46,4 @@ mod _radiosity {
     use super::solution::{Solution, load_solution};
     #[pymodule_export]
     use super::view_factors::{ViewFactors, view_factors_of_polygons, view_factors_of_scene};
-    #[pymodule_export]
-    use super::vtu::vtu;
 }

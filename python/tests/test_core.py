@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+
 from radiosity import core
 
 TABLES = Path(__file__).parents[2] / "core" / "tests" / "data"

@@ -4,6 +4,7 @@ import sys
 
 import numpy as np
 import pytest
+
 import radiosity
 from radiosity import interop
 
@@ -156,6 +157,15 @@ def test_missing_packages_are_named_with_their_cure(monkeypatch):
         solution.plot()
 
 
+def test_a_mesh_takes_more_parts():
+    meshio = pytest.importorskip("meshio")
+    vertices, triangles = grid(3)
+    scene = interop.from_meshio(meshio.Mesh(vertices, [("triangle", triangles)]), {"reflectance": 0.5}, name="desk")
+    lamp = scene.material("lamp", reflectance=0, emission=100)
+    scene.disk("lamp", lamp, center=[0.5, 0.5, 1], normal=[0, 0, -1], radius=0.2)
+    assert scene.surfaces == ["surface", "lamp"]
+
+
 def test_materials_are_checked_as_in_scene_files():
     meshio = pytest.importorskip("meshio")
     vertices, triangles = grid(1)
@@ -163,9 +173,9 @@ def test_materials_are_checked_as_in_scene_files():
     for material, text in [
         ({"reflectance": 1.5}, "reflectance"),
         ({"reflectanse": 0.5}, "reflectanse"),
-        ({"reflectance": float("nan")}, "give finite numbers"),
+        ({"reflectance": float("nan")}, "NaN"),
     ]:
         with pytest.raises(radiosity.Error, match=text):
-            interop.from_meshio(mesh, material)
+            _ = interop.from_meshio(mesh, material).surfaces
     with pytest.raises(TypeError, match="a mapping is wanted"):
         interop.from_meshio(mesh, [0.5])

@@ -4,6 +4,8 @@ import sys
 
 import numpy as np
 import pytest
+
+import radiosity
 from radiosity.interop import tables
 
 POINTS = np.arange(18.0).reshape(2, 3, 3)
@@ -30,6 +32,18 @@ def test_surfaces_and_factors_go_by_names():
     pytest.importorskip("pandas")
     assert tables.surfaces_frame(["a", "b"], {"area": [1.0, 2.0]}).loc["b", "area"] == 2.0
     assert tables.factors_frame(["a", "b"], np.array([[0.0, 0.25], [0.5, 0.0]])).loc["a", "b"] == 0.25
+
+
+def test_results_make_tables_of_themselves():
+    pytest.importorskip("pandas")
+    pytest.importorskip("xarray")
+    oven = radiosity.load("oven")
+    factors, heat = radiosity.view_factors(oven), oven.heat(progress=False)
+    assert factors.to_pandas().loc["slab", "panel"] == factors.matrix[heat.names.index("slab"), heat.names.index("panel")]
+    assert heat.to_pandas().loc["panel", "temperature"] == 1400
+    plane = radiosity.load("furnace-cube").solve(progress=False).plane([0.2, 0.2, 0.5], [0.6, 0, 0], [0, 0.5, 0], 0.2)
+    assert plane.to_xarray().shape == plane.values.shape
+    assert len(plane.to_pandas()) == plane.values[..., 0].size
 
 
 @pytest.mark.parametrize(

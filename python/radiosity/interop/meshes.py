@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
@@ -241,38 +240,15 @@ def _scene(
     """Merges faces and names their materials; the rest is what scene files say."""
     if not len(faces.ends):
         raise refusal("the mesh has no faces", "give triangles, quadrilaterals or polygons")
-    own = _materials(faces.names, materials)
+    scene = Scene(texts("bands", bands), name=text("name", name), unit=None if unit is None else text("unit", unit))
+    for label, keys in _materials(faces.names, materials).items():
+        scene.material(label, **keys)
     faces = faces.turned_over() if flip else faces
-    surfaces = mesh_polygons(faces.vertices, faces.corners, faces.ends, faces.labels, faces.names)
     sides = {"two_sided": True} if two_sided else {}
-    listed = [
-        {"name": title, "material": faces.names[label], **sides, **_shape(rings, is_patch)}
-        for title, label, rings, is_patch in surfaces
-    ]
-    entries = {"bands": texts("bands", bands), "materials": own, "surfaces": listed}
-    if unit is not None:
-        entries["unit"] = text("unit", unit)
-    return Scene.from_toml(_written(entries), text("name", name))
-
-
-def _written(entries: dict[str, Any]) -> str:
-    """A scene file in JSON, whose lines messages show: one for each entry, material and surface."""
-    return "{" + ",\n".join(f"{json.dumps(key)}: {_lines(value)}" for key, value in entries.items()) + "}"
-
-
-def _lines(value: Any) -> str:
-    if isinstance(value, dict):
-        return "{" + ",\n".join(f"{json.dumps(key)}: {_line(own)}" for key, own in value.items()) + "}"
-    if isinstance(value, list):
-        return "[" + ",\n".join(map(_line, value)) + "]"
-    return _line(value)
-
-
-def _line(value: Any) -> str:
-    try:
-        return json.dumps(value, allow_nan=False, default=_plain)
-    except ValueError:
-        raise refusal("materials: a number is not finite", "give finite numbers") from None
+    merged = mesh_polygons(faces.vertices, faces.corners, faces.ends, faces.labels, faces.names)
+    for title, index, rings, is_patch in merged:
+        scene.surface(title, faces.names[index], **sides, **_shape(rings, is_patch))
+    return scene
 
 
 def _shape(rings: list[list[list[float]]], is_patch: bool) -> dict[str, Any]:
@@ -296,10 +272,3 @@ def _materials(labels: list[str], materials: Materials) -> dict[str, Any]:
         if not isinstance(given[label], Mapping):
             raise TypeError(f"materials[{label!r}]: a mapping is wanted, not {type(given[label]).__name__}")
     return {label: dict(given[label]) for label in labels}
-
-
-def _plain(value: Any) -> Any:
-    """Arrays and numbers of NumPy as JSON knows them."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    raise TypeError(f"materials: numbers, lists, text or mappings are wanted, not {type(value).__name__}")

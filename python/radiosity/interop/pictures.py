@@ -6,7 +6,6 @@ import os
 import tempfile
 from typing import Any
 
-from .. import _radiosity
 from ..arguments import refusal
 from ..solution import Solution
 from .optional import optional
@@ -37,8 +36,7 @@ def to_pyvista(solution: Solution) -> Any:
     pyvista = optional("pyvista", "to_pyvista")
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "solution.vtu")
-        with open(path, "wb") as file:
-            file.write(_radiosity.vtu(solution._native))
+        solution.save(path)
         return pyvista.read(path)
 
 
@@ -112,4 +110,4 @@ def _field(grid: Any, quantity: str, band: str | None) -> str:
         wanted = [name for name in wanted if name == f"{quantity} {band}"]
     if not wanted:
         raise refusal(f"no {quantity!r} of band {band!r} is known", f"there are {', '.join(fields)}")
-    return wanted[0]
+    return str(wanted[0])
