@@ -62,7 +62,7 @@ pub enum Average {
 }
 
 /// Direct light with masks.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct MaskedLight {
     /// The masked emitters of each receiver.
     masked: Vec<Vec<MaskedEmitter>>,

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 use radiosity::scene::{Fault, Scene, SceneError};
-use radiosity::solve::{Direct, Options, Transport, solve};
+use radiosity::solve::{Direct, Options, Transport};
 use radiosity::solved::{RelightError, Solved};
 use radiosity::zatz1993::masked_light::{Average, Masking};
 use radiosity_solvers::method::Method;
@@ -217,8 +217,9 @@ fn gathered_light_is_that_of_the_dimmed_scene() {
 #[test]
 fn scenes_without_groups_keep_nothing_apart() {
     let scene = Scene::builtin("furnace-cube").expect("it is built in");
-    let outcome = solve(&scene, &options(), &|_| {}).expect("it is solved");
-    assert!(outcome.solution.groups().is_empty());
+    let solved = Solved::new(scene, options(), &|_| {}).expect("it is solved");
+    assert!(solved.outcome.solution.groups().is_empty());
+    assert_same(&solved, &solved.relight(&[]).expect("nothing is set"));
 }
 
 #[test]
