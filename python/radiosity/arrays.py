@@ -38,6 +38,6 @@ def polygons(given: ArrayLike | Iterable[ArrayLike]) -> list[Numbers]:
     """An array (n, k, 3), or several arrays (k, 3), as a list of arrays (k, 3)."""
     if isinstance(given, np.ndarray) and given.dtype != object:
         return list(numbers("polygons", given, ("n", "k", 3)))
-    if isinstance(given, (str, bytes)) or not isinstance(given, Iterable):
+    if isinstance(given, (str, bytes)) or not isinstance(given, Iterable) or getattr(given, "ndim", 1) == 0:
         raise Error("polygons: no array\nhelp: give an array of shape (n, k, 3), or a list of arrays of shape (k, 3)")
     return [numbers(f"polygons[{index}]", polygon, ("k", 3)) for index, polygon in enumerate(given)]
