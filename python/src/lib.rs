@@ -37,9 +37,9 @@ mod _radiosity {
     #[pymodule_export]
     use super::heat::{Heat, heat_of};
     #[pymodule_export]
-    use super::plane::Plane;
-    #[pymodule_export]
     use super::mesh::mesh_polygons;
+    #[pymodule_export]
+    use super::plane::Plane;
     #[pymodule_export]
     use super::scene::{Scene, builtins, load, parse};
     #[pymodule_export]
