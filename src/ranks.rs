@@ -9,6 +9,7 @@
 //! share. Threads that a rank starts for its own pieces are alone: nothing is shared within a piece.
 
 pub mod place;
+mod bytes;
 pub mod comm;
 pub mod journal;
 pub mod shares;
@@ -22,14 +23,16 @@ mod rounds;
 pub mod processes;
 
 use std::cell::RefCell;
+use std::path::Path;
 use std::sync::Arc;
 
 use rayon::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use bytes::{decoded, encoded};
 use comm::Comm;
-use journal::{Journal, RecordedPart};
+use journal::{Begin, Journal, JournalError, RecordedPart};
 use place::Place;
 use traffic::Counter;
 pub use traffic::Traffic;
@@ -80,10 +83,16 @@ impl Ranks {
         Self { shared, journal: None }
     }
 
-    /// The same, which write the pieces of work that they make into a journal, and make none again that it knows.
-    #[must_use]
-    pub fn recording(&self, journal: Journal) -> Self {
-        Self { journal: Some(Arc::new(journal)), ..self.clone() }
+    /// The same, which write the pieces of work that they make into a journal in `folder`, of the run with this fingerprint, and make
+    /// none again that it knows.
+    ///
+    /// # Errors
+    /// As [`Journal::open`].
+    pub fn recording(&self, folder: &Path, fingerprint: u64, begin: Begin) -> Result<Self, JournalError> {
+        // No rank makes its file before all have seen which there are.
+        let meet = || drop(self.all(()));
+        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &meet))?;
+        Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
     }
 
     /// Where the pieces of work are written, if they are.
@@ -268,12 +277,56 @@ impl Part<'_> {
     }
 }
 
-/// A value as bytes.
-fn encoded<T: Serialize>(value: &T) -> Vec<u8> {
-    postcard::to_allocvec(value).expect("what ranks share has a length and no maps of unknown size")
-}
+#[cfg(test)]
+mod tests {
+    use std::fs;
+    use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// The value of these bytes.
-fn decoded<T: DeserializeOwned>(bytes: &[u8]) -> T {
-    postcard::from_bytes(bytes).expect("all ranks share the same things in the same order")
+    use super::threads::on_ranks;
+    use super::*;
+
+    /// Squares of 20 numbers, twice, on so many ranks; how many were made.
+    fn run(folder: &Path, begin: Begin, ranks: usize, made: &AtomicUsize) -> Vec<Vec<f64>> {
+        let found = on_ranks(ranks, || {
+            let recording = current().recording(folder, 7, begin);
+            recording.expect("a folder that can be written").within(|| {
+                let square = |piece: usize| {
+                    made.fetch_add(1, Ordering::Relaxed);
+                    (piece as f64 / 7.0).powi(2)
+                };
+                [current().map(&[1.0; 20], square), current().map(&[1.0; 20], square)].concat()
+            })
+        });
+        let all: Vec<f64> = (0..40).map(|k| (f64::from(k % 20) / 7.0).powi(2)).collect();
+        assert!(found.iter().all(|found| *found == all));
+        found
+    }
+
+    #[test]
+    fn a_run_goes_on_where_it_was_torn_on_any_number_of_ranks() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (folder, made) = (folder.path(), AtomicUsize::new(0));
+        run(folder, Begin::Anew, 3, &made);
+        assert_eq!(made.swap(0, Ordering::Relaxed), 40);
+        run(folder, Begin::Resume, 2, &made);
+        assert_eq!(made.swap(0, Ordering::Relaxed), 0, "all is known");
+        // One of the files loses its last bytes, and with them one piece.
+        let torn = folder.join("000000-000001.journal");
+        let bytes = fs::read(&torn).expect("it was written");
+        fs::write(&torn, &bytes[..bytes.len() - 3]).expect("it can be written");
+        run(folder, Begin::Resume, 1, &made);
+        assert_eq!(made.swap(0, Ordering::Relaxed), 1);
+    }
+
+    #[test]
+    fn what_does_not_belong_together_is_refused() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let folder = folder.path();
+        let open = |fingerprint, begin| Ranks::alone().recording(folder, fingerprint, begin).map(drop);
+        assert!(matches!(open(1, Begin::Resume), Err(JournalError::Empty { .. })));
+        open(1, Begin::Anew).expect("nothing is there");
+        assert!(matches!(open(1, Begin::Anew), Err(JournalError::Used { .. })));
+        assert!(matches!(open(2, Begin::Resume), Err(JournalError::Other { .. })));
+        open(1, Begin::Resume).expect("it is the same run");
+    }
 }

@@ -12,8 +12,11 @@
 //! The last record of a rank that was killed may be torn: it fails its check, and its piece is made again.
 
 use std::collections::HashMap;
+use std::fmt;
+use std::fmt::{Debug, Write as _};
 use std::fs;
 use std::fs::{File, OpenOptions};
+use std::hash::{DefaultHasher, Hasher};
 use std::io;
 use std::io::{BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -25,7 +28,7 @@ use flate2::Crc;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{Ranks, decoded, encoded};
+use crate::ranks::bytes::{decoded, encoded};
 
 /// What a file begins with; its last digit is the version of the format.
 const MAGIC: &[u8; 8] = b"RADJRNL1";
@@ -35,6 +38,23 @@ const ENDING: &str = "journal";
 
 /// Time after which records are handed to the system. Chosen: what a killed rank has to make again.
 const PAUSE: Duration = Duration::from_secs(5);
+
+/// A number that tells a run from others: of its scene and options, as they print for programmers, and of the version.
+pub fn fingerprint(run: &dyn Debug) -> u64 {
+    let mut hashed = Hashed(DefaultHasher::new());
+    write!(hashed, "{} {run:?}", env!("CARGO_PKG_VERSION")).expect("a hash takes all text");
+    hashed.0.finish()
+}
+
+/// Text that is not kept.
+struct Hashed(DefaultHasher);
+
+impl fmt::Write for Hashed {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        self.0.write(text.as_bytes());
+        Ok(())
+    }
+}
 
 /// Why a journal cannot be kept.
 #[derive(Debug, thiserror::Error)]
@@ -128,14 +148,19 @@ pub enum Begin {
 }
 
 impl Journal {
-    /// The journal in `folder` of the run with this fingerprint, on these ranks, which all call this.
+    /// The journal in `folder` of the run with this fingerprint, of the rank with this number; `meet` returns when all ranks have
+    /// called it.
     ///
     /// # Errors
     /// A folder that cannot be written, or that holds what `begin` does not say; all ranks get the error of the first.
-    pub fn open(folder: &Path, fingerprint: u64, begin: Begin, ranks: &Ranks) -> Result<Self, JournalError> {
+    pub fn open(
+        folder: &Path,
+        fingerprint: u64,
+        begin: Begin,
+        (rank, meet): (usize, &dyn Fn()),
+    ) -> Result<Self, JournalError> {
         let old = files(folder, begin)?;
-        // No rank makes its file before all have seen which there are.
-        ranks.all(());
+        meet();
         let mut known = HashMap::new();
         let mut readers = Vec::new();
         for (number, path) in old.iter().enumerate() {
@@ -145,7 +170,7 @@ impl Journal {
                 .ok_or_else(|| JournalError::Other { path: path.clone() })?;
             readers.push(Mutex::new(file));
         }
-        let path = folder.join(format!("{:06}-{:06}.{ENDING}", old.len(), ranks.number()));
+        let path = folder.join(format!("{:06}-{:06}.{ENDING}", old.len(), rank));
         let writer = Writer::new(&path, fingerprint).map_err(JournalError::of(&path))?;
         let (parts, recalled) = (AtomicU64::new(0), AtomicU64::new(0));
         Ok(Self { known, files: readers, parts, recalled, writer: Mutex::new(writer) })
@@ -316,58 +341,4 @@ fn record(reader: &mut impl Read) -> io::Result<Option<(Key, u32)>> {
     let (piece, check) = bytes.split_at(length as usize);
     let is_whole = sum(&[&head[..], piece].concat()).to_le_bytes() == *check;
     Ok(is_whole.then(|| (Key { part: number(4), pieces: number(12), piece: number(20) }, length)))
-}
-
-#[cfg(test)]
-mod tests {
-    use std::sync::atomic::AtomicUsize;
-
-    use super::*;
-    use crate::ranks::current;
-    use crate::ranks::threads::on_ranks;
-
-    /// Squares of 20 numbers, twice, on so many ranks; how many were made.
-    fn run(folder: &Path, begin: Begin, ranks: usize, made: &AtomicUsize) -> Vec<Vec<f64>> {
-        let found = on_ranks(ranks, || {
-            let journal = Journal::open(folder, 7, begin, &current()).expect("a folder that can be written");
-            current().recording(journal).within(|| {
-                let square = |piece: usize| {
-                    made.fetch_add(1, Ordering::Relaxed);
-                    (piece as f64 / 7.0).powi(2)
-                };
-                [current().map(&[1.0; 20], square), current().map(&[1.0; 20], square)].concat()
-            })
-        });
-        let all: Vec<f64> = (0..40).map(|k| (f64::from(k % 20) / 7.0).powi(2)).collect();
-        assert!(found.iter().all(|found| *found == all));
-        found
-    }
-
-    #[test]
-    fn a_run_goes_on_where_it_was_torn_on_any_number_of_ranks() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let (folder, made) = (folder.path(), AtomicUsize::new(0));
-        run(folder, Begin::Anew, 3, &made);
-        assert_eq!(made.swap(0, Ordering::Relaxed), 40);
-        run(folder, Begin::Resume, 2, &made);
-        assert_eq!(made.swap(0, Ordering::Relaxed), 0, "all is known");
-        // One of the files loses its last bytes, and with them one piece.
-        let torn = folder.join("000000-000001.journal");
-        let bytes = fs::read(&torn).expect("it was written");
-        fs::write(&torn, &bytes[..bytes.len() - 3]).expect("it can be written");
-        run(folder, Begin::Resume, 1, &made);
-        assert_eq!(made.swap(0, Ordering::Relaxed), 1);
-    }
-
-    #[test]
-    fn what_does_not_belong_together_is_refused() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let folder = folder.path();
-        let open = |fingerprint, begin| Journal::open(folder, fingerprint, begin, &Ranks::alone()).map(drop);
-        assert!(matches!(open(1, Begin::Resume), Err(JournalError::Empty { .. })));
-        open(1, Begin::Anew).expect("nothing is there");
-        assert!(matches!(open(1, Begin::Anew), Err(JournalError::Used { .. })));
-        assert!(matches!(open(2, Begin::Resume), Err(JournalError::Other { .. })));
-        open(1, Begin::Resume).expect("it is the same run");
-    }
 }

@@ -298,8 +298,10 @@ impl<'a> SampledTransport<'a> {
         let ends = shares::ends(&counts, ranks.count());
         let makers: Vec<usize> = (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect();
         let sent = ranks.made(&makers, |task| self.sent_by(&tasks[task]));
+        let own = shares::range(&ends, ranks.number());
+        ranks.count_work(0, tasks[own.clone()].iter().map(|task| task.count).sum());
         if let Some(known) = &mut self.known {
-            let own = tasks[shares::range(&ends, ranks.number())].iter().zip(&sent);
+            let own = tasks[own].iter().zip(&sent);
             own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
         }
         let landed = sent.into_iter().map(|sent| sent.landed).collect();

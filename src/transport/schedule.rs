@@ -10,6 +10,7 @@ pub(in crate::transport) mod order;
 mod congruent;
 mod task;
 mod balance;
+mod source;
 mod work;
 mod goal;
 mod integrated;
@@ -44,6 +45,7 @@ use crate::visibility::Visibility;
 use balance::Piece;
 use goal::Goal;
 use integrated::{Integrated, Told};
+use source::Source;
 pub(in crate::transport) use task::Unreached;
 use task::{Scene, Task};
 pub use work::{Work, shared, work};
@@ -74,22 +76,6 @@ enum Sorted {
     Hidden,
     Black,
     Task(Task),
-}
-
-/// Where the block of a task comes from.
-enum Source {
-    /// Integrated for this task, at this place among all integrated blocks.
-    Own(usize),
-    /// Equal to the block of an earlier task: the task, and the place of its block.
-    Copy(usize, usize),
-}
-
-impl Source {
-    /// The place of its block among all integrated blocks.
-    fn place(&self) -> usize {
-        let (Source::Own(place) | Source::Copy(_, place)) = self;
-        *place
-    }
 }
 
 /// A pair whose block the rules did not reach.

@@ -2,7 +2,7 @@
 
 use radiosity::geom::DVec3;
 use radiosity::ranks::current;
-use radiosity::ranks::journal::{Begin, Journal};
+use radiosity::ranks::journal::{Begin, fingerprint};
 use radiosity::ranks::threads::on_ranks;
 use radiosity::solve::Transport;
 use radiosity::studies::adaptation::Goal;
@@ -114,8 +114,7 @@ fn a_run_goes_on_from_its_journal() {
     let sampled = Options { transport: Transport::Sampled, rays: Some(20_000), order: 1, ..options() };
     let run = |begin: Begin, ranks: usize| {
         on_ranks(ranks, || {
-            let journal = Journal::open(folder.path(), 1, begin, &current()).expect("a folder");
-            current().recording(journal).within(|| {
+            current().recording(folder.path(), 1, begin).expect("a folder").within(|| {
                 let told =
                     told(&solved("two-boxes", &[], sampled)) + &told(&solved("cornell-box", &[], options()));
                 (told, current().journal().expect("it is kept").recalled())
@@ -131,5 +130,16 @@ fn a_run_goes_on_from_its_journal() {
     for ranks in [3, 1] {
         let again = run(Begin::Resume, ranks);
         assert!(again.iter().all(|(told, recalled)| *told == first[0].0 && *recalled > 0));
+    }
+}
+
+#[test]
+fn runs_are_told_apart_by_their_scenes() {
+    for (name, parameter) in [("parallel-squares", "distance"), ("temple", "bays"), ("billiard", "swing")] {
+        let scene = |value: f64| Scene::builtin_with(name, &[(parameter, value)]).expect("it is built in");
+        let [one, again, other] = [1.0, 1.0, 2.0].map(|value| fingerprint(&(scene(value), 1)));
+        assert_eq!(one, again, "{name}");
+        assert_ne!(one, other, "{name}");
+        assert_ne!(one, fingerprint(&(scene(1.0), 2)), "{name}");
     }
 }

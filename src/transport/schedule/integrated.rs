@@ -8,9 +8,8 @@ use crate::ranks::Ranks;
 use crate::transport::blocks::block::{Account, Block};
 use crate::transport::blocks::held::Held;
 use crate::transport::memory::Answer;
-use crate::transport::schedule::Source;
-use crate::transport::schedule::balance;
-use crate::transport::schedule::balance::{Balance, Piece};
+use crate::transport::schedule::balance::{Balance, Piece, rounds};
+use crate::transport::schedule::source::Source;
 use crate::transport::schedule::task::Task;
 
 /// What all ranks know of a block.
@@ -44,10 +43,10 @@ impl Integrated {
         let mut balance = Balance::new(all.ranks.count());
         let ranks = all.ranks.clone();
         let part = ranks.part(pieces.len());
-        for round in balance::rounds(pieces.len(), all.ranks.count()) {
+        for round in rounds(pieces.len(), all.ranks.count()) {
             let makers = balance.share(&round, pieces);
             let own = round.iter().zip(&makers).filter(|(_, maker)| **maker == all.ranks.number());
-            let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), &make);
+            let made: Vec<Arc<Answer>> = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), &make);
             let told =
                 |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
             let told = all.ranks.merged(&makers, made.iter().map(told).collect());

@@ -1,0 +1,14 @@
+//! Values as bytes, as ranks send them and journals keep them.
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+/// A value as bytes.
+pub(super) fn encoded<T: Serialize>(value: &T) -> Vec<u8> {
+    postcard::to_allocvec(value).expect("what ranks share has a length and no maps of unknown size")
+}
+
+/// The value of these bytes.
+pub(super) fn decoded<T: DeserializeOwned>(bytes: &[u8]) -> T {
+    postcard::from_bytes(bytes).expect("all ranks share the same things in the same order")
+}
