@@ -23,6 +23,9 @@ use crate::requests;
 use crate::solution::Solution;
 use crate::work::work;
 
+/// An array (n, 3).
+type Rows<'py> = Bound<'py, PyArray2<f64>>;
+
 /// A valid scene.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Scene {
@@ -111,11 +114,7 @@ impl Scene {
     }
 
     /// The sensors of a plane of the scene: points (n, 3) and normals (n, 3).
-    fn sensors<'py>(
-        &self,
-        py: Python<'py>,
-        name: &str,
-    ) -> Result<(Bound<'py, PyArray2<f64>>, Bound<'py, PyArray2<f64>>), Trouble> {
+    fn sensors<'py>(&self, py: Python<'py>, name: &str) -> Result<(Rows<'py>, Rows<'py>), Trouble> {
         let sensors: Vec<Probe> = Probe::of_plane(self.scene.plane_named(name)?).collect();
         let rows = |of: fn(&Probe) -> DVec3| sensors.iter().map(|own| of(own).to_array()).collect::<Vec<_>>();
         let rows = |of| PyArray2::from_owned_array(py, arr2(&rows(of)));
