@@ -64,12 +64,15 @@ impl RanksWork {
     }
 }
 
+/// A figure of a rank.
+type Count = fn(&RankWork) -> u64;
+
 /// One line: how many ranks, how evenly they worked, and what they sent.
 impl fmt::Display for RanksWork {
     fn fmt(&self, to: &mut fmt::Formatter) -> fmt::Result {
         let threads: usize = self.0.iter().map(|rank| rank.threads).sum();
         write!(to, "{} ranks with {threads} threads in all", self.0.len())?;
-        let counts: [(&str, fn(&RankWork) -> u64); 2] =
+        let counts: [(&str, Count); 2] =
             [("kernel samples", |rank| rank.kernel_samples), ("rays", |rank| rank.rays)];
         for (what, count) in counts {
             if let Some(off) = self.imbalance(count) {
