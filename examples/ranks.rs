@@ -6,6 +6,8 @@
 //! (`transport/schedule/balance.rs`) is then run for so many ranks, without any process: it sees what it would see. Efficiency
 //! is the mean work of a rank over that of the one with the most; a kernel sample counts 1 and a segment tested for visibility 20.
 
+#![allow(clippy::print_stdout, reason = "the table is what it is for")]
+
 use radiosity::elements::Discretization;
 use radiosity::elements::Subdivide;
 use radiosity::transport::{Work, shared, work};
