@@ -90,8 +90,7 @@ impl Ranks {
     /// As [`Journal::open`].
     pub fn recording(&self, folder: &Path, fingerprint: u64, begin: Begin) -> Result<Self, JournalError> {
         // No rank makes its file before all have seen which there are.
-        let meet = || drop(self.all(()));
-        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &meet))?;
+        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &|| self.meet()))?;
         Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
     }
 
