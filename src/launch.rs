@@ -3,9 +3,14 @@
 //! `mpirun`, `srun` and the like tell each process by variables that it was started with others. Without them nothing of MPI is
 //! begun.
 
+#[cfg(feature = "mpi")]
+use std::env::args_os;
 use std::env::var;
 use std::io::{Write, stderr};
 use std::process::ExitCode;
+
+#[cfg(feature = "mpi")]
+use radiosity::ranks::{self, Ranks, failure::Failure, processes::World};
 
 use crate::cli::{Cli, CliError};
 
@@ -43,13 +48,12 @@ fn tell(error: &CliError) {
 /// Does it on all ranks.
 #[cfg(feature = "mpi")]
 fn among_others(_number: &str) -> ExitCode {
-    use radiosity::ranks::{self, failure::Failure, processes::World};
-
     let Some(world) = World::join() else { return alone() };
     let work = || {
         let ranks = ranks::current();
         // Nobody has begun threads before.
         drop(rayon::ThreadPoolBuilder::new().num_threads(ranks.place().threads).build_global());
+        same_arguments(&ranks)?;
         let Err(error) = Cli::typed().and_then(|cli| cli.run()) else { return Ok(()) };
         let is_told = matches!(error, CliError::Typed(_));
         if is_told && ranks.is_first() {
@@ -62,6 +66,20 @@ fn among_others(_number: &str) -> ExitCode {
         }
     };
     world.run(work, |message| drop(stderr().write_all(message.as_bytes())))
+}
+
+/// Refuses ranks that were started to do different things: they would wait for each other.
+#[cfg(feature = "mpi")]
+fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
+    let own: Vec<String> =
+        args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
+    let all = ranks.all(own);
+    let Some(other) = all.iter().position(|arguments| *arguments != all[0]) else { return Ok(()) };
+    let error = CliError::Refused {
+        message: format!("rank {other} was started with other arguments than rank 0"),
+        cure: "start all ranks with the same command line: they share the work of one run".to_owned(),
+    };
+    Err(Failure { code: error.exit_code(), message: error.explain() })
 }
 
 /// Refuses to do the same several times.

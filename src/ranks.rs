@@ -160,6 +160,13 @@ impl Ranks {
         shared.comm.all_gather(bytes).iter().map(|bytes| decoded(bytes)).collect()
     }
 
+    /// The sums over all ranks of each of these counts.
+    pub fn sums(&self, own: Vec<u64>) -> Vec<u64> {
+        let mut all = self.all(own).into_iter();
+        let first = all.next().expect("there is a first rank");
+        all.fold(first, |sums, more| sums.iter().zip(more).map(|(sum, more)| sum + more).collect())
+    }
+
     /// Whether any rank says yes.
     pub fn any(&self, own: bool) -> bool {
         if self.are_alone() { own } else { self.all(own).contains(&true) }
@@ -263,6 +270,11 @@ pub struct Part<'a> {
 }
 
 impl Part<'_> {
+    /// One that no journal keeps.
+    pub fn unrecorded() -> Self {
+        Self { recorded: None }
+    }
+
     /// These pieces of it; a few may cost as much as all others together, so that each is scheduled by itself.
     pub fn made<T>(&self, pieces: &[usize], make: impl Fn(usize) -> T + Sync) -> Vec<T>
     where

@@ -18,6 +18,7 @@ use radiosity_geom::DVec3;
 
 use super::series::MovedBlock;
 use crate::elements::Element;
+use crate::ranks;
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::{Known, KnownBlocks};
 use expansion::Expansion;
@@ -42,6 +43,15 @@ pub(super) struct Expansions {
     /// Blocks that were summed for this frame.
     summed: AtomicUsize,
     expanded: AtomicUsize,
+}
+
+/// What was done for a frame.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(super) struct SeriesCounts {
+    /// Blocks that were summed; those that rest, and copies, are not counted.
+    pub summed: usize,
+    /// Blocks that were expanded.
+    pub expanded: usize,
 }
 
 /// What is known of a pair.
@@ -79,14 +89,11 @@ impl Expansions {
         self.expanded.store(0, Ordering::Relaxed);
     }
 
-    /// Blocks that were summed for this frame; those that rest, and copies, are not counted.
-    pub(super) fn summed(&self) -> usize {
-        self.summed.load(Ordering::Relaxed)
-    }
-
-    /// Blocks that were expanded for this frame.
-    pub(super) fn expanded(&self) -> usize {
-        self.expanded.load(Ordering::Relaxed)
+    /// What all ranks together did for this frame.
+    pub(super) fn counts(&self) -> SeriesCounts {
+        let own = [&self.summed, &self.expanded].map(|count| count.load(Ordering::Relaxed) as u64);
+        let sums = ranks::current().sums(own.to_vec());
+        SeriesCounts { summed: sums[0] as usize, expanded: sums[1] as usize }
     }
 
     /// The block of a pair that has moved, by `step` since it was seen last, to the displacement `now`; and the samples of its
@@ -111,10 +118,14 @@ impl Expansions {
 }
 
 impl KnownBlocks for Expansions {
+    fn turn_to(&self, elements: &[Element]) {
+        locked(&self.places).turn_to(elements);
+    }
+
     fn block(&self, places: [usize; 2], elements: [&Element; 2], eps: f64) -> Option<Known> {
         let ends = {
-            let mut seen = locked(&self.places);
-            [0, 1].map(|end| seen.of(places[end], elements[end]))
+            let seen = locked(&self.places);
+            [seen.of(places[0])?, seen.of(places[1])?]
         };
         let turns = ends.each_ref().map(|place| place.turn);
         let now = ends[1].shift - ends[0].shift;

@@ -13,7 +13,7 @@ use crate::transport::{Memory, RayCounts};
 
 use super::account::Account;
 use super::error::AnimationError;
-use super::expansions::{Expansions, ORDERS, carried, known};
+use super::expansions::{Expansions, ORDERS, SeriesCounts, carried, known};
 use super::frame::Frame;
 
 /// The frames of a scene that moves.
@@ -27,6 +27,8 @@ pub struct Sequence<'a> {
     account: Account,
     /// Series of what is translated, where blocks may be sums of them.
     expansions: Option<Arc<Expansions>>,
+    /// What they did for the last frame.
+    counts: SeriesCounts,
     /// What was solved so far, in solutions of a frame alone.
     spent: f64,
     /// Bound of the relative difference that series made in the last frame.
@@ -48,6 +50,7 @@ impl<'a> Sequence<'a> {
             memory: None,
             account: Account::default(),
             expansions: None,
+            counts: SeriesCounts::default(),
             spent: 0.0,
             error: None,
         }
@@ -91,6 +94,7 @@ impl<'a> Sequence<'a> {
         let model =
             Model::assemble_again(&still, &self.options, &self.layout, memory, progress).map_err(failed)?;
         let outcome = model.solve(&still, progress).map_err(failed)?;
+        self.counts = self.expansions.as_ref().map(|expansions| expansions.counts()).unwrap_or_default();
         let traced =
             || RayCounts { traced: outcome.sampling.map_or(0, |sampling| sampling.rays), recalled: 0 };
         let rays = self.memory.as_ref().map_or_else(traced, Memory::rays);
@@ -136,12 +140,12 @@ impl<'a> Sequence<'a> {
 
     /// Blocks of the last frame that are sums of series.
     pub fn summed(&self) -> usize {
-        self.expansions.as_ref().map_or(0, |expansions| expansions.summed())
+        self.counts.summed
     }
 
     /// Blocks that were expanded for the last frame.
     pub fn expanded(&self) -> usize {
-        self.expansions.as_ref().map_or(0, |expansions| expansions.expanded())
+        self.counts.expanded
     }
 
     /// Blocks that the last frame has in common with the one before.

@@ -13,13 +13,15 @@
 //! things
 //! ```
 //!
-//! and 10 MB for the program. Integrated blocks are freed before the system is set up, so the peak is the larger of the
+//! and 10 MB for the program. Of N ranks each holds 2/N − 1/N² of the blocks, those of its rows and of its columns, and all else; a
+//! method that needs single entries gathers all blocks, once as they are and twice as messages. Integrated blocks are freed before the system is set up, so the peak is the larger of the
 //! two sums. Pairs that repeat or are hidden reduce it, which is not known beforehand.
 
 use radiosity_solvers::auto::{DENSE, DIRECT};
 use radiosity_solvers::method::Method;
 
 use crate::elements::{CutSize, Discretization, cut_sizes, shares};
+use crate::ranks;
 use crate::scene::{Material, Scene};
 use crate::solve::outline::Outline;
 use crate::transport::memory::met::{BYTES as KEPT_RAY, MOST as MOST_KEPT};
@@ -78,8 +80,10 @@ impl Footprint {
     /// The same for surfaces that are cut into so many elements.
     pub(super) fn of_sizes(scene: &Scene, sizes: &[CutSize], method: &Method) -> Self {
         let own = Self::of_blocks(scene, sizes);
-        let system = system(method, most_unknowns(scene, sizes), own.blocks) + groups(scene, sizes);
-        Self { system, ..own }
+        let (unknowns, ranks) = (most_unknowns(scene, sizes), ranks::current().count() as u64);
+        let gathered = gathered(method, unknowns, own.blocks, ranks);
+        let system = system(method, unknowns, own.blocks) + gathered + groups(scene, sizes);
+        Self { blocks: held(own.blocks, ranks), system, ..own }
     }
 
     /// The same by the rules of 1993, whose blocks are not symmetric: all of them are stored, and the matrix is dense.
@@ -130,13 +134,16 @@ impl Footprint {
         let all = 0.5 * (unknowns as f64).powi(2);
         let entries = (rays as f64 * functions * functions / HITS_PER_PAIR).min(all);
         let numbers = (NUMBER as f64 * entries) as u64;
+        let ranks = ranks::current().count() as u64;
+        let own = held(numbers, ranks);
         // Sums of two halves while rays are sent; then the blocks, of each half at its time, and the system.
-        let system = numbers + system(method, unknowns, numbers) + groups(scene, &sizes);
+        let gathered = gathered(method, unknowns, numbers, ranks);
+        let system = own + system(method, unknowns, numbers) + gathered + groups(scene, &sizes);
         let elements = elements.sum();
         let kept = 2 * KEPT_RAY * rays.saturating_add(rays / 8).min(MOST_KEPT);
         // Pairs are carried exactly where more rays than their least price are expected.
         let exact = rays / LEAST as u64 * (PAIR + NUMBER * (functions * functions) as u64);
-        Self { elements, blocks: 2 * numbers, pairs: CHUNK, system, memory: elements + kept + exact }
+        Self { elements, blocks: 2 * own, pairs: CHUNK, system, memory: elements + kept + exact }
     }
 
     /// Largest sum at any time, without a memory.
@@ -148,6 +155,17 @@ impl Footprint {
     pub fn peak_with_memory(&self) -> u64 {
         self.peak() + self.memory
     }
+}
+
+/// Bytes of the blocks that each of so many ranks holds.
+fn held(blocks: u64, ranks: u64) -> u64 {
+    (u128::from(blocks) * u128::from(2 * ranks - 1)).div_ceil(u128::from(ranks * ranks)) as u64
+}
+
+/// Bytes on their way to all of so many ranks, where a method needs the entries of all blocks.
+fn gathered(method: &Method, unknowns: u64, blocks: u64, ranks: u64) -> u64 {
+    let only_multiplies = Method::only_multiplies(method.name) && unknowns > DENSE as u64;
+    if ranks == 1 || only_multiplies { 0 } else { 3 * blocks }
 }
 
 fn most_unknowns(scene: &Scene, sizes: &[CutSize]) -> u64 {

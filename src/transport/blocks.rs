@@ -13,6 +13,7 @@ pub(crate) mod remainder;
 
 use std::borrow::Cow;
 use std::collections::HashMap;
+use std::ops::Range;
 
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -304,26 +305,33 @@ impl Blocks {
         if self.crosses.all > 0 {
             return self.apply_in_chunks(x);
         }
-        let mut y = vec![0.0; self.dim()];
-        self.stored.own.iter().for_each(|block| self.add(block, x, &mut y));
-        self.held.complete(&mut y);
-        y
+        let mut own = vec![0.0; self.held.coefficients().len()];
+        self.stored.own.iter().for_each(|block| self.add(block, x, &mut own));
+        self.completed(&own)
     }
 
     /// y = G x of a symmetric G, in parallel: sums over a fixed number of chunks of blocks, so that threads change no
     /// bit.
     pub(crate) fn apply_in_chunks(&self, x: &[f64]) -> Vec<f64> {
-        let mut sum = vec![0.0; self.dim()];
-        self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut sum);
-        self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut sum);
-        self.held.complete(&mut sum);
-        sum
+        let mut own = vec![0.0; self.held.coefficients().len()];
+        self.add_chunks(&self.stored, &|block, y| self.add(block, x, y), &mut own);
+        self.add_chunks(&self.crosses, &|block, y| self.add_cross(block, x, y), &mut own);
+        self.completed(&own)
     }
 
-    /// Adds to `sum` what `add` makes of all blocks of a list, chunk by chunk in parallel.
+    /// A product of which this rank has summed its `own` rows.
+    fn completed(&self, own: &[f64]) -> Vec<f64> {
+        let mut all = vec![0.0; self.dim()];
+        all[self.held.coefficients()].copy_from_slice(own);
+        self.held.complete(&mut all);
+        all
+    }
+
+    /// Adds to `sum`, the rows of this rank, what `add` makes of all blocks of a list, chunk by chunk in parallel.
     fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
+        let length = sum.len();
         let parts = list.chunks().into_par_iter().map(|blocks| {
-            let mut y = vec![0.0; self.dim()];
+            let mut y = vec![0.0; length];
             blocks.iter().for_each(|block| add(block, &mut y));
             y
         });
@@ -333,37 +341,41 @@ impl Blocks {
     }
 
     /// As [`Blocks::add`] for a block stored as a cross, whose row comes before its column.
-    fn add_cross(&self, Stored { row, column, start, .. }: &Stored, x: &[f64], y: &mut [f64]) {
-        let (rows, columns) = (self.range(*row as usize), self.range(*column as usize));
-        let values = &self.values[*start..][..rows.len() + columns.len() - 1];
-        let (line, rest) = values.split_at(columns.len());
-        let (first, later) = y.split_at_mut(columns.start);
-        let (own, other) = (&mut first[rows.clone()], &mut later[..columns.len()]);
-        let (sent, received) = (&x[rows], &x[columns]);
-        let (mut along, mut below) = (0.0, 0.0);
-        for ((g, x), y) in line.iter().zip(received).zip(&mut *other) {
-            along += g * x;
-            *y += g * sent[0];
+    fn add_cross(&self, stored: &Stored, x: &[f64], own: &mut [f64]) {
+        let (row, column) = (stored.row as usize, stored.column as usize);
+        let (rows, columns) = (self.range(row), self.range(column));
+        let (line, rest) = self.line_and_rest(stored).split_at(columns.len());
+        if self.held.has(row) {
+            let (x, y) = (&x[columns.clone()], &mut own[self.place(&rows)]);
+            y[0] += product(line, x);
+            add_multiple(rest, x[0], &mut y[1..]);
         }
-        for ((g, x), y) in rest.iter().zip(&sent[1..]).zip(&mut own[1..]) {
-            below += g * x;
-            *y += g * received[0];
+        if self.held.has(column) {
+            let (x, y) = (&x[rows], &mut own[self.place(&columns)]);
+            add_multiple(line, x[0], y);
+            y[0] += product(rest, &x[1..]);
         }
-        own[0] += along;
-        other[0] += below;
     }
 
-    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j.
-    fn add(&self, Stored { row, column, start, .. }: &Stored, x: &[f64], y: &mut [f64]) {
-        let (row, column) = (*row as usize, *column as usize);
+    /// Adds G_ij x_j to y_i and, of a symmetric G, G_ijᵀ x_i to y_j, where these are among the rows of this rank, `own`.
+    fn add(&self, stored: &Stored, x: &[f64], own: &mut [f64]) {
+        let (row, column) = (stored.row as usize, stored.column as usize);
         let (rows, columns) = (self.range(row), self.range(column));
-        let values = &self.values[*start..][..rows.len() * columns.len()];
-        for (k, line) in values.chunks_exact(columns.len()).enumerate() {
-            y[rows.start + k] += line.iter().zip(&x[columns.clone()]).map(|(g, x)| g * x).sum::<f64>();
+        let lines = self.entries(stored).chunks_exact(columns.len());
+        if self.held.has(row) {
+            let y = own[self.place(&rows)].iter_mut();
+            y.zip(lines.clone()).for_each(|(y, line)| *y += product(line, &x[columns.clone()]));
         }
-        if self.symmetric && row != column {
-            self.scatter(row, column, values, x, y);
+        if self.symmetric && row != column && self.held.has(column) {
+            let y = &mut own[self.place(&columns)];
+            lines.zip(&x[rows]).for_each(|(line, x)| add_multiple(line, *x, y));
         }
+    }
+
+    /// Where the coefficients of an element of this rank stand among those of its rows.
+    fn place(&self, coefficients: &Range<usize>) -> Range<usize> {
+        let first = self.held.coefficients().start;
+        coefficients.start - first..coefficients.end - first
     }
 
     /// y = Gᵀ x.
@@ -372,17 +384,12 @@ impl Blocks {
             return self.apply(x);
         }
         let mut y = vec![0.0; self.dim()];
-        let all = self.gathered();
-        all.full().for_each(|(row, column, values)| self.scatter(row, column, values, x, &mut y));
-        y
-    }
-
-    /// Adds G_ijᵀ x_i to y_j.
-    fn scatter(&self, row: usize, column: usize, values: &[f64], x: &[f64], y: &mut [f64]) {
-        let columns = self.range(column);
-        for (emitted, line) in x[self.range(row)].iter().zip(values.chunks_exact(columns.len())) {
-            y[columns.clone()].iter_mut().zip(line).for_each(|(y, g)| *y += g * emitted);
+        for (row, column, values) in self.gathered().full() {
+            let columns = self.range(column);
+            let lines = values.chunks_exact(columns.len()).zip(&x[self.range(row)]);
+            lines.for_each(|(line, x)| add_multiple(line, *x, &mut y[columns.clone()]));
         }
+        y
     }
 
     /// The nonzero blocks that this rank holds, as (receiver, emitter, values row-major). Where G is symmetric, receiver ≤ emitter and each
@@ -451,7 +458,17 @@ impl Blocks {
         &self.values[*start..][..self.range(*row as usize).len() + self.range(*column as usize).len() - 1]
     }
 
-    fn range(&self, element: usize) -> std::ops::Range<usize> {
+    fn range(&self, element: usize) -> Range<usize> {
         self.starts[element]..self.starts[element + 1]
     }
+}
+
+/// Σ a_k b_k, from the first on.
+fn product(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+/// y ← y + a x.
+fn add_multiple(a: &[f64], x: f64, y: &mut [f64]) {
+    y.iter_mut().zip(a).for_each(|(y, a)| *y += a * x);
 }

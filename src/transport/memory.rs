@@ -15,6 +15,7 @@ use radiosity_geom::RayTree;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::Elements;
+use crate::ranks;
 use crate::scene::Scene;
 use crate::transport::blocks::block::Block;
 use crate::transport::known::KnownBlocks;
@@ -32,7 +33,7 @@ pub(crate) struct Memory {
     seen: Option<Seen>,
     last_changes: LastChanges,
     blocks: HashMap<(u32, u32), Kept>,
-    /// Blocks that were integrated for the last scene.
+    /// Blocks that were integrated for the last scene, by all ranks.
     integrated: usize,
     /// Blocks that the last scene has in common with the one before.
     recalled: usize,
@@ -124,6 +125,7 @@ impl Memory {
                 starts: vec![true; surfaces],
             }
         });
+        self.known.iter().for_each(|known| known.turn_to(elements.list()));
         self.forget_rays(&seen, &change);
         self.scenes += 1;
         mark(&mut self.last_changes.elements, &change.elements, self.scenes);
@@ -165,11 +167,12 @@ impl Memory {
         Some(KnownRays::new(before, &numbers, obstacles, MOST / sequences as u64))
     }
 
-    /// Keeps what the rays of a sequence met in this scene.
+    /// Keeps what the rays of a sequence met in this scene; all ranks together, each those that it sent.
     pub(in crate::transport) fn take(&mut self, sequence: usize, rays: KnownRays) {
         let (elements, counts) = rays.into_sent();
-        self.rays.traced += counts.traced;
-        self.rays.recalled += counts.recalled;
+        let sums = ranks::current().sums(vec![counts.traced, counts.recalled]);
+        self.rays.traced += sums[0];
+        self.rays.recalled += sums[1];
         self.sent.insert(sequence, SentAll { scene: self.scenes, elements });
     }
 
@@ -189,19 +192,21 @@ impl Memory {
         (kept.request == *request).then_some(&kept.answer)
     }
 
-    /// Keeps the answers to the requests of this scene, and forgets all others.
+    /// Keeps the answers to the requests of this scene, and forgets all others; all ranks together, each those that it made.
     pub(in crate::transport) fn keep(&mut self, answers: Vec<(Request, Arc<Answer>)>) {
         let mut blocks = HashMap::with_capacity(answers.len());
-        (self.integrated, self.recalled) = (0, 0);
+        let (mut integrated, mut recalled) = (0, 0);
         for (request, answer) in answers {
             let before = self.blocks.get(&(request.row, request.column));
             let is_old = before.is_some_and(|kept| Arc::ptr_eq(&kept.answer, &answer));
-            self.recalled += usize::from(is_old);
-            self.integrated += usize::from(!is_old);
+            recalled += u64::from(is_old);
+            integrated += u64::from(!is_old);
             let scene = before.filter(|_| is_old).map_or(self.scenes, |kept| kept.scene);
             blocks.insert((request.row, request.column), Kept { request, scene, answer });
         }
         self.blocks = blocks;
+        let sums = ranks::current().sums(vec![integrated, recalled]);
+        (self.integrated, self.recalled) = (sums[0] as usize, sums[1] as usize);
     }
 
     /// Blocks that had to be integrated for the last scene.

@@ -294,22 +294,22 @@ impl<'a> SampledTransport<'a> {
     /// Sends the rays of these tasks, each rank those of some of them, and counts what became of all.
     fn run(&mut self, tasks: &[Task]) {
         let ranks = ranks::current();
-        let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
-        let ends = shares::ends(&counts, ranks.count());
-        let makers: Vec<usize> = (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect();
+        let makers = self.makers(tasks, ranks.count());
         let sent = ranks.made(&makers, |task| self.sent_by(&tasks[task]));
-        let own = shares::range(&ends, ranks.number());
-        ranks.count_work(0, tasks[own.clone()].iter().map(|task| task.count).sum());
+        let own = tasks.iter().zip(&makers).filter(|(_, maker)| **maker == ranks.number());
+        let own: Vec<&Task> = own.map(|(task, _)| task).collect();
+        ranks.count_work(0, own.iter().map(|task| task.count).sum());
         if let Some(known) = &mut self.known {
-            let own = tasks[own].iter().zip(&sent);
+            let own = own.iter().zip(&sent);
             own.for_each(|(task, sent)| known.keep(task.element, task.first, &sent.met, sent.recalled));
         }
         let landed = sent.into_iter().map(|sent| sent.landed).collect();
-        let parcels = self.parcels(landed, ranks.count());
-        // Each rank sends those of one task after the other, and ranks come in the order of the tasks.
-        let landed = ranks.exchange(parcels).into_iter().flatten();
+        // Each rank sends those of one task after the other.
+        let parcels = ranks.exchange(self.parcels(landed, ranks.count()));
+        let mut parcels: Vec<_> = parcels.into_iter().map(Vec::into_iter).collect();
         let mut hits = Vec::new();
-        for (Task { element, count, .. }, landed) in tasks.iter().zip(landed) {
+        for (Task { element, count, .. }, maker) in tasks.iter().zip(makers) {
+            let landed = parcels[maker].next().expect("each rank ran its tasks");
             self.sent[*element] += count;
             for half in 0..2 {
                 self.counts.weights[*element][half] += landed.weights[half];
@@ -322,6 +322,17 @@ impl<'a> SampledTransport<'a> {
             hits.extend(landed.hits);
         }
         self.tally.take(self.elements.list(), &hits);
+    }
+
+    /// Which of so many ranks runs each task: as even as can be; or where it is to know what rays meet, the same for all rays of an
+    /// element.
+    fn makers(&self, tasks: &[Task], ranks: usize) -> Vec<usize> {
+        if self.known.is_some() {
+            return tasks.iter().map(|task| task.element % ranks).collect();
+        }
+        let counts: Vec<f64> = tasks.iter().map(|task| task.count as f64).collect();
+        let ends = shares::ends(&counts, ranks);
+        (0..tasks.len()).map(|task| shares::owner(&ends, task)).collect()
     }
 
     /// What each of so many ranks counts of what became of rays: the hits of elements of which it holds the pairs, and all else.

@@ -27,6 +27,7 @@ use crate::elements::Elements;
 use crate::ranks;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Account, Accuracy, Block, Kind};
+use crate::transport::blocks::held::Held;
 use crate::transport::blocks::miss::Miss;
 use crate::transport::blocks::pair_counts::PairCounts;
 use crate::transport::blocks::reciprocity::Reciprocity;
@@ -109,7 +110,8 @@ pub(in crate::transport) fn by_rules(
     }
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let mut integrated = scene.integrate(&tasks, &goals, &sources, memory.as_deref(), progress);
+    let mut integrated =
+        scene.integrate(&tasks, &goals, &sources, (memory.as_deref(), blocks.held()), progress);
     let scales = Scales::new(list.len(), &tasks, &sources, &integrated);
     let is_left = |task: &Task, block: &Account| {
         block.untried || (scales.relative(task, block) > accuracy.eps && scene.is_left(task))
@@ -143,8 +145,13 @@ pub(in crate::transport) fn by_rules(
         let asked =
             tasks.iter().zip(&goals).zip(&sources).filter(|(_, source)| matches!(source, Source::Own(_)));
         let requests = asked.map(|((task, goal), _)| goal.request(task, visibility));
-        let kept = requests.zip(integrated.answers).filter_map(|(request, answer)| Some((request, answer?)));
-        memory.keep(kept.collect());
+        let me = integrated.ranks.number();
+        let own = integrated
+            .answers
+            .into_iter()
+            .zip(integrated.makers)
+            .map(|(answer, maker)| answer.filter(|_| maker == me));
+        memory.keep(requests.zip(own).filter_map(|(request, answer)| Some((request, answer?))).collect());
     }
     (blocks, left)
 }
@@ -370,28 +377,37 @@ impl Scene<'_> {
     }
 
     /// Integrates the tasks that are not copies, as far as `memory` does not hold their blocks; each rank some of them.
+    ///
+    /// With a memory that is the rank that holds the row of a block, scene after scene: it knows what the block was before.
     fn integrate(
         &self,
         tasks: &[Task],
         goals: &[Goal],
         sources: &[Source],
-        memory: Option<&Memory>,
+        (memory, held): (Option<&Memory>, &Held),
         progress: &(dyn Fn(usize, usize) + Sync),
     ) -> Integrated {
         let own: Vec<usize> =
             (0..tasks.len()).filter(|index| matches!(sources[*index], Source::Own(_))).collect();
-        let pieces = self.pieces(tasks, sources);
         let (done, total) = (AtomicUsize::new(0), own.len());
         let ranks = ranks::current();
-        let count = ranks.count();
-        Integrated::made(ranks, &pieces, |place| {
+        let answer = |place: usize| {
             let (task, goal) = (&tasks[own[place]], goals[own[place]]);
             let known = memory.and_then(|memory| self.recalled(task, goal, memory));
-            let answer = known.unwrap_or_else(|| Arc::new(Answer::of(self.block(task, goal))));
+            let answer = known.unwrap_or_else(|| {
+                let block = self.block(task, goal);
+                ranks.count_work(block.samples, block.rays);
+                Arc::new(Answer::of(block))
+            });
             // Others do about as much in the same time.
-            progress((count * (done.fetch_add(1, Ordering::Relaxed) + 1)).min(total), total);
+            progress((ranks.count() * (done.fetch_add(1, Ordering::Relaxed) + 1)).min(total), total);
             answer
-        })
+        };
+        if memory.is_some() {
+            let makers: Vec<usize> = own.iter().map(|index| held.rank(tasks[*index].row as usize)).collect();
+            return Integrated::made_by(ranks.clone(), &makers, answer);
+        }
+        Integrated::made(ranks.clone(), &self.pieces(tasks, sources), answer)
     }
 
     /// What is known of the work that the tasks are that are not copies.

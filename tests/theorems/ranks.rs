@@ -1,10 +1,11 @@
 //! Ranks change no bit: what one process computes, any number of ranks computes, each of them.
 
+use radiosity::animation::sequence::Sequence;
 use radiosity::geom::DVec3;
-use radiosity::ranks::current;
 use radiosity::ranks::journal::{Begin, fingerprint};
 use radiosity::ranks::threads::on_ranks;
-use radiosity::solve::Transport;
+use radiosity::ranks::{Traffic, current};
+use radiosity::solve::{Direct, Transport};
 use radiosity::studies::adaptation::Goal;
 use radiosity::transport::Accuracy;
 use radiosity::view_factors;
@@ -106,6 +107,74 @@ fn view_factors_and_heat() {
         let rows: Vec<Vec<f64>> = (0..factors.names.len()).map(|row| factors.row(row)).collect();
         format!("{rows:?} {:?} {} {}", factors.pairs, factors.samples, factors.rays)
     });
+}
+
+/// Irradiance of a few frames, back and forth, and what they took.
+fn frames(mut sequence: Sequence<'_>) -> String {
+    let told = [0.0, 1.0, 2.0, 3.0, 1.0, 1.0, 7.0].map(|moment| {
+        let frame = sequence.at(moment, &|_| ()).expect("it can be solved");
+        let bands: Vec<_> = frame.solution.bands().iter().map(|band| &band.coefficients).collect();
+        let rays = sequence.account().rays;
+        let counts = [sequence.integrated(), sequence.recalled(), sequence.summed(), sequence.expanded()];
+        format!("{moment} {bands:?} {counts:?} {rays:?} {:?}\n", sequence.error())
+    });
+    told.concat()
+}
+
+#[test]
+fn frames_of_what_moves() {
+    let scene = Scene::builtin("sliding-light").expect("it is built in");
+    for shadows in [Hiding::Off, Options::default().shadows] {
+        let exact = Options {
+            transport: Transport::Exact,
+            direct: Direct::Projected,
+            subdivide: Some(2),
+            order: 1,
+            shadows,
+            ..options()
+        };
+        same_on_ranks(|| frames(Sequence::new(&scene, &exact)));
+        same_on_ranks(|| frames(Sequence::by_series(&scene, &exact, 1e-4)));
+    }
+    let sampled = Options { transport: Transport::Sampled, rays: Some(60_000), order: 1, ..options() };
+    same_on_ranks(|| frames(Sequence::new(&scene, &sampled)));
+}
+
+/// A tetrahedron seen from within, and a lamp in it: no two pairs are congruent.
+const UNEQUAL: &str = r#"
+materials.wall = { reflectance = 0.6 }
+materials.lamp = { reflectance = 0.1, emission = 10 }
+surfaces = [
+    { name = "floor", material = "wall", polygon = { vertices = [[0, 0, 0], [3, 0, 0], [0.5, 2.7, 0]] } },
+    { name = "front", material = "wall", polygon = { vertices = [[0, 0, 0], [0.8, 0.9, 2.9], [3, 0, 0]] } },
+    { name = "right", material = "wall", polygon = { vertices = [[3, 0, 0], [0.8, 0.9, 2.9], [0.5, 2.7, 0]] } },
+    { name = "left", material = "wall", polygon = { vertices = [[0.5, 2.7, 0], [0.8, 0.9, 2.9], [0, 0, 0]] } },
+    { name = "lamp", material = "lamp", parallelogram = { origin = [0.8, 0.6, 0.9], edge1 = [0, 0.4, 0], edge2 = [0.5, 0, 0] } },
+]
+"#;
+
+#[test]
+fn all_work_is_counted_once() {
+    let scene = Scene::from_toml(UNEQUAL, "unequal").expect("it is valid");
+    for transport in [Transport::Exact, Transport::Sampled] {
+        let options = Options { transport, rays: Some(50_000), order: 1, subdivide: Some(1), ..options() };
+        let found = on_ranks(3, || {
+            let solved = Solved::new(scene.clone(), options, &|_| {}).expect("a solution");
+            (current().traffic(), solved.outcome)
+        });
+        let outcome = &found[0].1;
+        let sum = |of: fn(&Traffic) -> u64| found.iter().map(|(own, _)| of(own)).sum::<u64>();
+        assert_eq!(
+            [sum(|own| own.samples), sum(|own| own.rays)],
+            [outcome.samples, outcome.rays],
+            "{transport:?}"
+        );
+        assert!(found.iter().all(|(own, _)| own.samples + own.rays > 0), "{found:?}");
+        // A step sends the own part of the unknowns to each of the others.
+        let dim = outcome.solution.bands()[0].coefficients.irradiance.len() as u64;
+        let products = found[0].0.products;
+        assert_eq!(sum(|own| own.numbers), products * 8 * dim * 2);
+    }
 }
 
 #[test]

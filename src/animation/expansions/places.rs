@@ -1,6 +1,5 @@
 //! How far elements are from where they were seen first.
 
-use std::collections::HashMap;
 use std::sync::Arc;
 
 use radiosity_geom::DVec3;
@@ -13,20 +12,15 @@ use crate::elements::patch::Patch;
 const ROUNDED: f64 = 1e-14;
 const ROUNDED_VALUES: f64 = 1e-10;
 
-/// Where the elements were seen first.
+/// Where the elements of a scene are.
 #[derive(Debug, Default)]
 pub(super) struct Places {
-    seen: HashMap<usize, Seen>,
-}
-
-#[derive(Debug)]
-struct Seen {
-    element: Arc<Element>,
-    turn: u32,
+    /// None of those that are curved.
+    now: Vec<Option<Place>>,
 }
 
 /// Where an element is.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Place {
     /// The element as it was seen first.
     pub reference: Arc<Element>,
@@ -36,16 +30,36 @@ pub(super) struct Place {
     pub shift: DVec3,
 }
 
+impl Place {
+    fn anew(element: &Element, turn: u32) -> Self {
+        Self { reference: Arc::new(element.clone()), turn, shift: DVec3::ZERO }
+    }
+
+    /// Where it is now.
+    fn moved(&self, element: &Element) -> Self {
+        match translation(&self.reference, element) {
+            Some(shift) => Self { shift, ..self.clone() },
+            None => Self::anew(element, self.turn + 1),
+        }
+    }
+}
+
 impl Places {
-    /// Where the element number `index` is.
-    pub(super) fn of(&mut self, index: usize, element: &Element) -> Place {
-        let anew = |turn: u32| Seen { element: Arc::new(element.clone()), turn };
-        let seen = self.seen.entry(index).or_insert_with(|| anew(0));
-        let shift = translation(&seen.element, element).unwrap_or_else(|| {
-            *seen = anew(seen.turn + 1);
-            DVec3::ZERO
-        });
-        Place { reference: Arc::clone(&seen.element), turn: seen.turn, shift }
+    /// Takes note of where the elements of the next scene are; of another number of them all are new.
+    pub(super) fn turn_to(&mut self, elements: &[Element]) {
+        let before = std::mem::take(&mut self.now);
+        let is_known = before.len() == elements.len();
+        let known = |index: usize| before.get(index).filter(|_| is_known).and_then(Option::as_ref);
+        let place = |(index, element): (usize, &Element)| {
+            element.plane?;
+            Some(known(index).map_or_else(|| Place::anew(element, 0), |before| before.moved(element)))
+        };
+        self.now = elements.iter().enumerate().map(place).collect();
+    }
+
+    /// Where the element number `index` is; None if it is curved.
+    pub(super) fn of(&self, index: usize) -> Option<Place> {
+        self.now.get(index)?.clone()
     }
 }
 

@@ -33,6 +33,11 @@ impl Held {
         shares::range(&self.ends, self.ranks.number())
     }
 
+    /// Their coefficients.
+    pub(crate) fn coefficients(&self) -> Range<usize> {
+        shares::range(&self.coefficients, self.ranks.number())
+    }
+
     /// Whether an element is of this rank.
     pub(crate) fn has(&self, element: usize) -> bool {
         self.own().contains(&element)

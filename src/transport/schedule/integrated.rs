@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use serde::{Deserialize, Serialize};
 
-use crate::ranks::Ranks;
+use crate::ranks::{Part, Ranks};
 use crate::transport::blocks::block::{Account, Block};
 use crate::transport::blocks::held::Held;
 use crate::transport::memory::Answer;
@@ -32,33 +32,58 @@ pub(super) struct Integrated {
 }
 
 impl Integrated {
-    /// The blocks that `make` makes of these pieces of work, shared between ranks.
+    /// The blocks that `make` makes of these pieces of work, shared between ranks by what pieces cost.
     pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
-        let mut all = Self {
-            makers: vec![0; pieces.len()],
-            told: vec![None; pieces.len()],
-            answers: vec![None; pieces.len()],
-            ranks,
-        };
-        let mut balance = Balance::new(all.ranks.count());
-        let ranks = all.ranks.clone();
+        let mut balance = Balance::new(ranks.count());
+        let mut all = Self::none(ranks.clone(), pieces.len());
         let part = ranks.part(pieces.len());
-        for round in rounds(pieces.len(), all.ranks.count()) {
+        for round in rounds(pieces.len(), ranks.count()) {
             let makers = balance.share(&round, pieces);
-            let own = round.iter().zip(&makers).filter(|(_, maker)| **maker == all.ranks.number());
-            let made: Vec<Arc<Answer>> = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), &make);
-            let told =
-                |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
-            let told = all.ranks.merged(&makers, made.iter().map(told).collect());
-            let mut made = made.into_iter();
-            for ((place, maker), told) in round.into_iter().zip(makers).zip(told) {
-                balance.take(maker, &pieces[place], &told.block);
-                all.makers[place] = maker;
-                all.told[place] = Some(told);
-                all.answers[place] = (maker == all.ranks.number()).then(|| made.next()).flatten();
+            all.make(&part, &round, &makers, &make);
+            for (place, maker) in round.into_iter().zip(makers) {
+                balance.take(maker, &pieces[place], &all.told(place).block);
             }
         }
         all
+    }
+
+    /// The same where the rank `makers[place]` makes each block, and none is recorded: what makes it depends on what that rank made
+    /// before.
+    pub(super) fn made_by(
+        ranks: Ranks,
+        makers: &[usize],
+        make: impl Fn(usize) -> Arc<Answer> + Sync,
+    ) -> Self {
+        let mut all = Self::none(ranks, makers.len());
+        let places: Vec<usize> = (0..makers.len()).collect();
+        all.make(&Part::unrecorded(), &places, makers, &make);
+        all
+    }
+
+    /// None of so many blocks yet.
+    fn none(ranks: Ranks, count: usize) -> Self {
+        Self { makers: vec![0; count], told: vec![None; count], answers: vec![None; count], ranks }
+    }
+
+    /// Makes the blocks at these places, each on the rank in `makers`.
+    fn make(
+        &mut self,
+        part: &Part,
+        places: &[usize],
+        makers: &[usize],
+        make: &(impl Fn(usize) -> Arc<Answer> + Sync),
+    ) {
+        let me = self.ranks.number();
+        let own = places.iter().zip(makers).filter(|(_, maker)| **maker == me);
+        let made = part.made(&own.map(|(place, _)| *place).collect::<Vec<_>>(), make);
+        let told = |answer: &Arc<Answer>| Told { block: answer.block.account(), remainder: answer.remainder };
+        let told = self.ranks.merged(makers, made.iter().map(told).collect());
+        let mut made = made.into_iter();
+        for ((place, maker), told) in places.iter().zip(makers).zip(told) {
+            self.makers[*place] = *maker;
+            self.told[*place] = Some(told);
+            self.answers[*place] = (*maker == me).then(|| made.next()).flatten();
+        }
     }
 
     /// What is told of a block.

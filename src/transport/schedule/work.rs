@@ -1,7 +1,9 @@
 //! What the blocks of a scene cost, and how they would be shared.
 
 use crate::elements::Elements;
+use crate::ranks;
 use crate::transport::blocks::block::{Account, Accuracy};
+use crate::transport::blocks::held::Held;
 use crate::transport::schedule::balance::{Balance, Piece, rounds};
 use crate::transport::schedule::task::{Scene, Unreached};
 use crate::visibility::Visibility;
@@ -38,7 +40,8 @@ pub fn work(
     let (tasks, _) = scene.sort();
     let goals = scene.goals(&tasks);
     let sources = scene.share(&tasks, &goals);
-    let integrated = scene.integrate(&tasks, &goals, &sources, None, &|_, _| {});
+    let held = Held::of(&ranks::current(), &elements.starts());
+    let integrated = scene.integrate(&tasks, &goals, &sources, (None, &held), &|_, _| {});
     let pieces = scene.pieces(&tasks, &sources).into_iter().enumerate();
     pieces.map(|(place, piece)| Work { piece, account: integrated.told(place).block }).collect()
 }
