@@ -12,6 +12,10 @@ pub(crate) struct Held {
     ends: Vec<usize>,
     /// The coefficients at which they end.
     coefficients: Vec<usize>,
+    /// The elements of this rank.
+    own: Range<usize>,
+    /// Their coefficients.
+    own_coefficients: Range<usize>,
 }
 
 impl Held {
@@ -19,8 +23,9 @@ impl Held {
     pub(crate) fn of(ranks: &Ranks, starts: &[usize]) -> Self {
         let sizes: Vec<f64> = starts.windows(2).map(|range| (range[1] - range[0]) as f64).collect();
         let ends = shares::ends(&sizes, ranks.count());
-        let coefficients = ends.iter().map(|end| starts[*end]).collect();
-        Self { ranks: ranks.clone(), ends, coefficients }
+        let coefficients: Vec<usize> = ends.iter().map(|end| starts[*end]).collect();
+        let [own, own_coefficients] = [&ends, &coefficients].map(|ends| shares::range(ends, ranks.number()));
+        Self { ranks: ranks.clone(), ends, coefficients, own, own_coefficients }
     }
 
     /// The ranks.
@@ -28,19 +33,14 @@ impl Held {
         &self.ranks
     }
 
-    /// The elements of this rank.
-    pub(crate) fn own(&self) -> Range<usize> {
-        shares::range(&self.ends, self.ranks.number())
-    }
-
-    /// Their coefficients.
+    /// The coefficients of this rank.
     pub(crate) fn coefficients(&self) -> Range<usize> {
-        shares::range(&self.coefficients, self.ranks.number())
+        self.own_coefficients.clone()
     }
 
     /// Whether an element is of this rank.
     pub(crate) fn has(&self, element: usize) -> bool {
-        self.own().contains(&element)
+        self.own.contains(&element)
     }
 
     /// The rank of an element.
