@@ -10,6 +10,8 @@ pub enum RuleError {
     Empty,
     /// Slices that must be of equal length are not.
     Lengths,
+    /// A part of a rule was asked for that has more nodes than are left.
+    Beyond,
     /// An asymptotic rule was asked for too few points for its expansion to hold.
     TooSmall,
     /// A node lies so near an end, an exponent being near −1 or n above 10⁴, that its weight would lose digits.
@@ -21,6 +23,7 @@ impl fmt::Display for RuleError {
         f.write_str(match self {
             RuleError::Empty => "a Gauss rule has at least one node; the slices given are empty",
             RuleError::TooSmall => "the asymptotic Gauss–Legendre rule needs more than 100 points",
+            RuleError::Beyond => "the rule has not so many nodes from the middle to +1",
             RuleError::Lengths => "the slices for nodes and weights must be of equal length",
             RuleError::NearEnd => {
                 "an exponent is too near −1 for this many points: a node would merge with the end"

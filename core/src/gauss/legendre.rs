@@ -13,7 +13,7 @@ use core::f64::consts::PI;
 use super::RuleError;
 use super::error::points;
 use super::polish::{LANES, Lane};
-use super::symmetric::{self, root_shift};
+use super::symmetric::{self, Finish, root_shift};
 use crate::double::Double;
 use crate::jacobi::monic::{CHUNK, Monic};
 use crate::math::sin_quadrant;
@@ -30,20 +30,65 @@ pub const fn legendre(nodes: &mut [f64], weights: &mut [f64]) -> Result<(), Rule
         Ok(n) => n,
         Err(error) => return Err(error),
     };
-    let half = n / 2;
-    let monic = Monic::new(symmetric::weight(0.0, n));
+    let (_, upper_nodes) = nodes.split_at_mut(n / 2);
+    let (_, upper_weights) = weights.split_at_mut(n / 2);
+    upper(n, 0, upper_nodes, upper_weights);
+    symmetric::mirror(nodes, weights);
+    Ok(())
+}
+
+/// Writes a part of the same rule, to the last bit, where all of it would take too long at once: its nodes of the numbers
+/// `first`, `first` + 1, … from the middle to +1, and their weights. Number 0 is the least node that is not negative; the
+/// others of the n nodes mirror them, with the same weights.
+///
+/// ```
+/// use radiosity_core::gauss;
+///
+/// let (mut x, mut w) = ([0.0; 7], [0.0; 7]);
+/// gauss::legendre(&mut x, &mut w)?;
+/// let (mut part_x, mut part_w) = ([0.0; 2], [0.0; 2]);
+/// gauss::legendre_part(7, 1, &mut part_x, &mut part_w)?;
+/// assert_eq!((part_x, part_w), ([x[4], x[5]], [w[4], w[5]]));
+/// # Ok::<(), gauss::RuleError>(())
+/// ```
+///
+/// # Errors
+/// [`RuleError`] if the slices are empty or differ in length, or [`RuleError::Beyond`] if there are not so many nodes from
+/// `first` on; they are then left as they were.
+pub const fn legendre_part(
+    n: usize,
+    first: usize,
+    nodes: &mut [f64],
+    weights: &mut [f64],
+) -> Result<(), RuleError> {
+    let count = match points(nodes, weights) {
+        Ok(count) => count,
+        Err(error) => return Err(error),
+    };
+    let all = n.div_ceil(2);
+    if first >= all || count > all - first {
+        return Err(RuleError::Beyond);
+    }
+    upper(n, first, nodes, weights);
+    Ok(())
+}
+
+/// The nodes of the numbers `first`, `first` + 1, … from the middle to +1.
+const fn upper(n: usize, first: usize, nodes: &mut [f64], weights: &mut [f64]) {
+    let (half, odd) = (n / 2, n % 2);
+    let finish = Finish::new(0.0, n, Double::new(2.0));
     let mut i = 0;
-    while i < half {
-        let x = halley(&monic, half, &start(n, half - 1 - i));
-        let mut l = 0;
-        while l < LANES && i + l < half {
-            nodes[n - half + i + l] = x[l];
-            l += 1;
-        }
+    if odd == 1 && first == 0 {
+        (nodes[0], weights[0]) = (0.0, finish.middle());
+        i = 1;
+    }
+    let monic = Monic::new(symmetric::weight(0.0, n));
+    while i < nodes.len() {
+        // The root number k from the right is the node number half − 1 − k of the positive ones.
+        let x = halley(&monic, half, &start(n, half + odd - 1 - first - i));
+        finish.write(&x, i, nodes, weights);
         i += LANES;
     }
-    symmetric::finish(0.0, Double::new(2.0), nodes, weights);
-    Ok(())
 }
 
 /// Floats near the roots number i, i − 1, … from the right; lanes beyond the last repeat it.

@@ -26,28 +26,63 @@ pub(super) const fn weight(alpha: f64, n: usize) -> Weight {
 /// Completes a rule whose last ⌊n/2⌋ nodes are floats near the positive roots, ascending.
 pub(super) const fn finish(alpha: f64, mu_0: Double, nodes: &mut [f64], weights: &mut [f64]) {
     let n = nodes.len();
-    let half = n / 2;
+    let finish = Finish::new(alpha, n, mu_0);
+    let mut i = n / 2;
     if n % 2 == 1 {
-        nodes[half] = 0.0;
-        weights[half] = middle(alpha, half, mu_0);
+        (nodes[i], weights[i]) = (0.0, finish.middle());
+        i += 1;
     }
-    let polish = Polish::new(Monic::new(weight(alpha, n)), half, share(alpha, n, mu_0));
-    let mut i = 0;
-    while i < half {
+    while i < n {
         let mut x = [0.0; LANES];
         let mut l = 0;
         while l < LANES {
-            x[l] = nodes[n - half + if i + l < half { i + l } else { half - 1 }];
+            x[l] = nodes[if i + l < n { i + l } else { n - 1 }];
             l += 1;
         }
-        let (x, w) = refine(&polish, n % 2 == 1, &x);
-        let mut l = 0;
-        while l < LANES && i + l < half {
-            (nodes[n - half + i + l], weights[n - half + i + l]) = (x[l], w[l]);
-            (nodes[half - 1 - i - l], weights[half - 1 - i - l]) = (-x[l], w[l]);
-            l += 1;
-        }
+        finish.write(&x, i, nodes, weights);
         i += LANES;
+    }
+    mirror(nodes, weights);
+}
+
+/// Writes the negative half of a rule from the other one.
+pub(super) const fn mirror(nodes: &mut [f64], weights: &mut [f64]) {
+    let n = nodes.len();
+    let mut i = 0;
+    while i < n / 2 {
+        (nodes[i], weights[i]) = (-nodes[n - 1 - i], weights[n - 1 - i]);
+        i += 1;
+    }
+}
+
+/// What all nodes of one rule share.
+pub(super) struct Finish {
+    alpha: f64,
+    n: usize,
+    mu_0: Double,
+    polish: Polish,
+}
+
+impl Finish {
+    /// For the n-point rule of (1 − x²)^α, whose integral is `mu_0`.
+    pub(super) const fn new(alpha: f64, n: usize, mu_0: Double) -> Finish {
+        let polish = Polish::new(Monic::new(weight(alpha, n)), n / 2, share(alpha, n, mu_0));
+        Finish { alpha, n, mu_0, polish }
+    }
+
+    /// The weight of the middle node of an odd rule.
+    pub(super) const fn middle(&self) -> f64 {
+        middle(self.alpha, self.n / 2, self.mu_0)
+    }
+
+    /// Writes the nodes near the positive floats `x`, and their weights, from place `i` on, as far as there are places.
+    pub(super) const fn write(&self, x: &Lane, i: usize, nodes: &mut [f64], weights: &mut [f64]) {
+        let (x, w) = refine(&self.polish, self.n % 2 == 1, x);
+        let mut l = 0;
+        while l < LANES && i + l < nodes.len() {
+            (nodes[i + l], weights[i + l]) = (x[l], w[l]);
+            l += 1;
+        }
     }
 }
 

@@ -182,6 +182,40 @@ fn rules_are_the_eigenvalues_of_the_jacobi_matrix() {
 }
 
 #[test]
+fn parts_of_very_large_rules_agree_with_the_asymptotic_ones() {
+    let n = 1_000_001;
+    let (mut x, mut w) = (vec![0.0; n], vec![0.0; n]);
+    gauss::legendre_asymptotic(&mut x, &mut w).expect("it is large");
+    for first in [0, 1, 123_456, 400_000, 499_993] {
+        let (mut nodes, mut weights) = ([0.0; 8], [0.0; 8]);
+        gauss::legendre_part(n, first, &mut nodes, &mut weights).expect("there are so many");
+        for k in 0..8 {
+            let place = n / 2 + first + k;
+            // 3 and 4 ulp of the asymptotic ones, half a one of the others.
+            assert!((nodes[k] - x[place]).abs() <= 3.5 * f64::EPSILON * x[place], "node {first} + {k}");
+            assert!((weights[k] - w[place]).abs() <= 4.5 * f64::EPSILON * w[place], "weight {first} + {k}");
+        }
+    }
+}
+
+#[test]
+fn parts_of_a_rule_are_the_rule_to_the_last_bit() {
+    for n in [1, 2, 7, 16, 17, 40, 101] {
+        let (x, w) = legendre(n);
+        for first in 0..n.div_ceil(2) {
+            for count in 1..=n.div_ceil(2) - first {
+                let (mut nodes, mut weights) = (vec![f64::NAN; count], vec![f64::NAN; count]);
+                gauss::legendre_part(n, first, &mut nodes, &mut weights).expect("there are so many");
+                let place = n / 2 + first..n / 2 + first + count;
+                assert_eq!((&nodes[..], &weights[..]), (&x[place.clone()], &w[place]), "{n} {first} {count}");
+            }
+        }
+        let (mut nodes, mut weights) = ([0.0; 60], [0.0; 60]);
+        assert_eq!(gauss::legendre_part(n, 0, &mut nodes, &mut weights), Err(RuleError::Beyond));
+    }
+}
+
+#[test]
 fn bad_arguments_are_refused_and_nothing_is_written() {
     for (alpha, beta) in [(-1.0, 0.0), (-1.5, 0.0), (f64::NAN, 0.0), (f64::INFINITY, 0.0), (257.0, 0.0)] {
         assert_eq!(Weight::new(alpha, beta), Err(WeightError::Alpha));
