@@ -20,6 +20,7 @@ use crate::error::SolveError;
 use crate::factors::Factors;
 use crate::iteration::{Iteration, Watch, iterate};
 use crate::operator::Operator;
+use crate::panel::Labour;
 use crate::problem::Problem;
 use crate::settings::{Preconditioner, Settings};
 use crate::solver::{Report, Solver, Step};
@@ -77,7 +78,7 @@ fn factors(a: &dyn Operator, preconditioner: Preconditioner) -> Result<Vec<Chole
 
 /// A_BB = L Lᵀ.
 fn factor(a: &dyn Operator, block: usize) -> Result<CholeskyFactor, SolveError> {
-    let factor = CholeskyFactor::new(diagonal_block(a, block)?, a.partition().size(block), 1);
+    let factor = CholeskyFactor::new(diagonal_block(a, block)?, a.partition().size(block), Labour::ALONE);
     factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })
 }
 

@@ -14,6 +14,7 @@ use crate::error::{SolveError, Stop};
 use crate::factors::Factors;
 use crate::lu::Lu;
 use crate::operator::Operator;
+use crate::panel::Labour;
 use crate::settings::Settings;
 use crate::solver::{Report, Solver, Step};
 
@@ -82,7 +83,7 @@ impl Direct for LowerTriangle {
     const LOWER: bool = true;
 
     fn factor(matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-        let factor = CholeskyFactor::new(matrix, dim, settings.threads);
+        let factor = CholeskyFactor::new(matrix, dim, Labour::of(settings));
         Ok(Box::new(factor.ok_or(SolveError::NotPositiveDefinite { method: NAME })?))
     }
 }

@@ -8,7 +8,7 @@
 use ndarray::{ArrayView2, ArrayViewMut2, Axis, ShapeBuilder};
 
 use crate::factors::Factors;
-use crate::panel::{NARROW, column, for_chunks, subtract_product, two_columns};
+use crate::panel::{Labour, NARROW, column, for_chunks, subtract_product, two_columns};
 use crate::vector::{add_scaled, dot};
 
 /// L on and below the diagonal; what stands above is of no meaning.
@@ -19,11 +19,11 @@ pub(crate) struct CholeskyFactor {
 }
 
 impl CholeskyFactor {
-    /// Factors a matrix held column by column, of which the lower triangle is read, on up to `threads`
-    /// threads of the current pool; none unless it is positive definite.
-    pub(crate) fn new(mut matrix: Vec<f64>, dim: usize, threads: usize) -> Option<Self> {
+    /// Factors a matrix held column by column, of which the lower triangle is read; none unless it is positive
+    /// definite, or if that is cancelled.
+    pub(crate) fn new(mut matrix: Vec<f64>, dim: usize, labour: Labour<'_>) -> Option<Self> {
         let view = ArrayViewMut2::from_shape((dim, dim).f(), &mut matrix).expect("dim² entries");
-        factor(view, threads)?;
+        factor(view, labour)?;
         Some(Self { matrix, dim })
     }
 
@@ -53,7 +53,10 @@ impl Factors for CholeskyFactor {
 }
 
 /// Factors a square matrix in place; none where a pivot is not positive.
-fn factor(mut matrix: ArrayViewMut2<'_, f64>, threads: usize) -> Option<()> {
+fn factor(mut matrix: ArrayViewMut2<'_, f64>, labour: Labour<'_>) -> Option<()> {
+    if labour.is_cancelled() {
+        return None;
+    }
     if matrix.ncols() <= NARROW {
         return factor_narrow(&mut matrix);
     }
@@ -61,10 +64,10 @@ fn factor(mut matrix: ArrayViewMut2<'_, f64>, threads: usize) -> Option<()> {
     let (left, right) = matrix.split_at(Axis(1), half);
     let (mut diagonal, mut below) = left.split_at(Axis(0), half);
     let mut rest = right.split_at(Axis(0), half).1;
-    factor(diagonal.view_mut(), threads)?;
-    divide(below.view_mut(), diagonal.view());
-    subtract_square(below.view(), rest.view_mut(), threads);
-    factor(rest, threads)
+    factor(diagonal.view_mut(), labour)?;
+    divide(below.view_mut(), diagonal.view(), labour);
+    subtract_square(below.view(), rest.view_mut(), labour);
+    factor(rest, labour)
 }
 
 /// The same column by column.
@@ -85,17 +88,20 @@ fn factor_narrow(matrix: &mut ArrayViewMut2<'_, f64>) -> Option<()> {
     Some(())
 }
 
-/// B ← B L⁻ᵀ.
-fn divide(mut b: ArrayViewMut2<'_, f64>, lower: ArrayView2<'_, f64>) {
+/// B ← B L⁻ᵀ, unless it is cancelled.
+fn divide(mut b: ArrayViewMut2<'_, f64>, lower: ArrayView2<'_, f64>, labour: Labour<'_>) {
+    if labour.is_cancelled() {
+        return;
+    }
     let dim = lower.ncols();
     if dim > NARROW {
         let half = dim / 2;
         let (mut left, mut right) = b.split_at(Axis(1), half);
         let (first, second) = lower.split_at(Axis(1), half);
         let (diagonal, below) = first.split_at(Axis(0), half);
-        divide(left.view_mut(), diagonal);
+        divide(left.view_mut(), diagonal, labour);
         subtract_product(&left.view(), &below.t(), &mut right);
-        return divide(right, second.split_at(Axis(0), half).1);
+        return divide(right, second.split_at(Axis(0), half).1, labour);
     }
     for k in 0..dim {
         let root = lower[(k, k)];
@@ -108,9 +114,9 @@ fn divide(mut b: ArrayViewMut2<'_, f64>, lower: ArrayView2<'_, f64>) {
 }
 
 /// C ← C − B Bᵀ on and below the diagonal.
-fn subtract_square(b: ArrayView2<'_, f64>, c: ArrayViewMut2<'_, f64>, threads: usize) {
+fn subtract_square(b: ArrayView2<'_, f64>, c: ArrayViewMut2<'_, f64>, labour: Labour<'_>) {
     let multiplications = b.len() * c.ncols() / 2;
-    for_chunks(c, multiplications, threads, |first, c| {
+    for_chunks(c, multiplications, labour, |first, c| {
         let below = b.split_at(Axis(0), first).1;
         let across = below.split_at(Axis(0), c.ncols()).0;
         subtract_product(&below, &across.t(), &mut c.split_at(Axis(0), first).1);
@@ -135,7 +141,7 @@ mod tests {
     fn factors_solve_without_refinement() {
         for dim in [0, 1, 2, NARROW, NARROW + 1, 77, CHUNK + 1, 2 * CHUNK + 45] {
             let matrix = positive(dim);
-            let factor = CholeskyFactor::new(matrix.clone(), dim, 1).expect("positive definite");
+            let factor = CholeskyFactor::new(matrix.clone(), dim, Labour::ALONE).expect("positive definite");
             assert!(worst_backward_error(&matrix, dim, |x| factor.solve(x)) < 1e-13, "{dim}");
         }
     }
@@ -147,7 +153,7 @@ mod tests {
         let mut spoilt = matrix.clone();
         (0..dim).for_each(|j| spoilt[j * dim..][..j].fill(f64::NAN));
         let [factor, other] =
-            [matrix, spoilt].map(|a| CholeskyFactor::new(a, dim, 1).expect("positive definite"));
+            [matrix, spoilt].map(|a| CholeskyFactor::new(a, dim, Labour::ALONE).expect("positive definite"));
         assert!((0..dim).all(|j| factor.column(j) == other.column(j)));
     }
 
@@ -157,7 +163,7 @@ mod tests {
         for spoilt in [0, NARROW, 31, dim - 1] {
             let mut matrix = positive(dim);
             matrix[spoilt * dim + spoilt] *= -1.0;
-            assert!(CholeskyFactor::new(matrix, dim, 1).is_none(), "{spoilt}");
+            assert!(CholeskyFactor::new(matrix, dim, Labour::ALONE).is_none(), "{spoilt}");
         }
     }
 }

@@ -4,6 +4,7 @@ use crate::error::SolveError;
 use crate::factors::Factors;
 use crate::lu_factors::LuFactors;
 use crate::operator::Operator;
+use crate::panel::Labour;
 use crate::partition::Partition;
 use crate::problem::finite;
 use crate::settings::Granularity;
@@ -29,7 +30,7 @@ impl Pivot {
             let invertible = (0..size).all(|k| values[k * size + k] != 0.0);
             return if invertible { Ok(Self::Coefficients(values)) } else { Err(singular()) };
         }
-        LuFactors::new(values, size, 1).map(Self::Block).ok_or_else(singular)
+        LuFactors::new(values, size, Labour::ALONE).map(Self::Block).ok_or_else(singular)
     }
 
     /// All diagonal blocks of `a`, in order.

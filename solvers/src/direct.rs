@@ -141,15 +141,20 @@ impl<'f> Factored<'f> {
     ) -> Result<Self, SolveError> {
         let dim = a.partition().dim();
         let started = Instant::now();
-        if cancelled(settings) {
-            return Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY });
-        }
+        let unless_cancelled = || match cancelled(settings) {
+            true => Err(SolveError::Cancelled { iterations: 0, residual: f64::INFINITY }),
+            false => Ok(()),
+        };
+        unless_cancelled()?;
         if let Some(held) = a.dense().filter(|held| held.len() != dim * dim) {
             let (expected, found) = (dim * dim, held.len());
             return Err(SolveError::DimensionMismatch { what: "the matrix", expected, found });
         }
         let matrix = if D::LOWER { lower_triangle(a) } else { matrix(a) };
-        let factors = D::factor(matrix, dim, settings).map_err(|error| blame(a, error))?;
+        let factors = D::factor(matrix, dim, settings);
+        // Factors that were cancelled are of no meaning, and no error of the matrix.
+        unless_cancelled()?;
+        let factors = factors.map_err(|error| blame(a, error))?;
         let condition = settings.condition.then(|| condition(a, &*factors));
         let cost = D::COST * dim as f64;
         Ok(Self { method: D::NAME, cost, a, factors, settings, observer, started, condition })

@@ -8,6 +8,7 @@ use crate::direct::Direct;
 use crate::error::SolveError;
 use crate::factors::Factors;
 use crate::lu_factors::LuFactors;
+use crate::panel::Labour;
 use crate::settings::Settings;
 
 pub(crate) const NAME: &str = "lu";
@@ -22,7 +23,7 @@ impl Direct for Lu {
     const COST: f64 = 1.0 / 3.0;
 
     fn factor(matrix: Vec<f64>, dim: usize, settings: &Settings<'_>) -> Result<Box<dyn Factors>, SolveError> {
-        let factors = LuFactors::new(matrix, dim, settings.threads);
+        let factors = LuFactors::new(matrix, dim, Labour::of(settings));
         let factors = factors.ok_or_else(|| SolveError::Singular { what: "the matrix".into() })?;
         Ok(Box::new(factors))
     }

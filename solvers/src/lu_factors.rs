@@ -12,7 +12,7 @@
 use ndarray::{ArrayView2, ArrayViewMut2, Axis, ShapeBuilder};
 
 use crate::factors::Factors;
-use crate::panel::{NARROW, column, for_chunks, subtract_product, two_columns};
+use crate::panel::{Labour, NARROW, column, for_chunks, subtract_product, two_columns};
 use crate::vector::{add_scaled, dot};
 
 /// L below the diagonal, with ones on it, and U above, of a matrix whose rows were interchanged.
@@ -24,12 +24,11 @@ pub(crate) struct LuFactors {
 }
 
 impl LuFactors {
-    /// Factors a matrix held column by column on up to `threads` threads of the current pool; none if a pivot
-    /// is exactly 0.
-    pub(crate) fn new(mut matrix: Vec<f64>, dim: usize, threads: usize) -> Option<Self> {
+    /// Factors a matrix held column by column; none if a pivot is exactly 0.
+    pub(crate) fn new(mut matrix: Vec<f64>, dim: usize, labour: Labour<'_>) -> Option<Self> {
         let mut swaps = vec![0; dim];
         let view = ArrayViewMut2::from_shape((dim, dim).f(), &mut matrix).expect("dim² entries");
-        factor(view, &mut swaps, threads);
+        factor(view, &mut swaps, labour);
         let regular = (0..dim).all(|k| matrix[k * dim + k] != 0.0);
         regular.then_some(Self { matrix, swaps })
     }
@@ -73,16 +72,19 @@ impl Factors for LuFactors {
     }
 }
 
-/// Factors a panel with at least as many rows as columns, in place.
-fn factor(mut panel: ArrayViewMut2<'_, f64>, swaps: &mut [usize], threads: usize) {
+/// Factors a panel with at least as many rows as columns, in place, unless it is cancelled.
+fn factor(mut panel: ArrayViewMut2<'_, f64>, swaps: &mut [usize], labour: Labour<'_>) {
+    if labour.is_cancelled() {
+        return;
+    }
     if panel.ncols() <= NARROW {
         return factor_narrow(&mut panel, swaps);
     }
     let half = panel.ncols() / 2;
     let (mut left, mut right) = panel.split_at(Axis(1), half);
-    factor(left.view_mut(), &mut swaps[..half], threads);
-    update(left.view(), right.view_mut(), &swaps[..half], threads);
-    factor(right.split_at(Axis(0), half).1, &mut swaps[half..], threads);
+    factor(left.view_mut(), &mut swaps[..half], labour);
+    update(left.view(), right.view_mut(), &swaps[..half], labour);
+    factor(right.split_at(Axis(0), half).1, &mut swaps[half..], labour);
     interchange(&mut left.split_at(Axis(0), half).1, &swaps[half..]);
     swaps[half..].iter_mut().for_each(|row| *row += half);
 }
@@ -121,11 +123,11 @@ fn largest(entries: &[f64]) -> usize {
 }
 
 /// What the factored columns `left` do to those on their right: interchanges, U₁₂ and the remainder.
-fn update(left: ArrayView2<'_, f64>, right: ArrayViewMut2<'_, f64>, swaps: &[usize], threads: usize) {
+fn update(left: ArrayView2<'_, f64>, right: ArrayViewMut2<'_, f64>, swaps: &[usize], labour: Labour<'_>) {
     let half = left.ncols();
     let (diagonal, below) = left.split_at(Axis(0), half);
     let multiplications = left.len() * right.ncols();
-    for_chunks(right, multiplications, threads, |_, mut right| {
+    for_chunks(right, multiplications, labour, |_, mut right| {
         interchange(&mut right, swaps);
         let (mut top, mut bottom) = right.split_at(Axis(0), half);
         substitute(diagonal, top.view_mut());
@@ -179,7 +181,8 @@ mod tests {
             // Zeros on the diagonal: rows must be interchanged.
             (0..dim).filter(|_| dim > 1).for_each(|k| matrix[k * dim + k] = 0.0);
             let transposed: Vec<f64> = (0..dim * dim).map(|k| matrix[k % dim * dim + k / dim]).collect();
-            let factors = LuFactors::new(matrix.clone(), dim, 1).expect("random matrices are regular");
+            let factors =
+                LuFactors::new(matrix.clone(), dim, Labour::ALONE).expect("random matrices are regular");
             assert!(worst_backward_error(&matrix, dim, |x| factors.solve(x)) < 1e-13, "{dim}");
             assert!(worst_backward_error(&transposed, dim, |x| factors.solve_transposed(x)) < 1e-13, "{dim}");
         }
@@ -188,7 +191,8 @@ mod tests {
     #[test]
     fn multipliers_never_exceed_one() {
         let dim = 100;
-        let factors = LuFactors::new(random(dim * dim, 5), dim, 1).expect("random matrices are regular");
+        let factors =
+            LuFactors::new(random(dim * dim, 5), dim, Labour::ALONE).expect("random matrices are regular");
         assert!((0..dim).all(|j| factors.column(j)[j + 1..].iter().all(|m| m.abs() <= 1.0)));
     }
 
@@ -197,6 +201,6 @@ mod tests {
         let dim = 50;
         let mut matrix = random(dim * dim, 7);
         matrix[31 * dim..][..dim].fill(0.0);
-        assert!(LuFactors::new(matrix, dim, 1).is_none());
+        assert!(LuFactors::new(matrix, dim, Labour::ALONE).is_none());
     }
 }

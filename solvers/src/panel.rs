@@ -5,9 +5,13 @@
 //! updates are products of matrices, C ← C − A B, which a library multiplies from the cache. Each is cut into
 //! chunks of columns of a fixed number, whatever the number of threads: threads never change a bit.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use ndarray::linalg::general_mat_mul;
 use ndarray::{ArrayView2, ArrayViewMut2, Axis};
 use rayon::prelude::*;
+
+use crate::settings::Settings;
 
 /// Panels of at most so many columns are factored column by column. Measured: between 8 and 32 the time of
 /// `lu` at n = 1000 changes by less than a tenth (`cargo bench -p radiosity-solvers`).
@@ -19,22 +23,51 @@ pub(crate) const CHUNK: usize = 128;
 /// Products of fewer multiplications than this are not shared between threads. Chosen; not tuned.
 const SHARED: usize = 1 << 21;
 
-/// Calls `update(first column, chunk)` for all chunks of columns of `c`, on up to `threads` threads of the
-/// current pool where `multiplications` are many.
+/// With what a matrix is factored, and until when.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Labour<'a> {
+    /// Threads of the current pool.
+    threads: usize,
+    /// Raised by the caller to stop: the factors are then of no meaning.
+    cancel: Option<&'a AtomicBool>,
+}
+
+impl<'a> Labour<'a> {
+    /// One thread, to the end.
+    pub(crate) const ALONE: Self = Self { threads: 1, cancel: None };
+
+    /// As the settings say.
+    pub(crate) fn of(settings: &Settings<'a>) -> Self {
+        Self { threads: settings.threads, cancel: settings.cancel }
+    }
+
+    /// Whether the caller has raised the flag.
+    pub(crate) fn is_cancelled(self) -> bool {
+        self.cancel.is_some_and(|cancel| cancel.load(Ordering::Relaxed))
+    }
+}
+
+/// Calls `update(first column, chunk)` for all chunks of columns of `c`, until it is cancelled; on several threads
+/// where `multiplications` are many.
 pub(crate) fn for_chunks(
     c: ArrayViewMut2<'_, f64>,
     multiplications: usize,
-    threads: usize,
+    labour: Labour<'_>,
     update: impl Fn(usize, ArrayViewMut2<'_, f64>) + Sync,
 ) {
     let mut c = c;
     let chunks = c.axis_chunks_iter_mut(Axis(1), CHUNK).enumerate();
-    if threads == 1 || multiplications < SHARED {
-        chunks.for_each(|(chunk, c)| update(chunk * CHUNK, c));
+    let update = |(chunk, c): (usize, ArrayViewMut2<'_, f64>)| {
+        if !labour.is_cancelled() {
+            update(chunk * CHUNK, c);
+        }
+    };
+    if labour.threads == 1 || multiplications < SHARED {
+        chunks.for_each(update);
         return;
     }
     let chunks: Vec<_> = chunks.collect();
-    chunks.into_par_iter().for_each(|(chunk, c)| update(chunk * CHUNK, c));
+    chunks.into_par_iter().for_each(update);
 }
 
 /// C ← C − A B.

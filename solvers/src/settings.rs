@@ -48,9 +48,9 @@ pub struct Settings<'a> {
     /// Threads of the direct methods, 0 for all there are. Never changes a bit of the result.
     pub threads: usize,
     /// Time after which a solve gives up, all right-hand sides and fall-backs together; looked at between
-    /// iterations only, so that a factorisation is never cut short.
+    /// iterations only: a factorisation is not cut short.
     pub time_budget: Option<Duration>,
-    /// Raised by the caller to stop; looked at between iterations only.
+    /// Raised by the caller to stop; looked at between iterations, and between the panels of a factorisation.
     pub cancel: Option<&'a AtomicBool>,
     /// southwell: weight w_l > 0 of each unknown; the one with the largest w_l |r_l|, or the block with the
     /// largest sum of them, is shot next. All ones when absent.

@@ -1,6 +1,6 @@
 //! Every error is provoked, and a lying operator is found out.
 
-use std::sync::atomic::AtomicBool;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use radiosity_solvers::method::{Method, Needs};
@@ -241,6 +241,49 @@ fn cancellation_and_time_are_looked_at() {
             "{}: {solved:?}",
             method.name
         );
+    }
+}
+
+/// A matrix that is cancelled when its entries are read.
+struct Cancelling<'a> {
+    truth: Dense,
+    cancel: &'a AtomicBool,
+}
+
+impl Operator for Cancelling<'_> {
+    fn partition(&self) -> &Partition {
+        self.truth.partition()
+    }
+
+    fn apply(&self, x: &[f64], y: &mut [f64]) {
+        self.truth.apply(x, y);
+    }
+
+    fn shoot(&self, column: usize, x: &[f64], y: &mut [f64]) {
+        self.truth.shoot(column, x, y);
+    }
+
+    fn symmetric(&self) -> bool {
+        self.truth.symmetric()
+    }
+
+    fn dense(&self) -> Option<&[f64]> {
+        self.cancel.store(true, Ordering::Relaxed);
+        self.truth.dense()
+    }
+}
+
+#[test]
+fn a_factorisation_that_has_begun_is_cancelled() {
+    for dim in [1, 40, 300] {
+        for name in ["lu", "cholesky"] {
+            let cancel = AtomicBool::new(false);
+            let truth = positive_definite(&mut Random(3), Partition::points(dim), 0.1);
+            let a = Cancelling { truth, cancel: &cancel };
+            let settings = Settings { cancel: Some(&cancel), ..Settings::default() };
+            let solved = solve(name, &a, &vec![1.0; dim], &settings);
+            assert!(matches!(solved, Err(SolveError::Cancelled { .. })), "{name}: {solved:?}");
+        }
     }
 }
 
