@@ -31,6 +31,7 @@ use radiosity_geom::{DVec3, PlanarRegion, Rect, Surface, polygon_width, touching
 
 use crate::covers::{self, Cover, covers};
 use crate::footings::bare_shapes;
+use crate::interruption::heed;
 use crate::scene::{Scene, SceneSurface};
 use basis::HIGHEST_ORDER;
 pub use discretization::{Discretization, Subdivide};
@@ -149,6 +150,7 @@ impl Elements {
             let mut maker =
                 Maker { surface: (index, surface), space: how.space, covers: &own, list: &mut list };
             let cells = cells.map(&Rect::FULL, &mut |rect, order| {
+                heed();
                 maker.made(Part { shape: &shape, pieces: &pieces, rect: *rect, contact: None }, *order)
             })?;
             let mut covered = Vec::new();

@@ -30,6 +30,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+use crate::interruption::heed;
 use bytes::{decoded, encoded};
 use comm::Comm;
 use journal::{Begin, Journal, JournalError, RecordedPart};
@@ -247,7 +248,11 @@ impl Ranks {
         T: Serialize + DeserializeOwned + Send,
     {
         let piece = |piece: usize| -> Vec<T> {
-            (piece * together..((piece + 1) * together).min(count)).map(&make).collect()
+            let make = |k: usize| {
+                heed();
+                make(k)
+            };
+            (piece * together..((piece + 1) * together).min(count)).map(make).collect()
         };
         self.map(&vec![1.0; count.div_ceil(together)], piece).into_iter().flatten().collect()
     }
@@ -255,11 +260,11 @@ impl Ranks {
     /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
     /// the other.
     pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I) -> T + Sync) -> Vec<T> {
-        if self.are_alone() {
-            items.par_iter().map(&make).collect()
-        } else {
-            items.iter().map(make).collect()
-        }
+        let make = |item: &I| {
+            heed();
+            make(item)
+        };
+        if self.are_alone() { items.par_iter().map(make).collect() } else { items.iter().map(make).collect() }
     }
 }
 
@@ -280,9 +285,12 @@ impl Part<'_> {
     where
         T: Serialize + DeserializeOwned + Send,
     {
-        let known = |piece: &usize| match &self.recorded {
-            Some(part) => part.known_or(*piece, &make),
-            None => make(*piece),
+        let known = |piece: &usize| {
+            heed();
+            match &self.recorded {
+                Some(part) => part.known_or(*piece, &make),
+                None => make(*piece),
+            }
         };
         Ranks::alone().within(|| pieces.par_iter().with_max_len(1).map(&known).collect())
     }

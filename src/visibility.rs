@@ -19,8 +19,9 @@ mod whole;
 use std::cmp::Ordering;
 use std::sync::Arc;
 
-use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, separated, touching};
+use radiosity_geom::{Aabb, Bvh, DVec3, Jet, Ray, RayTree, Rect, Surface, separated, touching};
 
+use crate::interruption::heed;
 use crate::scene::Scene;
 use bounding_ball::Ball;
 use cloud::Cloud;
@@ -57,7 +58,11 @@ pub struct Visibility {
 impl Visibility {
     /// The obstacles of `scene`.
     pub fn new(scene: &Scene, shadows: Shadows) -> Self {
-        let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| Obstacle::new(&s.shape)).collect();
+        let obstacle = |shape: &Arc<dyn Surface>| {
+            heed();
+            Obstacle::new(shape)
+        };
+        let obstacles: Vec<Obstacle> = scene.surfaces.iter().map(|s| obstacle(&s.shape)).collect();
         let boxes: Vec<Aabb> = scene.surfaces.iter().map(|s| s.shape.bounds(&Rect::FULL)).collect();
         let cloud = Cloud::new(obstacles.iter().flat_map(|obstacle| obstacle.hull.iter().copied()).collect());
         let standing = standing(&obstacles, &cloud, &boxes, shadows);

@@ -18,6 +18,7 @@ use super::projection::Projection;
 use crate::elements::columns::{add_scaled, dot, take_out};
 use crate::elements::space::Space;
 use crate::elements::{Element, Elements};
+use crate::interruption::heed;
 
 /// Part of a function that the others must leave of it to count: the square root of rounding. Chosen.
 const NEW: f64 = 1e-8;
@@ -56,6 +57,7 @@ impl Subspace {
         let groups = groups(elements);
         let starts = elements.starts();
         let of_group = |(surface, own): (usize, Vec<usize>)| {
+            heed();
             let cells: Vec<Rect> =
                 elements.of_surface(surface).map(|index| elements.list()[index].rect).collect();
             let functions = basis.functions(&cells, degree(surface), space).expect("it is not elementwise");

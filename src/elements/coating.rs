@@ -25,6 +25,7 @@ use rayon::prelude::*;
 use super::element::Element;
 use super::parameters::of_node;
 use super::patch::{Node, Patch};
+use crate::interruption::heed;
 use crate::scene::Scene;
 use glow::Glow;
 use paint::Paint;
@@ -368,7 +369,11 @@ fn of_each<T: Send + Sync>(
     make: &(dyn Fn(&Element) -> Option<T> + Sync),
 ) -> BTreeMap<usize, Arc<T>> {
     let made = elements.par_iter().enumerate();
-    made.filter_map(|(index, element)| Some((index, Arc::new(make(element)?)))).collect()
+    made.filter_map(|(index, element)| {
+        heed();
+        Some((index, Arc::new(make(element)?)))
+    })
+    .collect()
 }
 
 /// What the elements of surfaces that let light through do.

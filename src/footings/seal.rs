@@ -9,6 +9,7 @@ use radiosity_geom::{Aabb, Bvh, DVec3, Encounter, PlanarRegion, Ray, touching};
 use rayon::prelude::*;
 
 use super::footing::Footing;
+use crate::interruption::heed;
 use crate::scene::Scene;
 use crate::visibility::Visibility;
 
@@ -114,6 +115,7 @@ fn fronts_seen(
     let axes = [first, normal.cross(first), normal];
     let mut seen = Vec::new();
     for origin in &own.places {
+        heed();
         for direction in directions(axes) {
             let ray = Ray { origin: *origin, direction, range: [clear, f64::INFINITY] };
             let Encounter { surface, hit, front } = obstacles.nearest(&ray)?;

@@ -33,6 +33,7 @@ use serde::{Deserialize, Serialize};
 use crate::elements::Element;
 use crate::elements::patch::Patch;
 use crate::gather::scale::scales;
+use crate::interruption::heed_at;
 use crate::light::emitters::Radiances;
 use crate::light::lamps::{Lamps, Shares, Target};
 use crate::light::point_lights::PointLights;
@@ -275,6 +276,7 @@ impl<'a> RayGather<'a> {
             };
             let (vantage, weight) = start.at(place);
             radiosity.fill(0.0);
+            heed_at(index);
             let chance = number_of([f64::from_bits(number), index as f64]);
             let far = match shares {
                 _ if self.twice => Far::Gathered(chance),

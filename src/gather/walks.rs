@@ -11,6 +11,7 @@
 
 use radiosity_geom::{DVec3, Encounter, Ray};
 
+use crate::interruption::heed;
 use crate::light::receiver_point::ReceiverPoint;
 use crate::sampling::lambert::lambert;
 use crate::sampling::shift::{number_of, shift};
@@ -88,6 +89,7 @@ impl<'a> Walks<'a> {
         if from.ground.is_some_and(|ground| ground.dot(direction) <= 0.0) {
             return None;
         }
+        heed();
         let met = match from.surface {
             Some(surface) => self.visibility.nearest_from(surface, from.position, direction),
             None => self.visibility.nearest(&Ray::new(from.position, direction)),

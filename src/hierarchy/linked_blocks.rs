@@ -12,6 +12,7 @@ use std::ops::Range;
 
 use super::two_scale::TwoScale;
 use crate::elements::Elements;
+use crate::interruption::heed;
 
 /// An element by its level, 0 for the largest elements, and its index there.
 pub type Place = (usize, usize);
@@ -46,6 +47,7 @@ impl LinkedBlocks {
         for (level, elements) in levels.iter().enumerate() {
             all.starts.push(all.nodes.len());
             for element in elements.list() {
+                heed();
                 let coarse = level.checked_sub(1).map(|above| (levels[above], all.starts[above]));
                 let parent = coarse.and_then(|(coarse, start)| {
                     let index = coarse.at(element.surface, element.rect.center())?;

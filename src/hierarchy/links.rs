@@ -19,6 +19,7 @@ use super::harmonics::{HARMONICS, add, dot, harmonics};
 use super::refinement::Pair;
 use super::sight::visible_part;
 use super::tree::Tree;
+use crate::interruption::heed;
 
 /// Nodes that one thread gathers at a time at least. Chosen; not tuned.
 const CHUNK: usize = 256;
@@ -34,6 +35,7 @@ pub(crate) struct Link {
 impl Link {
     /// The link of two nodes, its visibility by `rays` rays.
     pub(crate) fn new(tree: &Tree, obstacles: &RayTree, pair: Pair, rays: usize) -> Self {
+        heed();
         let whole = unhidden(tree, pair);
         let weight = match whole > 0.0 {
             true => whole * visible_part(tree, obstacles, pair.map(|node| node as usize), rays),
@@ -102,6 +104,7 @@ impl Links {
 
     /// Φ of a face (W).
     fn power(&self, tree: &Tree, sent: &Fields, node: usize) -> f64 {
+        heed();
         let from = |(other, weight): &(u32, f64)| {
             let other = *other as usize;
             weight * source(tree, sent, other, direction(tree, other, node))
@@ -111,6 +114,7 @@ impl Links {
 
     /// f of a cluster.
     fn field(&self, tree: &Tree, sent: &Fields, node: usize) -> [f64; HARMONICS] {
+        heed();
         let mut field = [0.0; HARMONICS];
         for (other, weight) in self.of(node) {
             let other = *other as usize;

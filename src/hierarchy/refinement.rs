@@ -6,6 +6,7 @@
 
 use super::oracle::{Oracle, Verdict};
 use super::tree::Tree;
+use crate::interruption::heed;
 
 /// A pair of nodes; equal ones for the light that a curved face sends to itself.
 pub(crate) type Pair = [u32; 2];
@@ -28,6 +29,7 @@ impl Refinement<'_> {
     pub(crate) fn refine(&mut self, pairs: Vec<Pair>) -> Vec<Pair> {
         let (mut open, mut found) = (pairs, Vec::new());
         while let Some(pair) = open.pop() {
+            heed();
             if pair[0] == pair[1] {
                 self.refine_alone(pair[0], &mut open, &mut found);
                 continue;
@@ -53,6 +55,7 @@ impl Refinement<'_> {
     }
 
     fn judge(&self, pair: Pair) -> Verdict {
+        heed();
         self.oracle.judge(self.tree, self.light, pair.map(|node| node as usize))
     }
 

@@ -18,6 +18,7 @@ use crate::elements::coating::Coating;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
 use crate::elements::{Element, starts};
+use crate::interruption::heed;
 use crate::light::coats::Coats;
 use crate::light::direct::DirectLight;
 use crate::light::emitters::Emitters;
@@ -291,6 +292,7 @@ impl<'a> Sums<'a> {
         let basis = &self.element.basis;
         let rule = UnitRule::of(points);
         for ((s, ws), (t, wt)) in rule.iter().flat_map(|s| rule.iter().map(move |t| (s, t))) {
+            heed();
             let node = cell.node(s, t);
             basis.raw(basis.frame().coordinates(&node), &mut self.raw);
             for (sums, value) in self.sums.iter_mut().zip(value(&node)) {

@@ -11,6 +11,7 @@ use std::f64::consts::PI;
 use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
+use crate::interruption::heed;
 use crate::light::area_light::{AreaLight, irradiance};
 use crate::light::blockers::Before;
 use crate::light::blockers::Shadows;
@@ -211,6 +212,7 @@ impl<'a> Traversal<'a> {
         let cell = seen.as_ref().unwrap_or(cell);
         let estimate = self.estimate(pass, cell, before);
         self.visited += 1;
+        heed();
         if estimate.error <= pass.tolerance || depth == pass.deepest || self.visited > MOST_CELLS {
             // Line quadrature is only as accurate as the tolerance.
             let by_points = before.is_nothing() || (cell.is_flat() && self.shadows.are_flat(before));

@@ -17,6 +17,7 @@ use radiosity_geom::{DVec3, PlanarRegion, Surface};
 use rayon::prelude::*;
 
 use crate::covers::{self, Cover, covers};
+use crate::interruption::heed;
 use crate::scene::{Scene, SceneSurface};
 use corner::Corner;
 
@@ -41,6 +42,7 @@ pub struct Triangulation {
 pub fn tessellation(scene: &Scene, tolerance: f64) -> Vec<Triangulation> {
     let covers = covers(scene);
     let surface = |(index, surface): (usize, &SceneSurface)| {
+        heed();
         let shape = surface.shape.as_ref();
         let facets = match shape.region() {
             Some(region) => {

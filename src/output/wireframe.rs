@@ -15,6 +15,7 @@ use rayon::prelude::*;
 
 use super::pinhole::Pinhole;
 use crate::elements::Elements;
+use crate::interruption::heed;
 use crate::ranks;
 use crate::scene::Camera;
 use crate::visibility::Visibility;
@@ -53,7 +54,10 @@ pub fn wireframe(elements: &Elements, visibility: &Visibility, camera: &Camera, 
     (0..camera.height as usize)
         .into_par_iter()
         .flat_map_iter(|row| (0..camera.width as usize).map(move |column| (row, column)))
-        .map(|(row, column)| pixel(row, column))
+        .map(|(row, column)| {
+            heed();
+            pixel(row, column)
+        })
         .collect()
 }
 

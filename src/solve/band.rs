@@ -2,6 +2,8 @@
 
 use radiosity_solvers::{Report, Settings, SolveError, Step};
 
+use crate::interruption;
+use crate::interruption::{Interruption, heed};
 use crate::system::ritz::{Found, Ritz};
 
 use super::options::Options;
@@ -48,7 +50,9 @@ pub(super) fn solve_band(
         let method = first.method(options.method, operator.symmetric());
         // Only shooting needs it, and it costs as much as a basis.
         let measure = (method.name == "southwell").then(|| first.shooting_measure());
+        let interruption = interruption::current();
         let settings = Settings {
+            cancel: interruption.as_ref().map(Interruption::flag),
             tolerance: options.tolerance,
             max_iterations: options.max_iterations,
             threads: options.threads,
@@ -56,7 +60,13 @@ pub(super) fn solve_band(
             preconditioner,
             ..Settings::default()
         };
-        let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, observe);
+        let mut observe = |step: &Step<'_>| {
+            heed();
+            observe(step);
+        };
+        let ended = method.solver.solve_many(&*operator, &lit, &mut unknowns, &settings, &mut observe);
+        // Where it was cancelled.
+        heed();
         needed = effort(ended, options.keep_partial)?;
     }
     let mut columns = unknowns.chunks_exact(rights.first().map_or(1, |right| right.len().max(1)));

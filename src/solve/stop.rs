@@ -1,4 +1,4 @@
-//! Asking work to finish with what it has.
+//! Asking work to finish with what it has. What [`crate::interruption`] ends has no result.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 

@@ -17,6 +17,7 @@ use crate::elements::Element;
 use crate::elements::parameters::of_node;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::solution::{Place, Solution};
 
 /// Two solutions that are not of one scene.
@@ -60,6 +61,7 @@ struct Squares {
 
 impl Squares {
     fn over(element: usize, solution: &Solution, reference: &Solution) -> Self {
+        heed();
         let fine = &reference.elements().list()[element];
         let mut sum = Self::default();
         for other in solution.elements().of_surface(fine.surface) {

@@ -18,6 +18,7 @@ use std::ops::Range;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
+use crate::interruption::heed;
 use crate::ranks;
 use crate::transport::blocks::pair_counts::PairCounts;
 use block::Account;
@@ -302,6 +303,7 @@ impl Blocks {
 
     /// y = G x.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
+        heed();
         if self.crosses.all > 0 {
             return self.apply_in_chunks(x);
         }
@@ -331,6 +333,7 @@ impl Blocks {
     fn add_chunks(&self, list: &List, add: &(dyn Fn(&Stored, &mut [f64]) + Sync), sum: &mut [f64]) {
         let length = sum.len();
         let parts = list.chunks().into_par_iter().map(|blocks| {
+            heed();
             let mut y = vec![0.0; length];
             blocks.iter().for_each(|block| add(block, &mut y));
             y

@@ -20,6 +20,7 @@ use crate::elements::basis::AreaBasis;
 use crate::elements::columns::transposed;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::change::Change;
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
@@ -65,6 +66,7 @@ impl PatchMoments<'_> {
     /// Adds `weight` times the tensor rule with nodes and weights along s and t of the receiver, then u and v of the
     /// emitter, all in [0, 1].
     pub(in crate::transport) fn product(&mut self, [s, t, u, v]: [Line; 4], weight: f64, sees: Option<Sees>) {
+        heed();
         let receiver = Grid::new(self.patches[0], &self.charts[0], s, t);
         let emitter = Grid::new(self.patches[1], &self.charts[1], u, v);
         tensor::add(&mut self.values, weight, [&receiver, &emitter], sees, &mut self.rays);

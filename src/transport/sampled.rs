@@ -40,6 +40,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::elements::{Element, Elements};
+use crate::interruption::heed_at;
 use crate::ranks;
 use crate::ranks::{Ranks, shares};
 use crate::transport::blocks::Blocks;
@@ -360,6 +361,7 @@ impl<'a> SampledTransport<'a> {
             recalled: 0,
         };
         for index in task.first..task.first + task.count {
+            heed_at(index);
             let departure = sender.departure(index);
             let half = (index % 2) as usize;
             let met = self.met(task.element, index, &departure, &mut sent);

@@ -24,6 +24,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::elements::Elements;
+use crate::interruption::heed;
 use crate::ranks;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Account, Accuracy, Block, Kind};
@@ -119,6 +120,7 @@ pub(in crate::transport) fn by_rules(
     integrated.deliver(&tasks, &sources, &is_left, blocks.held());
     let mut left = Vec::new();
     for (task, source) in tasks.iter().zip(&sources) {
+        heed();
         let place = source.place();
         let Told { block, .. } = integrated.told(place);
         let error = scales.relative(task, block);
@@ -202,7 +204,10 @@ impl Scene<'_> {
     /// The elements some of whose pairs are not wanted.
     fn open_rows(&self) -> Vec<usize> {
         let all = 0..self.list.len();
-        let is_open = |i: &usize| all.clone().any(|j| !(self.wanted)(*i.min(&j), *i.max(&j)));
+        let is_open = |i: &usize| {
+            heed();
+            all.clone().any(|j| !(self.wanted)(*i.min(&j), *i.max(&j)))
+        };
         all.clone().filter(is_open).collect()
     }
 
@@ -223,6 +228,7 @@ impl Scene<'_> {
     }
 
     fn sorted(&self, row: usize, column: usize) -> Sorted {
+        heed();
         if !(self.wanted)(row, column) {
             return Sorted::Black;
         }
@@ -359,6 +365,7 @@ impl Scene<'_> {
         let confirmed: Vec<Option<usize>> = (0..tasks.len())
             .into_par_iter()
             .map(|index| {
+                heed();
                 let first = candidates[index]?;
                 self.pose(&tasks[index])?.equals(&self.pose(&tasks[first])?).then_some(first)
             })

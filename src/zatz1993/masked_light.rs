@@ -23,6 +23,7 @@ use serde::{Deserialize, Serialize};
 use crate::elements::coating::Coating;
 use crate::elements::frame::{Frame, duals};
 use crate::elements::{Element, Elements};
+use crate::interruption::heed;
 use crate::light::direct::DirectLight;
 use crate::light::emitters::{Emitters, Radiances};
 use crate::light::point_lights::PointLights;
@@ -105,8 +106,11 @@ impl MaskedLight {
         let sources =
             Emitters { elements: list, coatings: coatings.to_vec(), radiances: &radiances, points: &points };
         let lights = [visibility, open].map(|v| DirectLight::within(&sources, v, eps));
-        let masks: Vec<Vec<(usize, Mask)>> =
-            (0..list.len()).into_par_iter().map(|i| Receiver::new(setting, &lights, i).masks(how)).collect();
+        let masks = |i: usize| {
+            heed();
+            Receiver::new(setting, &lights, i).masks(how)
+        };
+        let masks: Vec<Vec<(usize, Mask)>> = (0..list.len()).into_par_iter().map(masks).collect();
         let is_masked = |i: usize, h: usize| masks[i].iter().any(|(other, _)| *other == h);
         let either = |i: usize, h: usize| is_masked(i, h) || is_masked(h, i);
         let emits = |i: usize| coatings.iter().any(|coating| coating.exitance[i] > 0.0);

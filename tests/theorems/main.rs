@@ -15,6 +15,7 @@ mod heat;
 mod hierarchy;
 mod includes;
 mod instances;
+mod interruption;
 mod layering;
 mod materials;
 mod motions;

@@ -20,6 +20,7 @@ use radiosity_solvers::method::Method;
 use radiosity_solvers::{Operator, Partition, Settings};
 
 use crate::elements::Elements;
+use crate::interruption::heed;
 use crate::ranks::Ranks;
 use crate::transport::Blocks;
 
@@ -159,7 +160,7 @@ impl Weights {
         let solver = Method::named("cg").expect("cg is always listed").solver;
         let settings = Settings { tolerance: SOLVED, ..Settings::default() };
         // Where it does not converge, the next turn goes on from its best x.
-        let _ = solver.solve(self, right, &mut x, &settings, &mut |_| ());
+        let _ = solver.solve(self, right, &mut x, &settings, &mut |_| heed());
         x
     }
 }

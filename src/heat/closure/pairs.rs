@@ -8,6 +8,7 @@
 
 use crate::elements::Element;
 use crate::inspection::Regions;
+use crate::interruption::heed;
 use crate::solve::Model;
 use crate::transport::blocks::FirstEntry;
 use crate::visibility::Visibility;
@@ -41,6 +42,7 @@ impl Pairs {
         // Without rays, what is not stored is zero.
         let has_rays = model.blocks().pairs.by_rays > 0;
         let exact = |i: usize, j: usize| {
+            heed();
             let pair = [&list[i], &list[j]];
             let is_stored = stored[place(i, j)];
             is_integrated_exactly(model.visibility(), pair)
@@ -105,6 +107,7 @@ fn lies_behind(one: &Element, other: &Element) -> bool {
 /// Removes the edges that follow one after another from rows where they are the only one left.
 fn strip_leaves(edges: &mut Vec<[usize; 2]>, rows: usize) {
     loop {
+        heed();
         let degrees = degrees(edges, rows);
         let before = edges.len();
         edges.retain(|ends| ends.iter().all(|row| degrees[*row] > 1));

@@ -21,6 +21,7 @@ use smallvec::smallvec;
 
 use crate::elements::Element;
 use crate::elements::patch::Node;
+use crate::interruption::heed;
 use crate::light::hierarchy::border::Border;
 use crate::light::hierarchy::cell::{Cell, POINTS};
 use crate::light::occluders::Sender;
@@ -164,6 +165,7 @@ impl Growth<'_> {
 
 fn with_field(bare: Cell, scale: &[f64], field: Field<'_>) -> Cell {
     let mut values = smallvec![0.0; POINTS * scale.len()];
+    heed();
     for (node, out) in bare.nodes.iter().zip(values.chunks_exact_mut(scale.len())) {
         field(node, out);
     }

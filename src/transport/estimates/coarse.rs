@@ -9,6 +9,7 @@
 
 use crate::elements::Element;
 use crate::elements::patch::{Node, Patch};
+use crate::interruption::heed;
 use crate::transport::contact::sectors::sectors;
 use crate::transport::moments::integrand::{Sees, kernel};
 
@@ -30,6 +31,7 @@ pub(in crate::transport) struct CoarseEstimate {
 
 impl CoarseEstimate {
     pub(in crate::transport) fn of(element: &Element) -> Self {
+        heed();
         let parts = sectors(element);
         let points = if parts.len() > MANY_PARTS { FEWER_POINTS } else { POINTS };
         Self { nodes: points.map(|n| weighted(&parts, n)), area: element.area }

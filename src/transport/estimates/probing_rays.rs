@@ -8,6 +8,7 @@
 //! The rays then end early.
 
 use crate::elements::patch::Patch;
+use crate::interruption::heed_at;
 use crate::transport::moments::integrand::kernel;
 use crate::transport::moments::node_pair::node_pair;
 use crate::visibility::Visibility;
@@ -58,6 +59,7 @@ impl ProbingRays {
         let ends = (0..points).flat_map(|index| pairs.iter().map(move |pair| node_pair(*pair, index)));
         for [x, y] in ends.filter(|[x, y]| kernel(x, y) > 0.0) {
             rays += 1;
+            heed_at(rays);
             let meets = |surface: &usize| {
                 !visibility.free_between(surfaces, std::slice::from_ref(surface), x.position, y.position)
             };

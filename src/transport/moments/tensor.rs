@@ -22,6 +22,7 @@ use core::f64::consts::FRAC_1_PI;
 use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
+use crate::interruption::heed;
 use crate::transport::moments::chart::Chart;
 use crate::transport::moments::integrand::Sees;
 
@@ -137,6 +138,7 @@ pub(in crate::transport) fn of_terms(
     for (first, (nodes, weights)) in tiles.enumerate() {
         let tile = Tile::new(nodes);
         for (node, out) in emitter.nodes.iter().zip(values.chunks_exact_mut(terms)) {
+            heed();
             kernel.write(&tile, node, out);
         }
         for (term, rows) in gathered.iter_mut().enumerate() {
@@ -305,6 +307,7 @@ fn general(tile: &Tile, node: &Node, scale: f64) -> Lanes {
 #[inline(always)]
 fn hidden_removed(tile: &Tile, node: &Node, values: Lanes, sees: Option<Sees>, rays: &mut u64) -> Lanes {
     let Some(sees) = sees else { return values };
+    heed();
     core::array::from_fn(|lane| {
         if lane >= tile.live || values[lane] == 0.0 {
             return 0.0;

@@ -30,6 +30,7 @@ use rayon::prelude::*;
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::irradiance::visible_polygon::{inside_any, irradiance, irradiance_seen};
 use crate::transport::blocks::block::Block;
 use crate::transport::contact::clip::Facet;
@@ -287,6 +288,7 @@ impl<'a> Work<'a> {
 
     /// Adds a cell of the outer element with an error up to `limit`. `coarse` are its moments by one rule, if known.
     fn visit(&mut self, cell: &Patch, blockers: &[usize], coarse: Option<Sum>, limit: f64, depth: usize) {
+        heed();
         let blockers = self.task.visibility.narrow_bodies(blockers, &cell.hull(), self.task.edges.inner());
         if blockers.is_empty() {
             self.dark = false;
@@ -356,6 +358,7 @@ impl<'a> Work<'a> {
         let (mut left, mut right) = (vec![0.0; own], vec![0.0; other]);
         let [along, across] = points.map(UnitRule::of);
         for ((s, ws), (t, wt)) in along.iter().flat_map(|s| across.iter().map(move |t| (s, t))) {
+            heed();
             let x = cell.node(s, t);
             right.fill(0.0);
             let found = self.hidden(&x, blockers, &mut right);

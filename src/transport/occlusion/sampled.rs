@@ -16,6 +16,7 @@
 
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
+use crate::interruption::heed_at;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, kernel};
 use crate::transport::moments::node_pair::node_pair;
@@ -150,6 +151,7 @@ impl Work<'_> {
         let (mut left, mut right) = (vec![0.0; receiver.len()], vec![0.0; emitter.len()]);
         let first = self.count.samples;
         for index in first..first + count as u64 {
+            heed_at(index);
             let [x, y] = node_pair(self.patches, index);
             let value = kernel(&x, &y) * x.area * y.area;
             if value == 0.0 || self.look(&x, &y, value) == self.hidden {

@@ -36,6 +36,7 @@ use radiosity_geom::COINCIDENT;
 use std::f64::consts::FRAC_1_SQRT_2;
 
 use crate::elements::Element;
+use crate::interruption::heed;
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::curved::Touch;
 use crate::transport::contact::planes::plane_of;
@@ -144,6 +145,7 @@ fn add_transpose(values: &mut [f64], count: usize) {
 impl Job<'_> {
     fn run(&mut self) {
         while let Some(task) = self.tasks.pop_front() {
+            heed();
             if self.budget.overdrawn(&self.moments) {
                 self.tasks.push_front(task);
                 return self.leave();
@@ -177,6 +179,7 @@ impl Job<'_> {
         let each = LEFT_SAMPLES / left.len().max(1) as f64;
         let n = (each.sqrt().sqrt() as usize).clamp(FEWEST_LEFT, MOST_LEFT);
         for (p, q, blockers, factor) in left {
+            heed();
             let mut part = self.tentative(&p, &q, Some(&Touch::Apart(0.0)), n, &blockers);
             part.scale(factor);
             self.error += DOUBT * self.first_entry(&part);

@@ -23,6 +23,7 @@ use radiosity_geom::{polygon_area, touching};
 use crate::elements::Element;
 use crate::elements::patch::{Direction, Patch};
 use crate::elements::rule::MOST_POINTS;
+use crate::interruption::heed;
 use crate::transport::blocks::block::{Accuracy, Block, Kind};
 use crate::transport::contact::clip::{Facet, match_contact};
 use crate::transport::contact::flat::{Contact, classify, gap};
@@ -74,6 +75,7 @@ fn constant_block(receiver: &Element, emitter: &Element, blockers: &[usize]) -> 
     let (mut sum, mut terms) = (0.0, 0);
     for p in &receiver.patches {
         for q in &emitter.patches {
+            heed();
             let (value, count) = contour::patches(p, q);
             (sum, terms) = (sum + value, terms + count);
         }
@@ -183,6 +185,7 @@ impl<'a> Job<'a> {
 
     /// A pair of parts: halves it or applies its rule.
     fn visit(&mut self, p: &Patch, q: &Patch, mut state: State) {
+        heed();
         if !state.blockers.is_empty() {
             let (hull_p, hull_q) = (p.hull(), q.hull());
             state.blockers = self.visibility.narrow(&state.blockers, &hull_p, &hull_q);

@@ -37,6 +37,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::{Sees, visible_kernel};
 use crate::transport::rules::common_edge::parallelograms::ParallelogramPair;
@@ -191,6 +192,7 @@ pub(in crate::transport) fn integrate(
     for (x, wx) in radial.iter() {
         // t = x, v = xa, z = xb.
         for (a, wa) in angular.iter() {
+            heed();
             for (b, wb) in angular.iter() {
                 slide(&mut sum, x, x * a, x * b, x * x * wx * wa * wb);
             }
@@ -198,6 +200,7 @@ pub(in crate::transport) fn integrate(
         }
         sum.close_across_receiver(x);
         for (a, wa) in angular.iter() {
+            heed();
             // t = xa, v = x, z = xb.
             for (b, wb) in angular.iter() {
                 slide(&mut sum, x * a, x, x * b, x * x * wx * wa * wb);

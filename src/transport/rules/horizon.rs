@@ -27,6 +27,7 @@ use std::sync::Arc;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::MOST_POINTS;
+use crate::interruption::heed;
 use crate::transport::contact::orientation::{Facing, facing};
 use crate::transport::contact::planes::plane_of;
 use crate::transport::estimates::entry_norm::EntryNorm;
@@ -285,6 +286,7 @@ impl Job<'_> {
         let mut moments = vec![0.0; rows * columns];
         let (mut left, mut right) = (vec![0.0; rows], vec![0.0; columns]);
         for (x, weight) in nodes {
+            heed();
             right.fill(0.0);
             let x = View { node: x, ball: self.outer.ball };
             self.cut.samples += self.inner.iter_mut().map(|part| part.seen_from(&x, &mut right)).sum::<u64>();

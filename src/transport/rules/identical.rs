@@ -22,6 +22,7 @@
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
 use crate::transport::rules::far;
@@ -44,6 +45,7 @@ pub(in crate::transport) fn integrate(
 ) {
     let [radial, angular, base] = points.map(UnitRule::of);
     for ((x, wx), (a, wa)) in radial.iter().flat_map(|x| angular.iter().map(move |a| (x, a))) {
+        heed();
         for (z, w) in [(x, x * a), (x * a, x)] {
             let weight = wx * wa * x * (1.0 - z) * (1.0 - w);
             for ((y, wy), (y2, wy2)) in base.iter().flat_map(|y| base.iter().map(move |y2| (y, y2))) {

@@ -21,6 +21,7 @@ mod plan;
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::space::Space;
+use crate::interruption::heed;
 use crate::transport::moments::{Moments, Side};
 use plan::{Leaf, Planner, Rule, split_cost};
 use polar::Polar;
@@ -105,6 +106,7 @@ impl Plan {
                     let mut polar = Polar::new(&leaf.emitter, inner, self.eps);
                     for (s, ws) in points[0].0.nodes(points[0].1) {
                         for (t, wt) in points[1].0.nodes(points[1].1) {
+                            heed();
                             let x = leaf.cell.node(s, t);
                             let (column, samples) = polar.column(&x, self.eps);
                             moments.outer(self.outer, &x, ws * wt * x.area, column, samples);

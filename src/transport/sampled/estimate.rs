@@ -23,6 +23,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::elements::Element;
+use crate::interruption::heed;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::held::Held;
 use crate::transport::sampled::closure;
@@ -132,6 +133,7 @@ impl<'a> Estimate<'a> {
     /// Takes what own rays tell of the next element, from what they missed, what landed on pairs on which none counts,
     /// and Σ_j G_ij c_j over these with its relative error.
     fn take(&mut self, index: usize, missed: &[f64], exact: &[f64], (fixed, error): (&[f64], f64)) {
+        heed();
         let (element, weight) = (&self.list[index], self.weights[index]);
         if weight == 0.0 {
             self.variances.push(f64::INFINITY);
@@ -168,6 +170,7 @@ impl<'a> Estimate<'a> {
         let corrections = Corrections { factors, tilts, totals };
         let mut own = self.pairs().peekable();
         for Told { exchange, is_cross, is_zero, .. } in &told {
+            heed();
             let (row, column) = (exchange.row as usize, exchange.column as usize);
             let held = own.next_if(|(sums, _)| (sums.row, sums.column) == (row, column));
             match (held, is_cross) {

@@ -7,6 +7,7 @@
 use std::collections::HashSet;
 
 use crate::elements::Elements;
+use crate::interruption::heed;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::blocks::held::Held;
@@ -39,6 +40,7 @@ impl Strong {
             return HashSet::new();
         }
         let is_worth = |sums: &Sums| {
+            heed();
             let expected = expected(sums);
             expected > LEAST
                 && expected > price_up_to(expected, &couple(elements, [sums.row, sums.column]), visibility)

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use smallvec::{SmallVec, smallvec};
 
 use crate::elements::Element;
+use crate::interruption::heed;
 use crate::transport::sampled::hit::Hit;
 
 /// Hits for each entry of a block from which all of its entries are counted. In a classroom and a soda shop, values of
@@ -92,6 +93,7 @@ impl Tally {
         let made: Vec<(usize, Row)> = of_rows
             .par_iter()
             .map(|own| {
+                heed();
                 let row = (own[0].0 >> 32) as usize;
                 (row, Row::of(list, row, own, hits, &|column| self.is_cross(list, row, column)))
             })
@@ -107,6 +109,7 @@ impl Tally {
     /// Forgets all hits, and from now on counts all entries only of pairs of which enough are `expected`.
     pub(super) fn settle(&mut self, list: &[Element], expected: &dyn Fn(&Sums) -> f64) {
         let enough = |sums: &Sums| {
+            heed();
             let entries = list[sums.row].basis.len() * list[sums.column].basis.len();
             expected(sums) >= HITS_PER_ENTRY * entries as f64
         };

@@ -5,6 +5,7 @@
 //! against the largest of the view factors F_ij = √(A_j/A_i) G_ij of either element: a small error of a block can be a
 //! large one of the view factors from a small element to a large one.
 
+use crate::interruption::heed;
 use crate::transport::blocks::block::Accuracy;
 use crate::transport::estimates::entry_bounds::{ROW_SHARE, relaxed};
 use crate::transport::memory::Request;
@@ -102,6 +103,7 @@ impl Scene<'_> {
     }
 
     fn goal(&self, task: &Task, largest: &Largest) -> Goal {
+        heed();
         let of_rows = |rows: &[f64]| rows[task.row as usize].min(rows[task.column as usize]);
         let least = ROW_SHARE * of_rows(&largest.least);
         let eps = relaxed(self.accuracy.eps, least, task.entries[1]);

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use rayon::prelude::*;
 
 use crate::elements::Elements;
+use crate::interruption::heed;
 use crate::transport::blocks::Blocks;
 use crate::transport::blocks::block::{Block, Kind};
 use crate::transport::contact::planes;
@@ -42,6 +43,7 @@ pub fn assemble(
     let outcomes: Vec<Outcome> = pairs
         .par_iter()
         .map(|(i, j)| {
+            heed();
             let outcome = integrate(&charts[*i], &charts[*j], i == j, visibility, rules, extra);
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
             outcome

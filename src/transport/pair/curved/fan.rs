@@ -7,6 +7,7 @@ use radiosity_geom::COINCIDENT;
 use std::collections::VecDeque;
 
 use crate::elements::patch::Patch;
+use crate::interruption::heed;
 use crate::transport::blocks::block::Kind;
 use crate::transport::contact::curved::{Touch, touch};
 use crate::transport::contact::flat::gap;
@@ -30,6 +31,7 @@ impl Job<'_> {
         let mut open: VecDeque<Patch> = inner.into();
         let (mut clipped, mut near, mut whole) = (Vec::new(), Vec::new(), Vec::new());
         while let Some(part) = open.pop_front() {
+            heed();
             self.budget.looks += 1;
             if self.budget.overdrawn(&self.moments) {
                 let seen = clipped.into_iter().chain(whole).map(|(part, _): (Patch, f64)| part);

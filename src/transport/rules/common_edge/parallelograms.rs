@@ -19,6 +19,7 @@ use radiosity_geom::DVec3;
 use crate::elements::columns::add_scaled;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::triangles::DEEPEST;
 use crate::transport::rules::orders::subdivided_cube::{Multilinear, Part};
@@ -114,6 +115,7 @@ impl Region {
         let square = Multilinear { difference: &difference, degree, eps, deepest: DEEPEST };
         let mut samples = 0;
         for (part, points) in square.parts()? {
+            heed();
             self.integrate(sign, strength, &part, points, out);
             samples += (points[0] * points[1]) as u64;
         }

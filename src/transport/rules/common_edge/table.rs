@@ -23,6 +23,7 @@ use radiosity_core::basis::total;
 
 use crate::elements::basis::HIGHEST_ORDER;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::legendre_values::polynomials;
 use crate::transport::rules::common_edge::parallelograms::Angular;
 use crate::transport::rules::far;
@@ -73,6 +74,7 @@ impl EdgeTable {
         let widths = self.degrees.map(|degree| degree + 1);
         let mut table = vec![0.0; widths[0] * widths[1] * widths[0].max(widths[1])];
         for radial in &self.nodes {
+            heed();
             self.spread(radial, &angular[0], 1, &mut table);
             self.collect(&mut moments, |(i, alpha), (j, beta)| {
                 radial.weight * radial.values[alpha] * table[(i * widths[1] + j) * widths[1] + beta]

@@ -26,6 +26,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::moments::Moments;
 use crate::transport::rules::common_edge::sum::EdgeSum;
 use crate::transport::rules::far;
@@ -137,6 +138,7 @@ fn add(
     let rules = points.map(UnitRule::of);
     let size: f64 = part.size.iter().product();
     for (a, wa) in rules[0].iter() {
+        heed();
         for (b, wb) in rules[1].iter() {
             let (a, b) = (part.at(0, a), part.at(1, b));
             let value = wa * wb * size * region.jacobian(a) * wedge.kernel(region, a, b);

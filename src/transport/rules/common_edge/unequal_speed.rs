@@ -13,6 +13,7 @@ use radiosity_geom::DVec3;
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::contact::curved::sides;
 use crate::transport::moments::Moments;
 use crate::transport::moments::integrand::Sees;
@@ -32,6 +33,7 @@ pub(in crate::transport) fn integrate(
     let rules = points.map(UnitRule::of);
     for (x, wx) in rules[0].iter() {
         for ((a, wa), (b, wb)) in rules[2].iter().flat_map(|a| rules[2].iter().map(move |b| (a, b))) {
+            heed();
             for (t, v, z) in [(x, x * a, x * b), (x * a, x, x * b), (x * a, x * b, x)] {
                 let weight = wx * wa * wb * x * x * (1.0 - z);
                 for (y, wy) in rules[1].iter() {

@@ -9,6 +9,7 @@ use radiosity_geom::{DVec3, clip_polygon};
 use crate::elements::basis::AreaBasis;
 use crate::elements::patch::Patch;
 use crate::elements::rule::UnitRule;
+use crate::interruption::heed;
 use crate::transport::contact::flat::gap;
 use crate::transport::rules::far;
 use crate::transport::rules::far::SMALLEST_RATIO;
@@ -83,6 +84,7 @@ impl<'a> Planner<'a> {
     }
 
     fn cell(&mut self, cell: &Patch, emitter: &Emitter, depth: usize) {
+        heed();
         if self.cells == 0 || self.cost >= self.limit {
             self.cost = f64::INFINITY;
             return;

@@ -13,6 +13,7 @@
 
 use crate::elements::patch::{Node, Patch};
 use crate::elements::rule::{MOST_POINTS, UnitRule};
+use crate::interruption::heed;
 use crate::transport::moments::integrand::kernel;
 
 /// Factor of ε in a trial (the ½ above). Chosen; not tuned.
@@ -105,6 +106,7 @@ fn least(
     let mut coarse = sums(first);
     let (mut n, mut missed) = (first, f64::INFINITY);
     while n < most {
+        heed();
         let fine = sums(n + 2);
         let difference: f64 = coarse.iter().zip(&fine).map(|(a, b)| (a - b).abs()).sum();
         let all: f64 = fine.iter().map(|x| x.abs()).sum();

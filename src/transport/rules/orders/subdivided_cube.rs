@@ -6,6 +6,7 @@ use radiosity_geom::DVec3;
 use smallvec::SmallVec;
 
 use crate::elements::rule::MOST_POINTS;
+use crate::interruption::heed;
 use crate::transport::rules::orders::analyticity;
 
 /// Values of the other variables at which the convergence rate along one is taken. Denser at the ends, where peaks lie;
@@ -71,6 +72,7 @@ impl<const D: usize> Multilinear<'_, D> {
     }
 
     fn plan(&self, part: Part<D>, points: [usize; D], depth: u32, parts: &mut Parts<D>) {
+        heed();
         let cost = |points: &[usize; D]| points.iter().product::<usize>();
         if depth < self.deepest && parts.len() < MOST_PARTS {
             let direction = (0..D).fold(0, |most, k| if points[k] > points[most] { k } else { most });

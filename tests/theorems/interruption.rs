@@ -1,0 +1,131 @@
+//! Interrupted work ends soon, whatever it is, and leaves nothing behind: the same work done later finds the same bits.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+use radiosity::geom::DVec3;
+use radiosity::heat::{Heat, HeatOptions};
+use radiosity::interruption::{Interrupted, Interruption};
+use radiosity::output::render::{Read, render};
+use radiosity::output::shown::Shown;
+use radiosity::scene::Camera;
+use radiosity::solve::{Algorithm, Transport, in_threads};
+use radiosity::studies::adaptation::{Aim, Goal};
+use radiosity::transport::Accuracy;
+use radiosity::visibility::{Hiding, Visibility};
+use radiosity::{Options, Scene, Solution, Solved, ViewFactors, solve, view_factors};
+
+/// How long work goes on before it is interrupted: from none of it to well within.
+const BEFORE: [f64; 3] = [0.01, 0.2, 1.0];
+
+/// How soon it has ended (s); the machine may do other things too.
+const SOON: f64 = 2.0;
+
+fn scene(name: &str) -> Scene {
+    Scene::builtin(name).expect("it is built in")
+}
+
+/// Options of exact transfers.
+fn exact(order: usize, eps: f64) -> Options {
+    Options { order, eps, shadow_eps: eps, transport: Transport::Exact, threads: 2, ..Options::default() }
+}
+
+/// Interrupts `work`, which would take long, after several times; all of them end soon.
+fn ends_soon(name: &str, work: &(dyn Fn() + Sync)) {
+    for before in BEFORE {
+        let interruption = Interruption::new();
+        let raised = thread::scope(|scope| {
+            let other = scope.spawn(|| {
+                thread::sleep(Duration::from_secs_f64(before));
+                interruption.raise();
+                Instant::now()
+            });
+            assert_eq!(interruption.within(work), Err(Interrupted), "{name} is done in {before} s");
+            other.join().expect("it sleeps")
+        });
+        let took = raised.elapsed().as_secs_f64();
+        assert!(took < SOON, "{name} goes on for {took:.2} s after {before} s");
+    }
+}
+
+/// Does what would take long with one scene or another.
+fn solves(scene: &Scene, options: Options) -> impl Fn() + Sync {
+    move || drop(solve(scene, &options, &|_| {}))
+}
+
+#[test]
+fn solutions_end_soon() {
+    let cornell = scene("cornell-box");
+    let dear = Options { subdivide: Some(4), ..exact(8, 1e-6) };
+    ends_soon("dear pairs", &solves(&cornell, dear));
+    ends_soon("many pairs", &solves(&cornell, Options { subdivide: Some(60), ..exact(0, 1e-4) }));
+    ends_soon("curved pairs", &solves(&scene("teapot"), exact(7, 1e-7)));
+    let by_rays = Options {
+        transport: Transport::Sampled,
+        rays: Some(4_000_000_000),
+        threads: 2,
+        ..Options::default()
+    };
+    ends_soon("rays", &solves(&cornell, by_rays));
+    ends_soon("rays of many elements", &solves(&cornell, Options { subdivide: Some(16), ..by_rays }));
+    let by_links =
+        Options { algorithm: Algorithm::Hierarchical, eps: 1e-9, threads: 2, ..Options::default() };
+    ends_soon("links", &solves(&cornell, by_links));
+    ends_soon("an accuracy", &|| {
+        let options = Options { threads: 2, ..Options::default() };
+        drop(Solved::to_accuracy(cornell.clone(), &options, &Goal::new(1e-7, Aim::Gathered), &|_| {}));
+    });
+}
+
+#[test]
+fn transfers_end_soon() {
+    let accuracy = Accuracy { eps: 1e-3, shadow_eps: 3e-3 };
+    let options = view_factors::Options { subdivide: Some(24), accuracy, shadows: Hiding::Auto, threads: 2 };
+    let cornell = scene("cornell-box");
+    ends_soon("view factors", &|| drop(ViewFactors::new(&cornell, &options, &|_, _| {})));
+    let oven = scene("oven");
+    let wanted =
+        HeatOptions { options: Options { subdivide: Some(12), ..exact(7, 1e-6) }, conductances: true };
+    ends_soon("heat", &|| drop(Heat::of(&oven, &wanted, &|_| {})));
+}
+
+/// A solution of the Cornell box in a moment.
+fn quick() -> Solution {
+    let options = Options { order: 2, threads: 2, ..Options::default() };
+    solve(&scene("cornell-box"), &options, &|_| {}).expect("a solution").solution
+}
+
+#[test]
+fn pictures_end_soon() {
+    let (scene, solution) = (scene("cornell-box"), quick());
+    let visibility = Visibility::new(&scene, (&Options::default()).into());
+    let camera = scene.camera.expect("it has one");
+    let large = Camera { width: 4000, height: 4000, ..camera };
+    for read in [Read::Gather, Read::GatherTwice] {
+        ends_soon("a picture", &|| {
+            let picture = || render(&solution, &visibility, &large, 8, read, Shown::Radiosity, &|_| {});
+            drop(in_threads(2, picture));
+        });
+    }
+}
+
+#[test]
+fn what_is_done_after_an_interruption_finds_the_same_bits() {
+    let coefficients = |solution: &Solution| -> Vec<Vec<f64>> {
+        solution.bands().iter().map(|band| band.coefficients.radiosity.clone()).collect()
+    };
+    let before = coefficients(&quick());
+    // Tables that are kept between runs are made in the work that is interrupted.
+    let cornell = scene("cornell-box");
+    ends_soon("dear pairs", &solves(&cornell, Options { subdivide: Some(3), ..exact(9, 1e-6) }));
+    assert_eq!(coefficients(&quick()), before);
+    let solved = Solved::new(cornell, Options { order: 2, threads: 2, ..Options::default() }, &|_| {});
+    let solved = solved.expect("a solution");
+    let read = || in_threads(1, || solved.irradiance_at(DVec3::splat(100.0), DVec3::Y));
+    let interruption = Interruption::new();
+    interruption.raise();
+    assert!(matches!(interruption.within(read), Err(Interrupted)));
+    let again = Solved::new(scene("cornell-box"), solved.options, &|_| {}).expect("a solution");
+    let place = [DVec3::splat(100.0), DVec3::Y];
+    assert_eq!(read().expect("a thread"), again.irradiance_at(place[0], place[1]));
+}
