@@ -27,8 +27,13 @@ const NAMES: [&str; 20] = [
 /// Options whose arguments have another name: `for` and `from` are words of the language.
 const RENAMED: [(&str, &str); 2] = [("for", "aim"), ("from", "format")];
 
+/// What the command is told in one text, and Python by a call.
+const CALLS: [(&str, &str); 1] =
+    [("--plane \"origin; edge; edge; spacing\"", "plane(origin, u, v, spacing)")];
+
 /// The message with its options as arguments.
 pub(super) fn spelt(message: &str) -> String {
+    let message = CALLS.iter().fold(message.to_owned(), |text, (own, call)| text.replace(own, call));
     let mut parts = message.split("--");
     let mut text = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -52,8 +57,22 @@ fn argument(option: &str, rest: &str) -> String {
     if value.parse::<f64>().is_ok() {
         return format!("{name}={value}{rest}");
     }
+    if let (true, Some((parameter, number))) = (option == "set", value.split_once('=')) {
+        return format!("{name}={{{parameter:?}: {number}}}{rest}");
+    }
     match NAMES.contains(&value) {
-        true => format!("{name}={value:?}{rest}"),
+        true => format!("{name}={value:?}{}", other_value(rest).unwrap_or_else(|| rest.to_owned())),
         false => format!("{name}= {after}"),
     }
+}
+
+/// What follows a value, where it begins with another one.
+fn other_value(rest: &str) -> Option<String> {
+    let (joint, after) = ["or", "and"].iter().find_map(|joint| {
+        let after = rest.strip_prefix(' ')?.strip_prefix(joint)?.strip_prefix(' ')?;
+        Some((joint, after))
+    })?;
+    let end = after.find([' ', ',', ';', ':']).unwrap_or(after.len());
+    let (value, rest) = after.split_at(end);
+    NAMES.contains(&value).then(|| format!(" {joint} {value:?}{rest}"))
 }
