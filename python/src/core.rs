@@ -9,6 +9,8 @@ mod family;
 mod polynomials;
 mod rules;
 
+use std::ops::Range;
+
 use numpy::{PyReadonlyArray1, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -36,9 +38,31 @@ type Input<'py> = PyReadonlyArray1<'py, f64>;
 /// Place for numbers that go out.
 type Output<'py> = PyReadwriteArray1<'py, f64>;
 
-/// Runs the work, beside other threads of Python where it writes many numbers.
-fn work<T: Send>(py: Python<'_>, numbers: usize, task: impl FnOnce() -> T + Send) -> T {
-    if numbers < FEW { task() } else { py.detach(task) }
+/// Steps that are done before signals are looked for: some hundredths of a second. Chosen.
+const AT_ONCE: usize = 1 << 23;
+
+/// Runs the work, beside other threads of Python where it takes many steps.
+fn work<T: Send>(py: Python<'_>, steps: usize, task: impl FnOnce() -> T + Send) -> T {
+    if steps < FEW { task() } else { py.detach(task) }
+}
+
+/// Runs the work on so many rows that take so many steps each, some of them at a time.
+///
+/// # Errors
+/// What a handler of signals raises in between.
+fn by_rows(
+    py: Python<'_>,
+    rows: usize,
+    steps: usize,
+    mut task: impl FnMut(Range<usize>) + Send,
+) -> PyResult<()> {
+    let at_once = (AT_ONCE / steps.max(1)).max(1);
+    for first in (0..rows).step_by(at_once) {
+        let some = first..rows.min(first.saturating_add(at_once));
+        work(py, some.len().saturating_mul(steps), || task(some));
+        py.check_signals()?;
+    }
+    Ok(())
 }
 
 /// The weight (1 − x)^α (1 + x)^β.

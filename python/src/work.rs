@@ -1,7 +1,7 @@
 //! Long work: a thread of its own does it, without the lock of the interpreter, while the thread that asked for it waits for
 //! signals and tells how far it is.
 //!
-//! Ctrl-C, or an exception of the observer, ends the work: every thread that works unwinds when it next tells how far it is.
+//! Ctrl-C, or an exception of the observer, interrupts the work ([`radiosity::interruption`]).
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -11,6 +11,7 @@ use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use radiosity::interruption::Interruption;
 
 use crate::error::Trouble;
 use crate::progress::{Progress, Step};
@@ -27,11 +28,11 @@ pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
     observer: Option<&Bound<'_, PyAny>>,
     work: impl FnOnce(&Progress) -> Result<T, E> + Send,
 ) -> PyResult<T> {
-    let progress = Progress::default();
+    let (progress, interruption) = (Progress::default(), Interruption::new());
     let (sender, mut receiver) = sync_channel(1);
     let (raised, outcome) = thread::scope(|scope| {
         let worker = scope.spawn(|| {
-            let outcome = catch_unwind(AssertUnwindSafe(|| work(&progress)));
+            let outcome = catch_unwind(AssertUnwindSafe(|| interruption.within(|| work(&progress))));
             // Nobody waits where the other side is gone.
             let _ = sender.send(());
             outcome
@@ -42,7 +43,7 @@ pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
                 raised = py.check_signals().and_then(|()| tell(observer, progress.news())).err();
             }
             if raised.is_some() {
-                progress.end();
+                interruption.raise();
             }
         }
         (raised, py.detach(|| worker.join().and_then(|outcome| outcome)))
@@ -50,6 +51,7 @@ pub(crate) fn work<T: Send, E: Into<Trouble> + Send>(
     match (raised, outcome) {
         (Some(raised), _) => Err(raised),
         (None, Ok(outcome)) => {
+            let outcome = outcome.expect("what interrupts it is raised");
             tell(observer, progress.news())?;
             outcome.map_err(|error| error.into().into())
         }

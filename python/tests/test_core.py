@@ -249,7 +249,7 @@ def test_other_threads_run_beside_a_large_rule():
 
 
 REFUSED = [
-    (lambda: core.roots_legendre(0), "n = 0 is not in 1 … 20000"),
+    (lambda: core.roots_legendre(0), "n = 0 is not in 1 … 1000000"),
     (lambda: core.roots_legendre(10**30), "n = ±10^"),
     (lambda: core.roots_legendre(2.5), "give a whole number"),
     (lambda: core.roots_legendre(math.nan), "give a whole number"),

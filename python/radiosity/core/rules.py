@@ -10,8 +10,12 @@ from .._radiosity import _core
 from ..arguments import Array, refusal, whole
 from .arguments import exponents
 
-# A rule of more points takes more than some seconds, which Ctrl-C does not end; the asymptotic one fills memory.
-_MOST_POINTS = 20_000
+# A rule of so many takes a quarter of an hour.
+_MOST_LEGENDRE_POINTS = 1_000_000
+# Each root is sought from those found before, all in one go: more would take more than some seconds, which Ctrl-C does not end.
+# Rules of much more are refused anyway, as their nodes merge with the ends.
+_MOST_JACOBI_POINTS = 20_000
+# More fill memory.
 _MOST_ASYMPTOTIC_POINTS = 100_000_000
 
 
@@ -25,7 +29,7 @@ def roots_legendre(n: SupportsIndex, mu: bool = False) -> tuple[Array, Array] | 
     Parameters
     ----------
     n : int
-        Number of points, 1 … 20 000. The cost is O(n²): 0.1 s for 10 000 points.
+        Number of points, 1 … 1 000 000. The cost is O(n²): 0.1 s for 10 000 points. Ctrl-C ends it.
     mu : bool
         Return the sum of the weights, 2, too.
 
@@ -45,7 +49,7 @@ def roots_legendre(n: SupportsIndex, mu: bool = False) -> tuple[Array, Array] | 
     --------
     legendre_asymptotic : O(n) and less exact, for thousands of points.
     """
-    nodes, weights = _rule_arrays(n, 1, _MOST_POINTS, "give 1 point or more; legendre_asymptotic takes many")
+    nodes, weights = _rule_arrays(n, 1, _MOST_LEGENDRE_POINTS, "give 1 point or more; legendre_asymptotic takes many")
     _core.legendre_rule(nodes, weights)
     return (nodes, weights, 2.0) if mu else (nodes, weights)
 
@@ -112,7 +116,7 @@ def roots_jacobi(n: SupportsIndex, alpha: float, beta: float, mu: bool = False) 
         with the end of the interval (never for exponents ≥ −0.99 and n ≤ 1000).
     """
     alpha, beta = exponents(alpha, beta)
-    nodes, weights = _rule_arrays(n, 1, _MOST_POINTS, "give 1 point or more; divide the interval where many are needed")
+    nodes, weights = _rule_arrays(n, 1, _MOST_JACOBI_POINTS, "give 1 point or more; divide the interval where many are needed")
     try:
         _core.jacobi_rule(alpha, beta, nodes, weights)
     except ValueError as error:

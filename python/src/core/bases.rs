@@ -1,9 +1,11 @@
 //! Orthonormal polynomials in two variables, on the square and on the triangle, and the rule of the triangle.
 
+use std::ops::Range;
+
 use pyo3::prelude::*;
 use radiosity_core::basis::{total, triangle};
 
-use super::{Input, Output, misfit, work};
+use super::{Input, Output, by_rows, misfit};
 
 /// Writes the functions of an order at (s, t).
 type Values = fn(usize, f64, f64, &mut [f64]);
@@ -84,19 +86,21 @@ fn write(
     if !fits(out.len(), 1) || slopes.as_ref().is_some_and(|slopes| !fits(slopes.len(), 2)) {
         return Err(misfit("one number per point and function is wanted"));
     }
-    work(py, out.len(), || match slopes {
-        None => {
-            for (&[s, t], row) in points.iter().zip(out.chunks_exact_mut(count)) {
+    let numbers = |some: &Range<usize>, wide: usize| some.start * wide..some.end * wide;
+    match slopes {
+        None => by_rows(py, points.len(), count, |some| {
+            let rows = out[numbers(&some, count)].chunks_exact_mut(count);
+            for (&[s, t], row) in points[some].iter().zip(rows) {
                 (basis.values)(order, s, t, row);
             }
-        }
-        Some(slopes) => {
-            let rows = out.chunks_exact_mut(count).zip(slopes.chunks_exact_mut(2 * count));
-            for (&[s, t], (row, slopes)) in points.iter().zip(rows) {
+        }),
+        Some(slopes) => by_rows(py, points.len(), 3 * count, |some| {
+            let rows = out[numbers(&some, count)].chunks_exact_mut(count);
+            let rows = rows.zip(slopes[numbers(&some, 2 * count)].chunks_exact_mut(2 * count));
+            for (&[s, t], (row, slopes)) in points[some].iter().zip(rows) {
                 let (by_s, by_t) = slopes.split_at_mut(count);
                 (basis.gradients)(order, s, t, row, by_s, by_t);
             }
-        }
-    });
-    Ok(())
+        }),
+    }
 }

@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use radiosity_core::convert::{from_legendre, to_legendre};
 
-use super::{Output, misfit, work};
+use super::{Output, by_rows, misfit};
 
 /// Turns rows of `length` Jacobi coefficients into Legendre coefficients, or `backwards`, in place.
 #[pyfunction]
@@ -20,6 +20,8 @@ pub(super) fn convert(
         return Err(misfit("whole rows of coefficients are wanted"));
     }
     let turn = if backwards { from_legendre } else { to_legendre };
-    work(py, numbers.len(), || numbers.chunks_exact_mut(length).for_each(|row| turn(alpha, beta, row)));
-    Ok(())
+    by_rows(py, numbers.len() / length, length, |some| {
+        let rows = &mut numbers[some.start * length..some.end * length];
+        rows.chunks_exact_mut(length).for_each(|row| turn(alpha, beta, row));
+    })
 }

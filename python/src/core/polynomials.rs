@@ -1,12 +1,14 @@
 //! Values of orthonormal and classical polynomials, and sums of them.
 
+use std::ops::Range;
+
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use radiosity_core::jacobi::Entry;
 use radiosity_core::legendre;
 
 use super::family::Family;
-use super::{Input, Output, misfit, weight, work};
+use super::{Input, Output, by_rows, misfit, weight};
 
 /// `out[i · m + k]` = `p_k(x[i])` for k < m, m = `count` > 0, orthonormal for the weight (1 − x)^α (1 + x)^β, and
 /// `slopes[i · m + k]` = `p_k′(x[i])` where slopes are given.
@@ -26,20 +28,23 @@ pub(super) fn orthonormal(
     let slopes = slopes.as_mut().map(|slopes| slopes.as_slice_mut()).transpose()?;
     check(x.len(), count, out.len())?;
     check(x.len(), count, slopes.as_ref().map_or(out.len(), |slopes| slopes.len()))?;
-    work(py, out.len(), || {
-        let mut entries = vec![Entry::EMPTY; count];
-        let family = Family::new(weight, &mut entries);
-        let rows = x.iter().zip(out.chunks_exact_mut(count));
-        match slopes {
-            None => rows.for_each(|(&x, row)| family.values(x, row)),
-            Some(slopes) => {
-                let slopes = slopes.chunks_exact_mut(count);
-                rows.zip(slopes)
-                    .for_each(|((&x, row), slopes)| family.values_with_derivatives(x, row, slopes));
-            }
-        }
-    });
-    Ok(())
+    let mut entries = vec![Entry::EMPTY; count];
+    let family = Family::new(weight, &mut entries);
+    let numbers = |some: &Range<usize>| some.start * count..some.end * count;
+    match slopes {
+        None => by_rows(py, x.len(), count, |some| {
+            let rows = out[numbers(&some)].chunks_exact_mut(count);
+            x[some].iter().zip(rows).for_each(|(&x, row)| family.values(x, row));
+        }),
+        Some(slopes) => by_rows(py, x.len(), 2 * count, |some| {
+            let rows = out[numbers(&some)].chunks_exact_mut(count);
+            let rows = rows.zip(slopes[numbers(&some)].chunks_exact_mut(count));
+            x[some]
+                .iter()
+                .zip(rows)
+                .for_each(|(&x, (row, slopes))| family.values_with_derivatives(x, row, slopes));
+        }),
+    }
 }
 
 /// `out[i]` = `P_n(x[i])`, n = `degrees[i]`: classical polynomials with P_n(1) = C(n + α, n).
@@ -57,16 +62,15 @@ pub(super) fn classical(
     check(x.len(), 1, degrees.len())?;
     check(x.len(), 1, out.len())?;
     let count = 1 + degrees.iter().max().unwrap_or(&0);
-    work(py, out.len().saturating_mul(count), || {
-        let (mut entries, mut values) = (vec![Entry::EMPTY; count], vec![0.0; count]);
-        let family = Family::new(weight, &mut entries);
-        let norms: Vec<f64> = norms(&family, degrees, count);
-        for ((&n, &x), out) in degrees.iter().zip(x).zip(out) {
+    let (mut entries, mut values) = (vec![Entry::EMPTY; count], vec![0.0; count]);
+    let family = Family::new(weight, &mut entries);
+    let norms: Vec<f64> = norms(&family, degrees, count);
+    by_rows(py, x.len(), count, |some| {
+        for ((&n, &x), out) in degrees[some.clone()].iter().zip(&x[some.clone()]).zip(&mut out[some]) {
             family.values(x, &mut values[..=n]);
             *out = values[n] * norms[n];
         }
-    });
-    Ok(())
+    })
 }
 
 /// P_n/p_n of the degrees that occur; 0 elsewhere.
@@ -85,12 +89,11 @@ fn norms(family: &Family<'_>, degrees: &[usize], count: usize) -> Vec<f64> {
 pub(super) fn legendre_sum(py: Python<'_>, f: Input<'_>, x: Input<'_>, mut out: Output<'_>) -> PyResult<()> {
     let (f, x, out) = (f.as_slice()?, x.as_slice()?, out.as_slice_mut()?);
     check(x.len(), 1, out.len())?;
-    work(py, out.len().saturating_mul(f.len()), || {
-        for (&x, out) in x.iter().zip(out) {
+    by_rows(py, x.len(), f.len(), |some| {
+        for (&x, out) in x[some.clone()].iter().zip(&mut out[some]) {
             *out = legendre::sum(f, x);
         }
-    });
-    Ok(())
+    })
 }
 
 /// Refuses an array that does not have `count` > 0 numbers for each of `points`.

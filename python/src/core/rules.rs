@@ -3,12 +3,29 @@
 use pyo3::prelude::*;
 use radiosity_core::gauss::{self, RuleError};
 
-use super::{Output, refused, weight, work};
+use super::{Output, by_rows, misfit, refused, weight, work};
 
 /// Writes the Gauss–Legendre rule of as many points as the arrays have, correctly rounded, in O(n²).
 #[pyfunction]
 pub(super) fn legendre_rule(py: Python<'_>, nodes: Output<'_>, weights: Output<'_>) -> PyResult<()> {
-    write(py, nodes, weights, gauss::legendre)
+    let (mut nodes, mut weights) = (nodes, weights);
+    let (nodes, weights) = (nodes.as_slice_mut()?, weights.as_slice_mut()?);
+    let n = nodes.len();
+    if n == 0 || n != weights.len() {
+        return Err(misfit("as many weights as nodes are wanted, one or more"));
+    }
+    // The negative half mirrors the other one.
+    let ((below, above), (light, heavy)) = (nodes.split_at_mut(n / 2), weights.split_at_mut(n / 2));
+    by_rows(py, above.len(), n, |some| {
+        let first = some.start;
+        gauss::legendre_part(n, first, &mut above[some.clone()], &mut heavy[some])
+            .expect("there are as many nodes as places");
+    })?;
+    let mirrored = above.iter().zip(&*heavy).rev();
+    for ((x, w), (node, weight)) in below.iter_mut().zip(light).zip(mirrored) {
+        (*x, *w) = (-node, *weight);
+    }
+    Ok(())
 }
 
 /// Writes the Gauss–Legendre rule of more than 100 points to a few ulp, in O(n).
