@@ -5,7 +5,7 @@
 
 use radiosity_geom::DVec3;
 
-use crate::scene::{error::Fault, path::RigidPath, pose::Pose, ranges::check_range, source::Place};
+use crate::scene::{error::Fault, path::RigidPath, place::Place, pose::Pose, ranges::check_range};
 
 /// Most frames. Chosen; not tuned.
 pub(super) const MOST_FRAMES: usize = 1_000_000;

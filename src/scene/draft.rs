@@ -15,9 +15,9 @@ use crate::scene::{
     named_material::NamedMaterial,
     names::check_text,
     outlook::{KnownOutlooks, Opening},
+    place::{Line, Place, Span},
     radiance::Radiance,
     ranges::{check_number, check_order, check_parts},
-    source::{Line, Place, Span},
     surface::SceneSurface,
     thermal::{Condition, Thermal},
 };

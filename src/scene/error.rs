@@ -5,7 +5,10 @@ use std::{fmt, sync::Arc};
 use radiosity_geom::ShapeError;
 use thiserror::Error;
 
-use crate::scene::source::{Line, Place, Source, Span};
+use crate::scene::{
+    place::{Line, Place, Span},
+    source::Source,
+};
 
 /// A scene that cannot be used, with the place in its text where there is one.
 ///

@@ -5,8 +5,8 @@ use radiosity_geom::{DVec3, ShapeError};
 use crate::scene::{
     error::{Fault, Located},
     names::check_text,
+    place::{At, Span},
     ranges::check_number,
-    source::{At, Span},
     tree::{Node, Value, entry},
 };
 

@@ -10,7 +10,7 @@ use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 use crate::scene::{
     error::Fault,
-    source::{At, Span},
+    place::{At, Span},
 };
 
 /// Deeper parentheses are refused. Chosen; not tuned.

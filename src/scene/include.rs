@@ -16,8 +16,9 @@ use crate::scene::{
     fields::{list, table, text},
     input, json_text,
     language::Language,
+    place::At,
     polygon_list,
-    source::{At, Source},
+    source::Source,
     toml_text,
     tree::{Node, Value, entry},
 };

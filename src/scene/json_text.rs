@@ -10,7 +10,7 @@ use serde_json::value::RawValue;
 
 use crate::scene::{
     error::{Fault, Located},
-    source::{At, Span},
+    place::{At, Span},
     tree::{Node, Value},
 };
 
@@ -112,7 +112,7 @@ mod tests {
     use super::parse;
     use crate::scene::tree::{Value, entry};
 
-    fn entries(text: &str) -> Vec<(crate::scene::source::At<String>, crate::scene::tree::Node)> {
+    fn entries(text: &str) -> Vec<(crate::scene::place::At<String>, crate::scene::tree::Node)> {
         match parse(text).unwrap().value {
             Value::Table(entries) => entries,
             other => panic!("{other:?}"),

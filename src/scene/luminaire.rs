@@ -18,8 +18,8 @@ use crate::scene::{
     light_group::LightGroup,
     material::{check_count, check_flux},
     names::check_text,
+    place::Place,
     ranges::{check_number, check_range},
-    source::Place,
 };
 
 /// Sine of the angle below which two directions count as one, as for the camera's up vector.

@@ -16,7 +16,8 @@ use crate::scene::{
     luminous_surface::luminous_surfaces,
     material::check_flux,
     names::UniqueNames,
-    source::{At, Source},
+    place::At,
+    source::Source,
     validation::spread,
 };
 

@@ -4,7 +4,8 @@ use crate::scene::{
     error::{Fault, Located, material_title, part_title, plane_title},
     file::SceneFile,
     names::UniqueNames,
-    source::{At, Source},
+    place::At,
+    source::Source,
 };
 
 /// All files in one. Title and camera are those of the last, which includes the others; so is the

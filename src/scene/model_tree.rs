@@ -4,7 +4,7 @@ use radiosity_formats::model::{Camera, Model, Shape, Sides, Surface};
 use radiosity_geom::DVec3;
 
 use crate::scene::{
-    source::At,
+    place::At,
     tree::{Node, Value},
 };
 

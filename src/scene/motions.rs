@@ -11,7 +11,8 @@ use crate::scene::{
     instances::{PlacedLuminaire, PlacedSurface},
     movement::{Chosen, Handles, Movable, MoverDraft, TypedMover, movers},
     path::{RigidPath, Turn},
-    source::{At, Source, Span},
+    place::{At, Span},
+    source::Source,
     surfaces::Maker,
     track::Track,
 };

@@ -7,7 +7,7 @@ use crate::scene::{
     error::{Fault, Located, luminaire_title, motion_title, surface_title},
     names::UniqueNames,
     path::RigidPath,
-    source::{Line, Place, Span},
+    place::{Line, Place, Span},
 };
 
 /// The mark behind which a name may end in any way.

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use crate::scene::{error::Fault, source::Line};
+use crate::scene::{error::Fault, place::Line};
 
 /// Refuses a name without a letter.
 pub(super) fn check_text(text: &str) -> Result<(), Fault> {

@@ -6,7 +6,7 @@
 use crate::scene::csv_rows::{Row, Unreadable, rows};
 use crate::scene::{
     error::{Fault, Located},
-    source::{At, Span},
+    place::{At, Span},
     tree::{Node, Value},
 };
 

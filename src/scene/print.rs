@@ -5,7 +5,7 @@
 use toml::Value as TomlValue;
 
 use crate::scene::{
-    source::At,
+    place::At,
     tree::{Node, Value},
 };
 

@@ -11,7 +11,7 @@ use radiosity_geom::Motion;
 use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, Reader},
-    source::Span,
+    place::Span,
     tree::{Node, Value},
 };
 use form::{Built, Form, Modelled};

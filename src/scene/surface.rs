@@ -5,7 +5,7 @@ use std::sync::Arc;
 use radiosity_geom::Surface;
 
 use crate::scene::{
-    light_group::LightGroup, material::Material, radiance::Radiance, source::Place, thermal::Thermal,
+    light_group::LightGroup, material::Material, place::Place, radiance::Radiance, thermal::Thermal,
 };
 
 /// A shape with a name, a material and wishes for its elements. Only its front emits and receives; its back blocks.

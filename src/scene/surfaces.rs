@@ -10,7 +10,7 @@ use crate::scene::{
     middle,
     names::UniqueNames,
     outlook::KnownOutlooks,
-    source::Span,
+    place::Span,
     surface::SceneSurface,
 };
 

@@ -10,8 +10,9 @@ use crate::scene::{
     file::{EachBand, Encoding, PatternFile, PatternKind, PerBand},
     include,
     pattern::{Pattern, Polynomial, Term},
+    place::At,
     ranges::check_number,
-    source::{At, Source},
+    source::Source,
 };
 
 /// Most texels of a picture that are kept, 2048 × 2048: larger ones are averaged. 32 MB for each band. Chosen; not tuned.

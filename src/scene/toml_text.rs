@@ -7,7 +7,7 @@ use toml::{
 
 use crate::scene::{
     error::{Fault, Located},
-    source::At,
+    place::At,
     tree::{Node, Value},
 };
 

@@ -2,7 +2,7 @@
 
 use crate::scene::{
     error::Fault,
-    source::{At, Span},
+    place::{At, Span},
 };
 
 /// A value and where it stands.

@@ -11,8 +11,9 @@ use crate::scene::{
     fields::{number, table},
     formula::{self, is_name, is_reserved},
     names::UniqueNames,
+    place::{At, Span},
     ranges::check_number,
-    source::{At, Source, Span},
+    source::Source,
     tree::{Formula, Node, Value},
 };
 

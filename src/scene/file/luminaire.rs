@@ -9,7 +9,7 @@ use crate::scene::{
     fields::{Fields, exactly, list, number, point, real, table, text},
     file::per_band::{PerBand, per_band},
     include::PHOTOMETRY,
-    source::{At, Span},
+    place::{At, Span},
     tree::{Node, Value, entry},
 };
 

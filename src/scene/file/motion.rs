@@ -5,7 +5,7 @@ use radiosity_geom::DVec3;
 use crate::scene::{
     error::{Fault, Located, motion_title},
     fields::{Fields, exactly, list, point, points, real, table, text, truth},
-    source::{At, Span},
+    place::{At, Span},
     track::Curve,
     tree::{Node, Value, entry},
 };

@@ -8,8 +8,8 @@ use crate::scene::{
     file::luminaire::{LuminaireFile, read_luminaires},
     file::surface::{SurfaceFile, read_motion, read_surfaces},
     names::check_text,
+    place::{At, Span},
     ranges::check_copies,
-    source::{At, Span},
     tree::{Node, Value},
 };
 

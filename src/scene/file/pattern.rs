@@ -6,7 +6,7 @@ use crate::scene::{
     file::per_band::{PerBand, per_band},
     include::IMAGE,
     pattern::{Placement, Term, Wrap, check_term},
-    source::{At, Span},
+    place::{At, Span},
     tree::{Node, Value},
 };
 

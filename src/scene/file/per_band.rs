@@ -3,7 +3,7 @@
 use crate::scene::{
     error::Located,
     fields::number,
-    source::{At, Span},
+    place::{At, Span},
     tree::{Node, Value},
 };
 

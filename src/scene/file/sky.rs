@@ -6,8 +6,8 @@ use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, number, point, text, whole},
     file::per_band::{PerBand, per_band},
+    place::{At, Span},
     sky::SkyModel,
-    source::{At, Span},
     tree::Node,
 };
 

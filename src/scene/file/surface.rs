@@ -8,9 +8,9 @@ use crate::scene::{
     file::per_band::{PerBand, per_band},
     file::sky::{GlassFile, read_glass},
     file::thermal::{CONDITION_KEYS, read_condition},
+    place::{At, Span},
     ranges::{check_order, check_parts},
     shape::{ShapeFile, keys},
-    source::{At, Span},
     thermal::Condition,
     tree::{Node, entry},
 };

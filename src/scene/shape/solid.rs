@@ -6,8 +6,8 @@ use radiosity_geom::{DVec3, Motion, ShapeError, Surface, shapes::Parallelogram};
 use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, exactly, list, point, text, truth},
+    place::At,
     shape::form::{Built, Form, Modelled},
-    source::At,
     tree::Node,
 };
 

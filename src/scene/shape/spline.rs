@@ -10,8 +10,8 @@ use radiosity_geom::{
 use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, exactly, list, point, points, real, whole},
+    place::At,
     shape::form::{Built, Form, one},
-    source::At,
     tree::Node,
 };
 
