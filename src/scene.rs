@@ -1,7 +1,7 @@
 //! Scenes: surfaces, their materials, and a camera.
 //!
-//! A [`Scene`] is read from TOML or JSON of one schema or made in code by a [`SceneBuilder`], and is valid by
-//! construction: every number finite, every reflectance below 1, every surface with an area and a front, no two
+//! A [`Scene`] is read from TOML or JSON of one schema, from a [`Tree`] of that schema made in code, or made by a
+//! [`SceneBuilder`], and is valid by construction: every number finite, every reflectance below 1, every surface with an area and a front, no two
 //! surfaces in one another, every name given once. A fault is a [`SceneError`] with name, cure, line and column.
 
 pub mod csv_rows;
@@ -11,7 +11,6 @@ mod middle;
 mod nearest;
 mod imported;
 mod place;
-mod source;
 pub mod input;
 mod error;
 mod builtin;
@@ -45,6 +44,9 @@ mod covering;
 mod draft;
 mod luminous_surface;
 mod tree;
+mod numbering;
+mod print;
+mod source;
 mod fields;
 mod formula;
 mod variables;
@@ -53,7 +55,6 @@ mod polygon_list;
 mod language;
 mod toml_text;
 mod include;
-mod print;
 mod model_tree;
 mod import;
 mod shape;
@@ -74,7 +75,7 @@ mod painting;
 mod still;
 mod schema;
 
-use std::{collections::BTreeSet, io, path::Path};
+use std::{collections::BTreeSet, io, path::Path, sync::Arc};
 
 use radiosity_formats::model::Model;
 use radiosity_geom::DVec3;
@@ -113,6 +114,7 @@ pub use still::Stills;
 pub use surface::SceneSurface;
 pub use thermal::{Condition, Thermal};
 pub use track::{Curve, Mixed, Track};
+pub use tree::Tree;
 pub use weld::Welded;
 
 use error::{Located, surface_title};
@@ -156,7 +158,7 @@ pub struct Scene {
     pub planes: Vec<SensorPlane>,
     /// The name shown in messages: a path, `<stdin>`, or the name of a scene that is built in or made in code.
     pub origin: String,
-    /// The text it was read from; none for a scene built in code.
+    /// What it was read from, a text or a tree; none for a scene that a [`SceneBuilder`] made.
     pub source: Option<Source>,
 }
 
@@ -274,6 +276,15 @@ impl Scene {
         read(&Source::new(origin, text), Language::Csv)
     }
 
+    /// Reads a scene made in code, as one from a text; `name` stands before messages, which lead to what they
+    /// mean by names: `desk: surface "lamp", disk.radius: …`.
+    ///
+    /// # Errors
+    /// The first fault in the tree.
+    pub fn of_tree(name: &str, tree: Tree) -> Result<Scene, SceneError> {
+        Scene::parse(&Source::of_tree(name, tree)?)
+    }
+
     /// What was done to the file of another program that it was read from.
     pub fn imported(&self) -> Option<&Imported> {
         self.source.as_ref()?.imported.as_deref()
@@ -286,9 +297,12 @@ impl Scene {
     /// [`Fault::Foreign`] for a scene that was made in code.
     pub fn text(&self, notation: Notation) -> Result<String, SceneError> {
         let source = self.written()?;
-        let tree = include::parsed(&source.text, Language::of(source));
+        let tree = include::tree_of(source, Language::of(source));
         let mut tree = tree.map_err(|located| located.in_source(source))?;
-        match variables::set(&mut tree, &source.settings).first() {
+        if source.settings.is_empty() {
+            return Ok(notation.text(&tree));
+        }
+        match variables::set(Arc::make_mut(&mut tree), &source.settings).first() {
             None => Ok(notation.text(&tree)),
             Some(name) => {
                 let cause = format!("the variable {name:?} stands in an included file");

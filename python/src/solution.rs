@@ -47,7 +47,7 @@ pub(crate) struct Solution {
 #[pyfunction]
 pub(crate) fn load_solution(path: &str, factors: BTreeMap<String, f64>) -> PyResult<Solution> {
     let text = Whole::text_of(path, &[]).map_err(Trouble::from)?;
-    if !is_solution(&text.text) {
+    if !is_solution(&text.text()) {
         let cure = "solve it first: load(…).solve()";
         return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure).into());
     }

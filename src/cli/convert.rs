@@ -103,7 +103,7 @@ fn grid(args: &ConvertArgs) -> Result<(), CliError> {
     let output = args.scene.kept_apart(OutputFile::reserve(&args.output)?)?;
     let request = args.scene.request();
     let text = request.text()?;
-    if !is_solution(&text.text) {
+    if !is_solution(&text.text()) {
         return Err(CliError::Refused {
             message: format!("{}: a scene has no light yet, and a grid holds light", text.origin),
             cure: format!("solve it: `radiosity solve {} -o {}`", text.origin, args.output.display()),

@@ -77,7 +77,7 @@ impl Loaded {
         let started = Instant::now();
         let request = source.request();
         let text = request.text()?;
-        if !is_solution(&text.text) {
+        if !is_solution(&text.text()) {
             let scene = request.parse(&text)?;
             return Ok(Self::new(source.path(), scene, None, started));
         }
@@ -93,7 +93,7 @@ impl Loaded {
     pub(crate) fn solved(path: &str, settings: &[(String, f64)]) -> Result<Self, CliError> {
         let started = Instant::now();
         let text = Scene::text_of(path, &[])?;
-        if !is_solution(&text.text) {
+        if !is_solution(&text.text()) {
             return Err(CliError::NotSolved { origin: text.origin.to_string() });
         }
         let file = (path != "-").then(|| Path::new(path));

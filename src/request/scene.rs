@@ -170,7 +170,7 @@ pub(super) fn borrowed(settings: &[(String, f64)]) -> Vec<(&str, f64)> {
 
 /// The text of a scene; refuses a solution.
 fn unsolved(text: Source) -> Result<Source, LoadError> {
-    match is_solution(&text.text) {
+    match is_solution(&text.text()) {
         true => Err(LoadError::Solved { origin: text.origin.to_string() }),
         false => Ok(text),
     }

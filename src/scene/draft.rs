@@ -49,12 +49,12 @@ pub struct SurfaceDraft {
 /// A shape with the name of the surface it makes.
 pub(super) type NamedShape = (String, Arc<dyn Surface>);
 
-/// The place of a draft in a file.
+/// The place of a draft in a file or a tree.
 #[derive(Clone, Debug)]
 pub(super) struct Typed {
-    pub place: Place,
+    pub place: Option<Place>,
     pub name: Span,
-    pub name_line: Line,
+    pub name_line: Option<Line>,
     pub shape: Span,
     /// Of its material and that of its back.
     pub materials: [Option<Span>; 2],
@@ -260,7 +260,7 @@ impl SurfaceDraft {
             },
             order: self.order,
             subdivide: self.subdivide,
-            place: self.typed.as_ref().map(|typed| typed.place.clone()),
+            place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
         };
         let other = self.back.as_ref().unwrap_or(&front);
         let back = self.two_sided.then(|| side(format!("{name}:back"), !self.flip, other));

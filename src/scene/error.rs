@@ -1,14 +1,11 @@
 //! What can be wrong with a scene: the fault, where it stands, and how to cure it.
 
-use std::{fmt, sync::Arc};
+use std::{borrow::Cow, fmt, sync::Arc};
 
 use radiosity_geom::ShapeError;
 use thiserror::Error;
 
-use crate::scene::{
-    place::{Line, Place, Span},
-    source::Source,
-};
+use crate::scene::place::{Line, Place, Span};
 
 /// A scene that cannot be used, with the place in its text where there is one.
 ///
@@ -19,7 +16,8 @@ pub struct SceneError {
     pub origin: String,
     /// Where the fault stands; none if it is something absent, a file that cannot be read, or a scene built in code.
     pub place: Option<Box<Place>>,
-    /// The part of the scene it belongs to, e.g. `surface "floor"`.
+    /// The part of the scene it belongs to, e.g. `surface "floor"`; in a [`Tree`](crate::scene::Tree) down to the value,
+    /// `surface "floor", polygon.vertices[2]`.
     pub owner: Option<String>,
     /// What is wrong.
     #[source]
@@ -203,7 +201,7 @@ pub enum Fault {
         /// What should stand here.
         expected: &'static str,
         /// What stands here.
-        found: &'static str,
+        found: Cow<'static, str>,
     },
     /// A list of the wrong length.
     #[error("{what} takes {expected}, found {found}")]
@@ -614,9 +612,9 @@ fn shown(value: f64) -> String {
 /// A fault on its way to the [`SceneError`], while the source is not at hand.
 #[derive(Debug)]
 pub(super) struct Located {
-    fault: Fault,
-    span: Option<Span>,
-    owner: Option<String>,
+    pub(super) fault: Fault,
+    pub(super) span: Option<Span>,
+    pub(super) owner: Option<String>,
 }
 
 impl Located {
@@ -639,12 +637,6 @@ impl Located {
     /// The same fault, `base` bytes further on.
     pub(super) fn shifted(self, base: usize) -> Self {
         Located { span: self.span.map(|span| span.start + base..span.end + base), ..self }
-    }
-
-    /// Looks the place up in the text.
-    pub(super) fn in_source(self, source: &Source) -> SceneError {
-        let place = self.span.map(|span| Box::new(source.place(&span)));
-        SceneError { origin: source.origin.to_string(), place, owner: self.owner, fault: self.fault }
     }
 
     /// The error in a scene without a text.

@@ -1,5 +1,7 @@
 //! Tree → plain values: a table's fields, numbers, points and lists, each refused at its own place.
 
+use std::{borrow::Cow, sync::Arc};
+
 use radiosity_geom::{DVec3, ShapeError};
 
 use crate::scene::{
@@ -71,11 +73,8 @@ pub(super) fn table(node: &Node) -> Result<&[(At<String>, Node)], Located> {
 }
 
 /// The items of a list.
-pub(super) fn list(node: &Node) -> Result<&[Node], Located> {
-    match &node.value {
-        Value::List(items) => Ok(items),
-        _ => Err(wrong(node, "a list")),
-    }
+pub(super) fn list(node: &Node) -> Result<Cow<'_, [Node]>, Located> {
+    node.items().ok_or_else(|| wrong(node, "a list"))
 }
 
 /// A text that is not blank.
@@ -88,6 +87,14 @@ pub(super) fn text(node: &Node) -> Result<At<String>, Located> {
     match check_text(text) {
         Ok(()) => Ok(At::new(text.clone(), &node.span)),
         Err(fault) => Err(Located::at(&node.span, fault)),
+    }
+}
+
+/// A list of texts, or one.
+pub(super) fn texts(node: &Node) -> Result<Vec<At<String>>, Located> {
+    match node.items() {
+        Some(items) => items.iter().map(text).collect(),
+        None => Ok(vec![text(node)?]),
     }
 }
 
@@ -170,7 +177,29 @@ pub(super) fn point(node: &Node) -> Result<DVec3, Located> {
     exactly(node, "a point", "numbers", real).map(DVec3::from_array)
 }
 
-/// A list of points.
-pub(super) fn points(node: &Node) -> Result<Vec<DVec3>, Located> {
-    list(node)?.iter().map(point).collect()
+/// A list of points, shared with the tree where it holds them as such.
+pub(super) fn points(node: &Node) -> Result<Arc<Vec<DVec3>>, Located> {
+    match &node.value {
+        Value::Points(points)
+            if points.iter().all(|point| point.to_array().iter().all(|x| check_number(*x).is_ok())) =>
+        {
+            Ok(Arc::clone(points))
+        }
+        _ => list(node)?.iter().map(point).collect::<Result<_, _>>().map(Arc::new),
+    }
+}
+
+/// Exactly `N` points; `what` and `unit` name the list and its points in messages.
+pub(super) fn corners<const N: usize>(
+    node: &Node,
+    what: &'static str,
+    unit: &'static str,
+) -> Result<[DVec3; N], Located> {
+    match &node.value {
+        Value::Points(points) if points.len() == N => {
+            let points = self::points(node)?;
+            Ok(std::array::from_fn(|k| points[k]))
+        }
+        _ => exactly(node, what, unit, point),
+    }
 }

@@ -20,7 +20,7 @@ use crate::scene::{
     place::{At, Span},
     ranges::{check_fov, check_pixels},
     thermal::Thermal,
-    tree::{Node, Value},
+    tree::Node,
     variables::VARIABLES,
 };
 use motion::read_motions;
@@ -212,9 +212,9 @@ fn read_plane(name: &At<String>, node: &Node) -> Result<PlaneFile, Located> {
 
 /// One length for both edges, or one along each.
 fn spacing(node: &Node) -> Result<[f64; 2], Located> {
-    match &node.value {
-        Value::List(_) => exactly(node, "spacing", "numbers, one along each edge", real),
-        _ => Ok([real(node)?; 2]),
+    match node.items() {
+        Some(_) => exactly(node, "spacing", "numbers, one along each edge", real),
+        None => Ok([real(node)?; 2]),
     }
 }
 

@@ -119,7 +119,7 @@ impl Import {
     /// As [`Import::model`].
     pub(super) fn source(&self, file: &str, format: Format) -> Result<Source, SceneError> {
         let (model, imported) = self.model(file, format)?;
-        let text = Notation::Json.text(&model_tree::tree(&model));
+        let text = Notation::Json.text(&model_tree::tree(&model).0);
         // Places in messages are those of this text, not of the file.
         let origin = format!("{} (as read)", imported.file);
         Ok(Source::new(&origin, &text).made_from(imported))

@@ -13,7 +13,7 @@ use std::{
 
 use crate::scene::{
     error::{Fault, Located},
-    fields::{list, table, text},
+    fields::{list, table, text, texts},
     input, json_text,
     language::Language,
     place::At,
@@ -38,7 +38,7 @@ const DEEPEST: usize = 32;
 /// The tree of one file.
 #[derive(Debug)]
 pub(super) struct FileTree {
-    pub tree: Node,
+    pub tree: Arc<Node>,
     /// What stands before the names that the file leaves out: nothing in the first file, `lamps.` in `lamps.toml`.
     pub prefix: String,
 }
@@ -47,19 +47,24 @@ pub(super) struct FileTree {
 pub(super) fn trees(source: &mut Source, language: Language) -> Result<Vec<FileTree>, Located> {
     let mut files = Files { source, done: Vec::new(), trees: Vec::new() };
     let origin = files.source.origin.to_string();
-    let tree = parsed(&files.source.text, language)?;
+    let tree = tree_of(files.source, language)?;
     files.take(tree, String::new(), &mut vec![origin])?;
     Ok(files.trees)
 }
 
+/// The tree of `source` itself.
+pub(super) fn tree_of(source: &Source, language: Language) -> Result<Arc<Node>, Located> {
+    match source.tree() {
+        None => parsed(&source.text(), language).map(Arc::new),
+        Some(tree) => Ok(polygon_list::from_list(tree).map_or_else(|| Arc::clone(tree), Arc::new)),
+    }
+}
+
 /// Text → tree.
-pub(super) fn parsed(text: &str, language: Language) -> Result<Node, Located> {
+fn parsed(text: &str, language: Language) -> Result<Node, Located> {
     match language {
         Language::Toml => toml_text::parse(text),
-        Language::Json => json_text::parse(text).map(|tree| match &tree.value {
-            Value::List(polygons) => polygon_list::from_list(polygons, &tree.span),
-            _ => tree,
-        }),
+        Language::Json => json_text::parse(text).map(|tree| polygon_list::from_list(&tree).unwrap_or(tree)),
         Language::Csv => polygon_list::from_csv(text),
     }
 }
@@ -74,7 +79,7 @@ struct Files<'a> {
 
 impl Files<'_> {
     /// Takes in the files that a tree includes, then the tree; `path` leads to its file from the first.
-    fn take(&mut self, tree: Node, prefix: String, path: &mut Vec<String>) -> Result<(), Located> {
+    fn take(&mut self, tree: Arc<Node>, prefix: String, path: &mut Vec<String>) -> Result<(), Located> {
         for name in names(&tree)? {
             self.include(&name, path)?;
         }
@@ -111,7 +116,7 @@ impl Files<'_> {
         let stem = Path::new(&file).file_stem().unwrap_or_default().to_string_lossy();
         let prefix = format!("{stem}.");
         path.push(file);
-        self.take(tree, prefix, path)?;
+        self.take(Arc::new(tree), prefix, path)?;
         path.pop();
         Ok(())
     }
@@ -161,8 +166,7 @@ fn names(tree: &Node) -> Result<Vec<At<String>>, Located> {
     let Value::Table(entries) = &tree.value else { return Ok(Vec::new()) };
     match entry(entries, INCLUDE) {
         None => Ok(Vec::new()),
-        Some(node) if matches!(node.value, Value::List(_)) => list(node)?.iter().map(text).collect(),
-        Some(node) => Ok(vec![text(node)?]),
+        Some(node) => texts(node),
     }
 }
 
@@ -172,8 +176,8 @@ fn photometric_files(tree: &Node) -> Vec<At<String>> {
     let parts = entry(entries, "parts").and_then(|parts| table(parts).ok()).unwrap_or_default();
     let contents = parts.iter().map(|(_, part)| part).chain([tree]).filter_map(|content| table(content).ok());
     let lists = contents.filter_map(|content| list(entry(content, "luminaires")?).ok());
-    let luminaires = lists.flatten().filter_map(|luminaire| table(luminaire).ok());
-    luminaires.filter_map(|luminaire| text(entry(luminaire, PHOTOMETRY)?).ok()).collect()
+    let file = |luminaire: &Node| text(entry(table(luminaire).ok()?, PHOTOMETRY)?).ok();
+    lists.flat_map(|list| list.iter().filter_map(file).collect::<Vec<_>>()).collect()
 }
 
 /// The path of `name`, which starts from the folder of `file`, without detours.

@@ -65,7 +65,7 @@ type Parts<'a> = BTreeMap<&'a str, &'a PartFile>;
 fn check_names(instances: &[InstanceFile], source: &Source) -> Result<(), Located> {
     let mut names = UniqueNames::default();
     instances.iter().try_for_each(|InstanceFile { name, .. }| {
-        let added = names.add(&name.value, Some(source.line(name.span.start)));
+        let added = names.add(&name.value, source.line(name.span.start));
         added.map_err(|fault| Located::at(&name.span, fault))
     })
 }

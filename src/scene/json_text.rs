@@ -11,11 +11,8 @@ use serde_json::value::RawValue;
 use crate::scene::{
     error::{Fault, Located},
     place::{At, Span},
-    tree::{Node, Value},
+    tree::{DEEPEST, Node, Value},
 };
-
-/// Deeper nesting is refused; a scene needs six levels. Chosen; not tuned.
-const DEEPEST: usize = 32;
 
 /// Parses a JSON document.
 pub(super) fn parse(text: &str) -> Result<Node, Located> {
@@ -39,7 +36,7 @@ fn node(text: &str, raw: &RawValue, depth: usize) -> Result<Node, Located> {
         }
         Some(b'"') => Value::Text(inner(piece, &span)?),
         Some(b't' | b'f') => Value::Truth(inner(piece, &span)?),
-        Some(b'n') => Value::Other("null"),
+        Some(b'n') => Value::Other("null".into()),
         _ => Value::Number(piece.parse().unwrap_or(f64::NAN)),
     };
     Ok(At::new(value, &span))

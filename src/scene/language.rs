@@ -14,9 +14,12 @@ pub(super) enum Language {
 }
 
 impl Language {
-    /// The language of `source`.
+    /// The language of `source`; that of a tree made in code is JSON.
     pub(super) fn of(source: &Source) -> Self {
-        Self::of_text(&source.origin, &source.text)
+        match source.tree() {
+            None => Self::of_text(&source.origin, &source.text()),
+            Some(_) => Language::Json,
+        }
     }
 
     /// The language of the text `text` called `origin`; upper and lower case of its ending are the same.
@@ -24,7 +27,8 @@ impl Language {
         let ending = Path::new(origin).extension().unwrap_or_default().to_string_lossy();
         match ending.to_ascii_lowercase().as_str() {
             "json" => Language::Json,
-            "csv" => Language::Csv,
+            // A solution keeps a scene made in code as JSON, whatever its name; no row of a list is a bracket alone.
+            "csv" if text.lines().next() != Some("{") => Language::Csv,
             // No TOML starts like that.
             _ if text.trim_start().starts_with('{') => Language::Json,
             "toml" => Language::Toml,
@@ -36,10 +40,11 @@ impl Language {
 
     /// Whether `source` is a list of polygons, in whatever language.
     pub(super) fn is_polygon_list(source: &Source) -> bool {
-        match Language::of(source) {
-            Language::Toml => false,
-            Language::Json => source.text.trim_start().starts_with('['),
-            Language::Csv => true,
+        match (source.tree(), Language::of(source)) {
+            (Some(tree), _) => tree.items().is_some(),
+            (None, Language::Toml) => false,
+            (None, Language::Json) => source.text().trim_start().starts_with('['),
+            (None, Language::Csv) => true,
         }
     }
 }
@@ -64,6 +69,7 @@ mod tests {
             assert_eq!(language(origin, "[[1]]"), expected);
         }
         assert_eq!(language("a.toml", "\u{feff} {}"), Language::Json);
+        assert_eq!(language("a.csv", "{\n}"), Language::Json);
     }
 
     #[test]

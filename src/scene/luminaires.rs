@@ -31,7 +31,7 @@ pub(super) fn luminaires(
     let mut tables = Tables { source, known: BTreeMap::new() };
     let mut luminaire = |placed: &PlacedLuminaire<'_>| {
         let span = &placed.file.name.span;
-        let added = names.add(&placed.name, Some(source.line(span.start)));
+        let added = names.add(&placed.name, source.line(span.start));
         let own = added.map_err(|fault| Located::at(span, fault));
         let own = own.and_then(|()| luminaire(placed, bands, &mut tables));
         own.map_err(|error| error.within(|| luminaire_title(&placed.name)))
@@ -93,7 +93,7 @@ fn luminaire(
     if let Some(group) = group {
         own = own.in_group(&group.value).map_err(|fault| Located::at(&group.span, fault))?;
     }
-    Ok(Luminaire { place: Some(tables.source.place(span)), ..own.moved(motion) })
+    Ok(Luminaire { place: tables.source.place(span), ..own.moved(motion) })
 }
 
 /// What the light of a luminaire comes out of.

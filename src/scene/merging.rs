@@ -65,7 +65,7 @@ fn once<'a>(
 ) -> Result<(), Located> {
     let mut seen = UniqueNames::default();
     for name in names {
-        let added = seen.add(&name.value, Some(source.line(name.span.start)));
+        let added = seen.add(&name.value, source.line(name.span.start));
         added.map_err(|fault| Located::at(&name.span, fault).within(|| title(&name.value)))?;
     }
     Ok(())

@@ -96,7 +96,7 @@ fn path(file: &MotionFile, clock: Clock) -> Result<RigidPath, Located> {
 
 fn shift(file: &TranslateFile, clock: Clock) -> Result<Track<DVec3>, Located> {
     let TranslateFile { points, times, curve } = file;
-    let track = Track::new("points", points.value.clone(), given(times, points.value.len(), clock), *curve);
+    let track = Track::new("points", points.value.to_vec(), given(times, points.value.len(), clock), *curve);
     track.map_err(|fault| located(fault, times, &points.span))
 }
 

@@ -32,13 +32,13 @@ pub(super) struct Chosen {
     pub(super) span: Option<Span>,
 }
 
-/// The place of a mover in a file.
+/// The place of a mover in a file or a tree.
 #[derive(Debug)]
 pub(super) struct TypedMover {
-    pub(super) place: Place,
+    pub(super) place: Option<Place>,
     pub(super) span: Span,
     pub(super) name: Span,
-    pub(super) name_line: Line,
+    pub(super) name_line: Option<Line>,
 }
 
 impl MoverDraft {
@@ -151,7 +151,7 @@ pub(super) fn movers(drafts: Vec<MoverDraft>, clock: Clock, movable: &Movable) -
     let mut taken = Taken::default();
     let mut mover = |draft: MoverDraft| {
         let typed = draft.typed.as_ref();
-        let added = names.add(&draft.name, typed.map(|typed| typed.name_line.clone()));
+        let added = names.add(&draft.name, typed.and_then(|typed| typed.name_line.clone()));
         added.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         let mover = draft.resolved(movable)?;
         taken.take(&mover, movable).map_err(|fault| draft.located(None, fault))?;
@@ -202,7 +202,7 @@ impl MoverDraft {
             luminaires,
             camera: self.camera.is_some(),
             path: self.path.clone(),
-            place: self.typed.as_ref().map(|typed| typed.place.clone()),
+            place: self.typed.as_ref().and_then(|typed| typed.place.clone()),
         };
         match &self.camera {
             Some(span) if !movable.camera => Err(self.located(span.as_ref(), Fault::NoCamera)),

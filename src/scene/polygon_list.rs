@@ -12,9 +12,10 @@ use crate::scene::{
 
 const COLUMNS: [&str; 4] = ["name", "x", "y", "z"];
 
-/// The tree of a scene with one surface for each item of a JSON list.
-pub(super) fn from_list(polygons: &[Node], span: &Span) -> Node {
-    scene(polygons.iter().map(|vertices| surface(None, vertices.clone())).collect(), span)
+/// The tree of a scene with one surface for each item of a list; none of what is no list.
+pub(super) fn from_list(polygons: &Node) -> Option<Node> {
+    let surfaces = polygons.items()?.iter().map(|vertices| surface(None, vertices.clone())).collect();
+    Some(scene(surfaces, &polygons.span))
 }
 
 /// The tree of a scene with the polygons of a CSV text.
@@ -78,7 +79,9 @@ fn fields(text: &str, row: &Row) -> Result<Vec<At<String>>, Located> {
 fn vertex(fields: &[At<String>]) -> Result<Node, Located> {
     let number = |field: &At<String>| match field.value.parse() {
         Ok(number) => Ok(At::new(Value::Number(number), &field.span)),
-        Err(_) => Err(Located::at(&field.span, Fault::WrongType { expected: "a number", found: "a text" })),
+        Err(_) => {
+            Err(Located::at(&field.span, Fault::WrongType { expected: "a number", found: "a text".into() }))
+        }
     };
     let point: Vec<Node> = fields[1..].iter().map(number).collect::<Result<_, _>>()?;
     let span = fields[1].span.start..fields[3].span.end;

@@ -2,6 +2,7 @@
 //!
 //! The lists and tables of a scene stand on lines of their own, each surface on one.
 
+use radiosity_geom::DVec3;
 use toml::Value as TomlValue;
 
 use crate::scene::{
@@ -118,6 +119,7 @@ fn toml_inline(node: &Node, text: &mut String) {
             separated(items, text, toml_inline);
             text.push(']');
         }
+        Value::Points(points) => points_text(points, text),
         Value::Table(entries) => {
             text.push_str("{ ");
             separated(entries, text, |(key, own), text| {
@@ -187,6 +189,7 @@ fn json_inline(node: &Node, text: &mut String) {
             separated(items, text, json_inline);
             text.push(']');
         }
+        Value::Points(points) => points_text(points, text),
         Value::Table(entries) => {
             text.push('{');
             separated(entries, text, |(key, own), text| {
@@ -210,6 +213,17 @@ fn separated<T>(items: &[T], text: &mut String, write: impl Fn(&T, &mut String))
     }
 }
 
+/// A list of points, which TOML and JSON write alike.
+fn points_text(points: &[DVec3], text: &mut String) {
+    text.push('[');
+    separated(points, text, |point, text| {
+        text.push('[');
+        separated(&point.to_array(), text, |number, text| text.push_str(&number_text(*number)));
+        text.push(']');
+    });
+    text.push(']');
+}
+
 fn json_text(text: &str) -> String {
     serde_json::Value::String(text.to_owned()).to_string()
 }
@@ -217,12 +231,20 @@ fn json_text(text: &str) -> String {
 /// What TOML and JSON write alike.
 fn plainly(value: &Value) -> String {
     match value {
-        Value::Number(number) if number.fract() == 0.0 && number.abs() < LARGE => format!("{number}"),
-        Value::Number(number) if (SMALL..LARGE).contains(&number.abs()) => format!("{number}"),
-        Value::Number(number) => format!("{number:e}"),
+        Value::Number(number) => number_text(*number),
         Value::Truth(truth) => truth.to_string(),
         Value::Formula(formula) => json_text(&formula.text),
-        Value::Other(_) | Value::Text(_) | Value::List(_) | Value::Table(_) => "null".to_owned(),
+        Value::Other(_) | Value::Text(_) | Value::List(_) | Value::Points(_) | Value::Table(_) => {
+            "null".to_owned()
+        }
+    }
+}
+
+fn number_text(number: f64) -> String {
+    let is_whole = number.fract() == 0.0 && number.abs() < LARGE;
+    match is_whole || (SMALL..LARGE).contains(&number.abs()) {
+        true => format!("{number}"),
+        false => format!("{number:e}"),
     }
 }
 

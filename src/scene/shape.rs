@@ -11,7 +11,7 @@ use radiosity_geom::Motion;
 use crate::scene::{
     error::{Fault, Located},
     fields::{Fields, Reader},
-    place::Span,
+    place::{At, Span},
     tree::{Node, Value},
 };
 use form::{Built, Form, Modelled};
@@ -51,7 +51,15 @@ pub(super) struct ShapeFile {
     /// Where its value stands.
     pub span: Span,
     form: Box<dyn Form>,
-    fields: Vec<(String, Span)>,
+    fields: Vec<FieldPlaces>,
+}
+
+/// Where a field of a shape stands, and its items, if it is a list.
+#[derive(Debug)]
+struct FieldPlaces {
+    key: String,
+    span: Span,
+    items: Vec<Span>,
 }
 
 impl ShapeFile {
@@ -61,7 +69,7 @@ impl ShapeFile {
         match SHAPES.iter().filter_map(given).collect::<Vec<_>>()[..] {
             [] => Err(Located::at(surface.span(), Fault::MissingShape)),
             [(kind, node, read)] => {
-                Ok(ShapeFile { kind, span: node.span.clone(), form: read(node)?, fields: field_spans(node) })
+                Ok(ShapeFile { kind, span: node.span.clone(), form: read(node)?, fields: field_places(node) })
             }
             [(first, ..), (second, node, _), ..] => {
                 Err(Located::at(&node.span, Fault::TwoShapes { first, second }))
@@ -86,20 +94,23 @@ impl ShapeFile {
 
     /// The place of the field that a shape error names (`vertices`, `holes[1]`); the whole shape if there is none.
     pub(super) fn span_of(&self, field: &str) -> &Span {
-        self.fields.iter().find(|(name, _)| name == field).map_or(&self.span, |(_, span)| span)
+        let (key, item) = field.split_once('[').unwrap_or((field, ""));
+        let index = item.strip_suffix(']').and_then(|index| index.parse::<usize>().ok());
+        match (self.fields.iter().find(|own| own.key == key), index) {
+            (None, _) => &self.span,
+            (Some(own), None) => &own.span,
+            (Some(own), Some(index)) => own.items.get(index).unwrap_or(&self.span),
+        }
     }
 }
 
-/// Every field of a shape and, where it is a list, every item: `holes`, `holes[0]`, …
-fn field_spans(node: &Node) -> Vec<(String, Span)> {
+/// Where every field of a shape stands.
+fn field_places(node: &Node) -> Vec<FieldPlaces> {
     let Value::Table(entries) = &node.value else { return Vec::new() };
-    let mut spans = Vec::new();
-    for (key, value) in entries {
-        spans.push((key.value.clone(), value.span.clone()));
-        if let Value::List(items) = &value.value {
-            let items = items.iter().enumerate();
-            spans.extend(items.map(|(k, item)| (format!("{}[{k}]", key.value), item.span.clone())));
-        }
-    }
-    spans
+    let places = |(key, value): &(At<String>, Node)| FieldPlaces {
+        key: key.value.clone(),
+        span: value.span.clone(),
+        items: value.item_places(),
+    };
+    entries.iter().map(places).collect()
 }

@@ -1,22 +1,24 @@
-//! The text a scene is read from, and places in it.
+//! What a scene is read from, a text or a tree made in code, and places in it.
 
-use std::{collections::BTreeMap, sync::Arc};
+use std::{borrow::Cow, collections::BTreeMap, sync::Arc};
 
 use crate::scene::{
+    error::{Fault, Located, SceneError},
     imported::Imported,
+    numbering::{numbered, path, repeated_key},
     place::{Line, LineIndex, Place, Span},
+    print::Notation,
+    tree::{Node, Tree},
 };
 
 /// A mark that some editors put before a text.
 const BYTE_ORDER_MARK: char = '\u{feff}';
 
-/// A scene's text with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
+/// A scene's text, or a tree made in code, with the name shown in messages: a path, `<stdin>` or a built-in scene's name.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Source {
     /// Name shown in messages.
     pub origin: Arc<str>,
-    /// The whole text, without a byte-order mark before it.
-    pub text: Arc<str>,
     /// Distance (scene length) within which corners and planes are made to agree, instead of that of the input.
     pub tolerance: Option<f64>,
     /// Values of its variables, by name, instead of those that the text gives them.
@@ -31,7 +33,16 @@ pub struct Source {
     pictures: Arc<BTreeMap<String, Arc<[u8]>>>,
     /// Whether files that it includes may be read.
     reads_files: bool,
-    index: LineIndex,
+    content: Content,
+}
+
+/// What stands in a source.
+#[derive(Clone, Debug, PartialEq)]
+enum Content {
+    /// A text, without a byte-order mark before it.
+    Text(Arc<str>, LineIndex),
+    /// A tree in which numbers are the places.
+    Tree(Arc<Node>),
 }
 
 /// A text that another includes. In places of the whole its bytes come behind those of the texts before it.
@@ -48,9 +59,29 @@ impl Source {
     /// The text `text`, called `origin` in messages.
     pub fn new(origin: &str, text: &str) -> Self {
         let text = without_mark(text);
+        Source::of(origin, Content::Text(text.into(), LineIndex::of(text)))
+    }
+
+    /// A scene made in code, called `name` in messages, in which values are found by their names.
+    ///
+    /// # Errors
+    /// [`Fault::TooDeep`], [`Fault::RepeatedKey`].
+    pub fn of_tree(name: &str, tree: Tree) -> Result<Self, SceneError> {
+        let Tree(mut tree) = tree;
+        numbered(&mut tree).map_err(|fault| Located::nowhere(fault).in_code(name))?;
+        let repeated = repeated_key(&tree);
+        let repeated =
+            repeated.map(|key| Located::at(&key.span, Fault::RepeatedKey { key: key.value.clone() }));
+        let source = Source::of(name, Content::Tree(Arc::new(tree)));
+        match repeated {
+            None => Ok(source),
+            Some(located) => Err(located.in_source(&source)),
+        }
+    }
+
+    fn of(origin: &str, content: Content) -> Self {
         Source {
             origin: origin.into(),
-            text: text.into(),
             tolerance: None,
             settings: Arc::default(),
             moment: None,
@@ -58,7 +89,31 @@ impl Source {
             included: Arc::default(),
             pictures: Arc::default(),
             reads_files: false,
-            index: LineIndex::of(text),
+            content,
+        }
+    }
+
+    /// The whole text, without a byte-order mark before it; of a tree made in code its text in JSON.
+    pub fn text(&self) -> Cow<'_, str> {
+        match &self.content {
+            Content::Text(text, _) => Cow::Borrowed(text),
+            Content::Tree(tree) => Cow::Owned(Notation::Json.text(tree)),
+        }
+    }
+
+    /// The tree that was made in code, if it is no text.
+    pub(super) fn tree(&self) -> Option<&Arc<Node>> {
+        match &self.content {
+            Content::Text(..) => None,
+            Content::Tree(tree) => Some(tree),
+        }
+    }
+
+    /// Places in it: bytes of a text, or numbers in a tree.
+    fn extent(&self) -> usize {
+        match &self.content {
+            Content::Text(text, _) => text.len(),
+            Content::Tree(tree) => tree.span.end,
         }
     }
 
@@ -135,7 +190,7 @@ impl Source {
 
     /// Adds a text that it includes. Returns its first byte in places of the whole.
     pub(super) fn include(&mut self, origin: &str, text: &str) -> usize {
-        let last = self.included.last().map_or(self.text.len(), |last| last.base + last.text.len());
+        let last = self.included.last().map_or(self.extent(), |last| last.base + last.text.len());
         let (text, base) = (without_mark(text), last + 1);
         let index = LineIndex::of(text);
         let included = Included { origin: origin.into(), text: text.into(), base, index };
@@ -160,26 +215,53 @@ impl Source {
         self.included_at(index).map_or(&*self.origin, |own| &*own.origin)
     }
 
-    /// The line on which `index` stands.
-    pub(super) fn line(&self, index: usize) -> Line {
-        match self.included_at(index) {
-            Some(own) => {
+    /// The line on which `index` stands; none in a tree.
+    pub(super) fn line(&self, index: usize) -> Option<Line> {
+        match (self.included_at(index), &self.content) {
+            (Some(own), _) => {
                 let number = own.index.line(index - own.base, own.text.len());
-                Line { number, file: Some(Arc::clone(&own.origin)) }
+                Some(Line { number, file: Some(Arc::clone(&own.origin)) })
             }
-            None => Line { number: self.index.line(index, self.text.len()), file: None },
+            (None, Content::Text(text, lines)) => {
+                Some(Line { number: lines.line(index, text.len()), file: None })
+            }
+            (None, Content::Tree(_)) => None,
         }
     }
 
-    /// The place where `span` starts. A span over several lines is cut at the end of its first.
-    pub(super) fn place(&self, span: &Span) -> Place {
-        match self.included_at(span.start) {
-            Some(own) => {
+    /// The place where `span` starts; none in a tree. A span over several lines is cut at the end of its first.
+    pub(super) fn place(&self, span: &Span) -> Option<Place> {
+        match (self.included_at(span.start), &self.content) {
+            (Some(own), _) => {
                 let span = span.start - own.base..span.end.saturating_sub(own.base);
-                own.index.place(&own.origin, &own.text, &span)
+                Some(own.index.place(&own.origin, &own.text, &span))
             }
-            None => self.index.place(&self.origin, &self.text, span),
+            (None, Content::Text(text, lines)) => Some(lines.place(&self.origin, text, span)),
+            (None, Content::Tree(_)) => None,
         }
+    }
+
+    /// What messages call the value at `span` of the part `owner`: the part, and in a tree the path of names from there.
+    fn owner(&self, span: &Span, owner: Option<String>) -> Option<String> {
+        let (None, Content::Tree(tree)) = (self.included_at(span.start), &self.content) else { return owner };
+        let path = path(tree, span.start, owner.is_some());
+        match (owner, path.is_empty()) {
+            (owner, true) => owner,
+            (None, false) => Some(path),
+            (Some(owner), false) => Some(format!("{owner}, {path}")),
+        }
+    }
+}
+
+impl Located {
+    /// Looks the place up in what the scene is read from.
+    pub(super) fn in_source(self, source: &Source) -> SceneError {
+        let Located { fault, span, owner } = self;
+        let (place, owner) = match span {
+            Some(span) => (source.place(&span).map(Box::new), source.owner(&span, owner)),
+            None => (None, owner),
+        };
+        SceneError { origin: source.origin.to_string(), place, owner, fault }
     }
 }
 

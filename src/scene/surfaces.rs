@@ -64,7 +64,7 @@ fn named(drafts: &[SurfaceDraft]) -> Result<(Vec<SceneSurface>, Vec<Maker>), Loc
         let shapes = draft.shapes.iter().map(|shape| draft.sides(shape, &mut outlooks));
         let shapes: Vec<Vec<SceneSurface>> = shapes.collect();
         for side in shapes.iter().flatten() {
-            let name = names.add(&side.name, typed.map(|typed| typed.name_line.clone()));
+            let name = names.add(&side.name, typed.and_then(|typed| typed.name_line.clone()));
             name.map_err(|fault| draft.located(typed.map(|typed| &typed.name), fault))?;
         }
         for sides in shapes {

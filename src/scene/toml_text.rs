@@ -28,7 +28,7 @@ fn node(spanned: Spanned<DeValue<'_>>) -> Node {
         DeValue::Integer(integer) => Value::Number(integer_value(integer.as_str(), integer.radix())),
         DeValue::Float(float) => Value::Number(float.as_str().parse().unwrap_or(f64::NAN)),
         DeValue::Boolean(truth) => Value::Truth(truth),
-        DeValue::Datetime(_) => Value::Other("a date"),
+        DeValue::Datetime(_) => Value::Other("a date".into()),
         DeValue::Array(items) => Value::List(items.into_iter().map(node).collect()),
         DeValue::Table(table) => table_value(table),
     };

@@ -42,7 +42,7 @@ pub(super) fn bands(
         let usual: &[&str] = if is_grey { &["grey"] } else { &["r", "g", "b"] };
         return Ok(usual.iter().map(|name| (*name).to_owned()).collect());
     };
-    let lines = names.value.iter().map(|name| Some(source.line(name.span.start)));
+    let lines = names.value.iter().map(|name| source.line(name.span.start));
     check_bands(names.value.iter().map(|name| name.value.as_str()).zip(lines)).map_err(
         |(index, fault)| {
             let span = names.value.get(index).map_or(&names.span, |name| &name.span);

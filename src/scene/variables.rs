@@ -42,7 +42,7 @@ impl Variables {
         let mut unique = UniqueNames::default();
         for (name, _) in &entries {
             check_name(name)?;
-            let added = unique.add(&name.value, Some(source.line(name.span.start)));
+            let added = unique.add(&name.value, source.line(name.span.start));
             added.map_err(|fault| Located::at(&name.span, fault))?;
         }
         let names = entries.iter().map(|(name, _)| name.value.clone()).collect();
@@ -130,11 +130,17 @@ impl Variables {
         self.names.iter().filter_map(value).collect()
     }
 
-    /// Evaluates every text in `node` that begins with `=`. What comes out counts only where a number is read.
-    pub(super) fn fill(&self, node: &mut Node) {
+    /// Evaluates every text in `tree` that begins with `=`. What comes out counts only where a number is read.
+    pub(super) fn fill(&self, tree: &mut Arc<Node>) {
+        if has_formula(tree) {
+            self.fill_in(Arc::make_mut(tree));
+        }
+    }
+
+    fn fill_in(&self, node: &mut Node) {
         match &mut node.value {
-            Value::List(items) => items.iter_mut().for_each(|item| self.fill(item)),
-            Value::Table(entries) => entries.iter_mut().for_each(|(_, item)| self.fill(item)),
+            Value::List(items) => items.iter_mut().for_each(|item| self.fill_in(item)),
+            Value::Table(entries) => entries.iter_mut().for_each(|(_, item)| self.fill_in(item)),
             Value::Text(text) if text.starts_with(MARK) => {
                 *node = evaluated(node, &|name| self.value(name));
             }
@@ -188,6 +194,15 @@ fn evaluated(node: &Node, variable: &dyn Fn(&str) -> Result<f64, Fault>) -> Node
     let outcome = formula::value(formula, variable);
     let outcome = outcome.map_err(|fault| At::new(fault.value, &place(&node.span, text, &fault.span)));
     At::new(Value::Formula(Box::new(Formula { text: text.to_owned(), outcome })), &node.span)
+}
+
+/// Whether a formula stands anywhere in `node`.
+fn has_formula(node: &Node) -> bool {
+    match &node.value {
+        Value::List(items) => items.iter().any(has_formula),
+        Value::Table(entries) => entries.iter().any(|(_, item)| has_formula(item)),
+        _ => formula_of(node).is_some(),
+    }
 }
 
 /// The text of a node and the formula in it.

@@ -286,7 +286,7 @@ fn ies(gammas: &[f64], candela: impl Fn(f64) -> f64) -> String {
 fn room_with_table(table: &str) -> Scene {
     let spot = "spot = { exponent = 1 }\nflux = 1\n";
     let scene = room(0.5, &format!("[[luminaires]]\nposition = [2, 2, 2.2]\n{spot}"));
-    let text = scene.source.expect("it was read").text.replace(spot, "photometry = \"lamp.ies\"\n");
+    let text = scene.source.expect("it was read").text().replace(spot, "photometry = \"lamp.ies\"\n");
     Scene::parse(&Source::new("room", &text).including("lamp.ies", table)).expect("a scene")
 }
 

@@ -270,7 +270,7 @@ fn areas_move_with_their_luminaires() {
              extent = [0.8, 0.3]\n"
         )
     };
-    let still = alone(&entry(0.0, ""), "").source.expect("it was read").text;
+    let still = alone(&entry(0.0, ""), "").source.expect("it was read").text().into_owned();
     // About y by -90 degrees, −z becomes x, and x becomes z.
     let turn = "rotate = { center = [0, 0, 2], axis = [0, 1, 0], angles = [0, -90] }\n";
     let point = [(V::new(1.6, 0.2, 1.9), V::new(-1.0, 0.0, 1.0))];

@@ -159,7 +159,7 @@ fn texts() -> Vec<(String, bool)> {
         let tree: toml::Value = toml::from_str(text).unwrap();
         serde_json::to_string_pretty(&tree).unwrap()
     };
-    let built_in = BUILT_IN.map(|name| Scene::text_of(name, &[]).unwrap().text.to_string());
+    let built_in = BUILT_IN.map(|name| Scene::text_of(name, &[]).unwrap().text().to_string());
     let texts = built_in.into_iter().chain([include_str!("../data/every-shape.toml").to_owned()]);
     let texts: Vec<String> = texts.collect();
     texts.iter().flat_map(|text| [(text.clone(), false), (json(text), true)]).collect()

@@ -58,7 +58,7 @@ fn whatever_is_a_scene_is_accepted() {
     assert!(documented.len() > 20, "{} scenes of the document", documented.len());
     documented.iter().for_each(|scene| accepted(&validator, scene));
     for name in Scene::builtin_names() {
-        accepted(&validator, &of_toml(&Scene::text_of(name, &[]).unwrap().text));
+        accepted(&validator, &of_toml(&Scene::text_of(name, &[]).unwrap().text()));
     }
     for file in ["tests/data/every-shape.toml", "examples/office.toml", "examples/textured-room.toml"] {
         let text = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(file)).unwrap();

@@ -45,7 +45,7 @@ pub fn is_solution(text: &str) -> bool {
 /// # Errors
 /// A text that is damaged, of another version, or does not fit the scene in it.
 pub fn read(source: &Source) -> Result<Solved, SolutionError> {
-    parse(&source.text)
+    parse(&source.text())
         .and_then(SolutionFile::solved)
         .map_err(|fault| SolutionError { origin: source.origin.to_string(), fault })
 }

@@ -136,7 +136,7 @@ impl SolutionFile {
             scene: SavedScene {
                 name: scene.name.clone(),
                 origin: scene.origin.clone(),
-                text: scene.source.as_ref().map(|source| source.text.to_string()),
+                text: scene.source.as_ref().map(|source| source.text().into_owned()),
                 included: included(scene),
                 pictures: pictures(scene),
                 tolerance: scene.source.as_ref().and_then(|source| source.tolerance),

@@ -128,7 +128,7 @@ fn extent(node: &Node) -> Result<At<ExtentFile>, Located> {
                 false => Err(Located::at(&node.span, fault)),
             };
         }
-        Value::List(_) => Extent::rectangle(exactly(node, "an extent", "sides", real)?),
+        Value::List(_) | Value::Points(_) => Extent::rectangle(exactly(node, "an extent", "sides", real)?),
         _ => Extent::disk(real(node)?),
     };
     let typed = typed.map_err(|fault| Located::at(&node.span, fault))?;

@@ -1,13 +1,15 @@
 //! Motions as typed.
 
+use std::sync::Arc;
+
 use radiosity_geom::DVec3;
 
 use crate::scene::{
     error::{Fault, Located, motion_title},
-    fields::{Fields, exactly, list, point, points, real, table, text, truth},
+    fields::{Fields, exactly, list, point, points, real, table, text, texts, truth},
     place::{At, Span},
     track::Curve,
-    tree::{Node, Value, entry},
+    tree::{Node, entry},
 };
 
 /// The key of the list of motions.
@@ -30,7 +32,7 @@ pub(in crate::scene) struct MotionFile {
 /// `translate = { … }`.
 #[derive(Debug)]
 pub(in crate::scene) struct TranslateFile {
-    pub points: At<Vec<DVec3>>,
+    pub points: At<Arc<Vec<DVec3>>>,
     pub times: Option<At<Vec<f64>>>,
     pub curve: Curve,
 }
@@ -74,9 +76,9 @@ fn read_motion(node: &Node, unnamed: &str) -> Result<MotionFile, Located> {
     let rest = || {
         Ok(MotionFile {
             span: fields.span().clone(),
-            surfaces: fields.optional("surfaces", names)?.unwrap_or_default(),
-            instances: fields.optional("instances", names)?.unwrap_or_default(),
-            luminaires: fields.optional("luminaires", names)?.unwrap_or_default(),
+            surfaces: fields.optional("surfaces", texts)?.unwrap_or_default(),
+            instances: fields.optional("instances", texts)?.unwrap_or_default(),
+            luminaires: fields.optional("luminaires", texts)?.unwrap_or_default(),
             camera: match fields.get("camera") {
                 Some(node) => truth(node)?.then(|| node.span.clone()),
                 None => None,
@@ -87,14 +89,6 @@ fn read_motion(node: &Node, unnamed: &str) -> Result<MotionFile, Located> {
         })
     };
     rest().map_err(|error: Located| error.within(|| motion_title(&name.value)))
-}
-
-/// A list of names, or one.
-fn names(node: &Node) -> Result<Vec<At<String>>, Located> {
-    match &node.value {
-        Value::List(items) => items.iter().map(text).collect(),
-        _ => Ok(vec![text(node)?]),
-    }
 }
 
 fn read_translate(node: &Node) -> Result<TranslateFile, Located> {

@@ -10,7 +10,7 @@ use crate::scene::{
     names::check_text,
     place::{At, Span},
     ranges::check_copies,
-    tree::{Node, Value},
+    tree::Node,
 };
 
 /// `[parts.NAME]`.
@@ -91,12 +91,12 @@ fn read_instance(index: usize, node: &Node, prefix: &str) -> Result<InstanceFile
 fn read_array(node: &Node) -> Result<ArrayFile, Located> {
     let fields = Fields::new(node, &["count", "step"])?;
     let (count, step) = (fields.node("count")?, fields.node("step")?);
-    let (counts, steps) = match &count.value {
-        Value::List(items) => {
+    let (counts, steps) = match count.items() {
+        Some(items) => {
             let counts = items.iter().map(copies).collect::<Result<Vec<_>, _>>()?;
-            (counts, points(step)?)
+            (counts, points(step)?.to_vec())
         }
-        _ => (vec![copies(count)?], vec![point(step)?]),
+        None => (vec![copies(count)?], vec![point(step)?]),
     };
     if !(1..=3).contains(&counts.len()) {
         let fault =

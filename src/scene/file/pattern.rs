@@ -143,13 +143,9 @@ fn refuse_others(fields: &Fields<'_>, kind: &PatternKind) -> Result<(), Located>
 
 /// One list for all bands, or a list of such with one per band: lists of numbers are in it, or lists of those.
 fn each_band<T>(node: &Node, read: fn(&Node) -> Result<T, Located>) -> Result<EachBand<T>, Located> {
-    let is_list = |node: Option<&Node>| node.is_some_and(|node| matches!(node.value, Value::List(_)));
     let items = list(node)?;
-    let first = match items.first().map(|node| &node.value) {
-        Some(Value::List(inner)) => inner.first(),
-        _ => None,
-    };
-    match is_list(first) {
+    let first = items.first().and_then(Node::items);
+    match first.is_some_and(|inner| inner.first().is_some_and(|node| node.items().is_some())) {
         true => Ok(EachBand::Each(items.iter().map(read).collect::<Result<_, _>>()?)),
         false => read(node).map(EachBand::All),
     }
@@ -167,7 +163,7 @@ fn cells(node: &Node) -> Result<Vec<Vec<At<f64>>>, Located> {
         let fault = wrong("the list of cells", "rows of numbers, such as [[0.2, 0.8], [0.8, 0.2]]", 0);
         return Err(Located::at(&node.span, fault));
     }
-    match rows.iter().zip(nodes).find(|(row, _)| row.len() != count) {
+    match rows.iter().zip(nodes.iter()).find(|(row, _)| row.len() != count) {
         Some((row, node)) => {
             let fault = wrong("a row of cells", &format!("{count} numbers, as the first row has"), row.len());
             Err(Located::at(&node.span, fault))
@@ -183,7 +179,7 @@ fn terms(node: &Node) -> Result<Vec<Term>, Located> {
 
 fn term(node: &Node) -> Result<Term, Located> {
     let items = list(node)?;
-    let [u, v, factor] = items else {
+    let [u, v, factor] = &items[..] else {
         let expected = "three numbers, the powers of u and of v and a factor".to_owned();
         return Err(Located::at(
             &node.span,
@@ -197,9 +193,9 @@ fn term(node: &Node) -> Result<Term, Located> {
 
 /// One number, or one along u and one along v.
 fn scale(node: &Node) -> Result<[f64; 2], Located> {
-    match &node.value {
-        Value::List(_) => exactly(node, "the scale", "numbers, along u and along v", real),
-        _ => Ok([real(node)?; 2]),
+    match node.items() {
+        Some(_) => exactly(node, "the scale", "numbers, along u and along v", real),
+        None => Ok([real(node)?; 2]),
     }
 }
 

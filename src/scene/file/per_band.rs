@@ -4,7 +4,7 @@ use crate::scene::{
     error::Located,
     fields::number,
     place::{At, Span},
-    tree::{Node, Value},
+    tree::Node,
 };
 
 /// One number for all bands, or a list with one per band.
@@ -31,11 +31,11 @@ impl PerBand {
 
 /// Reads either.
 pub(in crate::scene) fn per_band(node: &Node) -> Result<PerBand, Located> {
-    match &node.value {
-        Value::List(items) => {
+    match node.items() {
+        Some(items) => {
             let values = items.iter().map(number).collect::<Result<_, _>>()?;
             Ok(PerBand::Each(At::new(values, &node.span)))
         }
-        _ => Ok(PerBand::All(number(node)?)),
+        None => Ok(PerBand::All(number(node)?)),
     }
 }

@@ -2,6 +2,8 @@
 //!
 //! A motion is applied to the corners, so that planar shapes stay as exact as they are typed.
 
+use std::sync::Arc;
+
 use radiosity_formats::model::Shape;
 use radiosity_geom::{
     DVec3, Motion, Surface,
@@ -10,26 +12,26 @@ use radiosity_geom::{
 
 use crate::scene::{
     error::Located,
-    fields::{Fields, exactly, list, point, points},
+    fields::{Fields, corners, list, point, points},
     shape::form::{Built, Form, Modelled, one},
     tree::Node,
 };
 
-/// Outlines of holes, each a list of points.
-type Holes = Vec<Vec<DVec3>>;
+/// Corners of an outline, shared with the tree where it holds them as such.
+type Outline = Arc<Vec<DVec3>>;
 
 #[derive(Debug)]
 struct ParallelogramFile {
     origin: DVec3,
     edge1: DVec3,
     edge2: DVec3,
-    holes: Holes,
+    holes: Vec<Outline>,
 }
 
 #[derive(Debug)]
 struct QuadFile {
     vertices: [DVec3; 4],
-    holes: Holes,
+    holes: Vec<Outline>,
 }
 
 #[derive(Debug)]
@@ -39,8 +41,8 @@ struct TriangleFile {
 
 #[derive(Debug)]
 struct PolygonFile {
-    vertices: Vec<DVec3>,
-    holes: Holes,
+    vertices: Outline,
+    holes: Vec<Outline>,
 }
 
 pub(super) fn parallelogram(node: &Node) -> Result<Box<dyn Form>, Located> {
@@ -55,13 +57,13 @@ pub(super) fn parallelogram(node: &Node) -> Result<Box<dyn Form>, Located> {
 
 pub(super) fn quad(node: &Node) -> Result<Box<dyn Form>, Located> {
     let fields = Fields::new(node, &["vertices", "holes"])?;
-    let vertices = fields.require("vertices", |node| exactly(node, "a quad", "vertices", point))?;
+    let vertices = fields.require("vertices", |node| corners(node, "a quad", "vertices"))?;
     Ok(Box::new(QuadFile { vertices, holes: holes(&fields)? }))
 }
 
 pub(super) fn triangle(node: &Node) -> Result<Box<dyn Form>, Located> {
     let fields = Fields::new(node, &["vertices"])?;
-    let vertices = fields.require("vertices", |node| exactly(node, "a triangle", "vertices", point))?;
+    let vertices = fields.require("vertices", |node| corners(node, "a triangle", "vertices"))?;
     Ok(Box::new(TriangleFile { vertices }))
 }
 
@@ -70,7 +72,7 @@ pub(super) fn polygon(node: &Node) -> Result<Box<dyn Form>, Located> {
     Ok(Box::new(PolygonFile { vertices: fields.require("vertices", points)?, holes: holes(&fields)? }))
 }
 
-fn holes(fields: &Fields<'_>) -> Result<Holes, Located> {
+fn holes(fields: &Fields<'_>) -> Result<Vec<Outline>, Located> {
     let holes = fields.optional("holes", |node| list(node)?.iter().map(points).collect())?;
     Ok(holes.unwrap_or_default())
 }
@@ -123,14 +125,14 @@ impl Form for PolygonFile {
 }
 
 /// The surface with its holes cut out; its parameters stay those of the whole.
-fn cut(outer: impl Surface + 'static, holes: &Holes, motion: &Motion) -> Built {
+fn cut(outer: impl Surface + 'static, holes: &[Outline], motion: &Motion) -> Built {
     match holes.is_empty() {
         true => one(outer),
         false => one(Trimmed::new(Box::new(outer), rings(holes, motion))?),
     }
 }
 
-fn polygon_model(outline: &[DVec3], holes: &[Vec<DVec3>], motion: &Motion) -> Shape {
+fn polygon_model(outline: &[DVec3], holes: &[Outline], motion: &Motion) -> Shape {
     Shape::Polygon { outline: ring(outline, motion), holes: rings(holes, motion) }
 }
 
@@ -138,6 +140,6 @@ fn ring(points: &[DVec3], motion: &Motion) -> Vec<DVec3> {
     points.iter().map(|point| motion.point(*point)).collect()
 }
 
-fn rings(holes: &[Vec<DVec3>], motion: &Motion) -> Holes {
+fn rings(holes: &[Outline], motion: &Motion) -> Vec<Vec<DVec3>> {
     holes.iter().map(|hole| ring(hole, motion)).collect()
 }
