@@ -25,6 +25,7 @@ mod scene_format;
 mod schema;
 mod shapes;
 mod textures;
+mod trees;
 mod triangles;
 mod two_sides;
 mod variables;
