@@ -11,6 +11,7 @@ from ._radiosity import Error
 from .arguments import finite
 
 Numbers = NDArray[np.float64]
+Whole = NDArray[np.int64]
 
 
 def numbers(what: str, given: ArrayLike, shape: tuple[int | str, ...]) -> Numbers:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
@@ -14,7 +13,7 @@ from . import _radiosity
 from ._radiosity import Error
 from .arguments import array_of, named_numbers, path, texts
 from .arguments import text as checked_text
-from .arrays import numbers, polygons, vector
+from .arrays import Numbers, Whole, numbers, polygons, vector
 from .heat import Heat
 from .progress import Observer, Shown
 from .solution import Solution
@@ -38,7 +37,7 @@ class Scene:
         scene.disk("lamp", lamp, center=[0.8, 0.4, 1.5], normal=[0, 0, -1], radius=0.2)
         solution = scene.solve(accuracy=1e-2)
 
-    Parts are checked together when the scene is first used; nothing can be added from then on.
+    Parts are checked together, and arrays are copied, when the scene is first used; nothing can be added from then on.
     """
 
     def __init__(
@@ -73,7 +72,8 @@ class Scene:
     def _native(self) -> _radiosity.Scene:
         """The valid scene; everything is checked the first time."""
         if self._valid is None:
-            self._valid = _radiosity.parse(json.dumps(self._parts, default=_plain), self._label)
+            self._valid = _radiosity.made(self._parts, self._label)
+            self._parts.clear()
         return self._valid
 
     def _add(self, part: str) -> Any:
@@ -109,8 +109,14 @@ class Scene:
 
     def polygons(self, name: str, vertices: ArrayLike, material: str | None = None, **keys: Any) -> None:
         """Adds flat polygons, an array (n, k, 3) or a list of arrays (k, 3), as `name-1`, `name-2` and so on."""
-        for index, outline in enumerate(polygons(vertices), 1):
-            self.polygon(f"{name}-{index}", outline, material, **keys)
+        if not isinstance(vertices, np.ndarray) or vertices.dtype == object:
+            for index, outline in enumerate(polygons(vertices), 1):
+                self.polygon(f"{name}-{index}", outline, material, **keys)
+        else:
+            outlines = numbers("polygons", vertices, ("n", "k", 3))
+            count, corners, _ = outlines.shape
+            indices = np.arange(count * corners, dtype=np.int64).reshape(count, corners)
+            self._faces(name, "polygon", outlines.reshape(-1, 3), indices, material, keys)
 
     def triangles(
         self, name: str, vertices: ArrayLike, faces: ArrayLike, material: str | None = None, **keys: Any
@@ -122,8 +128,13 @@ class Scene:
             raise Error(f"faces: an array of shape {indices.shape} of {indices.dtype} instead of (f, 3) of whole numbers")
         if indices.size and not (0 <= indices.min() and indices.max() < len(corners)):
             raise Error(f"faces: indices from {indices.min()} to {indices.max()}, of {len(corners)} vertices")
-        for index, outline in enumerate(corners[indices], 1):
-            self.surface(f"{name}-{index}", material, triangle={"vertices": outline}, **keys)
+        self._faces(name, "triangle", corners, np.asarray(indices, np.int64), material, keys)
+
+    def _faces(
+        self, name: str, shape: str, vertices: Numbers, corners: Whole, material: str | None, keys: dict[str, Any]
+    ) -> None:
+        faces = _radiosity.Faces(name, shape, vertices, corners, _known(material=material, **keys))
+        self._add("surfaces")["surfaces"].append(faces)
 
     def parallelogram(
         self, name: str, material: str | None, *, origin: ArrayLike, edge1: ArrayLike, edge2: ArrayLike, **keys: Any
@@ -251,13 +262,6 @@ class Scene:
 def _known(**keys: Any) -> dict[str, Any]:
     """What is not None."""
     return {key: value for key, value in keys.items() if value is not None}
-
-
-def _plain(value: Any) -> Any:
-    """An array, or a number of NumPy, as JSON has it."""
-    if isinstance(value, (np.ndarray, np.generic)):
-        return value.tolist()
-    raise Error(f"{value!r} is no number, no text and no array")
 
 
 def load(source: str | os.PathLike[str], *, set: Mapping[str, float] | None = None, **options: Unpack[Import]) -> Scene:

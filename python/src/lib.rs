@@ -16,6 +16,7 @@ mod progress;
 mod requests;
 mod scene;
 mod solution;
+mod tree;
 mod view_factors;
 mod work;
 
@@ -41,9 +42,11 @@ mod _radiosity {
     #[pymodule_export]
     use super::plane::Plane;
     #[pymodule_export]
-    use super::scene::{Scene, builtins, load, parse};
+    use super::scene::{Scene, builtins, load, made, parse};
     #[pymodule_export]
     use super::solution::{Solution, load_solution};
+    #[pymodule_export]
+    use super::tree::Faces;
     #[pymodule_export]
     use super::view_factors::{ViewFactors, view_factors_of_polygons, view_factors_of_scene};
 }

@@ -1,6 +1,7 @@
 //! Faces of meshes → named polygons, coplanar neighbours merged as readers of mesh files merge them.
 
-use numpy::{PyReadonlyArray1, PyReadonlyArray2};
+use numpy::ndarray::arr2;
+use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use radiosity::formats::mesh::{Coat, Mesh};
 use radiosity::formats::model::{Model, Shape, Sides, Surface};
@@ -9,22 +10,23 @@ use radiosity::geom::DVec3;
 use crate::arrays::points;
 use crate::error::Trouble;
 
-/// A surface: its name, the index of its label, and its rings, of which the first is the outline and the others are holes;
+/// A surface: its name, the index of its label, and its rings (k, 3), of which the first is the outline and the others are holes;
 /// or the four corners of a bilinear patch, where the last is true.
-type NamedRings = (String, usize, Vec<Vec<[f64; 3]>>, bool);
+type NamedRings<'py> = (String, usize, Vec<Bound<'py, PyArray2<f64>>>, bool);
 
 /// The polygons that faces make, each label an object of its own.
 ///
 /// Face i has the corners `corners[ends[i − 1] .. ends[i]]`, indices of `vertices` (v, 3), counter-clockwise seen from its front,
 /// and the label `labels[i]`, an index of `names`.
 #[pyfunction]
-pub(crate) fn mesh_polygons(
+pub(crate) fn mesh_polygons<'py>(
+    py: Python<'py>,
     vertices: PyReadonlyArray2<'_, f64>,
     corners: PyReadonlyArray1<'_, i64>,
     ends: PyReadonlyArray1<'_, i64>,
     labels: PyReadonlyArray1<'_, i64>,
     names: Vec<String>,
-) -> PyResult<Vec<NamedRings>> {
+) -> PyResult<Vec<NamedRings<'py>>> {
     let vertices = points("vertices", &vertices)?;
     let faces = Faces { corners: corners.as_slice()?, ends: ends.as_slice()?, labels: labels.as_slice()? };
     let mut mesh = Mesh::default();
@@ -45,7 +47,7 @@ pub(crate) fn mesh_polygons(
         mesh.face(corners, coat, place).map_err(|fault| refused(fault.cause, &fault.cure))?;
     }
     let model = mesh.finish("faces").map_err(|fault| Trouble::new(fault.cause, fault.cure))?;
-    Ok(rings(model))
+    Ok(rings(py, model))
 }
 
 /// Faces as lists of corners, one behind the other.
@@ -73,7 +75,11 @@ fn vertex(vertices: &[DVec3], index: i64) -> Option<DVec3> {
     usize::try_from(index).ok().and_then(|index| vertices.get(index)).copied()
 }
 
-fn rings(model: Model) -> Vec<NamedRings> {
+fn rings(py: Python<'_>, model: Model) -> Vec<NamedRings<'_>> {
+    let array = |ring: Vec<DVec3>| {
+        let rows: Vec<[f64; 3]> = ring.into_iter().map(DVec3::into).collect();
+        PyArray2::from_owned_array(py, arr2(&rows))
+    };
     let surfaces = model.surfaces.into_iter().filter_map(|Surface { name, material, shape, .. }| {
         let (rings, is_patch) = match shape {
             Shape::Polygon { outline, holes } => ([vec![outline], holes].concat(), false),
@@ -81,7 +87,7 @@ fn rings(model: Model) -> Vec<NamedRings> {
             // Faces make no others.
             _ => return None,
         };
-        let rings = rings.into_iter().map(|ring| ring.into_iter().map(DVec3::into).collect()).collect();
+        let rings = rings.into_iter().map(array).collect();
         Some((name, material?, rings, is_patch))
     });
     surfaces.collect()

@@ -21,6 +21,7 @@ use crate::arrays::probes;
 use crate::error::Trouble;
 use crate::requests;
 use crate::solution::Solution;
+use crate::tree;
 use crate::work::work;
 
 /// An array (n, 3).
@@ -59,6 +60,15 @@ pub(crate) fn load(
 pub(crate) fn parse(text: &str, name: &str) -> Result<Scene, Trouble> {
     let source = scene::Source::new(name, text).with_files();
     Ok(Scene { scene: scene::Scene::parse(&source)? })
+}
+
+/// The scene of these parts by the keys of scene files; `name` stands before messages. Files that they name are looked for in the
+/// current folder.
+#[pyfunction]
+pub(crate) fn made(py: Python<'_>, parts: &Bound<'_, PyDict>, name: &str) -> Result<Scene, Trouble> {
+    let tree = tree::tree(parts);
+    let scene = py.detach(|| scene::Scene::parse(&scene::Source::of_tree(name, tree)?.with_files()));
+    Ok(Scene { scene: scene? })
 }
 
 /// The names of the built-in scenes with their parameters and the values these have unless set.
@@ -144,6 +154,7 @@ impl Scene {
         method.check().map_err(Trouble::from)?;
         self.scene.require_light().map_err(Trouble::from)?;
         let options = Options { keep_partial, ..method.options() };
+        // Shapes, patterns and what it was read from are shared; names and numbers of the surfaces are copied.
         let scene = self.scene.clone();
         let bands = scene.bands.len();
         let solved = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {

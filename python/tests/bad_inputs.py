@@ -69,7 +69,7 @@ class Call:
 
     def told(self, name: str, message: str) -> bool:
         """Whether a message names the argument, or what it stands for."""
-        return any(word in message for word in [name, *self.words.get(name, []), "is no number, no text and no array"])
+        return any(word in message for word in [name, *self.words.get(name, [])])
 
 
 def of_faces(points: Any, faces: Any, materials: Any, bands: Any, name: Any, unit: Any = None, by: Any = None) -> list[str]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from .._radiosity import mesh_polygons
 from ..arguments import refusal, text, texts
+from ..arrays import Numbers
 from ..scene import Scene
 from .faces import Faces, whole_numbers
 from .optional import optional
@@ -251,7 +252,7 @@ def _scene(
     return scene
 
 
-def _shape(rings: list[list[list[float]]], is_patch: bool) -> dict[str, Any]:
+def _shape(rings: list[Numbers], is_patch: bool) -> dict[str, Any]:
     if is_patch:
         return {"quad": {"vertices": rings[0]}}
     holes = {"holes": rings[1:]} if len(rings) > 1 else {}
