@@ -41,6 +41,7 @@ pub mod tessellation;
 pub mod missed;
 pub(crate) mod peak_memory;
 pub mod rank_work;
+pub mod checkpoint;
 pub mod report;
 pub mod scale;
 pub mod false_colour;

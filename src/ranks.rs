@@ -23,6 +23,7 @@ mod rounds;
 pub mod processes;
 
 use std::cell::RefCell;
+use std::fmt::Debug;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -90,14 +91,21 @@ impl Ranks {
     /// # Errors
     /// As [`Journal::open`].
     pub fn recording(&self, folder: &Path, fingerprint: u64, begin: Begin) -> Result<Self, JournalError> {
-        // No rank makes its file before all have seen which there are.
-        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &|| self.meet()))?;
+        let journal = Journal::open(folder, fingerprint, begin, (self.number(), &|own| self.any(own)))?;
         Ok(Self { journal: Some(Arc::new(journal)), ..self.clone() })
     }
 
     /// Where the pieces of work are written, if they are.
     pub fn journal(&self) -> Option<&Journal> {
         self.journal.as_deref()
+    }
+
+    /// Notes what was chosen for the work to come where that does not follow from the fingerprint of the run alone, but from time
+    /// or memory too: a journal takes none of its pieces for those of another choice.
+    pub fn note_choice(&self, choice: &dyn Debug) {
+        if let Some(journal) = &self.journal {
+            journal.note_choice(choice);
+        }
     }
 
     /// Does `work` within these ranks: each of them does it, and all of them share the same things in the same order.
@@ -233,12 +241,12 @@ impl Ranks {
         T: Serialize + DeserializeOwned + Send,
     {
         let own: Vec<usize> = (0..makers.len()).filter(|piece| makers[*piece] == self.number()).collect();
-        self.part(makers.len()).made(&own, make)
+        self.part::<T>(makers.len()).made(&own, make)
     }
 
-    /// The next part of the run, of so many pieces.
-    pub fn part(&self, pieces: usize) -> Part<'_> {
-        Part { recorded: self.journal.as_ref().map(|journal| journal.part(pieces)) }
+    /// The next part of the run, of so many pieces, each a T.
+    pub fn part<T>(&self, pieces: usize) -> Part<'_> {
+        Part { recorded: self.journal.as_ref().map(|journal| journal.part::<T>(pieces)) }
     }
 
     /// All `make(k)` for k below `count`, in order, where each costs about the same: as [`Ranks::map`], with `together` of them as one
@@ -258,11 +266,12 @@ impl Ranks {
     }
 
     /// What `make` makes of every item, where that may share things between ranks: in parallel if this rank is alone, else one after
-    /// the other.
+    /// the other. It is not recorded, as parts that follow each other in any order have no numbers.
     pub fn each<I: Sync, T: Send>(&self, items: &[I], make: impl Fn(&I) -> T + Sync) -> Vec<T> {
+        let unrecorded = Self { journal: None, ..self.clone() };
         let make = |item: &I| {
             heed();
-            make(item)
+            unrecorded.within(|| make(item))
         };
         if self.are_alone() { items.par_iter().map(make).collect() } else { items.iter().map(make).collect() }
     }
@@ -344,8 +353,75 @@ mod tests {
         let open = |fingerprint, begin| Ranks::alone().recording(folder, fingerprint, begin).map(drop);
         assert!(matches!(open(1, Begin::Resume), Err(JournalError::Empty { .. })));
         open(1, Begin::Anew).expect("nothing is there");
+        current().recording(folder, 1, Begin::Anew).expect("nothing is there").within(|| {
+            current().map(&[1.0; 2], |piece| piece);
+        });
         assert!(matches!(open(1, Begin::Anew), Err(JournalError::Used { .. })));
         assert!(matches!(open(2, Begin::Resume), Err(JournalError::Other { .. })));
         open(1, Begin::Resume).expect("it is the same run");
+    }
+
+    #[test]
+    fn a_run_that_did_nothing_leaves_nothing() {
+        let parent = tempfile::tempdir().expect("a folder");
+        let folder = parent.path().join("of-the-run");
+        on_ranks(3, || drop(current().recording(&folder, 1, Begin::Anew).expect("it can be made")));
+        assert!(!folder.exists());
+        fs::create_dir(&folder).expect("it can be made");
+        drop(Ranks::alone().recording(&folder, 1, Begin::Anew).expect("it is there"));
+        assert_eq!(fs::read_dir(&folder).expect("it was there before").count(), 0);
+    }
+
+    #[test]
+    fn ranks_that_were_killed_as_they_began_are_no_other_run() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let (folder, made) = (folder.path(), AtomicUsize::new(0));
+        run(folder, Begin::Anew, 2, &made);
+        let header = fs::read(folder.join("000000-000000.journal")).expect("it was written")[..16].to_vec();
+        for (rank, begun) in [&[][..], &header[..7], &header[..12], &[0; 40]].into_iter().enumerate() {
+            fs::write(folder.join(format!("000004-{rank:06}.journal")), begun).expect("it can be written");
+        }
+        // Numbers go on behind the largest, whatever files were removed.
+        fs::remove_file(folder.join("000000-000000.journal")).expect("it is there");
+        made.store(0, Ordering::Relaxed);
+        run(folder, Begin::Resume, 2, &made);
+        assert!((1..40).contains(&made.load(Ordering::Relaxed)));
+        assert!(folder.join("000005-000000.journal").exists());
+        let other = folder.join("000004-000000.journal");
+        fs::write(&other, [&header[..8], &[1; 4]].concat()).expect("it can be written");
+        let opened = Ranks::alone().recording(folder, 7, Begin::Resume).map(drop);
+        assert!(matches!(opened, Err(JournalError::Other { path }) if path == other));
+    }
+
+    /// What three parts find whose pieces are as many and of one type, where something is chosen before the second.
+    fn chosen(folder: &Path, begin: Begin, choice: u64) -> Vec<u64> {
+        Ranks::alone().recording(folder, 1, begin).expect("a folder").within(|| {
+            let part = |of: u64| current().map(&[1.0; 4], |piece| 100 * of + piece as u64);
+            let first = part(0);
+            current().note_choice(&choice);
+            [first, part(choice), part(choice + 1)].concat()
+        })
+    }
+
+    #[test]
+    fn a_run_that_takes_another_way_finds_no_foreign_pieces() {
+        let [folder, other] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+        chosen(folder.path(), Begin::Anew, 1);
+        assert_eq!(chosen(folder.path(), Begin::Resume, 2), chosen(other.path(), Begin::Anew, 2));
+    }
+
+    #[test]
+    fn pieces_that_ranks_share_within_others_are_not_recorded() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for ranks in [1, 2] {
+            let begin = if ranks == 1 { Begin::Anew } else { Begin::Resume };
+            let found = on_ranks(ranks, || {
+                current().recording(folder.path(), 1, begin).expect("a folder").within(|| {
+                    let inner = |item: &u64| current().map(&[1.0; 3], |piece| item + piece as u64);
+                    (current().each(&[10, 20], inner).concat(), current().map(&[1.0], |piece| piece))
+                })
+            });
+            assert_eq!(found, vec![(vec![10, 11, 12, 20, 21, 22], vec![0]); ranks]);
+        }
     }
 }

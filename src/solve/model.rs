@@ -13,6 +13,7 @@ use crate::bases::basis::Ground;
 use crate::checks::{Balance, Checks, Lit};
 use crate::elements::mesh::Mesh;
 use crate::elements::{Discretization, Elements};
+use crate::ranks;
 use crate::scene::{Scene, SceneSurface};
 use crate::solution::Solution;
 use crate::solution::group_light::GroupLight;
@@ -127,6 +128,8 @@ impl Model {
         progress: &(dyn Fn(Progress) + Sync),
     ) -> Result<Self, Failure> {
         require_diffuse(scene, options)?;
+        // What is solved next may hang on time or memory.
+        ranks::current().note_choice(&(options.neutral(), choice.sampled));
         let mut seconds = Stages::default();
         let rays = choice.sampled.then(|| options.ray_budget(scene));
         let is_known = how.is_some();

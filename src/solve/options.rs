@@ -144,6 +144,11 @@ impl Options {
 }
 
 impl Options {
+    /// The same for all that changes no bit of a result: threads, memory, and when to end early.
+    pub fn neutral(&self) -> Self {
+        Self { threads: 0, memory: None, stop: None, deadline: None, keep_partial: false, ..*self }
+    }
+
     /// Whether rays are no longer wanted, on any rank.
     pub(super) fn is_stopped(&self) -> bool {
         let is_raised = self.stop.is_some_and(|stop| ranks::current().any(stop.is_raised()));

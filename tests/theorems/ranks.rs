@@ -1,12 +1,16 @@
 //! Ranks change no bit: what one process computes, any number of ranks computes, each of them.
 
+use std::path::Path;
+use std::time::Instant;
+
 use radiosity::animation::sequence::Sequence;
 use radiosity::geom::DVec3;
+use radiosity::output::checkpoint::Checkpoint;
 use radiosity::ranks::journal::{Begin, fingerprint};
 use radiosity::ranks::threads::on_ranks;
 use radiosity::ranks::{Traffic, current};
 use radiosity::solve::{Direct, Transport};
-use radiosity::studies::adaptation::Goal;
+use radiosity::studies::adaptation::{Aim, Goal};
 use radiosity::transport::Accuracy;
 use radiosity::view_factors;
 use radiosity::visibility::Hiding;
@@ -186,20 +190,51 @@ fn a_run_goes_on_from_its_journal() {
             current().recording(folder.path(), 1, begin).expect("a folder").within(|| {
                 let told =
                     told(&solved("two-boxes", &[], sampled)) + &told(&solved("cornell-box", &[], options()));
-                (told, current().journal().expect("it is kept").recalled())
+                (told, Checkpoint::so_far().expect("it is kept"))
             })
         })
     };
     let first = run(Begin::Anew, 2);
-    assert!(first.iter().all(|(_, recalled)| *recalled == 0));
+    let all = first[0].1.recorded;
+    assert!(all > 0 && first.iter().all(|(_, checkpoint)| checkpoint.recalled == 0));
     // As if both ranks had been killed: the last third of what one of them wrote is lost.
     let file = folder.path().join("000000-000001.journal");
     let bytes = std::fs::read(&file).expect("it was written");
     std::fs::write(&file, &bytes[..bytes.len() * 2 / 3]).expect("it can be written");
-    for ranks in [3, 1] {
-        let again = run(Begin::Resume, ranks);
-        assert!(again.iter().all(|(told, recalled)| *told == first[0].0 && *recalled > 0));
+    for (ranks, is_complete) in [(3, false), (1, true)] {
+        for (told, Checkpoint { recalled, recorded, .. }) in run(Begin::Resume, ranks) {
+            assert!(told == first[0].0, "{ranks} ranks");
+            assert_eq!(recalled + recorded, all, "{ranks} ranks");
+            assert!(recalled > 0 && is_complete == (recorded == 0), "{ranks} ranks: {recorded} made again");
+        }
     }
+}
+
+/// How a run to a wanted accuracy ends, and what it took from its journal.
+fn to_accuracy(folder: &Path, begin: Begin, deadline: Option<Instant>) -> (String, Checkpoint) {
+    current().recording(folder, 1, begin).expect("a folder").within(|| {
+        let scene = Scene::builtin("two-boxes").expect("it is built in");
+        let goal = Goal::new(3e-2, Aim::Gathered);
+        let options = Options { deadline, ..options() };
+        let solved = Solved::to_accuracy(scene, &options, &goal, &|_| {}).expect("a solution");
+        (told(&solved), Checkpoint::so_far().expect("it is kept"))
+    })
+}
+
+#[test]
+fn a_run_whose_time_was_up_goes_on_as_if_it_had_not_been() {
+    let folders = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
+    let [folder, other] = folders.each_ref().map(|folder| folder.path());
+    let (whole, made) = to_accuracy(other, Begin::Anew, None);
+    let (ended, first) = to_accuracy(folder, Begin::Anew, Some(Instant::now()));
+    assert_ne!(ended, whole, "time was up after the first of several runs");
+    let (resumed, rest) = to_accuracy(folder, Begin::Resume, None);
+    assert_eq!(resumed, whole);
+    assert!(rest.recalled > 0 && rest.recorded > 0, "{rest:?}");
+    assert_eq!(rest.recalled + rest.recorded, made.recorded);
+    assert!(first.recorded <= rest.recalled, "{first:?} {rest:?}");
+    let (again, all) = to_accuracy(folder, Begin::Resume, None);
+    assert_eq!((again, all.recorded, all.recalled), (whole, 0, made.recorded));
 }
 
 #[test]

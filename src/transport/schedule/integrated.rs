@@ -36,7 +36,7 @@ impl Integrated {
     pub(super) fn made(ranks: Ranks, pieces: &[Piece], make: impl Fn(usize) -> Arc<Answer> + Sync) -> Self {
         let mut balance = Balance::new(ranks.count());
         let mut all = Self::none(ranks.clone(), pieces.len());
-        let part = ranks.part(pieces.len());
+        let part = ranks.part::<Arc<Answer>>(pieces.len());
         for round in rounds(pieces.len(), ranks.count()) {
             let makers = balance.share(&round, pieces);
             all.make(&part, &round, &makers, &make);

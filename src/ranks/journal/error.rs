@@ -1,0 +1,54 @@
+//! Why a journal cannot be kept.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a journal cannot be kept.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// The folder or a file of it cannot be read or written.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The folder or the file.
+        path: PathBuf,
+        /// What the system said.
+        source: io::Error,
+    },
+    /// It holds a journal, and nothing says that the run goes on from it.
+    #[error("{}: a run was recorded here", path.display())]
+    Used {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// It holds no journal.
+    #[error("{}: no run was recorded here", path.display())]
+    Empty {
+        /// The folder.
+        path: PathBuf,
+    },
+    /// It holds the journal of another run.
+    #[error("{}: this records a run of another scene, or with other options, or of another program", path.display())]
+    Other {
+        /// A file of it.
+        path: PathBuf,
+    },
+}
+
+impl JournalError {
+    /// How to mend it.
+    pub fn cure(&self) -> &'static str {
+        match self {
+            Self::File { .. } => {
+                "choose a folder that exists or can be made, that can be written to and has room"
+            }
+            Self::Used { .. } => "add --resume to go on from there, or choose another folder",
+            Self::Empty { .. } => "leave --resume out to begin, or give the folder of the run that was ended",
+            Self::Other { .. } => "give the scene and the options of that run, or choose another folder",
+        }
+    }
+
+    pub(super) fn of(path: &Path) -> impl FnOnce(io::Error) -> Self {
+        let path = path.to_owned();
+        move |source| Self::File { path, source }
+    }
+}

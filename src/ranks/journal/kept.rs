@@ -1,0 +1,107 @@
+//! The pieces that the files of a journal hold.
+
+use std::collections::HashMap;
+use std::fs::File;
+use std::io;
+use std::io::{BufReader, Read, Seek, SeekFrom};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use super::error::JournalError;
+use super::record::{CHECK, HEAD, Key, next_head, piece};
+use super::writer::{HEADER, header};
+
+/// Files that stay open; others are opened for each piece. Chosen: systems commonly allow 1024.
+const OPEN: usize = 256;
+
+/// The pieces that the files of a journal hold: some fifty bytes of memory each.
+#[derive(Debug, Default)]
+pub(super) struct Kept {
+    files: Vec<KeptFile>,
+    places: HashMap<Key, RecordPlace>,
+}
+
+/// A file of a journal.
+#[derive(Debug)]
+struct KeptFile {
+    path: PathBuf,
+    open: Option<Mutex<File>>,
+}
+
+/// Where a record stands.
+#[derive(Clone, Copy, Debug)]
+struct RecordPlace {
+    start: u64,
+    length: u32,
+    file: u32,
+}
+
+impl Kept {
+    /// Takes note of what a file holds; how it was made says `fingerprint`. A piece is checked when it is wanted.
+    ///
+    /// # Errors
+    /// One that cannot be read, or is of another run.
+    pub(super) fn add(&mut self, path: &Path, fingerprint: u64) -> Result<(), JournalError> {
+        let file = File::open(path).map_err(JournalError::of(path))?;
+        let number = self.files.len() as u32;
+        match records(&file, number, fingerprint).map_err(JournalError::of(path))? {
+            Some(found) => self.places.extend(found),
+            None => return Err(JournalError::Other { path: path.to_owned() }),
+        }
+        let open = (self.files.len() < OPEN).then(|| Mutex::new(file));
+        self.files.push(KeptFile { path: path.to_owned(), open });
+        Ok(())
+    }
+
+    /// The bytes of a piece, if they are known and whole.
+    pub(super) fn recall(&self, key: &Key) -> Option<Vec<u8>> {
+        let place = self.places.get(key)?;
+        let record = self.files[place.file as usize].read(place).ok()?;
+        piece(key, &record).map(<[u8]>::to_vec)
+    }
+}
+
+impl KeptFile {
+    fn read(&self, place: &RecordPlace) -> io::Result<Vec<u8>> {
+        match &self.open {
+            Some(file) => read_at(&mut file.lock().expect("no reader panics"), place),
+            None => read_at(&mut File::open(&self.path)?, place),
+        }
+    }
+}
+
+fn read_at(file: &mut File, place: &RecordPlace) -> io::Result<Vec<u8>> {
+    let mut record = vec![0; place.length as usize + HEAD + CHECK];
+    file.seek(SeekFrom::Start(place.start))?;
+    file.read_exact(&mut record)?;
+    Ok(record)
+}
+
+/// Where the records of a file stand; None where it is of another run.
+fn records(file: &File, number: u32, fingerprint: u64) -> io::Result<Option<HashMap<Key, RecordPlace>>> {
+    let size = file.metadata()?.len();
+    let mut reader = BufReader::new(file);
+    let mut begins = Vec::new();
+    reader.by_ref().take(HEADER as u64).read_to_end(&mut begins)?;
+    let header = header(fingerprint);
+    let mut found = HashMap::new();
+    if begins.len() < HEADER || begins == [0; HEADER] {
+        // A rank that was killed, or lost its power, before it had written one.
+        let is_begun = header.starts_with(&begins) || begins.iter().all(|byte| *byte == 0);
+        return Ok(is_begun.then_some(found));
+    }
+    if begins != header {
+        return Ok(None);
+    }
+    let mut start = HEADER as u64;
+    while let Some((key, length)) = next_head(&mut reader) {
+        let end = start + u64::from(length) + (HEAD + CHECK) as u64;
+        if end > size {
+            break;
+        }
+        found.insert(key, RecordPlace { start, length, file: number });
+        reader.seek_relative((end - start) as i64 - HEAD as i64)?;
+        start = end;
+    }
+    Ok(Some(found))
+}

@@ -1,0 +1,137 @@
+//! The file of a journal that one rank writes.
+
+use std::fs;
+use std::fs::{File, OpenOptions};
+use std::io;
+use std::io::{BufWriter, Write};
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use super::record::{Key, record};
+
+/// What a file begins with; the last digit is the version of the format.
+const MAGIC: &[u8; 8] = b"RADJRNL1";
+
+/// Bytes of a file before its records.
+pub(super) const HEADER: usize = 16;
+
+/// Work of threads that a killed rank may lose because it was not handed to the system yet. Chosen.
+const AT_STAKE: Duration = Duration::from_secs(1);
+
+/// Bytes that are handed to the system together. Chosen.
+const TOGETHER: usize = 1 << 16;
+
+/// The header of the files of a run.
+pub(super) fn header(fingerprint: u64) -> [u8; HEADER] {
+    let mut header = [0; HEADER];
+    header[..8].copy_from_slice(MAGIC);
+    header[8..].copy_from_slice(&fingerprint.to_le_bytes());
+    header
+}
+
+/// The file that this rank writes; it goes away where nothing was written into it.
+#[derive(Debug)]
+pub(super) struct Writer {
+    path: PathBuf,
+    file: BufWriter<File>,
+    /// Time that the pieces took that were not handed to the system yet.
+    at_stake: Duration,
+    written: Written,
+}
+
+/// What was written.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(super) struct Written {
+    pub(super) pieces: u64,
+    pub(super) bytes: u64,
+    /// Why pieces are missing, if some are.
+    pub(super) failed: Option<String>,
+}
+
+impl Writer {
+    /// A new file.
+    ///
+    /// # Errors
+    /// One that is there already, or cannot be written.
+    pub(super) fn new(path: &Path, fingerprint: u64) -> io::Result<Self> {
+        let file = OpenOptions::new().write(true).create_new(true).open(path)?;
+        let mut writer = Self::to(file, path);
+        writer.file.write_all(&header(fingerprint))?;
+        writer.file.flush()?;
+        Ok(writer)
+    }
+
+    fn to(file: File, path: &Path) -> Self {
+        let file = BufWriter::with_capacity(TOGETHER, file);
+        Self { path: path.to_owned(), file, at_stake: Duration::ZERO, written: Written::default() }
+    }
+
+    /// Appends a piece that took so long; where that fails, no further one is written.
+    pub(super) fn write(&mut self, key: &Key, piece: &[u8], took: Duration) {
+        if self.written.failed.is_some() {
+            return;
+        }
+        match record(key, piece).and_then(|record| self.file.write_all(&record).map(|()| record.len())) {
+            Ok(bytes) => {
+                self.written.pieces += 1;
+                self.written.bytes += bytes as u64;
+            }
+            Err(error) => self.written.failed = Some(error.to_string()),
+        }
+        self.at_stake += took;
+        if self.at_stake >= AT_STAKE {
+            self.flush();
+        }
+    }
+
+    /// Hands all to the system.
+    pub(super) fn flush(&mut self) {
+        if self.written.failed.is_none() {
+            self.written.failed = self.file.flush().err().map(|error| error.to_string());
+        }
+        self.at_stake = Duration::ZERO;
+    }
+
+    /// What was written so far.
+    pub(super) fn written(&self) -> &Written {
+        &self.written
+    }
+}
+
+impl Drop for Writer {
+    fn drop(&mut self) {
+        if self.written.pieces == 0 {
+            // A file that stays holds nothing that would be missed.
+            drop(fs::remove_file(&self.path));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    #[cfg(target_os = "linux")]
+    fn a_full_disk_is_told_and_work_goes_on() {
+        let full = OpenOptions::new().write(true).open("/dev/full").expect("Linux has it");
+        let mut writer = Writer::to(full, Path::new("nowhere/full.journal"));
+        let key = Key { part: 1, piece: 0 };
+        writer.write(&key, b"of work", Duration::ZERO);
+        assert_eq!(writer.written().failed, None, "nothing was handed to the system");
+        writer.write(&key, b"of work", AT_STAKE);
+        assert!(writer.written().failed.as_ref().is_some_and(|why| why.contains("space")), "{writer:?}");
+        writer.write(&key, b"of work", AT_STAKE);
+        assert_eq!(writer.written().pieces, 2, "the third was not tried");
+    }
+
+    #[test]
+    fn a_file_without_pieces_goes_away() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("a.journal");
+        let writer = Writer::new(&path, 1).expect("it can be written");
+        assert_eq!(fs::read(&path).expect("it is there"), header(1));
+        drop(writer);
+        assert!(!path.exists());
+    }
+}
