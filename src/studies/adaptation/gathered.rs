@@ -29,9 +29,8 @@
 
 use std::collections::BTreeMap;
 use std::ops::Range;
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::gather::Gather;
@@ -40,7 +39,7 @@ use crate::gather::choice::USUAL_EPS;
 use crate::gather::walks::{End, Lit, Walks};
 use crate::light::receiver_point::ReceiverPoint;
 use crate::ranks;
-use crate::ranks::{Ranks, shares};
+use crate::ranks::shares;
 use crate::sampling::kronecker;
 use crate::sampling::shift::{number_of, shift, shifted};
 use crate::solution::{Band, Solution};
@@ -122,7 +121,7 @@ struct Found<'a> {
 }
 
 /// The light that was found at a sensor.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 struct Light {
     /// Irradiance that was gathered at the sensor (W m⁻²), per band.
     gathered: Vec<f64>,
@@ -199,34 +198,27 @@ pub(super) fn missed(
     let solution = &outcome.solution;
     let unknowns = solution.elements().coefficients();
     let missing = Missing::of(outcome, visibility, goal, (OF_EXPECTED * expected).min(LOOSEST));
-    let begin = |(number, sensor)| missing.begin(number_of([number as f64, unknowns as f64]), sensor);
     let ranks = ranks::current();
     let makers = shares::by_cost(&vec![1.0; sensors.len()], ranks.count());
-    let is_own = |place: usize| makers[place] == ranks.number();
-    let mut found: Vec<Found> = sensors
-        .par_iter()
-        .enumerate()
-        .map(
-            |(place, sensor)| {
-                if is_own(place) { begin((place, sensor)) } else { Found::of(sensor, 0, Light::default()) }
-            },
-        )
-        .collect();
+    let gathered = ranks.map_by(&makers, |place| missing.gathered(&sensors[place]));
+    let begin = |(number, (sensor, gathered))| {
+        Found::new(sensor, number_of([number as f64, unknowns as f64]), gathered)
+    };
+    let mut found: Vec<Found> = sensors.iter().zip(gathered).enumerate().map(begin).collect();
     let numbers = missing.numbers();
     let per_half = |walks: u64| walks.div_ceil(2 * sensors.len().max(1) as u64);
     let (mut made, mut now) = (0, per_half(numbers.first).max(FEWEST));
     loop {
-        let done = AtomicUsize::new(0);
-        let walk = |(place, found): (usize, &mut Found)| {
-            if !is_own(place) {
-                return true;
+        let (done, is_late) = (AtomicUsize::new(0), AtomicBool::new(false));
+        let light = ranks.map_by(&makers, |place| {
+            let light = missing.walked(&found[place], made..made + now);
+            if !goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len()) {
+                is_late.store(true, Ordering::Relaxed);
             }
-            missing.walk(found, made..made + now);
-            goes_on(done.fetch_add(1, Ordering::Relaxed) + 1, sensors.len())
-        };
-        let goes_on = found.par_iter_mut().enumerate().map(walk).reduce(|| true, |a, b| a && b);
-        let finishes = !ranks.any(!goes_on);
-        share(&mut found, &ranks, &makers);
+            light
+        });
+        found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
+        let finishes = !ranks.any(is_late.into_inner());
         made += now;
         let sums = Sums::of(&found, made, solution);
         if !finishes || 2 * made > per_half(numbers.allowed(&sums, goal.accuracy)) {
@@ -234,16 +226,6 @@ pub(super) fn missed(
         }
         now = made;
     }
-}
-
-/// Tells all ranks what each found at its sensors.
-fn share(found: &mut [Found], ranks: &Ranks, makers: &[usize]) {
-    if ranks.are_alone() {
-        return;
-    }
-    let own = found.iter().zip(makers).filter(|(_, maker)| **maker == ranks.number());
-    let light = ranks.merged(makers, own.map(|(found, _)| found.light.clone()).collect());
-    found.iter_mut().zip(light).for_each(|(found, light)| found.light = light);
 }
 
 impl<'a> Missing<'a> {
@@ -268,37 +250,43 @@ impl<'a> Missing<'a> {
         }
     }
 
-    /// What is known of a sensor before walks.
-    fn begin<'s>(&self, number: u64, sensor: &'s Sensor) -> Found<'s> {
-        let gathered = match &self.ends {
+    /// Irradiance gathered at a sensor, per band.
+    fn gathered(&self, sensor: &Sensor) -> Vec<f64> {
+        match &self.ends {
             Ends::Cells(ends) => ends.gather.at(&sensor.point),
             Ends::Rays(gather) => gather.read(&Receiver::Point(sensor.point)).irradiance,
-        };
-        Found::of(sensor, number, Light { gathered, parts: BTreeMap::new() })
+        }
     }
 
-    /// Makes the walks of these numbers of each half.
-    fn walk(&self, found: &mut Found, walks: Range<u64>) {
+    /// The light that was found at a sensor, and that of the walks of these numbers of each half.
+    fn walked(&self, found: &Found, walks: Range<u64>) -> Light {
+        let mut light = found.light.clone();
         for half in 0..2 {
             let number = found.number.wrapping_add(half);
             let offset: [f64; 2] = shift(number);
             for walk in walks.clone() {
                 let direction = shifted(kronecker::point(walk), &offset);
                 let chance = number_of([f64::from_bits(number), walk as f64]);
-                self.walk_once(found, half as usize, direction, chance);
+                self.walk_once(found.sensor, (&mut light, half as usize), direction, chance);
             }
         }
+        light
     }
 
-    fn walk_once(&self, found: &mut Found, half: usize, direction: [f64; 2], chance: u64) {
-        let from = found.sensor.point;
-        self.walks.walk(from, direction, chance, &mut |end, weights| {
+    fn walk_once(
+        &self,
+        sensor: &Sensor,
+        (light, half): (&mut Light, usize),
+        direction: [f64; 2],
+        chance: u64,
+    ) {
+        self.walks.walk(sensor.point, direction, chance, &mut |end, weights| {
             if end.lit.brightest() == 0.0 {
                 return;
             }
             let missed = self.missed(end);
             let none = || [vec![0.0; weights.len()], vec![0.0; weights.len()]];
-            let sums = &mut found.light.parts.entry(end.lit.element).or_insert_with(none)[half];
+            let sums = &mut light.parts.entry(end.lit.element).or_insert_with(none)[half];
             let reflected = weights.iter().zip(&end.lit.factors);
             sums.iter_mut()
                 .zip(reflected)
@@ -324,8 +312,9 @@ impl<'a> Missing<'a> {
 }
 
 impl<'a> Found<'a> {
-    fn of(sensor: &'a Sensor, number: u64, light: Light) -> Self {
-        Self { sensor, number, light }
+    /// What is known of a sensor before walks.
+    fn new(sensor: &'a Sensor, number: u64, gathered: Vec<f64>) -> Self {
+        Self { sensor, number, light: Light { gathered, parts: BTreeMap::new() } }
     }
 
     /// e by each half of so many walks, per band.
@@ -415,6 +404,8 @@ impl Sums {
 
 #[cfg(test)]
 mod tests {
+    use rayon::prelude::*;
+
     use super::*;
     use crate::scene::Scene;
     use crate::solve::{Options, Transport, solve};
@@ -422,8 +413,8 @@ mod tests {
     /// Σ w e / Σ w E_g of the first band, by so many walks of each half.
     fn mean(missing: &Missing, sensors: &[Sensor], walks: u64) -> f64 {
         let each = sensors.par_iter().enumerate().map(|(number, sensor)| {
-            let mut found = missing.begin(number_of([number as f64]), sensor);
-            missing.walk(&mut found, 0..walks);
+            let mut found = Found::new(sensor, number_of([number as f64]), missing.gathered(sensor));
+            found.light = missing.walked(&found, 0..walks);
             let [first, second] = found.halves(walks);
             [0.5 * (first[0] + second[0]), found.light.gathered[0]].map(|light| sensor.weights[0] * light)
         });
