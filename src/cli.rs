@@ -7,6 +7,8 @@ mod subdivide;
 mod numbers;
 mod points;
 mod error;
+mod given;
+mod checkpoint;
 mod colours;
 mod planes;
 mod aim;
@@ -50,6 +52,7 @@ use aim::joined;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 pub(crate) use error::CliError;
+use given::Given;
 use options::MethodArgs;
 use run::Loaded;
 
@@ -84,6 +87,10 @@ pub(crate) struct Cli {
     /// Options of the method that were typed: a solution file has fixed them.
     #[arg(skip)]
     fixing: Vec<String>,
+
+    /// What was typed that changes results.
+    #[arg(skip)]
+    given: Given,
 }
 
 #[derive(Debug, Subcommand)]
@@ -111,32 +118,53 @@ impl Cli {
     /// # Errors
     /// [`CliError::Typed`] where that makes no sense, or asks for help.
     pub(crate) fn typed() -> Result<Self, CliError> {
-        let matches = Self::command().try_get_matches_from(joined(std::env::args_os()))?;
+        let mut command = Self::command();
+        let matches = command.try_get_matches_from_mut(joined(std::env::args_os()))?;
         let mut cli = Self::from_arg_matches(&matches)?;
         cli.fixing = matches.subcommand().map(|(_, typed)| MethodArgs::fixing(typed)).unwrap_or_default();
+        cli.given = Given::of(&command, &matches);
         Ok(cli)
     }
 
     /// Does what was asked.
     pub(crate) fn run(&self) -> Result<(), CliError> {
         interrupt::watch();
+        let given = &self.given;
         match &self.verb {
-            Verb::Solve(args) => solve::run(args, Loaded::lit(&args.scene)?),
+            Verb::Solve(args) => {
+                let loaded = Loaded::lit(&args.scene)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| solve::run(args, loaded))
+            }
             Verb::Relight(args) => relight::run(args),
             Verb::Render(args) => {
                 let fixing = self.fixing.iter().filter(|option| !(args.importance && *option == "--for"));
-                render::run(args, Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?)
+                let loaded = Loaded::readable(&args.scene, &fixing.cloned().collect::<Vec<_>>())?;
+                let reads = [args.method.points_file(), args.style.difference.as_deref()];
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &reads)?;
+                ranks.within(|| render::run(args, loaded))
             }
             Verb::Animate(args) => animate::run(args, Loaded::lit(&args.scene)?),
             Verb::Probe(args) => {
                 let points = args.load_points()?;
-                probe::run(args, points, Loaded::readable(&args.scene, &self.fixing)?)
+                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
+                let reads = [args.method.points_file()];
+                let ranks = args.checkpoint.ranks(given, &(loaded.content(), &points), &reads)?;
+                ranks.within(|| probe::run(args, points, loaded))
             }
-            Verb::Grid(args) => grid::run(args, Loaded::readable(&args.scene, &self.fixing)?),
+            Verb::Grid(args) => {
+                let loaded = Loaded::readable(&args.scene, &self.fixing)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| grid::run(args, loaded))
+            }
             Verb::Convergence(args) => convergence::run(args, &Loaded::lit(&args.scene)?),
-            Verb::ViewFactors(args) => view_factors::run(args),
-            Verb::Heat(args) => heat::run(args),
-            Verb::Report(args) => report::run(args, Loaded::dark_or_lit(&args.scene, &self.fixing)?),
+            Verb::ViewFactors(args) => view_factors::run(args, given),
+            Verb::Heat(args) => heat::run(args, given),
+            Verb::Report(args) => {
+                let loaded = Loaded::dark_or_lit(&args.scene, &self.fixing)?;
+                let ranks = args.checkpoint.ranks(given, &loaded.content(), &[args.method.points_file()])?;
+                ranks.within(|| report::run(args, loaded))
+            }
             Verb::Check(args) => check::run(args, &args.scene.request().load_repaired()?),
             Verb::Convert(args) => convert::run(args),
             Verb::Scenes(args) => scenes::run(args),

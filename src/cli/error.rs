@@ -8,6 +8,7 @@ use radiosity::hierarchy::HierarchyError;
 use radiosity::output::chart::ChartError;
 use radiosity::output::solution_file::SolutionError;
 use radiosity::output::vtu::VtuError;
+use radiosity::ranks::journal::JournalError;
 use radiosity::request::picture::NoCamera;
 use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::SceneError;
@@ -157,6 +158,9 @@ pub(crate) enum CliError {
         /// Its name.
         format: String,
     },
+    /// A run cannot be recorded, or does not go on from what was recorded.
+    #[error("--checkpoint {0}")]
+    Checkpoint(#[from] JournalError),
     /// Standard output failed.
     #[error("standard output: {0}")]
     Stdout(#[from] io::Error),
@@ -226,6 +230,7 @@ impl CliError {
             | CliError::PairsAsArray { .. }
             | CliError::Heat(_)
             | CliError::Vtu { .. }
+            | CliError::Checkpoint(_)
             | CliError::Refused { .. } => 2,
             CliError::Solve(
                 Failure::Elements(_)
@@ -290,6 +295,7 @@ impl CliError {
             }
             CliError::NoCamera(error) => Some(error.cure()),
             CliError::Refused { cure, .. } => Some(cure.clone()),
+            CliError::Checkpoint(error) => Some(error.cure().into()),
             CliError::NoPair { .. } => {
                 Some("write the names of two surfaces, as in --pairs floor,ceiling".into())
             }

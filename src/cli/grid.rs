@@ -13,6 +13,7 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
+    checkpoint::CheckpointArgs,
     data::DataArgs,
     error::CliError,
     numbers::Counts,
@@ -49,6 +50,9 @@ pub(crate) struct GridArgs {
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

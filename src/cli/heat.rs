@@ -8,6 +8,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use radiosity::heat::{Heat, Stage};
+use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::heat as output;
 use radiosity::output::missed::missed;
 use radiosity::output::rank_work::RanksWork;
@@ -19,9 +20,9 @@ use radiosity::transport::Miss;
 use radiosity::visibility::Visibility;
 
 use crate::cli::{
-    console, destination::Destination, error::CliError, format, heat::picture::PictureArgs, numbers::bytes,
-    options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks, table::Table,
-    transfers::TransferArgs,
+    console, destination::Destination, error::CliError, format, given::Given, heat::picture::PictureArgs,
+    numbers::bytes, options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks,
+    table::Table, transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -107,19 +108,25 @@ enum MatrixFormat {
 const DIGITS: usize = 6;
 
 /// Computes the balance of heat and writes it.
-pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
+pub(crate) fn run(args: &HeatArgs, given: &Given) -> Result<(), CliError> {
     let start = Instant::now();
     args.transfers.request().check()?;
+    let scene = args.scene.request().load_lit()?;
+    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
+    ranks.within(|| of_scene(args, &scene, start))
+}
+
+/// The same for a scene that was read; the command began at `start`.
+fn of_scene(args: &HeatArgs, scene: &Scene, start: Instant) -> Result<(), CliError> {
     let format = format::chosen(args.format, args.output.as_deref(), Format::Text)?;
     let matrix_format = args.conductances.as_deref().map(format::of_file::<MatrixFormat>);
     let matrix_format = matrix_format.transpose()?;
-    let scene = args.scene.request().load_lit()?;
     let reserve = |path: &Path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let matrix = args.conductances.as_deref().map(reserve).transpose()?;
     let others =
         [(args.output.as_deref(), "the figures"), (args.conductances.as_deref(), "the conductances")];
-    let picture = args.picture.wanted(&scene, reserve, &others)?;
+    let picture = args.picture.wanted(scene, reserve, &others)?;
     let matrix = match (&args.output, matrix) {
         (Some(output), Some(matrix)) => Some(matrix.apart_from(output, "the figures")?),
         (_, matrix) => matrix,
@@ -135,7 +142,7 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         _ => {}
     };
     let wanted = args.request().options();
-    let heat = Heat::of(&scene, &wanted, &show)?;
+    let heat = Heat::of(scene, &wanted, &show)?;
     destination.write(|writer| write(&heat, format, writer))?;
     if let (Some(file), Some(format), Some(conductances)) = (matrix, matrix_format, &heat.conductances) {
         let names: Vec<&str> = heat.surfaces.iter().map(|surface| surface.name.as_str()).collect();
@@ -147,13 +154,13 @@ pub(crate) fn run(args: &HeatArgs) -> Result<(), CliError> {
         })?;
     }
     if let Some(picture) = picture {
-        let visibility = Visibility::new(&scene, (&wanted.options).into());
-        let taken = in_threads(wanted.options.threads, || picture.take(&scene, &visibility, &heat))?;
+        let visibility = Visibility::new(scene, (&wanted.options).into());
+        let taken = in_threads(wanted.options.threads, || picture.take(scene, &visibility, &heat))?;
         picture.file.write(|writer| taken.write_png(writer))?;
     }
     drop(progress);
     if !args.transfers.quiet {
-        args.tell(&scene, &heat, start);
+        args.tell(scene, &heat, start);
     }
     Ok(())
 }
@@ -185,6 +192,8 @@ impl HeatArgs {
         let (given, taken) = (sum(1.0), sum(-1.0));
         let mut lines = vec![format!("{}: {} surfaces, {elapsed:.3} s", scene.name, heat.surfaces.len())];
         lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far();
+        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         let whole = if !heat.is_closed() {
@@ -219,6 +228,9 @@ impl HeatArgs {
                 self.order
             ));
         }
+        lines.extend(
+            checkpoint.and_then(|own| own.warning()).map(|warning| format!("warning: {}", warning.message)),
+        );
         let files = self.output.iter().chain(&self.conductances).chain(&self.picture.picture);
         lines.extend(files.map(|path| format!("wrote {}", path.display())));
         console::tell(&(lines.join("\n") + "\n"));

@@ -252,6 +252,14 @@ impl MethodArgs {
         }
     }
 
+    /// The file of points where light is to be accurate, if there is one.
+    pub(crate) fn points_file(&self) -> Option<&Path> {
+        match &self.aim {
+            Some(Wanted::Points(file)) => Some(Path::new(file)),
+            _ => None,
+        }
+    }
+
     /// The accuracy wanted in a scene, and of what, if one is.
     pub(crate) fn goal(&self, scene: &Scene) -> Result<Option<Goal>, CliError> {
         let aim = self.aim.as_ref().unwrap_or(&Wanted::Gathered);

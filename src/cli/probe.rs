@@ -13,6 +13,7 @@ use radiosity::solved::Solved;
 use serde::Serialize;
 
 use crate::cli::{
+    checkpoint::CheckpointArgs,
     data::DataArgs,
     error::CliError,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
@@ -65,6 +66,9 @@ pub(crate) struct ProbeArgs {
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

@@ -20,6 +20,7 @@ use radiosity::visibility::Visibility;
 use crate::cli::{
     aim::Wanted,
     bake::Bake,
+    checkpoint::CheckpointArgs,
     error::CliError,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
@@ -66,6 +67,9 @@ pub(crate) struct RenderArgs {
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

@@ -87,8 +87,27 @@ fn told(heat: Result<Heat, HeatError>) -> Result<Result<Heat, HeatError>, CliErr
 
 /// The command as it was typed, for a shell.
 fn command() -> String {
-    let words = std::env::args_os().skip(1).map(|word| quoted(&word.to_string_lossy()));
+    let typed: Vec<String> =
+        std::env::args_os().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
+    let words = unrecorded(&typed).into_iter().map(quoted);
     ["radiosity".to_owned()].into_iter().chain(words).collect::<Vec<_>>().join(" ")
+}
+
+/// What was typed, without what says where the run is recorded.
+fn unrecorded(typed: &[String]) -> Vec<&str> {
+    let mut words = typed.iter().map(String::as_str);
+    let mut kept = Vec::new();
+    while let Some(word) = words.next() {
+        match word {
+            "--checkpoint" => {
+                words.next();
+            }
+            "--resume" => {}
+            word if word.starts_with("--checkpoint=") => {}
+            word => kept.push(word),
+        }
+    }
+    kept
 }
 
 /// A word as a shell takes it.
@@ -103,6 +122,16 @@ fn quoted(word: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn where_a_run_was_recorded_does_not_belong_to_the_command() {
+        let kept = |text: &str| {
+            let typed: Vec<String> = text.split(' ').map(str::to_owned).collect();
+            unrecorded(&typed).join(" ")
+        };
+        assert_eq!(kept("report --checkpoint c room --resume -o a.md"), "report room -o a.md");
+        assert_eq!(kept("report --checkpoint=c"), "report");
+    }
 
     #[test]
     fn words_are_quoted_where_a_shell_would_read_them_otherwise() {

@@ -1,5 +1,6 @@
 //! What every verb that needs light does first: solve, with progress and a report.
 
+use std::fmt::Debug;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
@@ -7,6 +8,7 @@ use radiosity::Basis;
 use radiosity::checks::Checks;
 use radiosity::gather::choice::By;
 use radiosity::hierarchy::Counts;
+use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::plane_figures::PlaneFigures;
 use radiosity::output::probe::Probe;
 use radiosity::output::rank_work::RanksWork;
@@ -119,6 +121,12 @@ impl Loaded {
     /// The options that the scene was or will be solved with.
     pub(crate) fn options(&self, method: &MethodArgs) -> Options {
         self.saved.as_ref().map_or_else(|| options(method), |saved| saved.options)
+    }
+
+    /// All that results hang on besides what was typed.
+    pub(crate) fn content(&self) -> impl Debug {
+        let saved = self.saved.as_ref();
+        (&self.scene, saved.map(|saved| (saved.options.neutral(), &saved.outcome, &saved.achieved)))
     }
 
     /// Finds out, before the work, whether `output` can be written, and is neither the input nor the report.
@@ -337,6 +345,7 @@ impl Run {
         self.report.seconds.output = self.ready.elapsed().as_secs_f64();
         self.report.seconds.total = self.started.elapsed().as_secs_f64();
         self.report.ranks = RanksWork::so_far(self.threads());
+        self.report.add_checkpoint(Checkpoint::so_far());
         drop(progress);
         if let Some(file) = &self.report_file {
             file.write(|writer| Ok(serde_json::to_writer_pretty(writer, &self.report)?))?;
@@ -434,6 +443,7 @@ impl Run {
             self.costs(),
         ];
         lines.extend(self.report.ranks.as_ref().map(RanksWork::to_string));
+        lines.extend(self.report.checkpoint.as_ref().map(Checkpoint::to_string));
         lines.push(format!(
             "{}; row sums {} to {}",
             balance(checks),

@@ -7,6 +7,7 @@ use radiosity::request::require_all_bounces;
 use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
+    checkpoint::CheckpointArgs,
     error::CliError,
     interrupt::STOP,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SceneArg},
@@ -35,6 +36,9 @@ pub(crate) struct SolveArgs {
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

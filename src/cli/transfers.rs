@@ -4,6 +4,7 @@ use clap::Args;
 use radiosity::request::{Shadows, TransferRequest};
 
 use crate::cli::{
+    checkpoint::CheckpointArgs,
     numbers::{accuracy, threads},
     subdivide::Subdivide,
 };
@@ -31,6 +32,9 @@ pub(crate) struct TransferArgs {
     /// Threads to use, all by default; results do not depend on it
     #[arg(long, value_name = "N", value_parser = threads)]
     threads: Option<usize>,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     /// Prints no progress and no summary
     #[arg(long, short)]

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
+use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::missed::missed;
 use radiosity::output::rank_work::RanksWork;
 use radiosity::output::round::decimals;
@@ -16,8 +17,8 @@ use radiosity::transport::{Accuracy, Miss};
 use radiosity::view_factors::ViewFactors;
 
 use crate::cli::{
-    console, destination::Destination, error::CliError, format, options::SceneArg, output_file::OutputFile,
-    progress::Progress, run::remarks, transfers::TransferArgs,
+    console, destination::Destination, error::CliError, format, given::Given, options::SceneArg,
+    output_file::OutputFile, progress::Progress, run::remarks, transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -91,25 +92,31 @@ const VAGUE: f64 = 0.1;
 const FROM_ONE: f64 = 3.0;
 
 /// Computes the factors and writes them.
-pub(crate) fn run(args: &ViewFactorsArgs) -> Result<(), CliError> {
+pub(crate) fn run(args: &ViewFactorsArgs, given: &Given) -> Result<(), CliError> {
     let start = Instant::now();
     let format = args.format()?;
     args.transfers.request().check()?;
     let scene = args.scene.request().load()?;
+    let ranks = args.transfers.checkpoint.ranks(given, &scene, &[])?;
+    ranks.within(|| of_scene(args, &scene, format, start))
+}
+
+/// The same for a scene that was read; the command began at `start`.
+fn of_scene(args: &ViewFactorsArgs, scene: &Scene, format: Format, start: Instant) -> Result<(), CliError> {
     let pairs: Vec<[usize; 2]> =
-        args.pairs.iter().map(|pair| named_pair(&scene, pair)).collect::<Result<_, _>>()?;
+        args.pairs.iter().map(|pair| named_pair(scene, pair)).collect::<Result<_, _>>()?;
     let reserve = |path| args.scene.kept_apart(OutputFile::reserve(path)?);
     let destination = Destination::from(args.output.as_deref().map(reserve).transpose()?);
     let progress = Progress::new(args.transfers.quiet);
     let chosen: BTreeSet<[usize; 2]> = pairs.iter().copied().collect();
     let wanted = |i, j| chosen.is_empty() || chosen.contains(&[i, j]);
     let show = |done, total| progress.show("pairs", done, total);
-    let factors = ViewFactors::of_pairs(&scene, &wanted, &args.transfers.request().factors(), &show)?;
+    let factors = ViewFactors::of_pairs(scene, &wanted, &args.transfers.request().factors(), &show)?;
     let form = Form { format, sparse: args.sparse, pairs };
-    destination.write(|writer| form.write(&scene, &factors, writer))?;
+    destination.write(|writer| form.write(scene, &factors, writer))?;
     drop(progress);
     if !args.transfers.quiet {
-        args.tell(&scene, &factors, start);
+        args.tell(scene, &factors, start);
     }
     Ok(())
 }
@@ -203,6 +210,8 @@ impl ViewFactorsArgs {
             ),
         ];
         lines.extend(RanksWork::so_far(self.transfers.request().threads()).map(|work| work.to_string()));
+        let checkpoint = Checkpoint::so_far();
+        lines.extend(checkpoint.as_ref().map(Checkpoint::to_string));
         lines.extend(remarks(scene));
         lines.extend(scene.fitted.line());
         if self.pairs.is_empty() {
@@ -212,6 +221,9 @@ impl ViewFactorsArgs {
             let names = miss.pair.map(|surface| &factors.names[surface][..]);
             lines.push(format!("warning: {}", missed(&miss, names)));
         }
+        lines.extend(
+            checkpoint.and_then(|own| own.warning()).map(|warning| format!("warning: {}", warning.message)),
+        );
         lines.extend(self.output.as_ref().map(|path| format!("wrote {}", path.display())));
         console::tell(&(lines.join("\n") + "\n"));
     }

@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::checks::Checks;
 use crate::elements::Elements;
 use crate::hierarchy::Counts;
+use crate::output::checkpoint::Checkpoint;
 use crate::output::peak_memory::peak_bytes;
 use crate::output::plane_figures::PlaneFigures;
 use crate::output::rank_work::RanksWork;
@@ -55,6 +56,9 @@ pub struct Report {
     /// What each rank has done and sent, where several share the work.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub ranks: Option<RanksWork>,
+    /// What came from a checkpoint, and what was added to it, where work is recorded.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub checkpoint: Option<Checkpoint>,
     /// Version of the program.
     pub version: &'static str,
     /// Wall time per stage.
@@ -172,6 +176,7 @@ impl Report {
             solver: outcome.solver.to_owned(),
             threads: options.threads,
             ranks: None,
+            checkpoint: None,
             version: env!("CARGO_PKG_VERSION"),
             seconds: seconds(outcome),
             peak_bytes: peak_bytes(),
@@ -197,6 +202,12 @@ impl Report {
     pub fn add_read_error(&mut self, error: Option<ReadError>, asked: f64) {
         self.warnings.extend(error.and_then(|error| error.warning(asked)));
         self.read_error = error;
+    }
+
+    /// Adds what came from a checkpoint and was added to it, with a warning where that is incomplete.
+    pub fn add_checkpoint(&mut self, checkpoint: Option<Checkpoint>) {
+        self.warnings.extend(checkpoint.as_ref().and_then(Checkpoint::warning));
+        self.checkpoint = checkpoint;
     }
 
     /// Adds what planes read, with warnings of sensors without light.

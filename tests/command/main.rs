@@ -5,6 +5,7 @@ mod animate;
 mod bad_input;
 mod behaviour;
 mod builtin;
+mod checkpoint;
 mod exact_factors;
 mod fitted;
 mod formats;

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use crate::cli::{
+    checkpoint::CheckpointArgs,
     colours::ColourArgs,
     numbers::Counts,
     options::{MethodArgs, PARAMETER_OR_GROUP, ReportArgs, SCENE_OR_SOLUTION, SceneArg},
@@ -50,6 +51,9 @@ pub(crate) struct ReportPageArgs {
 
     #[command(flatten)]
     pub(crate) method: MethodArgs,
+
+    #[command(flatten)]
+    pub(crate) checkpoint: CheckpointArgs,
 
     #[command(flatten)]
     pub(crate) report: ReportArgs,

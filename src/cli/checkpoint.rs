@@ -1,0 +1,75 @@
+//! `--checkpoint` and `--resume`: a run that is recorded, and goes on where it was ended.
+
+use std::env::current_exe;
+use std::fmt::Debug;
+use std::fs;
+use std::hash::{DefaultHasher, Hasher};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use radiosity::ranks::journal::{Begin, fingerprint};
+use radiosity::ranks::{self, Ranks};
+
+use crate::cli::error::CliError;
+use crate::cli::given::Given;
+
+/// Where a run is recorded.
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Checkpoint")]
+pub(crate) struct CheckpointArgs {
+    /// Folder in which work is recorded as it is done: the same command with --resume goes on from there if this one is killed
+    #[arg(long, value_name = "FOLDER")]
+    checkpoint: Option<PathBuf>,
+
+    /// Goes on from what --checkpoint holds, with any number of threads and processes; results are those of one run, bit for bit
+    #[arg(long, requires = "checkpoint")]
+    resume: bool,
+}
+
+impl CheckpointArgs {
+    /// The current ranks, which record their work if that was asked for. Its results hang on what was `given`, on `content`, and on
+    /// the files that it `reads` besides.
+    ///
+    /// # Errors
+    /// A folder that does not hold what was asked for, or cannot be written.
+    pub(crate) fn ranks(
+        &self,
+        given: &Given,
+        content: &dyn Debug,
+        reads: &[Option<&Path>],
+    ) -> Result<Ranks, CliError> {
+        let Some(folder) = &self.checkpoint else { return Ok(ranks::current()) };
+        let reads = reads.iter().flatten().map(|path| file(path)).collect::<Result<Vec<_>, _>>()?;
+        let begin = if self.resume { Begin::Resume } else { Begin::Anew };
+        let run = fingerprint(&(program()?, given, content, reads));
+        Ok(ranks::current().recording(folder, run, begin)?)
+    }
+}
+
+/// A number of this program: builds of one version may differ in numbers.
+fn program() -> Result<u64, CliError> {
+    current_exe().and_then(|path| number(&path)).map_err(|reason| CliError::Refused {
+        message: format!(
+            "--checkpoint: the program cannot be told from others, its file cannot be read: {reason}"
+        ),
+        cure: "allow it to read its own file, or leave --checkpoint out".to_owned(),
+    })
+}
+
+/// A number of what a file holds; None where it cannot be read, which is told where it is needed.
+fn file(path: &Path) -> Result<Option<u64>, CliError> {
+    if path == Path::new("-") {
+        return Err(CliError::Refused {
+            message: "--checkpoint: points from standard input cannot be told from others".to_owned(),
+            cure: "save them to a file, and give its path".to_owned(),
+        });
+    }
+    Ok(number(path).ok())
+}
+
+fn number(path: &Path) -> io::Result<u64> {
+    let mut hashed = DefaultHasher::new();
+    hashed.write(&fs::read(path)?);
+    Ok(hashed.finish())
+}

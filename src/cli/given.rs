@@ -1,0 +1,38 @@
+//! What was typed, as far as results hang on it.
+
+use std::ffi::{OsStr, OsString};
+use std::path::Path;
+
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Command};
+
+/// What was typed, as far as results hang on it: a run that resumes may differ in all else.
+#[derive(Debug, Default)]
+pub(crate) struct Given(#[expect(dead_code, reason = "it is printed")] Vec<(String, Vec<OsString>)>);
+
+/// Options on which no number hangs: means, messages, and where a run is recorded. Names of outputs may differ, their endings not.
+const FREE: [&str; 9] =
+    ["checkpoint", "keep_partial", "memory", "quiet", "report", "resume", "threads", "time_limit", "verbose"];
+
+impl Given {
+    /// What was typed after a verb of `command`, and the verb.
+    pub(crate) fn of(command: &Command, matches: &ArgMatches) -> Self {
+        let Some((verb, typed)) = matches.subcommand() else { return Self::default() };
+        let known = command.find_subcommand(verb).into_iter().flat_map(Command::get_arguments);
+        let counts =
+            |id: &&str| typed.value_source(id) == Some(ValueSource::CommandLine) && !FREE.contains(id);
+        let ids = known.map(|argument| argument.get_id().as_str()).filter(counts);
+        let given = ids.map(|id| (id.to_owned(), values(typed, id)));
+        Self(given.chain([(verb.to_owned(), Vec::new())]).collect())
+    }
+}
+
+/// What was typed after an option.
+fn values(typed: &ArgMatches, id: &str) -> Vec<OsString> {
+    let values = typed.get_raw(id).into_iter().flatten();
+    let kept = |value: &OsStr| match id {
+        "output" => Path::new(value).extension().unwrap_or_default().to_owned(),
+        _ => value.to_owned(),
+    };
+    values.map(kept).collect()
+}
