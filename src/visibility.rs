@@ -89,6 +89,7 @@ impl Visibility {
         surfaces: [usize; 2],
         most: usize,
     ) -> Vec<usize> {
+        heed();
         let mut found = Vec::new();
         if self.shadows == Shadows::Off || self.standing.is_empty() {
             return found;

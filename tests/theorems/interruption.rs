@@ -58,7 +58,7 @@ fn solutions_end_soon() {
     let cornell = scene("cornell-box");
     let dear = Options { subdivide: Some(4), ..exact(8, 1e-6) };
     ends_soon("dear pairs", &solves(&cornell, dear));
-    ends_soon("many pairs", &solves(&cornell, Options { subdivide: Some(60), ..exact(0, 1e-4) }));
+    ends_soon("many pairs", &solves(&cornell, Options { subdivide: Some(24), ..exact(0, 1e-4) }));
     ends_soon("curved pairs", &solves(&scene("teapot"), exact(7, 1e-7)));
     let by_rays = Options {
         transport: Transport::Sampled,
