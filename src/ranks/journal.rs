@@ -92,6 +92,8 @@ impl Journal {
         // No rank makes its file before all have seen which there are.
         folder.is_made = any(folder.is_made);
         let writer = folder.begin(&old, rank, fingerprint)?;
+        // Nor does any leave, and take away an empty folder, before all have made theirs.
+        any(false);
         Ok(Self {
             kept,
             recalled: AtomicU64::new(0),
