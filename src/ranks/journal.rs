@@ -14,12 +14,13 @@
 //!
 //! The last record of a rank that was killed may be torn: it fails its check, and its piece is made again.
 
+mod begin;
 mod error;
 mod fingerprint;
-mod folder;
-mod kept;
 mod record;
 mod writer;
+mod kept;
+mod folder;
 
 use std::any::type_name;
 use std::path::Path;
@@ -31,6 +32,7 @@ use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::ranks::bytes::{encoded, strictly_decoded};
+pub use begin::Begin;
 pub use error::JournalError;
 use fingerprint::digest;
 pub use fingerprint::fingerprint;
@@ -38,15 +40,6 @@ use folder::Folder;
 use kept::Kept;
 use record::Key;
 use writer::Writer;
-
-/// Whether a run begins or goes on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Begin {
-    /// In a folder without a journal.
-    Anew,
-    /// From the journal that the folder holds.
-    Resume,
-}
 
 /// What a rank has recalled and recorded so far.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

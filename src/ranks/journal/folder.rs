@@ -4,7 +4,7 @@ use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::Begin;
+use super::begin::Begin;
 use super::error::JournalError;
 use super::writer::Writer;
 
