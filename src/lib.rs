@@ -4,10 +4,10 @@
 //! B(x) = E₀(x) + ρ(x) ∫ κ(x, y) V(x, y) B(y) dA_y
 //! ```
 //!
-//! The modules stand in the order of their dependencies; each imports only modules listed above it: interruption (ends work) →
-//! ranks (who shares it) → scene → visibility → elements → bases (functions that they hold) → transport (the blocks) → light
-//! (direct, first bounce) → system → solution → gather → solve (the driver) → solved (a scene with its solution) → output. Terms
-//! and places: `docs/glossary.md`; derivations: `docs/theory/`.
+//! The modules stand in the order of their dependencies; each imports only modules listed above it: wording (sentences of messages) →
+//! interruption (ends work) → ranks (who shares it) → scene → visibility → elements → bases (functions that they hold) → transport (the
+//! blocks) → light (direct, first bounce) → system → solution → gather → solve (the driver) → solved (a scene with its solution) →
+//! output. Terms and places: `docs/glossary.md`; derivations: `docs/theory/`.
 //!
 //! Lux at a point of a room, in ten lines:
 //!
@@ -47,6 +47,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+pub mod wording;
 pub mod interruption;
 pub mod ranks;
 pub mod scene;

@@ -1,7 +1,7 @@
 //! What a user asks for, as the command line and the package of Python have it in common: the options of a method with their
 //! presets, ranges and checks, and what they are to the library.
 //!
-//! Either front end turns what it is given into a request. Options are called as they are typed, `--shadow-eps`.
+//! Either front end turns what it is given into a request. Refusals hold options as data ([`Wording`](crate::wording::Wording)).
 
 mod refusal;
 mod modes;

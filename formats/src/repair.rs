@@ -79,7 +79,7 @@ pub fn refusal(repairs: &Repairs, file: &str) -> Option<Refusal> {
         1 => first.text.clone(),
         count => format!("{count} repairs are needed; the first: {}", first.text),
     };
-    let cure = "mend the file, or let repairs be made by leaving out --strict".to_owned();
+    let cure = "mend the file, or let it be repaired".to_owned();
     Some(Refusal { file: file.to_owned(), place: first.place, cause, cure })
 }
 

@@ -14,8 +14,9 @@ use radiosity::request::{LoadError, Refusal};
 use radiosity::scene::{Fault, SceneError};
 use radiosity::solve::Failure;
 use radiosity::solved::RelightError;
+use radiosity::wording::{Wording, words};
 
-use spelling::spelt;
+pub(crate) use spelling::spelt;
 
 create_exception!(
     radiosity,
@@ -46,17 +47,23 @@ impl Trouble {
         Self { message: message.into(), excerpt: String::new(), cure: Some(cure.into()) }
     }
 
-    /// What is wrong, where the message says all.
-    fn plain(message: impl ToString, cure: Option<String>) -> Self {
-        Self { message: message.to_string(), excerpt: String::new(), cure }
+    /// What the library says is wrong, and how to mend it where the message does not say it.
+    fn told(message: &Wording, cure: Option<Wording>) -> Self {
+        let cure = cure.as_ref().map(spelt);
+        Self { message: spelt(message), excerpt: String::new(), cure }
+    }
+
+    /// The same of an error in whose message no option stands.
+    fn plain(message: impl ToString, cure: Option<Wording>) -> Self {
+        Self::told(&words(message.to_string()), cure)
     }
 
     /// Message, line and cure.
     fn text(&self) -> String {
         let Self { message, excerpt, cure } = self;
-        let mut lines = vec![spelt(message)];
+        let mut lines = vec![message.clone()];
         lines.extend(excerpt.lines().map(str::to_owned));
-        lines.extend(cure.as_ref().map(|cure| format!("help: {}", spelt(cure))));
+        lines.extend(cure.as_ref().map(|cure| format!("help: {cure}")));
         lines.join("\n")
     }
 }
@@ -70,13 +77,13 @@ impl From<Trouble> for PyErr {
 impl From<SceneError> for Trouble {
     fn from(error: SceneError) -> Self {
         let excerpt = error.place.as_ref().map(|place| place.excerpt()).unwrap_or_default();
-        Self { message: error.to_string(), excerpt, cure: error.cure() }
+        Self { excerpt, ..Self::plain(&error, error.advice()) }
     }
 }
 
 impl From<Refusal> for Trouble {
     fn from(Refusal { message, cure }: Refusal) -> Self {
-        Self::new(message, cure)
+        Self::told(&message, Some(cure))
     }
 }
 
@@ -92,13 +99,13 @@ impl From<LoadError> for Trouble {
 
 impl From<Fault> for Trouble {
     fn from(fault: Fault) -> Self {
-        Self::plain(&fault, fault.cure())
+        Self::plain(&fault, fault.advice())
     }
 }
 
 impl From<SolutionError> for Trouble {
     fn from(error: SolutionError) -> Self {
-        Self::plain(&error, Some(error.cure().to_owned()))
+        Self::plain(&error, Some(error.cure().into()))
     }
 }
 
@@ -113,7 +120,7 @@ impl From<RelightError> for Trouble {
 
 impl From<Failure> for Trouble {
     fn from(failure: Failure) -> Self {
-        Self::plain(&failure, failure.cure())
+        Self::told(&failure.message(), failure.cure())
     }
 }
 
@@ -121,20 +128,20 @@ impl From<HeatError> for Trouble {
     fn from(error: HeatError) -> Self {
         match error {
             HeatError::Solve(failure) => failure.into(),
-            other => Self::plain(&other, other.cure().map(str::to_owned)),
+            other => Self::plain(&other, other.cure()),
         }
     }
 }
 
 impl From<NoCamera> for Trouble {
     fn from(error: NoCamera) -> Self {
-        Self::plain(&error, Some(error.cure()))
+        Self::plain(&error, Some(error.cure().into()))
     }
 }
 
 impl From<VtuError> for Trouble {
     fn from(error: VtuError) -> Self {
-        Self::plain(&error, Some(error.cure().to_owned()))
+        Self::told(&error.message(), Some(error.cure()))
     }
 }
 
@@ -147,8 +154,9 @@ pub(crate) fn file_error(path: &str, error: &std::io::Error) -> PyErr {
 ///
 /// # Errors
 /// Where warnings are turned into exceptions.
-pub(crate) fn warn(py: Python<'_>, message: &str) -> PyResult<()> {
-    let text = CString::new(spelt(message)).unwrap_or_default();
+pub(crate) fn warn(py: Python<'_>, message: &Wording) -> PyResult<()> {
+    // Texts of C end at NUL, which names may have.
+    let text = CString::new(spelt(message).replace('\0', "\\0")).expect("there is no NUL");
     // The first frame is that of the package itself.
     const CALLER: i32 = 2;
     PyErr::warn(py, &py.get_type::<RadiosityWarning>(), &text, CALLER)

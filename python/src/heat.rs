@@ -8,6 +8,7 @@ use radiosity::heat::SurfaceHeat;
 use radiosity::output::missed::missed;
 use radiosity::solve::Progress as Step;
 use radiosity::transport::Miss;
+use radiosity::wording::{Wording, option, words};
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
@@ -51,12 +52,13 @@ pub(crate) fn heat_of(
     Ok(Heat { heat })
 }
 
-fn no_error_of_order(order: usize) -> String {
-    format!(
+fn no_error_of_order(order: usize) -> Wording {
+    let told = format!(
         "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
-         fluxes miss; allow more with --memory",
+         fluxes miss; allow more with ",
         order + 1
-    )
+    );
+    words(told) + option("memory")
 }
 
 fn show(progress: &Progress, stage: library::Stage) {

@@ -7,6 +7,7 @@ use radiosity::output::plane_figures::{BandFigures, PlaneFigures};
 use radiosity::output::probe::Reading;
 use radiosity::output::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
+use radiosity::wording::Wording;
 
 use crate::arrays::array;
 use crate::error::Trouble;
@@ -47,7 +48,7 @@ impl Plane {
     }
 
     /// What is to be told of sensors in the dark.
-    pub(crate) fn warning(&self) -> Option<String> {
+    pub(crate) fn warning(&self) -> Option<Wording> {
         self.figures.warning().map(|warning| warning.message)
     }
 

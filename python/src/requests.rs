@@ -131,7 +131,7 @@ pub(crate) fn import(given: &mut Arguments<'_>) -> PyResult<ImportRequest> {
 fn sides(given: &mut Arguments<'_>) -> PyResult<Option<Sides>> {
     match (given.flag("one_sided")?, given.flag("two_sided")?) {
         (true, true) => {
-            Err(Trouble::new("--one-sided does not go with --two-sided", "leave one of them out").into())
+            Err(Trouble::new("one_sided= does not go with two_sided=", "leave one of them out").into())
         }
         (true, false) => Ok(Some(Sides::Front)),
         (false, true) => Ok(Some(Sides::Both)),

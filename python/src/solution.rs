@@ -19,6 +19,7 @@ use radiosity::request::{MethodRequest, memory, ranges, require_all_bounces};
 use radiosity::scene::Scene as Whole;
 use radiosity::solve::in_threads;
 use radiosity::solved::Solved;
+use radiosity::wording::{option, words};
 use std::collections::BTreeMap;
 
 use crate::arguments::Arguments;
@@ -107,7 +108,7 @@ impl Solution {
         })?;
         let readings = readings.map_err(|(index, fault)| {
             let cure =
-                "the polynomials are known on surfaces alone, along their normals: choose --read gather";
+                "the polynomials are known on surfaces alone, along their normals: choose read=\"gather\"";
             Trouble::new(format!("points[{index}]: {fault}"), cure)
         })?;
         warn_of(py, ReadError::of(readings.iter().map(|reading| reading.deviation)), how.eps)?;
@@ -212,8 +213,13 @@ impl Solution {
         let scene = &self.solved.scene;
         let count = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
         let needed = count * (CELL + BAND * scene.bands.len() as u64);
-        memory::require(needed, self.method.memory, ["the cells", "ask for fewer with --cells"])
-            .map_err(Trouble::from)?;
+        memory::require(
+            needed,
+            self.method.memory,
+            "the cells",
+            words("ask for fewer with ") + option("cells"),
+        )
+        .map_err(Trouble::from)?;
         let cells =
             self.read(py, observer.as_ref(), threads, |progress| self.cells(&how, sides, progress))?;
         warn_of(py, ReadError::of(cells.iter().map(|cell| cell.deviation)), how.eps)?;
@@ -247,8 +253,8 @@ impl Solution {
     /// Writes it as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
     fn save(&self, py: Python<'_>, path: &str, is_grid: bool) -> PyResult<()> {
         let kept = "a solution is kept for readers, who would gather from it as if it were all light";
-        require_all_bounces(&self.method, kept, "solve the scene without --bounces")
-            .map_err(Trouble::from)?;
+        let cure = words("solve the scene without ") + option("bounces");
+        require_all_bounces(&self.method, kept, cure).map_err(Trouble::from)?;
         py.detach(|| match is_grid {
             true => self.write_grid(path),
             false => self.write_json(path),

@@ -177,7 +177,7 @@ impl From<HeatError> for CliError {
 
 impl From<Refusal> for CliError {
     fn from(Refusal { message, cure }: Refusal) -> Self {
-        Self::Refused { message, cure }
+        Self::Refused { message: message.to_string(), cure: cure.to_string() }
     }
 }
 
@@ -302,10 +302,10 @@ impl CliError {
             CliError::UnknownFormat { known, .. } => {
                 Some(format!("end the name in .{}, or add --format {known}", known.replace("or ", "or .")))
             }
-            CliError::Vtu { reason, .. } => Some(reason.cure().into()),
-            CliError::Heat(error) => error.cure().map(str::to_owned),
+            CliError::Vtu { reason, .. } => Some(reason.cure().to_string()),
+            CliError::Heat(error) => error.cure().map(|cure| cure.to_string()),
             CliError::PairsAsArray { .. } => Some("choose --format csv or json".into()),
-            CliError::Solve(failure) => failure.cure(),
+            CliError::Solve(failure) => failure.cure().map(|cure| cure.to_string()),
             CliError::Typed(_)
             | CliError::LooksWrong { .. }
             | CliError::Missed { .. }

@@ -21,5 +21,5 @@ pub(crate) fn require_texels(
 ) -> Result<(), CliError> {
     let parts = 1 + scene.light_groups().len() as u64;
     let texel = TEXEL + scene.bands.len() as u64 * (BAND + parts * OF_GROUP);
-    Ok(require(texels as u64 * texel, method.memory, ["the texels", less])?)
+    Ok(require(texels as u64 * texel, method.memory, "the texels", less)?)
 }

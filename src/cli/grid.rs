@@ -10,6 +10,7 @@ use radiosity::output::reader::Reader;
 use radiosity::request::memory::require;
 use radiosity::scene::Scene;
 use radiosity::solved::Solved;
+use radiosity::wording::{option, words};
 use serde::Serialize;
 
 use crate::cli::{
@@ -68,7 +69,7 @@ pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
     let [cells, surfaces] =
         [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
     let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
-    require(needed, args.method.memory, ["the cells", "ask for fewer with --cells"])?;
+    require(needed, args.method.memory, "the cells", words("ask for fewer with ") + option("cells"))?;
     args.read.check(&loaded.options(&args.method), &args.method)?;
     if args.read_samples.is_some() && args.read.read_by == Some(By::Rays) {
         return Err(CliError::Refused {

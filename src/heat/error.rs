@@ -1,6 +1,7 @@
 //! Why the heat of a scene has no balance.
 
 use crate::solve::Failure;
+use crate::wording::{Wording, option, words};
 
 /// Most names that a message spells out. Chosen.
 const SPELT: usize = 5;
@@ -61,26 +62,33 @@ pub enum HeatError {
 
 impl HeatError {
     /// How to mend it; none where the message already says so.
-    pub fn cure(&self) -> Option<&'static str> {
-        match self {
-            Self::NoCondition { .. } => Some(
+    pub fn cure(&self) -> Option<Wording> {
+        Some(match self {
+            Self::NoCondition { .. } => words(
                 "give the surface or its material temperature = …, in kelvin, heat_flux = …, in W/m², or adiabatic = true",
             ),
-            Self::NoEmissivity { .. } => Some("give the material emissivity = …, 0 < ε ≤ 1"),
+            Self::NoEmissivity { .. } => words("give the material emissivity = …, 0 < ε ≤ 1"),
             Self::Transmits { .. } => {
-                Some("leave the transmittance of the material out: the surfaces of radiant heat are opaque")
+                words("leave the transmittance of the material out: the surfaces of radiant heat are opaque")
             }
-            Self::NoLevel { .. } => Some(
-                "give one of them a temperature; heat that leaves by a small opening is found by a smaller --eps",
-            ),
+            Self::NoLevel { .. } => {
+                words(
+                    "give one of them a temperature; heat that leaves by a small opening is found by a smaller ",
+                ) + option("eps")
+            }
             Self::TooCold { .. } => {
-                Some("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
+                words("draw less heat, a heat_flux nearer to 0, or give a temperature instead")
             }
             Self::Conductances { .. } => {
-                Some("take a lower --order, leave out --conductances, or allow more with --memory")
+                words("take a lower ")
+                    + option("order")
+                    + ", leave out "
+                    + option("conductances")
+                    + ", or allow more with "
+                    + option("memory")
             }
-            Self::Solve(_) => None,
-        }
+            Self::Solve(_) => return None,
+        })
     }
 }
 

@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::gather::by_rays::Deviation;
 use crate::output::round::decimals;
 use crate::output::warning::Warning;
+use crate::wording::{option, words};
 
 /// Errors of readings, over those asked for, that are worth a warning. Chosen.
 const MISSED: f64 = 1.5;
@@ -37,11 +38,12 @@ impl ReadError {
     /// A warning where readings that were to err by `asked` err by much more.
     pub fn warning(&self, asked: f64) -> Option<Warning> {
         let message = || {
-            format!(
+            let told = format!(
                 "rays leave errors of {:.1e} in what is read, {:.1e} at most, where {asked:.1e} was asked for: some points \
-                 see small bright things or the edges of many; ask for a smaller --read-eps there",
+                 see small bright things or the edges of many; ask for a smaller ",
                 self.rms, self.largest
-            )
+            );
+            words(told) + option("read-eps") + " there"
         };
         (self.rms > MISSED * asked).then(|| Warning::general("reading-error", message()))
     }

@@ -2,13 +2,15 @@
 
 use serde::Serialize;
 
+use crate::wording::Wording;
+
 /// Something the user should know.
 #[derive(Clone, Debug, Serialize)]
 pub struct Warning {
     /// Stable name of the kind of warning.
     pub code: String,
     /// The warning, with its cure.
-    pub message: String,
+    pub message: Wording,
     /// The surface concerned.
     pub surface: Option<String>,
     /// The other surface, where it concerns a pair.
@@ -19,7 +21,7 @@ pub struct Warning {
 
 impl Warning {
     /// One that is about no surface.
-    pub(super) fn general(code: &str, message: String) -> Self {
-        Self { code: code.to_owned(), message, surface: None, other: None, size: None }
+    pub(super) fn general(code: &str, message: impl Into<Wording>) -> Self {
+        Self { code: code.to_owned(), message: message.into(), surface: None, other: None, size: None }
     }
 }

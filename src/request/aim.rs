@@ -8,6 +8,7 @@ use crate::output::probe::Probe;
 use crate::scene::{Camera, Scene};
 use crate::studies::adaptation::Goal;
 use crate::visibility::{Shadows, Visibility};
+use crate::wording::{set, words};
 
 /// Points of a picture along each of its sides. Chosen: about as many as errors are estimated at.
 const ACROSS: u32 = 16;
@@ -26,13 +27,13 @@ pub fn of_picture(accuracy: f64, scene: &Scene) -> Result<Goal, Refusal> {
     let Some(camera) = &scene.camera else {
         return Err(Refusal::new(
             format!("{}: there is no camera, so nothing says what the picture shows", scene.origin),
-            "add [camera] with eye and target, or take --for gathered",
+            words("add [camera] with eye and target, or take ") + set("for", "gathered"),
         ));
     };
     match seen(scene, camera) {
         points if points.is_empty() => Err(Refusal::new(
             format!("{}: the camera sees no front of any surface", scene.origin),
-            "turn the camera, or take --for gathered",
+            words("turn the camera, or take ") + set("for", "gathered"),
         )),
         points => Ok(Goal::seen(accuracy, points)),
     }

@@ -6,6 +6,7 @@ use super::refusal::Refusal;
 use crate::bases::Basis;
 use crate::solve::{Algorithm, Direct, Preconditioning, Transport};
 use crate::studies::convergence::Way;
+use crate::wording::{Wording, option, set, value, words};
 
 impl MethodRequest {
     /// Refuses options that do not go with each other, or do nothing beside others.
@@ -26,8 +27,14 @@ impl MethodRequest {
 fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
     match method.time_limit {
         Some(_) if method.wanted_accuracy().is_none() => Err(Refusal::new(
-            "--time-limit does nothing without an accuracy that is wanted",
-            "add --accuracy, such as --accuracy 1e-2, or leave --time-limit out",
+            option("time-limit") + " does nothing without an accuracy that is wanted",
+            words("add ")
+                + option("accuracy")
+                + ", such as "
+                + set("accuracy", "1e-2")
+                + ", or leave "
+                + option("time-limit")
+                + " out",
         )),
         _ => Ok(()),
     }
@@ -37,21 +44,21 @@ fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
 fn check_algorithm(method: &MethodRequest) -> Result<(), Refusal> {
     let is_higher = matches!(method.order, Some(Order::Degree(1..)));
     let unknown = [
-        (is_higher, "--order above 0"),
-        (method.tensor, "--tensor"),
-        (method.subdivide.is_some(), "--subdivide"),
-        (method.layers.count > 0, "--layers"),
-        (method.kernel.rules().is_some(), "--kernel"),
-        (method.transport != Transport::Auto, "--transport"),
-        (method.rays.is_some(), "--rays"),
-        (method.shadows != Shadows::Auto, "--shadows"),
-        (method.shadow_eps.is_some(), "--shadow-eps"),
-        (method.direct != Direct::Auto, "--direct"),
+        (is_higher, option("order") + " above 0"),
+        (method.tensor, option("tensor")),
+        (method.subdivide.is_some(), option("subdivide")),
+        (method.layers.count > 0, option("layers")),
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.transport != Transport::Auto, option("transport")),
+        (method.rays.is_some(), option("rays")),
+        (method.shadows != Shadows::Auto, option("shadows")),
+        (method.shadow_eps.is_some(), option("shadow-eps")),
+        (method.direct != Direct::Auto, option("direct")),
     ];
     match unknown.into_iter().find(|(is_typed, _)| *is_typed) {
         Some((_, name)) if method.algorithm == Algorithm::Hierarchical => Err(Refusal::new(
-            format!("--method hierarchical knows no {name}: it links constants"),
-            format!("leave {name} out, or leave --method out"),
+            set("method", "hierarchical") + " knows no " + name.clone() + ": it links constants",
+            words("leave ") + name + " out, or leave " + option("method") + " out",
         )),
         _ => Ok(()),
     }
@@ -60,17 +67,17 @@ fn check_algorithm(method: &MethodRequest) -> Result<(), Refusal> {
 /// Refuses rays together with the methods of 1993, which know none.
 fn check_rays(method: &MethodRequest) -> Result<(), Refusal> {
     let rays = match (method.transport, method.rays) {
-        (Transport::Sampled, _) => "--transport sampled",
-        (_, Some(_)) => "--rays",
+        (Transport::Sampled, _) => set("transport", "sampled"),
+        (_, Some(_)) => option("rays"),
         _ => return Ok(()),
     };
     let others = [
-        (method.kernel.rules().is_some(), "--kernel"),
-        (method.shadows == Shadows::Mask, "--shadows mask"),
-        (method.shadows == Shadows::Off, "--shadows off"),
-        (method.transport == Transport::Exact, "--transport exact"),
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.shadows == Shadows::Mask, set("shadows", "mask")),
+        (method.shadows == Shadows::Off, set("shadows", "off")),
+        (method.transport == Transport::Exact, set("transport", "exact")),
     ];
-    refuse(rays, &others)
+    refuse(rays, others)
 }
 
 /// Refuses a preconditioner for a solver that takes none.
@@ -78,8 +85,14 @@ fn check_preconditioner(method: &MethodRequest) -> Result<(), Refusal> {
     let iterates = ["auto", "cg", "gmres"].contains(&method.solver.name);
     if method.preconditioner == Preconditioning::None && !iterates {
         return Err(Refusal::new(
-            format!("--preconditioner does nothing with --solver {}", method.solver.name),
-            "take --solver cg or gmres, or leave --preconditioner out",
+            option("preconditioner") + " does nothing with " + set("solver", method.solver.name),
+            words("take ")
+                + set("solver", "cg")
+                + " or "
+                + value("gmres")
+                + ", or leave "
+                + option("preconditioner")
+                + " out",
         ));
     }
     Ok(())
@@ -91,7 +104,7 @@ fn check_basis(method: &MethodRequest) -> Result<(), Refusal> {
     if basis == Basis::Legendre {
         return Ok(());
     }
-    refuse(&format!("--basis {name}"), &others(method))?;
+    refuse(set("basis", name), others(method))?;
     let order = match method.order {
         Some(Order::Degree(order)) => order,
         _ => return Ok(()),
@@ -105,8 +118,11 @@ fn check_basis(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     Err(Refusal::new(
-        format!("--basis {name} has no --order {order}: its functions are of degree {own} on each cell"),
-        "leave --order out, and take finer cells: --subdivide 8",
+        set("basis", name)
+            + " has no "
+            + set("order", order)
+            + format!(": its functions are of degree {own} on each cell"),
+        words("leave ") + option("order") + " out, and take finer cells: " + set("subdivide", 8),
     ))
 }
 
@@ -115,10 +131,10 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
         return Ok(());
     }
     let unknown = [
-        (method.algorithm == Algorithm::Hierarchical, "--method hierarchical"),
-        (method.wanted_accuracy().is_some(), "--accuracy"),
+        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.wanted_accuracy().is_some(), option("accuracy")),
     ];
-    refuse("--bounces", &unknown)
+    refuse(option("bounces"), unknown)
 }
 
 /// Refuses ways of a convergence study that do not go with what is asked of all.
@@ -127,15 +143,15 @@ fn check_bounces(method: &MethodRequest) -> Result<(), Refusal> {
 /// The first such option.
 pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
     for way in ways {
-        let name = format!("--with {}", way.name());
+        let name = set("with", way.name());
         match way {
             Way::Uniform => {}
-            Way::Constant | Way::Linear | Way::Harmonic => refuse(&name, &others(method))?,
+            Way::Constant | Way::Linear | Way::Harmonic => refuse(name, others(method))?,
             Way::Hierarchical | Way::Hp | Way::Sampled => refuse(
-                &name,
-                &[
-                    (method.basis != Basis::Legendre, "--basis"),
-                    (method.bounces.is_some() && *way != Way::Sampled, "--bounces"),
+                name,
+                [
+                    (method.basis != Basis::Legendre, option("basis")),
+                    (method.bounces.is_some() && *way != Way::Sampled, option("bounces")),
                 ],
             )?,
         }
@@ -144,25 +160,23 @@ pub fn check_ways(method: &MethodRequest, ways: &[Way]) -> Result<(), Refusal> {
 }
 
 /// Options that know polynomials on elements only, and whether they are typed.
-fn others(method: &MethodRequest) -> [(bool, &'static str); 8] {
+fn others(method: &MethodRequest) -> [(bool, Wording); 8] {
     let has_no_degree = matches!(method.basis, Basis::Constant | Basis::Linear);
     [
-        (method.algorithm == Algorithm::Hierarchical, "--method hierarchical"),
-        (method.wanted_accuracy().is_some(), "--accuracy"),
-        (method.aim.is_some(), "--for"),
-        (method.kernel.rules().is_some(), "--kernel"),
-        (method.shadows == Shadows::Mask, "--shadows mask"),
-        (method.transport == Transport::Sampled, "--transport sampled"),
-        (method.rays.is_some(), "--rays"),
-        (method.tensor && has_no_degree, "--tensor"),
+        (method.algorithm == Algorithm::Hierarchical, set("method", "hierarchical")),
+        (method.wanted_accuracy().is_some(), option("accuracy")),
+        (method.aim.is_some(), option("for")),
+        (method.kernel.rules().is_some(), option("kernel")),
+        (method.shadows == Shadows::Mask, set("shadows", "mask")),
+        (method.transport == Transport::Sampled, set("transport", "sampled")),
+        (method.rays.is_some(), option("rays")),
+        (method.tensor && has_no_degree, option("tensor")),
     ]
 }
 
-fn refuse(what: &str, others: &[(bool, &str)]) -> Result<(), Refusal> {
-    match others.iter().find(|(is_typed, _)| *is_typed) {
-        Some((_, other)) => {
-            Err(Refusal::new(format!("{what} does not go with {other}"), "leave one of them out"))
-        }
+fn refuse(what: Wording, others: impl IntoIterator<Item = (bool, Wording)>) -> Result<(), Refusal> {
+    match others.into_iter().find(|(is_typed, _)| *is_typed) {
+        Some((_, other)) => Err(Refusal::new(what + " does not go with " + other, "leave one of them out")),
         None => Ok(()),
     }
 }
@@ -171,9 +185,13 @@ fn refuse(what: &str, others: &[(bool, &str)]) -> Result<(), Refusal> {
 ///
 /// # Errors
 /// Where reflections are limited.
-pub fn require_all_bounces(method: &MethodRequest, verb: &str, cure: &str) -> Result<(), Refusal> {
+pub fn require_all_bounces(
+    method: &MethodRequest,
+    verb: &str,
+    cure: impl Into<Wording>,
+) -> Result<(), Refusal> {
     match method.bounces {
         None => Ok(()),
-        Some(bounces) => Err(Refusal::new(format!("--bounces {bounces}: {verb}"), cure)),
+        Some(bounces) => Err(Refusal::new(set("bounces", bounces) + format!(": {verb}"), cure)),
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::refusal::Refusal;
 use crate::ranks;
+use crate::wording::{Wording, option};
 
 /// Part of the free memory that is used unless the user says otherwise. Chosen.
 const SHARE: f64 = 0.8;
@@ -24,7 +25,12 @@ pub fn usable() -> Option<u64> {
 ///
 /// # Errors
 /// Where there is no room.
-pub fn require(needed: u64, allowed: Option<u64>, [what, less]: [&str; 2]) -> Result<(), Refusal> {
+pub fn require(
+    needed: u64,
+    allowed: Option<u64>,
+    what: &str,
+    less: impl Into<Wording>,
+) -> Result<(), Refusal> {
     match allowed.or_else(usable) {
         Some(allowed) if allowed < needed => Err(Refusal::new(
             format!(
@@ -32,7 +38,7 @@ pub fn require(needed: u64, allowed: Option<u64>, [what, less]: [&str; 2]) -> Re
                 needed as f64 / 1e6,
                 allowed as f64 / 1e6
             ),
-            format!("{less}, or allow more with --memory"),
+            less.into() + ", or allow more with " + option("memory"),
         )),
         _ => Ok(()),
     }

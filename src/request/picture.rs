@@ -5,6 +5,7 @@ use radiosity_geom::{Aabb, DVec3, Ray, Rect};
 use super::memory;
 use super::refusal::Refusal;
 use crate::scene::{Camera, Scene};
+use crate::wording::{option, words};
 
 /// Camera rays along each side of a pixel unless told otherwise. Chosen.
 pub const SAMPLES: u32 = 3;
@@ -63,7 +64,7 @@ pub fn pixels(camera: &Camera) -> u64 {
 pub fn require_pixels(camera: &Camera, scene: &Scene, allowed: Option<u64>) -> Result<(), Refusal> {
     let pixels = pixels(camera);
     let needed = pixels * (PIXEL + BAND * scene.bands.len() as u64) + pixels.min(AT_ONCE) * IN_WORK;
-    memory::require(needed, allowed, ["the pixels", "ask for fewer with --size"])
+    memory::require(needed, allowed, "the pixels", words("ask for fewer with ") + option("size"))
 }
 
 /// A camera for a scene without one, in one line: inside what looks like a room, outside of anything else.

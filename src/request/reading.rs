@@ -9,6 +9,7 @@ use crate::solve::Options;
 use crate::solved::Solved;
 use crate::studies::adaptation::{Aim, Goal};
 use crate::visibility::Hiding;
+use crate::wording::{Wording, option, set, value, words};
 
 /// Accuracy that a solution by rays is worth being read to. Chosen: its own error is some percent, of which this adds little.
 const BY_RAYS: f64 = 1e-2;
@@ -31,20 +32,32 @@ impl ReadRequest {
     /// The first such option.
     pub fn check(&self, options: &Options, method: &MethodRequest) -> Result<(), Refusal> {
         check_aim(self.read, method)?;
-        let refuse = |message: &str, cure: &str| Err(Refusal::new(message, cure));
+        let refuse = |message: Wording, cure: Wording| Err(Refusal::new(message, cure));
         match self.read {
             Some(Read::Basis) if self.eps.is_some() => refuse(
-                "--read-eps is the accuracy of recomputed light, and --read basis recomputes none",
-                "leave one of them out",
+                option("read-eps")
+                    + " is the accuracy of recomputed light, and "
+                    + set("read", "basis")
+                    + " recomputes none",
+                words("leave one of them out"),
             ),
             Some(Read::Basis | Read::Direct) if self.by.is_some() => refuse(
-                "--read-by says by what light is gathered, and --read basis and direct gather none",
-                "leave one of them out, or take --read gather",
+                option("read-by")
+                    + " says by what light is gathered, and "
+                    + set("read", "basis")
+                    + " and "
+                    + value("direct")
+                    + " gather none",
+                words("leave one of them out, or take ") + set("read", "gather"),
             ),
             _ if self.by == Some(By::Rays) && (options.masks.is_some() || options.shadows == Hiding::Off) => {
                 refuse(
-                    "--read-by rays always sees exact shadows, and the solution has others: --shadows mask or off",
-                    "take --read-by cells, or solve with other shadows",
+                    set("read-by", "rays")
+                        + " always sees exact shadows, and the solution has others: "
+                        + set("shadows", "mask")
+                        + " or "
+                        + value("off"),
+                    words("take ") + set("read-by", "cells") + ", or solve with other shadows",
                 )
             }
             _ => Ok(()),
@@ -96,8 +109,13 @@ pub fn check_aim(read: Option<Read>, method: &MethodRequest) -> Result<(), Refus
     let is_of_gathered = method.wanted_accuracy().is_some() && method.aim != Some(Aim::Solution);
     match read {
         Some(Read::Basis | Read::Direct) if is_of_gathered => Err(Refusal::new(
-            "--accuracy is that of gathered light, and --read basis and direct read polynomials",
-            "add --for solution, or take --read gather",
+            option("accuracy")
+                + " is that of gathered light, and "
+                + set("read", "basis")
+                + " and "
+                + value("direct")
+                + " read polynomials",
+            words("add ") + set("for", "solution") + ", or take " + set("read", "gather"),
         )),
         _ => Ok(()),
     }

@@ -7,6 +7,7 @@ use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit:
 use super::refusal::Refusal;
 use crate::output::solution_file::is_solution;
 use crate::scene::{Import, Scene, SceneError, Source, input};
+use crate::wording::{option, set, words};
 
 /// How a scene of another program is to be read.
 #[derive(Clone, Debug, Default)]
@@ -138,9 +139,11 @@ impl SceneRequest {
         };
         match own.first().filter(|_| import.format_of(&self.source).is_none()) {
             None => Ok(import),
-            Some(option) => Err(Refusal::new(
-                format!("{option}: {} is not known for a scene of another program", self.source),
-                "name its format with --from, or leave the option out: a scene of radiosity says this itself",
+            Some(name) => Err(Refusal::new(
+                option(name) + format!(": {} is not known for a scene of another program", self.source),
+                words("name its format with ")
+                    + option("from")
+                    + ", or leave the option out: a scene of radiosity says this itself",
             )),
         }
     }
@@ -150,14 +153,14 @@ impl ImportRequest {
     /// The first option that was given.
     fn first(&self) -> Option<&'static str> {
         let given = [
-            (self.format.is_some(), "--from"),
-            (self.sides == Some(Sides::Front), "--one-sided"),
-            (self.sides == Some(Sides::Both), "--two-sided"),
-            (self.materials.is_some(), "--materials"),
-            (self.unit.is_some(), "--unit"),
-            (self.up.is_some(), "--up"),
-            (self.fix_fronts, "--fix-fronts"),
-            (self.grey, "--grey"),
+            (self.format.is_some(), "from"),
+            (self.sides == Some(Sides::Front), "one-sided"),
+            (self.sides == Some(Sides::Both), "two-sided"),
+            (self.materials.is_some(), "materials"),
+            (self.unit.is_some(), "unit"),
+            (self.up.is_some(), "up"),
+            (self.fix_fronts, "fix-fronts"),
+            (self.grey, "grey"),
         ];
         given.into_iter().find_map(|(is_given, name)| is_given.then_some(name))
     }
@@ -183,7 +186,7 @@ fn side_file(path: &Path) -> Result<SideFile, Refusal> {
     match input::text(source) {
         Ok(text) => Ok(SideFile { name, text }),
         Err(error) => Err(Refusal::new(
-            format!("--materials {name}: cannot be read: {error}"),
+            set("materials", name) + format!(": cannot be read: {error}"),
             "check the path and its permissions",
         )),
     }

@@ -7,6 +7,7 @@ use crate::heat::HeatOptions;
 use crate::solve::{Options, Transport};
 use crate::transport::Accuracy;
 use crate::view_factors;
+use crate::wording::set;
 
 /// How transfers are integrated; None where nothing was said.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +55,7 @@ impl TransferRequest {
             return Ok(());
         }
         Err(Refusal::new(
-            "--shadows mask: masks carry light of lamps, and there is none here",
+            set("shadows", "mask") + ": masks carry light of lamps, and there is none here",
             "choose auto, exact, rays or off",
         ))
     }

@@ -1,10 +1,66 @@
 //! How to mend each fault of a scene, in words.
 
 use crate::scene::{builtin, error::Fault, nearest::nearest};
+use crate::wording::{Wording, command, option, set, words};
 
 impl Fault {
     /// How to mend it; none where the message already says so.
+    pub fn advice(&self) -> Option<Wording> {
+        Some(match self {
+            Fault::UnknownParameter { known, .. } if known.is_empty() => {
+                words("this scene has no parameters; ") + command("scenes") + " lists those that have"
+            }
+            Fault::FixedVariable { name } => {
+                words("give the scene itself with ")
+                    + set("set", format!("{name}=…"))
+                    + ", not a solution of it"
+            }
+            Fault::UnknownPlane { name, known } if known.is_empty() => {
+                words(format!("define it: [planes.{name}] with origin, edges and spacing; or type it: "))
+                    + set("plane", "\"origin; edge; edge; spacing\"")
+            }
+            Fault::Unreadable { .. } => {
+                words("check the path and its permissions; ")
+                    + command("scenes")
+                    + " lists scenes that need no file"
+            }
+            Fault::NeedsRepairs { .. } => {
+                words("mend the file, or let repairs be made by leaving out ") + option("strict")
+            }
+            Fault::NoMaterials => {
+                command("view-factors")
+                    + " and "
+                    + command("check")
+                    + " need none; for light write a TOML scene, where each surface has a shape and a material"
+            }
+            Fault::Bare => {
+                command("view-factors")
+                    + " and "
+                    + command("check")
+                    + " need none; for light give them in a file, "
+                    + set("materials", "materials.toml")
+                    + ", such as [materials.\"*\"] with reflectance = 0.5"
+            }
+            Fault::NoEmitter => {
+                words(
+                    "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add ",
+                ) + "[[luminaires]], or a [sky] and a window with opening = true; for a file of another program, in a file for "
+                    + option("materials")
+                    + "; "
+                    + command("heat")
+                    + " takes temperatures instead"
+            }
+            other => return other.plain_advice().map(words),
+        })
+    }
+
+    /// The same as the command line has it.
     pub fn cure(&self) -> Option<String> {
+        self.advice().map(|advice| advice.to_string())
+    }
+
+    /// How to mend what no option and no verb mends.
+    fn plain_advice(&self) -> Option<String> {
         Some(match self {
             Fault::Shape(_) => return None,
             Fault::Foreign { cure, .. } if cure.is_empty() => return None,
@@ -12,9 +68,6 @@ impl Fault {
             Fault::UnknownScene { name } => {
                 choose(name, builtin::ALL.iter().map(|scene| scene.name), "built-in scenes")
                     + "; a scene file is given by its path, ending in .toml or .json"
-            }
-            Fault::UnknownParameter { known, .. } if known.is_empty() => {
-                "this scene has no parameters; `radiosity scenes` lists those that have".to_owned()
             }
             Fault::UnknownParameter { name, known } => {
                 choose(name, known.iter().copied(), "parameters of this scene")
@@ -36,9 +89,6 @@ impl Fault {
                     nearest(name, names).map(|near| format!("did you mean {near:?}? ")).unwrap_or_default();
                 let groups = if groups.is_empty() { "none".to_owned() } else { groups.join(", ") };
                 format!("{near}variables of this scene: {}; light groups: {groups}", variables.join(", "))
-            }
-            Fault::FixedVariable { name } => {
-                format!("give the scene itself with --set {name}=…, not a solution of it")
             }
             Fault::UnknownFunction { name, known } => choose(name, known.iter().copied(), "functions"),
             Fault::UnknownSky { name, known } => choose(name, known.iter().copied(), "models of the sky"),
@@ -83,9 +133,6 @@ impl Fault {
             Fault::UnknownGroup { name, known } => {
                 choose(name, known.iter().map(String::as_str), "light groups of this scene")
             }
-            Fault::UnknownPlane { name, known } if known.is_empty() => format!(
-                "define it: [planes.{name}] with origin, edges and spacing; or type it: --plane \"origin; edge; edge; spacing\""
-            ),
             Fault::UnknownPlane { name, known } => {
                 choose(name, known.iter().map(String::as_str), "planes of this scene")
             }
@@ -125,9 +172,6 @@ impl Fault {
 /// Cures that do not depend on what was typed.
 fn plain_cure(fault: &Fault) -> &'static str {
     match fault {
-        Fault::Unreadable { .. } => {
-            "check the path and its permissions; `radiosity scenes` lists scenes that need no file"
-        }
         Fault::ParameterRange { .. } => "choose a value in that range",
         Fault::VariableAndGroup { .. } => "rename one of them in the scene",
         Fault::PartCycle { .. } => "take one of these instances out",
@@ -151,14 +195,6 @@ fn plain_cure(fault: &Fault) -> &'static str {
             "TOML wants `key = value`, texts in quotes, and lists in brackets with commas"
         }
         Fault::RepeatedKey { .. } | Fault::GroupSetTwice { .. } => "keep one of them",
-        Fault::NoMaterials => {
-            "`radiosity view-factors` and `radiosity check` need none; for light write a TOML scene, where each surface \
-             has a shape and a material"
-        }
-        Fault::Bare => {
-            "`radiosity view-factors` and `radiosity check` need none; for light give them in a file, --materials \
-             materials.toml, such as [materials.\"*\"] with reflectance = 0.5"
-        }
         Fault::MissingShape => "add one, e.g. quad = { vertices = [[0,0,0],[1,0,0],[1,1,0],[0,1,0]] }",
         Fault::Exclusive { .. } => "leave one of them out",
         Fault::FluxAndEmission { is_patterned: true, .. } => {
@@ -238,10 +274,6 @@ fn plain_cure(fault: &Fault) -> &'static str {
         Fault::NoDirection { .. } => "give a direction, e.g. [0, 0, -1], which is down",
         Fault::BadUnit { .. } => "write a short text, e.g. \"lx\" or \"W/m²\"",
         Fault::EmptyScene => "add a [[surfaces]] entry with a name, a material and a shape",
-        Fault::NoEmitter => {
-            "give a material an emission above 0, e.g. emission = 10, and use it on a surface, or add \
-             [[luminaires]], or a [sky] and a window with opening = true; for a file of another program, in a file for --materials; `radiosity heat` takes temperatures instead"
-        }
         _ => "",
     }
 }

@@ -6,6 +6,7 @@ use radiosity_geom::ShapeError;
 use thiserror::Error;
 
 use crate::scene::place::{Line, Place, Span};
+use crate::wording::Wording;
 
 /// A scene that cannot be used, with the place in its text where there is one.
 ///
@@ -40,6 +41,12 @@ pub enum Fault {
         cause: String,
         /// How to mend it.
         cure: String,
+    },
+    /// A file of another program that needs repairs, where none are to be made.
+    #[error("{cause}")]
+    NeedsRepairs {
+        /// What is wrong.
+        cause: String,
     },
     /// A scene of another program without materials, where light is asked for.
     #[error("the file gives its surfaces no materials")]
@@ -647,6 +654,11 @@ impl Located {
 
 impl SceneError {
     /// How to mend it; none where the message already says so.
+    pub fn advice(&self) -> Option<Wording> {
+        self.fault.advice()
+    }
+
+    /// The same as the command line has it.
     pub fn cure(&self) -> Option<String> {
         self.fault.cure()
     }

@@ -70,7 +70,7 @@ impl Import {
         let bytes = input::bytes(file).map_err(unreadable)?;
         let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
         let name = if file == "-" { "<stdin>" } else { file };
-        self.of_bytes(name, &bytes, format, files).map_err(refused)
+        self.of_bytes(name, &bytes, format, files)
     }
 
     fn of_bytes(
@@ -79,10 +79,10 @@ impl Import {
         bytes: &[u8],
         format: Format,
         files: &dyn Files,
-    ) -> Result<(Model, Imported), Refusal> {
-        let mut model = read(format, file, bytes, files)?;
+    ) -> Result<(Model, Imported), SceneError> {
+        let mut model = read(format, file, bytes, files).map_err(refused)?;
         let replaced = match &self.materials {
-            Some(side) => materials::apply(side, &mut model)?,
+            Some(side) => materials::apply(side, &mut model).map_err(refused)?,
             None => Vec::new(),
         };
         if let Some(unit) = self.unit {
@@ -95,7 +95,8 @@ impl Import {
         let options = Options { tolerance: self.tolerance, sides: self.sides, fix_fronts: self.fix_fronts };
         let repairs = repair(&mut model, &options);
         if let Some(refusal) = refusal(&repairs, file).filter(|_| self.strict) {
-            return Err(refusal);
+            let cause = refusal.cause.clone();
+            return Err(SceneError { fault: Fault::NeedsRepairs { cause }, ..refused(refusal) });
         }
         let notes = std::mem::take(&mut model.notes);
         let imported = Imported { file: file.to_owned(), format, replaced, notes, repairs: repairs.list };

@@ -5,6 +5,7 @@ use rayon::ThreadPoolBuildError;
 
 use crate::elements::ElementError;
 use crate::hierarchy::HierarchyError;
+use crate::wording::{Wording, option, set, value, words};
 
 use super::fit;
 use super::fit::Fit;
@@ -25,23 +26,17 @@ pub enum Failure {
         surface: String,
     },
     /// The light of a sky or a luminous area was to be carried as diffuse light is.
-    #[error(
-        "surface '{surface}' is {light}: {what} takes all emitted light for diffuse: leave it out, such light is then integrated at \
-         every point"
-    )]
+    #[error("{}", self.message())]
     NotDiffuse {
         /// Name of the first of them.
         surface: String,
         /// What it is.
         light: &'static str,
         /// What was asked for.
-        what: &'static str,
+        what: Wording,
     },
     /// A basis was asked for whose functions reach over elements, where reflectance varies or light comes through.
-    #[error(
-        "surface '{surface}': its reflectance varies, or light comes through it, which the functions of --basis {basis} do not follow: take \
-         --basis legendre or constant"
-    )]
+    #[error("{}", self.message())]
     NotEven {
         /// Name of the first of them.
         surface: String,
@@ -49,10 +44,7 @@ pub enum Failure {
         basis: &'static str,
     },
     /// Shadow masks were asked for, but they know no light of luminaires.
-    #[error(
-        "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: choose another kind of --shadows, \
-         direct light is then exact at every point"
-    )]
+    #[error("{}", self.message())]
     Unmasked {
         /// Name of the first luminaire that shines.
         luminaire: String,
@@ -87,10 +79,7 @@ pub enum Failure {
         surface: String,
     },
     /// More memory is needed than allowed.
-    #[error(
-        "not enough memory: about {:.1} MB are needed, {:.1} MB allowed; {}",
-        *needed as f64 / 1e6, *allowed as f64 / 1e6, fit::list(fits)
-    )]
+    #[error("{}", self.message())]
     Memory {
         /// Bytes needed, estimated.
         needed: u64,
@@ -100,7 +89,7 @@ pub enum Failure {
         fits: Vec<Fit>,
     },
     /// No threads could be started.
-    #[error("cannot start {threads} threads: {source}; ask for fewer with --threads")]
+    #[error("{}", self.message())]
     Threads {
         /// How many were asked for.
         threads: usize,
@@ -110,17 +99,66 @@ pub enum Failure {
 }
 
 impl Failure {
+    /// What is wrong.
+    pub fn message(&self) -> Wording {
+        match self {
+            Self::Hierarchy(error) => error.message(),
+            Self::NotDiffuse { surface, light, what } => {
+                words(format!("surface '{surface}' is {light}: "))
+                    + what.clone()
+                    + " takes all emitted light for diffuse: leave it out, such light is then integrated at every point"
+            }
+            Self::NotEven { surface, basis } => {
+                words(format!("surface '{surface}': its reflectance varies, or light comes through it, "))
+                    + "which the functions of "
+                    + set("basis", basis)
+                    + " do not follow: take "
+                    + set("basis", "legendre")
+                    + " or "
+                    + value("constant")
+            }
+            Self::Unmasked { luminaire } => {
+                words(format!(
+                    "luminaire '{luminaire}': shadow masks are made for the light of surfaces only: "
+                )) + "choose another kind of "
+                    + option("shadows")
+                    + ", direct light is then exact at every point"
+            }
+            Self::Memory { needed, allowed, fits } => {
+                let [needed, allowed] = [needed, allowed].map(|bytes| *bytes as f64 / 1e6);
+                words(format!(
+                    "not enough memory: about {needed:.1} MB are needed, {allowed:.1} MB allowed; "
+                )) + fit::list(fits)
+            }
+            Self::Threads { threads, source } => {
+                words(format!("cannot start {threads} threads: {source}; ask for fewer with "))
+                    + option("threads")
+            }
+            _ => words(self.to_string()),
+        }
+    }
+
     /// How to mend it, where that is known and the message does not say it.
-    pub fn cure(&self) -> Option<String> {
-        let cure = match self {
-            Self::Memory { fits, .. } if fits.is_empty() => "allow more with --memory, or leave it out",
-            Self::Memory { .. } => "ask for one of these, or allow more with --memory",
-            Self::Elements(ElementError::Layers { .. }) => "take fewer --layers or a larger --ratio",
+    pub fn cure(&self) -> Option<Wording> {
+        let more = || words("allow more with ") + option("memory");
+        Some(match self {
+            Self::Memory { fits, .. } if fits.is_empty() => more() + ", or leave it out",
+            Self::Memory { .. } => words("ask for one of these, or ") + more(),
+            Self::Elements(ElementError::Layers { .. }) => {
+                words("take fewer ") + option("layers") + " or a larger " + option("ratio")
+            }
             Self::Solver { source: SolveError::NotConverged { .. }, .. } => {
-                "raise --tolerance or --max-iterations, or take another --solver; solve --keep-partial writes what there is"
+                words("raise ")
+                    + option("tolerance")
+                    + " or "
+                    + option("max-iterations")
+                    + ", or take another "
+                    + option("solver")
+                    + "; solve "
+                    + option("keep-partial")
+                    + " writes what there is"
             }
             _ => return None,
-        };
-        Some(cure.to_owned())
+        })
     }
 }

@@ -1,6 +1,6 @@
 //! Changes that reduce the memory of a run.
 
-use std::fmt;
+use crate::wording::{Wording, set, words};
 
 /// A change that makes a run fit into the memory allowed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,24 +19,25 @@ pub enum Fit {
     FreshFrames,
 }
 
-impl fmt::Display for Fit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Fit {
+    /// The change in words.
+    pub fn wording(&self) -> Wording {
         match self {
-            Self::Rays(rays) => write!(f, "--rays {rays}"),
-            Self::ConjugateGradients => write!(f, "the solver cg"),
-            Self::Order(order) => write!(f, "order {order}"),
-            Self::OrderAlone(order) => write!(f, "order {order} without a wanted accuracy"),
-            Self::WholeSurfaces => write!(f, "one element a surface"),
-            Self::FreshFrames => write!(f, "--animation fresh"),
+            Self::Rays(rays) => set("rays", rays),
+            Self::ConjugateGradients => words("the solver cg"),
+            Self::Order(order) => words(format!("order {order}")),
+            Self::OrderAlone(order) => words(format!("order {order} without a wanted accuracy")),
+            Self::WholeSurfaces => words("one element a surface"),
+            Self::FreshFrames => set("animation", "fresh"),
         }
     }
 }
 
 /// The changes in words.
-pub(super) fn list(fits: &[Fit]) -> String {
-    if fits.is_empty() {
-        return "no lower order and no other solver would fit".to_owned();
+pub(super) fn list(fits: &[Fit]) -> Wording {
+    let fits = fits.iter().map(Fit::wording).reduce(|list, fit| list + ", or " + fit);
+    match fits {
+        Some(list) => words("what would fit: ") + list,
+        None => words("no lower order and no other solver would fit"),
     }
-    let fits: Vec<String> = fits.iter().map(Fit::to_string).collect();
-    format!("what would fit: {}", fits.join(", or "))
 }

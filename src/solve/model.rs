@@ -20,6 +20,7 @@ use crate::solution::group_light::GroupLight;
 use crate::system::Coefficients;
 use crate::transport::{Blocks, Memory};
 use crate::visibility::Visibility;
+use crate::wording::{option, set};
 
 use super::allowance::{Need, peak_of_mesh, require_memory_of_mesh};
 use super::assembly::{carried, ground};
@@ -372,9 +373,9 @@ fn require_diffuse(scene: &Scene, options: &Options) -> Result<(), Failure> {
         return Err(Failure::Unmasked { luminaire: own.name.clone() });
     }
     let what = match options {
-        Options { masks: Some(_), .. } => "--shadows mask",
-        Options { direct: Direct::Projected, .. } => "--direct projected",
-        Options { kernel: Some(_), .. } => "--kernel with the rules of 1993",
+        Options { masks: Some(_), .. } => set("shadows", "mask"),
+        Options { direct: Direct::Projected, .. } => set("direct", "projected"),
+        Options { kernel: Some(_), .. } => option("kernel") + " with the rules of 1993",
         _ => return Ok(()),
     };
     match scene.surfaces.iter().find(|own| own.radiance.is_some()) {

@@ -10,6 +10,7 @@ use crate::studies::adaptation::{Achieved, End};
 use crate::transport::Miss;
 
 use crate::output::warning::Warning;
+use crate::wording::{Wording, option, set, words};
 
 /// The warnings of a solved scene.
 pub(super) fn warnings(solved: &Solved) -> Vec<Warning> {
@@ -55,7 +56,7 @@ fn power(solved: &Solved) -> Option<Warning> {
         }
         _ => return None,
     };
-    Some(Warning::general("power-balance", format!("{message}; {}", cure_of_power(outcome))))
+    Some(Warning::general("power-balance", words(message) + "; " + cure_of_power(outcome)))
 }
 
 /// Why power is lost or found, and what helps. Transfers lose of the radiosity B that they carry what their row sums miss 1 by,
@@ -65,7 +66,7 @@ fn power(solved: &Solved) -> Option<Warning> {
 /// ```
 ///
 /// and nothing where rays made these sums agree. What is much more than that is direct light, which enters otherwise.
-fn cure_of_power(outcome: &Outcome) -> &'static str {
+fn cure_of_power(outcome: &Outcome) -> Wording {
     let Outcome { checks, solution, .. } = outcome;
     let has_points = !solution.emitters().points.is_empty();
     let missed = match outcome.sampling {
@@ -79,27 +80,32 @@ fn cure_of_power(outcome: &Outcome) -> &'static str {
     let carried: f64 = solution.bands().iter().map(of_band).sum();
     let is_direct = checks.energy_lost.abs() > BEYOND * missed * carried;
     match (is_direct, has_points, outcome.split) {
-        (true, true, _) => {
+        (true, true, _) => words(
             "narrow beams and patches of luminaires or the sun fall between the points at which elements take their light, and \
-             what they reflect is off by as much: give the surfaces that they fall on a finer subdivide = [n, n] of their own"
-        }
+                 what they reflect is off by as much: give the surfaces that they fall on a finer subdivide = [n, n] of their own",
+        ),
         (true, false, true) => {
-            "direct light, which is split off, falls on elements with borders that they do not resolve: give the surfaces that \
-             it falls on a finer subdivide = [n, n] of their own, or take --direct projected"
+            words(
+                "direct light, which is split off, falls on elements with borders that they do not resolve: give the surfaces that \
+                 it falls on a finer subdivide = [n, n] of their own, or take ",
+            ) + set("direct", "projected")
         }
         _ => {
-            "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower \
-             --eps, or send more --rays"
+            words(
+                "where surfaces reflect nearly all light, the error of the transfers counts once for every reflection: lower ",
+            ) + option("eps")
+                + ", or send more "
+                + option("rays")
         }
     }
 }
 
 fn unconverged(outcome: &Outcome) -> Warning {
-    let message = format!(
-        "the solver did not converge, the relative residual is {:.1e}: the light is incomplete; raise --max-iterations or \
-         take another --solver",
+    let told = format!(
+        "the solver did not converge, the relative residual is {:.1e}: the light is incomplete; raise ",
         outcome.residual
     );
+    let message = words(told) + option("max-iterations") + " or take another " + option("solver");
     Warning::general("not-converged", message)
 }
 
@@ -111,36 +117,47 @@ fn adaptation(scene: &Scene, achieved: &Achieved) -> Vec<Warning> {
             Some(estimate) => format!("the estimated error is {estimate:.1e}, more than asked for"),
             None => "there is no estimate of the error".to_owned(),
         };
-        warnings.push(Warning::general("accuracy-not-reached", format!("{estimate}, and {why}")));
+        warnings.push(Warning::general("accuracy-not-reached", words(estimate) + ", and " + why));
     }
     if scene.surfaces.iter().any(|surface| surface.order.is_some() || surface.subdivide.is_some()) {
         let message = "some surfaces state their own order or subdivide and keep it: no run is finer there, and what \
                        they miss stays in the estimated error";
-        warnings.push(Warning::general("accuracy-fixed", message.to_owned()));
+        warnings.push(Warning::general("accuracy-fixed", message));
     }
     warnings
 }
 
 /// Why no finer run followed and what to do; None if none was needed.
-fn why(end: End) -> Option<&'static str> {
-    match end {
-        End::Reached => None,
-        End::Finest => Some("there is no finer run to try: begin with a higher --order, or ask for less"),
-        End::Unknowns => Some(
+fn why(end: End) -> Option<Wording> {
+    Some(match end {
+        End::Reached => return None,
+        End::Finest => {
+            words("there is no finer run to try: begin with a higher ")
+                + option("order")
+                + ", or ask for less"
+        }
+        End::Unknowns => words(
             "the next finer elements would be too many: give surfaces with shadows or small details a subdivide of their \
              own, or ask for less",
         ),
         End::Memory => {
-            Some("the next finer run does not fit into memory: allow more with --memory, or ask for less")
+            words("the next finer run does not fit into memory: allow more with ")
+                + option("memory")
+                + ", or ask for less"
         }
-        End::NotConverged => Some(
-            "the solver did not converge in a finer run: raise --max-iterations, or take another --solver",
-        ),
-        End::Time => Some(
-            "the next finer run would have taken longer than allowed: allow more with --time-limit, or ask for less",
-        ),
-        End::Stopped => Some("the run was stopped: let it go on, or ask for less"),
-    }
+        End::NotConverged => {
+            words("the solver did not converge in a finer run: raise ")
+                + option("max-iterations")
+                + ", or take another "
+                + option("solver")
+        }
+        End::Time => {
+            words("the next finer run would have taken longer than allowed: allow more with ")
+                + option("time-limit")
+                + ", or ask for less"
+        }
+        End::Stopped => words("the run was stopped: let it go on, or ask for less"),
+    })
 }
 
 /// Share of the power that is lost, and of what an element sends too much, from which the geometry is inspected; and the
@@ -162,13 +179,18 @@ const ROUGH: f64 = 0.15;
 /// A warning where rays leave a large error.
 fn rays(error: Option<f64>) -> Option<Warning> {
     let message = || match error {
-        None => "rays leave an unknown error: half of them are too few for a solution; send more with --rays"
-            .to_owned(),
-        Some(error) => format!(
-            "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
-             with --rays, or ask for an --accuracy",
-            100.0 * error
-        ),
+        None => {
+            words("rays leave an unknown error: half of them are too few for a solution; send more with ")
+                + option("rays")
+        }
+        Some(error) => {
+            let told = format!(
+                "rays leave an error of about {:.0} % in the mean irradiances of the elements, less in gathered light: send more \
+                 with ",
+                100.0 * error
+            );
+            words(told) + option("rays") + ", or ask for an " + option("accuracy")
+        }
     };
     error.is_none_or(|error| error > ROUGH).then(|| Warning::general("sampling-error", message()))
 }
@@ -185,35 +207,34 @@ fn discretization(scene: &Scene, options: &Options, outcome: &Outcome) -> Vec<Wa
         .map(|miss| inaccurate(scene, outcome, &miss))
         .into_iter()
         .collect();
-    let mut warn = |code: &str, message: String| warnings.push(Warning::general(code, message));
+    let mut warn = |code: &str, message: Wording| warnings.push(Warning::general(code, message));
     if outcome.pairs.unresolved > 0 {
         warn(
             "near-floor",
-            format!(
+            words(format!(
                 "{} pairs come so near each other, or touch in such a way, that splitting stopped: their blocks may \
                  miss the accuracy asked; subdivide the surfaces there",
                 outcome.pairs.unresolved
-            ),
+            )),
         );
     }
     // The rules of 1993 have no accuracy.
-    let cure = |usual| if options.kernel.is_some() { "choose the default kernel" } else { usual };
+    let cure = |usual| if options.kernel.is_some() { words("choose the default kernel") } else { usual };
     let excess = outcome.checks.row_sum_max - 1.0;
     if excess > 10.0 * options.eps.max(if outcome.rays > 0 { options.shadow_eps } else { 0.0 }) {
         let message = format!(
-            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; {}",
-            100.0 * excess,
-            cure("lower --eps, or subdivide surfaces that meet at small angles")
+            "an element sends {:.2} % more than it has: its transfers miss the accuracy asked; ",
+            100.0 * excess
         );
-        warn("row-sum", message);
+        let usual = words("lower ") + option("eps") + ", or subdivide surfaces that meet at small angles";
+        warn("row-sum", words(message) + cure(usual));
     }
     if outcome.checks.spectral_bound >= 1.0 {
         let message = format!(
-            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; {}",
-            outcome.checks.spectral_bound,
-            cure("lower --eps")
+            "the spectral radius is about {:.6}: quadrature is too coarse for so little loss; ",
+            outcome.checks.spectral_bound
         );
-        warn("spectral-bound", message);
+        warn("spectral-bound", words(message) + cure(words("lower ") + option("eps")));
     }
     warnings
 }

@@ -20,7 +20,7 @@ pub(super) fn blocks(
     let heat = heat.and_then(Result::ok).into_iter().flat_map(of_heat);
     let mut blocks = vec![Block::Highlights(at_a_glance.chain(heat).collect())];
     let warnings = light.iter().flat_map(|light| &light.report.warnings);
-    let warnings: Vec<String> = warnings.map(|warning| warning.message.clone()).collect();
+    let warnings: Vec<String> = warnings.map(|warning| warning.message.to_string()).collect();
     if !warnings.is_empty() {
         blocks.extend([Block::Heading("Warnings".to_owned()), Block::Warnings(warnings)]);
     }

@@ -2,11 +2,13 @@
 
 use thiserror::Error;
 
+use crate::wording::{Wording, option, set, words};
+
 /// Why a solution is no grid of polynomials.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum VtuError {
     /// Direct light goes through shadow masks.
-    #[error("direct light goes through shadow masks (--shadows mask), which are no polynomials")]
+    #[error("{}", self.message())]
     Masked,
     /// A polynomial of too high a degree.
     #[error(
@@ -23,11 +25,28 @@ pub enum VtuError {
 }
 
 impl VtuError {
-    /// How to mend it.
-    pub fn cure(&self) -> &'static str {
+    /// What is wrong.
+    pub fn message(&self) -> Wording {
         match self {
-            Self::Masked => "solve with --shadows auto",
-            Self::Degree { .. } => "solve with an --order of 10 at the most, or without --tensor",
+            Self::Masked => {
+                words("direct light goes through shadow masks (")
+                    + set("shadows", "mask")
+                    + "), which are no polynomials"
+            }
+            Self::Degree { .. } => words(self.to_string()),
+        }
+    }
+
+    /// How to mend it.
+    pub fn cure(&self) -> Wording {
+        match self {
+            Self::Masked => words("solve with ") + set("shadows", "auto"),
+            Self::Degree { .. } => {
+                words("solve with an ")
+                    + option("order")
+                    + " of 10 at the most, or without "
+                    + option("tensor")
+            }
         }
     }
 }
