@@ -53,6 +53,7 @@ pub mod solution_file;
 pub mod npy;
 pub mod npz;
 pub mod view_factors;
+pub mod row_sums;
 pub mod heat;
 pub mod wireframe;
 pub mod html;

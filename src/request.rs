@@ -14,8 +14,9 @@ mod reading;
 mod transfers;
 mod scene;
 pub mod picture;
+pub mod cells;
 
-pub use conflicts::{check_ways, require_all_bounces};
+pub use conflicts::{KEPT, check_ways, require_all_bounces};
 pub use method::MethodRequest;
 pub use modes::{Kernel, Order, Shadows};
 pub use reading::{ReadRequest, check_aim};

@@ -83,7 +83,8 @@ pub(crate) fn threads(given: &mut Arguments<'_>) -> PyResult<Option<usize>> {
 /// How a solution is to be read.
 pub(crate) fn reading(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
     let (read, by) = (given.named("read")?, given.named("read_by")?);
-    Ok(ReadRequest { read, by, eps: given.number("read_eps", ranges::accuracy)? })
+    let eps = given.number("read_eps", ranges::accuracy)?;
+    Ok(ReadRequest { read, by, eps, samples: None })
 }
 
 /// How transfers are to be integrated, to the accuracy `eps` unless another one is given.

@@ -3,14 +3,13 @@
 use std::io;
 
 use clap::Args;
-use radiosity::gather::choice::By;
 use radiosity::output::grid::{Cell, grid};
 use radiosity::output::read_error::ReadError;
 use radiosity::output::reader::Reader;
-use radiosity::request::memory::require;
+use radiosity::request::ReadRequest;
+use radiosity::request::cells::require_cells;
 use radiosity::scene::Scene;
 use radiosity::solved::Solved;
-use radiosity::wording::{option, words};
 use serde::Serialize;
 
 use crate::cli::{
@@ -59,37 +58,26 @@ pub(crate) struct GridArgs {
     pub(crate) report: ReportArgs,
 }
 
-/// Bytes of a cell beside its bands, and of each band, with the text that is written of them. Measured: 395 for three
-/// bands.
-const CELL: u64 = 140;
-const BAND: u64 = 85;
+impl GridArgs {
+    /// How the solution is to be read.
+    fn request(&self) -> ReadRequest {
+        ReadRequest { samples: self.read_samples.map(|samples| samples.0), ..self.read.request() }
+    }
+}
 
 /// Solves the scene and prints the means.
 pub(crate) fn run(args: &GridArgs, loaded: Loaded) -> Result<(), CliError> {
-    let [cells, surfaces] =
-        [args.cells.0.iter().map(|count| u64::from(*count)).product(), loaded.scene.surfaces.len() as u64];
-    let needed = cells * surfaces * (CELL + BAND * loaded.scene.bands.len() as u64);
-    require(needed, args.method.memory, "the cells", words("ask for fewer with ") + option("cells"))?;
-    args.read.check(&loaded.options(&args.method), &args.method)?;
-    if args.read_samples.is_some() && args.read.read_by == Some(By::Rays) {
-        return Err(CliError::Refused {
-            message: "--read-samples counts points, and --read-by rays sends rays until their error is small"
-                .to_owned(),
-            cure: "leave one of them out; --read-eps says how small".to_owned(),
-        });
-    }
+    let sides = args.cells.0.map(|count| count as usize);
+    require_cells(sides, &loaded.scene, args.method.memory)?;
+    let (method, request) = (args.method.request(), args.request());
+    request.check(&loaded.options(&args.method), &method)?;
     let data = args.data.reserve(&loaded, &args.report, Ok)?;
     let progress = Progress::new(args.report.quiet);
     let mut run = Run::to_gather(loaded, &args.method, args.read.by(), &args.report, &progress)?;
     let visibility = run.solved.visibility();
     let Solved { scene, outcome, .. } = &run.solved;
-    let sides = args.cells.0.map(|count| count as usize);
     let observe = |done, total| progress.show("cells", done, total);
-    let mut reading = args.read.reading(&args.method, &run);
-    if let Some(samples) = args.read_samples {
-        // Rays count no points.
-        (reading.rates, reading.by) = (samples.0, By::Cells);
-    }
+    let reading = request.reading(&method, &run.solved, run.is_saved());
     let cells = run.in_threads(|| {
         let reader = Reader::by(reading.by, &outcome.solution, visibility, reading.read, reading.eps);
         grid(&reader, sides, reading.rates, &observe)

@@ -10,10 +10,10 @@ use clap::{Args, ValueEnum};
 use radiosity::heat::{Heat, Stage};
 use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::heat as output;
-use radiosity::output::missed::missed;
+use radiosity::output::missed::{corrected, missed, no_error_of_order};
 use radiosity::output::rank_work::RanksWork;
 use radiosity::output::round::significant;
-use radiosity::request::HeatRequest;
+use radiosity::request::{HeatRequest, ranges};
 use radiosity::scene::{MAX_ORDER, Scene};
 use radiosity::solve::{Progress as Step, Transport, in_threads};
 use radiosity::transport::Miss;
@@ -21,8 +21,8 @@ use radiosity::visibility::Visibility;
 
 use crate::cli::{
     console, destination::Destination, error::CliError, format, given::Given, heat::picture::PictureArgs,
-    numbers::bytes, options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks,
-    table::Table, transfers::TransferArgs,
+    options::SceneArg, output_file::OutputFile, progress::Progress, run::remarks, table::Table,
+    transfers::TransferArgs,
 };
 
 const NOTES: &str = "\
@@ -73,7 +73,7 @@ pub(crate) struct HeatArgs {
     pub(crate) transport: Transport,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
     memory: Option<u64>,
 
     #[command(flatten)]
@@ -201,9 +201,7 @@ impl HeatArgs {
         } else {
             format!("the scene is closed: the flows sum to {:.1e} W", heat.lost)
         };
-        lines.extend(heat.moved.map(|moved| {
-            format!("row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1")
-        }));
+        lines.extend(heat.moved.map(corrected));
         lines.push(format!(
             "surfaces send out {} W and take up {} W; {whole}",
             significant(given, 6),
@@ -221,12 +219,7 @@ impl HeatArgs {
             lines.push(format!("warning: {}", missed(&miss, names)));
         }
         if heat.error_orders.is_empty() {
-            lines.push(format!(
-                "warning: the errors are those of the transfers alone: there is no memory for order {} beside order {}, which tells what \
-                 even fluxes miss; allow more with --memory",
-                self.order + 1,
-                self.order
-            ));
+            lines.push(format!("warning: {}", no_error_of_order(self.order as usize)));
         }
         lines.extend(
             checkpoint.and_then(|own| own.warning()).map(|warning| format!("warning: {}", warning.message)),

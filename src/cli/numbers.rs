@@ -53,12 +53,6 @@ fn number(text: &str, checked: fn(f64) -> Result<f64, &'static str>) -> Result<f
     Ok(checked(text.parse().unwrap_or(f64::NAN))?)
 }
 
-/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
-pub(crate) fn bytes(text: &str) -> Result<u64, String> {
-    let parsed = text.parse::<bytesize::ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
-    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
-}
-
 /// A number of threads.
 pub(crate) fn threads(text: &str) -> Result<usize, String> {
     let count = text.parse().ok().filter(|count| ranges::THREADS.contains(&(*count as u64)));

@@ -21,7 +21,7 @@ use crate::cli::{
     error::CliError,
     import::ImportArgs,
     masks::MaskArgs,
-    numbers::{accuracy, at_least_one, bytes, fraction, not_negative, positive, seconds, threads},
+    numbers::{accuracy, at_least_one, fraction, not_negative, positive, seconds, threads},
     output_file::OutputFile,
     subdivide::Subdivide,
 };
@@ -212,7 +212,7 @@ pub(crate) struct MethodArgs {
     pub(crate) masks: MaskArgs,
 
     /// Most memory to use, such as 500M, 2G or 2GiB [default: 80 % of what is free]
-    #[arg(long, value_name = "BYTES", value_parser = bytes)]
+    #[arg(long, value_name = "BYTES", value_parser = ranges::bytes)]
     pub(crate) memory: Option<u64>,
 
     /// Threads to use, all by default; results do not depend on it

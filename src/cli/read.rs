@@ -38,8 +38,8 @@ pub(crate) struct ReadArgs {
 
 impl ReadArgs {
     /// What is asked for.
-    fn request(&self) -> ReadRequest {
-        ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps }
+    pub(crate) fn request(&self) -> ReadRequest {
+        ReadRequest { read: self.read, by: self.read_by, eps: self.read_eps, samples: None }
     }
 
     /// Refuses what would have no effect on the reading of a solution with these options, or an accuracy of what is not read.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use radiosity::request::require_all_bounces;
+use radiosity::request::{KEPT, require_all_bounces};
 use radiosity::solve::{Options, Outcome, Sampling};
 
 use crate::cli::{
@@ -46,10 +46,9 @@ pub(crate) struct SolveArgs {
 
 /// Solves the scene and writes the coefficients.
 pub(crate) fn run(args: &SolveArgs, loaded: Loaded) -> Result<(), CliError> {
-    let kept = "a solution is kept for readers, who would gather from it as if it were all light";
     require_all_bounces(
         &args.method.request(),
-        kept,
+        KEPT,
         "type --bounces to render, probe or grid, with the scene",
     )?;
     let path = args.output.clone().unwrap_or_else(|| format!("{}.solution.json", loaded.scene.name).into());

@@ -9,11 +9,11 @@ use clap::{Args, ValueEnum};
 use radiosity::output::checkpoint::Checkpoint;
 use radiosity::output::missed::missed;
 use radiosity::output::rank_work::RanksWork;
-use radiosity::output::round::decimals;
+use radiosity::output::row_sums::RowSums;
 use radiosity::output::view_factors as output;
 use radiosity::output::view_factors::Sparse;
 use radiosity::scene::Scene;
-use radiosity::transport::{Accuracy, Miss};
+use radiosity::transport::Miss;
 use radiosity::view_factors::ViewFactors;
 
 use crate::cli::{
@@ -84,12 +84,6 @@ impl Format {
         matches!(self, Self::Csv | Self::Json)
     }
 }
-
-/// Error of row sums from which they tell nothing of a scene. Chosen.
-const VAGUE: f64 = 0.1;
-
-/// Errors of a factor by which row sums may miss 1 in a closed scene. Chosen.
-const FROM_ONE: f64 = 3.0;
 
 /// Computes the factors and writes them.
 pub(crate) fn run(args: &ViewFactorsArgs, given: &Given) -> Result<(), CliError> {
@@ -230,47 +224,13 @@ impl ViewFactorsArgs {
 
     /// What row sums and reciprocity say.
     fn sums(&self, factors: &ViewFactors) -> Vec<String> {
-        let sums = factors.row_sums();
-        let by_sum = |a: &usize, b: &usize| sums[*a].total_cmp(&sums[*b]);
-        let least = (0..sums.len()).min_by(by_sum).expect("a scene has surfaces");
-        let most = (0..sums.len()).max_by(by_sum).expect("a scene has surfaces");
-        let Accuracy { eps, shadow_eps } = self.transfers.request().accuracy();
-        let shadows = if factors.rays > 0 { shadow_eps } else { 0.0 };
-        let tolerance = FROM_ONE * eps.max(shadows).max(factors.accuracy_reached);
-        let losing = sums.iter().filter(|sum| **sum < 1.0 - tolerance).count();
-        let mut lines = vec![
-            format!(
-                "row sums {} (surface '{}') to {} (surface '{}')",
-                decimals(sums[least], 9),
-                factors.names[least],
-                decimals(sums[most], 9),
-                factors.names[most]
-            ),
-            format!(
-                "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
-                factors.reciprocity.pairs, factors.reciprocity.largest
-            ),
-            match losing {
-                _ if tolerance > VAGUE => {
-                    "row sums are known too badly to tell whether the scene is closed".to_owned()
-                }
-                0 => "the scene is closed: all that leaves a surface reaches another".to_owned(),
-                count => {
-                    format!(
-                        "the scene is open: {count} of {} surfaces lose part of what leaves them",
-                        sums.len()
-                    )
-                }
-            },
-        ];
-        if sums[most] > 1.0 + tolerance {
-            let excess = 100.0 * (sums[most] - 1.0);
-            lines.push(format!(
-                "warning: surface '{}' sends {excess:.2} % more than it has: lower --eps or --shadow-eps, or look for \
-                 surfaces that pass through each other with `radiosity check`",
-                factors.names[most]
-            ));
-        }
-        lines
+        let sums = RowSums::of(factors, self.transfers.request().accuracy());
+        let [range, closed] = sums.lines();
+        let reciprocity = format!(
+            "reciprocity: of {} pairs integrated from either side A_i F_ij and A_j F_ji differ by {:.1e} at the most",
+            factors.reciprocity.pairs, factors.reciprocity.largest
+        );
+        let warning = sums.warning().map(|warning| format!("warning: {}", warning.message));
+        [range, reciprocity, closed].into_iter().chain(warning).collect()
     }
 }

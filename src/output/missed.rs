@@ -30,3 +30,20 @@ pub fn missed(miss: &Miss, [one, other]: [&str; 2]) -> Wording {
     );
     words(told) + cure
 }
+
+/// What errors of heat leave out where there is no memory to solve at the next order too.
+pub fn no_error_of_order(order: usize) -> Wording {
+    let told = format!(
+        "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
+         fluxes miss; allow more with ",
+        order + 1
+    );
+    words(told) + option("memory")
+}
+
+/// What was done to transfers of a closed scene whose row sums missed 1 by `moved` at the most.
+pub fn corrected(moved: f64) -> String {
+    format!(
+        "row sums of view factors were within {moved:.1e} of 1, and transfers were corrected to make them 1"
+    )
+}

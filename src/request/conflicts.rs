@@ -181,6 +181,9 @@ fn refuse(what: Wording, others: impl IntoIterator<Item = (bool, Wording)>) -> R
     }
 }
 
+/// Why a solution is not kept whose reflections are limited.
+pub const KEPT: &str = "a solution is kept for readers, who would gather from it as if it were all light";
+
 /// Refuses to keep light of the first reflections alone, which others would gather from as if it were all.
 ///
 /// # Errors

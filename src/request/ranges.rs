@@ -3,6 +3,8 @@
 use std::fmt::Display;
 use std::ops::RangeInclusive;
 
+use bytesize::ByteSize;
+
 /// Graded layers.
 pub const LAYERS: RangeInclusive<u64> = 0..=8;
 
@@ -66,6 +68,15 @@ pub fn fraction(x: f64) -> Result<f64, &'static str> {
 pub fn accuracy(x: f64) -> Result<f64, &'static str> {
     let expected = "expected a number from 1e-14, near rounding, to below 1, such as 1e-3";
     checked(x, (1e-14..1.0).contains(&x), expected)
+}
+
+/// A number of bytes such as `500M`, `2G` or `1.5GiB`.
+///
+/// # Errors
+/// What is expected.
+pub fn bytes(text: &str) -> Result<u64, String> {
+    let parsed = text.parse::<ByteSize>().map(|size| size.as_u64()).ok().filter(|size| *size > 0);
+    parsed.ok_or_else(|| "expected a number of bytes, such as 500M, 2G or 2GiB".to_owned())
 }
 
 fn checked(x: f64, is_inside: bool, expected: &'static str) -> Result<f64, &'static str> {

@@ -3,6 +3,7 @@
 use super::method::MethodRequest;
 use super::refusal::Refusal;
 use crate::gather::choice::By;
+use crate::output::grid::Rates;
 use crate::output::quality::Reading;
 use crate::output::reader::Read;
 use crate::solve::Options;
@@ -23,6 +24,8 @@ pub struct ReadRequest {
     pub by: Option<By>,
     /// Relative accuracy of recomputed light.
     pub eps: Option<f64>,
+    /// Points along each side of a cell; light is then gathered by cells.
+    pub samples: Option<Rates>,
 }
 
 impl ReadRequest {
@@ -60,6 +63,13 @@ impl ReadRequest {
                     words("take ") + set("read-by", "cells") + ", or solve with other shadows",
                 )
             }
+            _ if self.by == Some(By::Rays) && self.samples.is_some() => refuse(
+                option("read-samples")
+                    + " counts points, and "
+                    + set("read-by", "rays")
+                    + " sends rays until their error is small",
+                words("leave one of them out; ") + option("read-eps") + " says how small",
+            ),
             _ => Ok(()),
         }
     }
@@ -74,9 +84,10 @@ impl ReadRequest {
     fn asked(&self, usual: Reading, eps: f64) -> Reading {
         Reading {
             read: self.read.unwrap_or(usual.read),
-            by: self.by.unwrap_or_default(),
+            // Rays count no points.
+            by: if self.samples.is_some() { By::Cells } else { self.by.unwrap_or_default() },
             eps: self.eps.unwrap_or(eps),
-            rates: usual.rates,
+            rates: self.samples.unwrap_or(usual.rates),
         }
     }
 
