@@ -123,8 +123,10 @@ impl Heat {
             outcome.miss = outcome.miss.filter(|_| !closure.is_exact);
             let reached = options.eps.max(outcome.accuracy_reached);
             add_errors_of_blocks(&mut surfaces, if closure.is_exact { options.tolerance } else { reached });
-            let conductances = wanted.conductances.then(|| Conductances::of(scene, &roles, &model, &show));
-            (surfaces, outcome, closure.moved, conductances.transpose()?)
+            let conductances =
+                || in_threads(options.threads, || Conductances::of(scene, &roles, &model, &show))?;
+            let conductances = wanted.conductances.then(conductances).transpose()?;
+            (surfaces, outcome, closure.moved, conductances)
         };
         let mut heat = Self {
             lost: surfaces.iter().map(|surface| surface.flow).sum(),
