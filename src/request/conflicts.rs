@@ -4,9 +4,11 @@ use super::method::MethodRequest;
 use super::modes::{Order, Shadows};
 use super::refusal::Refusal;
 use crate::bases::Basis;
+use crate::elements::cells::Layers;
 use crate::solve::{Algorithm, Direct, Preconditioning, Transport};
 use crate::studies::convergence::Way;
 use crate::wording::{Wording, option, set, value, words};
+use crate::zatz1993::masked_light::Masking;
 
 impl MethodRequest {
     /// Refuses options that do not go with each other, or do nothing beside others.
@@ -15,6 +17,7 @@ impl MethodRequest {
     /// The first such options.
     pub fn check(&self) -> Result<(), Refusal> {
         check_time_limit(self)?;
+        check_idle(self)?;
         check_algorithm(self)?;
         check_rays(self)?;
         check_basis(self)?;
@@ -37,6 +40,32 @@ fn check_time_limit(method: &MethodRequest) -> Result<(), Refusal> {
                 + " out",
         )),
         _ => Ok(()),
+    }
+}
+
+/// Refuses numbers that say how something is done that is not asked for.
+fn check_idle(method: &MethodRequest) -> Result<(), Refusal> {
+    let has_ratio = method.layers.ratio != Layers::NONE.ratio;
+    let usual = Masking::default();
+    let idle = [
+        (has_ratio && method.layers.count == 0, "ratio", option("layers")),
+        (
+            method.masks.cells != usual.cells && method.shadows != Shadows::Mask,
+            "mask-cells",
+            set("shadows", "mask"),
+        ),
+        (
+            method.masks.average != usual.average && method.shadows != Shadows::Mask,
+            "mask-average",
+            set("shadows", "mask"),
+        ),
+    ];
+    match idle.into_iter().find(|(is_idle, ..)| *is_idle) {
+        Some((_, name, needed)) => Err(Refusal::new(
+            option(name) + " does nothing without " + needed.clone(),
+            words("add ") + needed + ", or leave " + option(name) + " out",
+        )),
+        None => Ok(()),
     }
 }
 

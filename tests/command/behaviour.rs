@@ -242,6 +242,32 @@ fn a_wanted_accuracy_that_memory_forbids_keeps_the_best_run() {
 }
 
 #[test]
+fn numbers_of_what_is_not_asked_for_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let here = folder.path();
+    let idle = [
+        (
+            ["--ratio", "0.3"],
+            "--ratio does nothing without --layers",
+            "help: add --layers, or leave --ratio out",
+        ),
+        (
+            ["--mask-cells", "9"],
+            "--mask-cells does nothing without --shadows mask",
+            "help: add --shadows mask, or leave --mask-cells out",
+        ),
+        (
+            ["--mask-average", "plain"],
+            "--mask-average does nothing without --shadows mask",
+            "help: add --shadows mask",
+        ),
+    ];
+    for (option, message, cure) in idle {
+        refused(here, &[&["solve", "empty-box"], &option[..]].concat(), &[message, cure]);
+    }
+}
+
+#[test]
 fn a_wanted_accuracy_that_takes_too_long_keeps_the_best_run() {
     let folder = tempfile::tempdir().unwrap();
     let here = folder.path();
