@@ -544,7 +544,7 @@ fn unreadable(source: &str, origin: &str, error: &io::Error) -> SceneError {
         origin,
         match meant_as_name {
             true => Fault::UnknownScene { name: source.to_owned() },
-            false => Fault::Unreadable { reason: error.to_string() },
+            false => Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
         },
     )
 }

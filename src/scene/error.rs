@@ -1,6 +1,6 @@
 //! What can be wrong with a scene: the fault, where it stands, and how to cure it.
 
-use std::{borrow::Cow, fmt, sync::Arc};
+use std::{borrow::Cow, fmt, io, sync::Arc};
 
 use radiosity_geom::ShapeError;
 use thiserror::Error;
@@ -31,6 +31,8 @@ pub enum Fault {
     /// The file or standard input cannot be read.
     #[error("cannot be read: {reason}")]
     Unreadable {
+        /// What kind of failure it is.
+        kind: io::ErrorKind,
         /// What the system said.
         reason: String,
     },

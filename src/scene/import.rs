@@ -65,7 +65,7 @@ impl Import {
             origin: file.to_owned(),
             place: None,
             owner: None,
-            fault: Fault::Unreadable { reason: error.to_string() },
+            fault: Fault::Unreadable { kind: error.kind(), reason: error.to_string() },
         };
         let bytes = input::bytes(file).map_err(unreadable)?;
         let files: &dyn Files = if file == "-" { &NoFiles } else { &Beside::scene(Path::new(file)) };
