@@ -68,6 +68,30 @@ def test_cell_sets_are_labels():
     assert interop.from_meshio(mesh, WHITE).surfaces == ["lower", "upper"]
 
 
+def test_sets_of_boundary_entities_are_no_labels():
+    meshio = pytest.importorskip("meshio")
+    vertices, triangles = grid(1)
+    bounding = [np.array([-3, 5, 9, 1])]
+    mesh = meshio.Mesh(vertices, [("triangle", triangles)], cell_sets={"gmsh:bounding_entities": bounding, "lid": [[1]]})
+    assert sorted(interop.from_meshio(mesh, WHITE).surfaces) == ["lid", "surface"]
+    for wrong in ([2], [-1], [0.5]):
+        mesh = meshio.Mesh(vertices, [("triangle", triangles)], cell_sets={"lid": [np.array(wrong)]})
+        with pytest.raises(radiosity.Error, match="cell set 'lid': its entries are no indices of the 2 faces"):
+            interop.from_meshio(mesh, WHITE)
+
+
+def test_one_material_may_have_tables():
+    meshio = pytest.importorskip("meshio")
+    vertices, triangles = grid(1)
+    mesh = meshio.Mesh(vertices, [("triangle", triangles)])
+    shaded = {"reflectance": {"polynomial": [[0, 0, 0.5], [1, 0, 0.1]]}, "emission": 1}
+    assert interop.from_meshio(mesh, shaded).surfaces == ["surface"]
+    with pytest.raises(radiosity.Error, match="materials: none for the label 'surface'"):
+        interop.from_meshio(mesh, {"wall": shaded})
+    lamp = meshio.Mesh(vertices, [("triangle", triangles)], cell_sets={"emission": [[0, 1]]})
+    assert interop.from_meshio(lamp, {"emission": {"reflectance": 0.5}}).surfaces == ["emission"]
+
+
 def test_holes_stay_holes():
     meshio = pytest.importorskip("meshio")
     vertices, triangles = grid(3)

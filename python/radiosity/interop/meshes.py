@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from .._radiosity import mesh_polygons
-from ..arguments import refusal, text, texts
+from ..arguments import array_of, refusal, text, texts
 from ..arrays import Numbers
 from ..scene import Scene
 from .faces import Faces, whole_numbers
@@ -18,6 +18,7 @@ Materials = Mapping[str, Any]
 
 _FLAT_CELLS = ("triangle", "quad", "polygon")
 _CELLS_WITHOUT_AREA = ("vertex", "line", "line3")
+_MATERIAL_KEYS = {"reflectance", "emission", "transmittance", "group", "emissivity", "temperature", "heat_flux", "adiabatic"}
 
 
 def from_meshio(
@@ -179,8 +180,14 @@ def _meshio_labels(mesh: Any, index: int, count: int, by: str | None) -> Iterabl
 def _set_labels(sets: Mapping[str, Any], index: int, count: int) -> list[str]:
     labels = ["surface"] * count
     for name, members in sets.items():
-        for face in [] if members[index] is None else members[index]:
-            labels[int(face)] = name
+        # Sets of these names hold numbers of Gmsh's entities, not of faces.
+        if members[index] is None or name.startswith("gmsh:"):
+            continue
+        faces = array_of(f"cell set {name!r}", members[index])
+        if faces.size and not (faces.dtype.kind in "iu" and 0 <= faces.min() and faces.max() < count):
+            raise refusal(f"cell set {name!r}: its entries are no indices of the {count} faces", "count faces from 0")
+        for face in faces:
+            labels[face] = name
     return labels
 
 
@@ -264,7 +271,7 @@ def _materials(labels: list[str], materials: Materials) -> dict[str, Any]:
     if not isinstance(materials, Mapping):
         raise TypeError(f"materials: a mapping is wanted, not {type(materials).__name__}")
     given = {str(label): material for label, material in materials.items()}
-    if given and not any(isinstance(material, Mapping) for material in given.values()):
+    if given and _is_one_material(given, labels):
         given = dict.fromkeys(labels, given)
     missing = [label for label in labels if label not in given]
     if missing:
@@ -273,3 +280,9 @@ def _materials(labels: list[str], materials: Materials) -> dict[str, Any]:
         if not isinstance(given[label], Mapping):
             raise TypeError(f"materials[{label!r}]: a mapping is wanted, not {type(given[label]).__name__}")
     return {label: dict(given[label]) for label in labels}
+
+
+def _is_one_material(given: dict[str, Any], labels: list[str]) -> bool:
+    """Whether keys are those of one material, whose values may be tables of textures, and not labels."""
+    has_tables = any(isinstance(value, Mapping) for value in given.values())
+    return not has_tables or (set(given) <= _MATERIAL_KEYS and not set(labels) <= set(given))
