@@ -40,7 +40,9 @@ def _short(number: int) -> str:
 
 
 def array_of(name: str, value: ArrayLike) -> NDArray[Any]:
-    """An array of any kind."""
+    """An array of any kind, none of whose entries is masked."""
+    if np.ma.is_masked(value):
+        raise refusal(f"{name}: entries are masked", "leave them out, or fill them: value.filled(0)")
     try:
         return np.asarray(value)
     except ValueError:
@@ -63,18 +65,30 @@ def finite(name: str, value: ArrayLike) -> Array:
     return array
 
 
+def numbers(name: str, value: ArrayLike, shape: tuple[int | str, ...]) -> Array:
+    """Real numbers in an array of this shape, in which a name stands for any length; not copied where it is one."""
+    array = real(name, value)
+    fits = array.ndim == len(shape) and all(
+        isinstance(side, str) or length == side for length, side in zip(array.shape, shape)
+    )
+    if not fits:
+        wanted = ", ".join(map(str, shape)) + ("," if len(shape) == 1 else "")
+        raise refusal(f"{name}: an array of shape {array.shape} instead of ({wanted})", f"give an array of shape ({wanted})")
+    return array
+
+
 def rows(name: str, value: ArrayLike, least: int = 0) -> Array:
     """Finite points (n, 3), `least` at least."""
-    array = finite(name, value)
-    if array.ndim != 2 or array.shape[1] != 3:
-        raise refusal(f"{name}: an array of shape {array.shape} instead of (n, 3)", "give a row x, y, z for each point")
+    array = finite(name, numbers(name, value, ("n", 3)))
     if len(array) < least:
         raise refusal(f"{name}: {len(array)} points", f"give {least} points at least")
     return array
 
 
 def number(name: str, value: Any) -> float:
-    """One number."""
+    """One number; no text that reads as one."""
+    if isinstance(value, (str, bytes)):
+        raise TypeError(f"{name}: a number is wanted, not {type(value).__name__}")
     try:
         return float(value)
     except (TypeError, ValueError, OverflowError):
@@ -104,6 +118,14 @@ def path(name: str, value: Any) -> str:
     return text(name, os.fspath(value))
 
 
+def file_path(name: str, value: Any) -> str:
+    """The path of a file that is read; `-`, which stands for standard input in the command, is none."""
+    given = path(name, value)
+    if given == "-":
+        raise refusal(f"{name}: '-' is no file", "read standard input with sys.stdin, and its text with Scene.from_toml")
+    return given
+
+
 def text(name: str, value: Any) -> str:
     """A text."""
     if not isinstance(value, str):
@@ -116,7 +138,9 @@ def text(name: str, value: Any) -> str:
 
 
 def texts(name: str, value: Any) -> list[str]:
-    """Texts, in a list or a tuple."""
+    """Texts, in a list, a tuple or an array."""
+    if isinstance(value, np.ndarray):
+        value = value.tolist()
     if isinstance(value, (str, bytes)) or not isinstance(value, Sequence):
         raise TypeError(f"{name}: a list of texts is wanted, not {type(value).__name__}")
     return [text(f"{name}[{index}]", own) for index, own in enumerate(value)]

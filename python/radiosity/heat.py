@@ -6,7 +6,7 @@ from functools import cached_property
 from typing import Any
 
 from . import _radiosity
-from .arrays import Numbers
+from .arguments import Array
 
 
 class Heat:
@@ -21,47 +21,47 @@ class Heat:
         return self._native.names
 
     @property
-    def areas(self) -> Numbers:
+    def areas(self) -> Array:
         """Areas (m²)."""
         return self._native.areas
 
     @property
-    def emissivity(self) -> Numbers:
+    def emissivity(self) -> Array:
         """Emissivities; nan where none is known."""
         return self._native.emissivity
 
     @property
-    def temperature(self) -> Numbers:
+    def temperature(self) -> Array:
         """Temperatures (K), given or found; of a surface of known flux that of its mean σT⁴."""
         return self._native.temperature
 
     @property
-    def temperature_error(self) -> Numbers:
+    def temperature_error(self) -> Array:
         """Estimated errors of the temperatures (K); 0 where they are given."""
         return self._native.temperature_error
 
     @property
-    def flux(self) -> Numbers:
+    def flux(self) -> Array:
         """Net fluxes (W/m²): heat that leaves a surface as radiation, over its area."""
         return self._native.flux
 
     @property
-    def power(self) -> Numbers:
+    def power(self) -> Array:
         """Net flows (W): flux times area."""
         return self._native.power
 
     @property
-    def power_error(self) -> Numbers:
+    def power_error(self) -> Array:
         """Estimated errors of the flows (W); 0 where they are given."""
         return self._native.power_error
 
     @property
-    def radiosity(self) -> Numbers:
+    def radiosity(self) -> Array:
         """What leaves each surface (W/m²)."""
         return self._native.radiosity
 
     @property
-    def irradiance(self) -> Numbers:
+    def irradiance(self) -> Array:
         """What arrives at each surface (W/m²)."""
         return self._native.irradiance
 
@@ -76,14 +76,19 @@ class Heat:
         return self._native.is_closed
 
     @cached_property
-    def conductances(self) -> Numbers | None:
+    def conductances(self) -> Array | None:
         """C (m²), an array (n, n), with `conductances=True`: from i to j flow C_ij σ (T_i⁴ − T_j⁴) watts."""
         return self._native.conductances
 
     @property
-    def surroundings(self) -> Numbers | None:
+    def surroundings(self) -> Array | None:
         """Conductances to the surroundings (m²), with `conductances=True`."""
         return self._native.surroundings
+
+    @property
+    def remarks(self) -> list[str]:
+        """What was done to the scene before, as `Scene.remarks` tells it, and to the transfers."""
+        return self._native.remarks
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each surface, in the units of the properties whose names its columns have."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import Literal, TypedDict
 
 
@@ -20,7 +21,7 @@ class Import(TypedDict, total=False):
     """Only fronts reflect and emit, whatever the file says."""
     two_sided: bool
     """Fronts and backs reflect and emit, whatever the file says."""
-    materials: str
+    materials: str | os.PathLike[str]
     """A file of materials by name."""
     unit: Literal["mm", "cm", "dm", "m", "in", "ft", "yd"]
     """Unit of the lengths in the file, which become metres."""
@@ -85,8 +86,8 @@ class Method(TypedDict, total=False):
     """Cells of a shadow mask along each side, with shadows="mask" (40)."""
     mask_average: Literal["weighted", "plain"]
     """What a mask tells."""
-    memory: int
-    """Most bytes to use (80 % of what is free)."""
+    memory: int | str
+    """Most bytes to use (80 % of what is free), a number or a text such as "2G"."""
     threads: int
     """Threads to use (all); results do not depend on it."""
 
@@ -104,6 +105,16 @@ class Reading(TypedDict, total=False):
     """Threads to use (as the solution did); results do not depend on it."""
 
 
+class Cells(Reading, total=False):
+    """How means over cells are read."""
+
+    read_samples: tuple[int, int]
+    """Points along each side of a cell at which direct and gathered light are computed (4, 2; as `quality` says); light is then
+    gathered by cells."""
+    memory: int | str
+    """Most bytes to use (as the solution did), a number or a text such as "2G"."""
+
+
 class Picture(TypedDict, total=False):
     """How a picture is taken."""
 
@@ -113,6 +124,8 @@ class Picture(TypedDict, total=False):
     """What leaves surfaces (usual), or what arrives at them."""
     samples: int
     """Camera rays along each side of a pixel (3)."""
+    memory: int | str
+    """Most bytes to use (as the solution did), a number or a text such as "2G"."""
     threads: int
     """Threads to use (as the solution did); results do not depend on it."""
 
@@ -139,7 +152,7 @@ class HeatMethod(Transfers, total=False):
     """Degree of the polynomials on each element (3); 0 takes all fluxes as even over it, as thermal networks do."""
     transport: Literal["auto", "exact", "sampled"]
     """What carries the pairs of elements ("exact")."""
-    memory: int
-    """Most bytes to use (80 % of what is free)."""
+    memory: int | str
+    """Most bytes to use (80 % of what is free), a number or a text such as "2G"."""
     conductances: bool
     """Whether the conductances between all surfaces are wanted."""

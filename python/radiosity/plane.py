@@ -6,9 +6,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from . import _radiosity
-from .arrays import Numbers
+from .arguments import Array
 
 
 class Plane:
@@ -24,46 +25,55 @@ class Plane:
         """Unit of the values."""
 
     @cached_property
-    def values(self) -> Numbers:
+    def values(self) -> Array:
         """Irradiance, an array (rows, columns, bands)."""
         return self._native.values
 
     @cached_property
-    def points(self) -> Numbers:
+    def error(self) -> Array:
+        """Standard deviation of each reading relative to it, over the bands, an array (rows, columns).
+
+        It is nan where light is not gathered by rays, whose error is not sampled. Of readings of less than 2 % of the scene's mean
+        radiosity it is relative to these 2 %.
+        """
+        return self._native.errors
+
+    @cached_property
+    def points(self) -> Array:
         """Where the sensors are, an array (rows, columns, 3)."""
         return self._native.points
 
     @property
-    def normal(self) -> Numbers:
+    def normal(self) -> Array:
         """The unit normal along which they receive, an array (3,)."""
         return np.array(self._native.normal)
 
     @cached_property
-    def _figures(self) -> Numbers:
+    def _figures(self) -> Array:
         return np.array(self._native.figures)
 
     @property
-    def mean(self) -> Numbers:
+    def mean(self) -> Array:
         """Mean of each band, an array (bands,)."""
         return self._figures[:, 0]
 
     @property
-    def min(self) -> Numbers:
+    def min(self) -> Array:
         """Least value of each band, an array (bands,)."""
         return self._figures[:, 1]
 
     @property
-    def max(self) -> Numbers:
+    def max(self) -> Array:
         """Greatest value of each band, an array (bands,)."""
         return self._figures[:, 2]
 
     @property
-    def u0(self) -> Numbers:
+    def u0(self) -> Array:
         """Overall uniformity, least over mean (EN 12464-1), of each band, an array (bands,); nan in the dark."""
         return self._figures[:, 3]
 
     @property
-    def ud(self) -> Numbers:
+    def ud(self) -> Array:
         """Least over greatest, of each band, an array (bands,); nan in the dark."""
         return self._figures[:, 4]
 
@@ -71,6 +81,12 @@ class Plane:
     def dark(self) -> int:
         """How many sensors get no light, as those within a body do."""
         return self._native.dark
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> NDArray[Any]:
+        return np.array(self.values, dtype, copy=True if copy is None else copy)
+
+    def __len__(self) -> int:
+        return len(self.values)
 
     def to_pandas(self) -> Any:
         """A pandas.DataFrame with a row for each sensor: x, y, z (scene length) and the irradiance of each band."""

@@ -9,9 +9,6 @@ from collections.abc import Callable
 Observer = Callable[[str, int, int], object]
 """Called as observer(stage, done, total) in the calling thread, some twenty times a second at the most."""
 
-Progress = "bool | Observer | None"
-"""True for a bar, False for none, None for a bar where stderr is a terminal; or an observer."""
-
 _WIDTH = 30
 
 
@@ -50,6 +47,8 @@ class Shown:
     """What watches work: `with Shown(progress) as observer`."""
 
     def __init__(self, progress: bool | Observer | None) -> None:
+        if not (progress is None or isinstance(progress, bool) or callable(progress)):
+            raise TypeError(f"progress={progress!r}: True, False, None or a function observer(stage, done, total) is wanted")
         if progress is None:
             progress = sys.stderr is not None and sys.stderr.isatty()
         self._bar = Bar() if progress is True else None

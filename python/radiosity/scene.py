@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, SupportsIndex
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
-from .arguments import array_of, named_numbers, path, texts
+from .arguments import Array, array_of, file_path, named_numbers, numbers, refusal, texts
 from .arguments import text as checked_text
-from .arrays import Numbers, Whole, numbers, polygons, vector
+from .arrays import Whole, directions, polygons, vector
 from .heat import Heat
 from .progress import Observer, Shown
 from .solution import Solution
@@ -125,13 +125,19 @@ class Scene:
         corners = numbers("vertices", vertices, ("v", 3))
         indices = array_of("faces", faces)
         if indices.ndim != 2 or indices.shape[1] != 3 or indices.dtype.kind not in "iu":
-            raise Error(f"faces: an array of shape {indices.shape} of {indices.dtype} instead of (f, 3) of whole numbers")
+            raise refusal(
+                f"faces: an array of shape {indices.shape} of {indices.dtype} instead of (f, 3) of whole numbers",
+                "give a row of three indices of vertices for each triangle",
+            )
         if indices.size and not (0 <= indices.min() and indices.max() < len(corners)):
-            raise Error(f"faces: indices from {indices.min()} to {indices.max()}, of {len(corners)} vertices")
+            raise refusal(
+                f"faces: indices from {indices.min()} to {indices.max()}, of {len(corners)} vertices",
+                "count the rows of vertices from 0",
+            )
         self._faces(name, "triangle", corners, np.asarray(indices, np.int64), material, keys)
 
     def _faces(
-        self, name: str, shape: str, vertices: Numbers, corners: Whole, material: str | None, keys: dict[str, Any]
+        self, name: str, shape: str, vertices: Array, corners: Whole, material: str | None, keys: dict[str, Any]
     ) -> None:
         faces = _radiosity.Faces(name, shape, vertices, corners, _known(material=material, **keys))
         self._add("surfaces")["surfaces"].append(faces)
@@ -167,22 +173,37 @@ class Scene:
 
     def sky(self, **keys: Any) -> None:
         """Gives the scene a sky, which openings let in."""
-        self._add("sky")["sky"] = _known(**keys)
+        self._once("sky", _known(**keys))
 
     def camera(self, *, eye: ArrayLike, target: ArrayLike, **keys: Any) -> None:
         """Gives the scene a camera; further keys: `up`, `fov` (degrees, vertical), `width`, `height` (pixels)."""
-        self._add("camera")["camera"] = _known(eye=vector("eye", eye), target=vector("target", target), **keys)
+        self._once("camera", _known(eye=vector("eye", eye), target=vector("target", target), **keys))
+
+    def _once(self, part: str, keys: dict[str, Any]) -> None:
+        """Adds what a scene has one of."""
+        parts = self._add(part)
+        if part in parts:
+            raise refusal(f"{self._label}: a second {part}", f"give one {part} alone")
+        parts[part] = keys
 
     def plane(self, name: str, *, origin: ArrayLike, u: ArrayLike, v: ArrayLike, spacing: float | ArrayLike) -> None:
         """Adds a plane of sensors from a corner along the edges `u` and `v`; sensors receive along u × v."""
         edges = [vector("u", u), vector("v", v)]
         plane = {"origin": vector("origin", origin), "edges": edges, "spacing": spacing}
-        self._add("planes").setdefault("planes", {})[name] = plane
+        planes = self._add("planes").setdefault("planes", {})
+        if checked_text("plane", name) in planes:
+            raise refusal(f"plane {name!r} is given twice", "give each its own name")
+        planes[name] = plane
 
     @property
     def name(self) -> str:
         """Its name."""
         return self._label
+
+    @property
+    def title(self) -> str | None:
+        """Its title, which stands above pictures and reports, if it has one."""
+        return self._native.title
 
     @property
     def bands(self) -> list[str]:
@@ -211,7 +232,7 @@ class Scene:
 
     @property
     def remarks(self) -> list[str]:
-        """What was done to the file of another program that it was read from."""
+        """What was done to the file of another program that it was read from, and to corners and surfaces that nearly meet."""
         return self._native.remarks
 
     def to_toml(self) -> str:
@@ -238,7 +259,7 @@ class Scene:
         """The kind of an aim, and its points with their normals."""
         match aim:
             case ("points", points, normals):
-                return "points", (numbers("points", points, ("n", 3)), numbers("normals", normals, ("n", 3)))
+                return "points", (numbers("points", points, ("n", 3)), directions("normals", normals))
             case ("plane", str(name)):
                 return "points", self._native.sensors(name)
             case None | str():
@@ -255,6 +276,12 @@ class Scene:
         with Shown(progress) as observer:
             return Heat(_radiosity.heat_of(self._native, method, observer))
 
+    def __reduce_ex__(self, protocol: SupportsIndex) -> Any:
+        """A scene that was read or used is copied by its text."""
+        if self._valid is None:
+            return super().__reduce_ex__(protocol)
+        return Scene.from_toml, (self.to_toml(), self._label)
+
     def __repr__(self) -> str:
         return f"<Scene {self._label!r}>"
 
@@ -269,7 +296,7 @@ def load(source: str | os.PathLike[str], *, set: Mapping[str, float] | None = No
 
     `set` gives values to parameters of a built-in scene, to variables of a file, and factors to light groups. Files are .toml and .json,
     or of another program: .mgf, .obj, .gltf, .glb, .stl, .ply, .xml of Mitsuba, .rad of Radiance, .vs3 of View3D. All options are listed
-    in `radiosity.options.Import`.
+    in `radiosity.options.Import`. A file that cannot be read raises `OSError`: `FileNotFoundError`, `PermissionError` and so on.
     """
     settings = named_numbers("set", {} if set is None else set)
-    return Scene._of(_radiosity.load(path("source", source), settings, options))
+    return Scene._of(_radiosity.load(file_path("source", source), settings, options))

@@ -6,23 +6,23 @@ import json
 import os
 import tempfile
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _radiosity
 from ._radiosity import Error
-from .arguments import finite, named_numbers, number, pair, real
+from .arguments import Array, file_path, finite, named_numbers, number, numbers, pair, refusal
 from .arguments import path as checked_path
-from .arrays import Numbers, numbers, vector
+from .arrays import directions, vector
 from .plane import Plane
 from .progress import Observer, Shown
 
 if TYPE_CHECKING:
     from typing_extensions import Unpack
 
-    from .options import Picture, Reading
+    from .options import Cells, Picture, Reading
     from .scene import Scene
 
 
@@ -46,7 +46,7 @@ class Solution:
         return report
 
     @property
-    def coefficients(self) -> Numbers:
+    def coefficients(self) -> Array:
         """Coefficients of the radiosity, an array (bands, unknowns).
 
         They belong to the orthonormal polynomials of the elements, element by element (`elements`); ∫ B² dA over an element is the
@@ -60,22 +60,51 @@ class Solution:
         names = self._native.scene.surfaces
         return [(names[surface], count) for surface, count in self._native.elements]
 
+    @property
+    def error(self) -> float | None:
+        """Estimated relative error of what an accuracy was wanted of; None where none was wanted, or it is not known."""
+        return self._native.error
+
+    @overload
     def irradiance(
         self,
         points: ArrayLike,
         normals: ArrayLike,
         *,
+        errors: Literal[False] = False,
         progress: bool | Observer | None = None,
         **reading: Unpack[Reading],
-    ) -> Numbers:
+    ) -> Array: ...
+    @overload
+    def irradiance(
+        self,
+        points: ArrayLike,
+        normals: ArrayLike,
+        *,
+        errors: Literal[True],
+        progress: bool | Observer | None = None,
+        **reading: Unpack[Reading],
+    ) -> tuple[Array, Array]: ...
+    def irradiance(
+        self,
+        points: ArrayLike,
+        normals: ArrayLike,
+        *,
+        errors: bool = False,
+        progress: bool | Observer | None = None,
+        **reading: Unpack[Reading],
+    ) -> Array | tuple[Array, Array]:
         """Irradiance at `points` (n, 3) along `normals` (n, 3) of any length, or along one for all: an array (n, bands).
 
-        Points are in the coordinates of the scene. All options are listed in `radiosity.options.Reading`.
+        Points are in the coordinates of the scene. With `errors=True` also the standard deviation of each reading relative to it,
+        over the bands, an array (n,): nan where light is not gathered by rays. Ask for many points at once: each call prepares the
+        solution anew, which takes some milliseconds. All options are listed in `radiosity.options.Reading`.
         """
         points = numbers("points", points, ("n", 3))
-        normals = numbers("normals", np.atleast_2d(real("normals", normals)), ("n", 3))
+        normals = directions("normals", normals)
         with Shown(progress) as observer:
-            return self._native.irradiance(points, normals, reading, observer)
+            values, deviations = self._native.irradiance(points, normals, reading, observer)
+        return (values, deviations) if errors else values
 
     def plane(
         self,
@@ -97,21 +126,26 @@ class Solution:
             return Plane(self._native.plane(given, reading, observer), self._native.scene)
 
     def grid(
-        self, cells: tuple[int, int] = (16, 16), *, progress: bool | Observer | None = None, **reading: Unpack[Reading]
+        self, cells: tuple[int, int] = (16, 16), *, progress: bool | Observer | None = None, **reading: Unpack[Cells]
     ) -> dict[str, Any]:
         """Means over the cells of every surface, so many along u and v.
 
-        The arrays are "surface" (names), "index" (n, 2), "irradiance" and "radiosity" (n, bands), "area" (n,), "position" (n, 3).
+        The arrays are "surface" (names), "index" (n, 2), "irradiance" and "radiosity" (n, bands), "error" (n,), the standard deviation
+        of each irradiance relative to it, nan where light is not gathered by rays, "area" (n,), "position" (n, 3). All options are
+        listed in `radiosity.options.Cells`.
         """
-        along_u, along_v = pair("cells", cells)
+        options: dict[str, Any] = {**reading, "cells": pair("cells", cells)}
+        if options.get("read_samples") is not None:
+            options["read_samples"] = pair("read_samples", options["read_samples"])
         with Shown(progress) as observer:
-            grid = self._native.grid({"cells_u": along_u, "cells_v": along_v, **reading}, observer)
+            grid = self._native.grid(options, observer)
         names = np.array(self._native.scene.surfaces)
         return {
             "surface": names[grid.surface],
             "index": np.array(grid.index, int).reshape(-1, 2),
             "irradiance": grid.irradiance,
             "radiosity": grid.radiosity,
+            "error": grid.errors,
             "area": grid.area,
             "position": grid.position,
         }
@@ -123,15 +157,15 @@ class Solution:
         *,
         progress: bool | Observer | None = None,
         **picture: Unpack[Picture],
-    ) -> Numbers:
+    ) -> Array:
         """A picture of the radiosity: an array (rows, columns, bands), the first row on top. The radiance is 1/π of it.
 
         `camera` has eye, target and, unless they are +z and 40, up and fov (degrees, vertical); None is that of the scene. `size` is
         (width, height) in pixels. All options are listed in `radiosity.options.Picture`.
         """
-        options = dict(picture)
+        options: dict[str, Any] = dict(picture)
         if size is not None:
-            options["width"], options["height"] = pair("size", size)
+            options["size"] = pair("size", size)
         with Shown(progress) as observer:
             return self._native.render(_camera(camera), options, observer)
 
@@ -142,16 +176,22 @@ class Solution:
     def save(self, path: str | os.PathLike[str]) -> None:
         """Writes the solution: .json, which `load_solution` and `radiosity render` read, or .vtu for ParaView."""
         path = checked_path("path", path)
+        ending = os.path.splitext(path)[1].lower()
+        if ending not in ("", ".json", ".vtu"):
+            raise refusal(f"{path}: the ending {ending} is none of .json and .vtu", "end the name in .json or .vtu")
         folder = os.path.dirname(path) or "."
         handle, beside = tempfile.mkstemp(dir=folder, prefix=".radiosity-")
         os.close(handle)
         try:
-            self._native.save(beside, path.lower().endswith(".vtu"))
+            self._native.save(beside, ending == ".vtu")
             os.chmod(beside, 0o666 & ~_mask())
             os.replace(beside, path)
         except BaseException:
             os.unlink(beside)
             raise
+
+    def __reduce__(self) -> Any:
+        raise TypeError("a Solution does not pickle: write it with save(path), and read it with radiosity.load_solution(path)")
 
     def __repr__(self) -> str:
         return f"<Solution of {self._native.scene.name!r}>"
@@ -191,7 +231,9 @@ def _camera(camera: Mapping[str, Any] | None) -> Any:
         raise TypeError(f"camera: a mapping with eye and target is wanted, not {type(camera).__name__}")
     unknown = set(camera) - {"eye", "target", "up", "fov"}
     if unknown or not {"eye", "target"} <= set(camera):
-        raise Error(f"camera: keys {sorted(camera)} instead of eye, target and, where they differ from +z and 40, up and fov")
+        raise refusal(
+            f"camera: the keys {', '.join(map(repr, camera))}", "give eye and target and, where they differ from +z and 40, up and fov"
+        )
     eye, target, up = (vector(key, camera.get(key, (0, 0, 1))) for key in ("eye", "target", "up"))
     return eye, target, up, number("fov", camera.get("fov", 40))
 
@@ -199,4 +241,4 @@ def _camera(camera: Mapping[str, Any] | None) -> Any:
 def load_solution(path: str | os.PathLike[str], *, set: Mapping[str, float] | None = None) -> Solution:
     """The solution in a file that `Solution.save` or `radiosity solve` wrote; `set` gives factors to light groups."""
     factors = named_numbers("set", {} if set is None else set)
-    return Solution(_radiosity.load_solution(checked_path("path", path), factors))
+    return Solution(_radiosity.load_solution(file_path("path", path), factors))

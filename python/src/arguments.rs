@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 use std::fmt::Display;
 use std::ops::RangeInclusive;
+use std::path::PathBuf;
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyDict, PyString};
 use radiosity::request::ranges;
 use serde::de::value::Error as Unknown;
 use serde::de::{DeserializeOwned, IntoDeserializer};
@@ -44,9 +45,35 @@ impl<'py> Arguments<'py> {
     pub(crate) fn whole(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<u64>> {
         let Some(value) = self.given.remove(name) else { return Ok(None) };
         let expected = ranges::whole(range);
-        let number = value.extract::<i128>().map_err(|_| wrong_type(name, "a whole number", &value))?;
+        let number = whole(&value).ok_or_else(|| wrong_type(name, "a whole number", &value))?;
         let number = u64::try_from(number).ok().filter(|number| range.contains(number));
         Ok(Some(number.ok_or_else(|| out_of_range(name, &value, &expected))?))
+    }
+
+    /// A number of bytes, or a text such as "2G".
+    pub(crate) fn bytes(&mut self, name: &str) -> PyResult<Option<u64>> {
+        match self.given.get(name).is_some_and(|value| value.is_instance_of::<PyString>()) {
+            true => self.read(name, ranges::bytes),
+            false => self.whole(name, &(1..=u64::MAX)),
+        }
+    }
+
+    /// The path of a file.
+    pub(crate) fn path(&mut self, name: &str) -> PyResult<Option<PathBuf>> {
+        let Some(value) = self.given.remove(name) else { return Ok(None) };
+        Ok(Some(value.extract().map_err(|_| wrong_type(name, "a path", &value))?))
+    }
+
+    /// Two whole numbers in a range.
+    pub(crate) fn pair(&mut self, name: &str, range: &RangeInclusive<u64>) -> PyResult<Option<[usize; 2]>> {
+        let Some(value) = self.given.remove(name) else { return Ok(None) };
+        let both: [Bound<'py, PyAny>; 2] =
+            value.extract().map_err(|_| wrong_type(name, "two whole numbers", &value))?;
+        for (place, one) in ["0", "1"].into_iter().zip(both) {
+            self.given.insert(format!("{name}[{place}]"), one);
+        }
+        let mut one = |place| self.count(&format!("{name}[{place}]"), range);
+        Ok(one(0)?.zip(one(1)?).map(<[usize; 2]>::from))
     }
 
     /// The same, as an index.
@@ -89,6 +116,13 @@ impl<'py> Arguments<'py> {
             }
         }
     }
+}
+
+/// A whole number, or a float that is one, such as 1e6.
+fn whole(value: &Bound<'_, PyAny>) -> Option<i128> {
+    let of_float =
+        || value.extract::<f64>().ok().filter(|number| number.fract() == 0.0).map(|number| number as i128);
+    value.extract::<i128>().ok().or_else(of_float)
 }
 
 /// The argument as it was given.

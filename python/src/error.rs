@@ -3,6 +3,7 @@
 mod spelling;
 
 use std::ffi::CString;
+use std::io;
 
 use pyo3::exceptions::{PyOSError, PyUserWarning, PyValueError};
 use pyo3::{PyErr, PyResult, Python, create_exception};
@@ -39,18 +40,20 @@ pub(crate) struct Trouble {
     /// The line of a text that is meant, or nothing.
     excerpt: String,
     cure: Option<String>,
+    /// Why a file cannot be read, where that is what is wrong.
+    of_file: Option<io::ErrorKind>,
 }
 
 impl Trouble {
     /// What is wrong, and how to mend it.
     pub(crate) fn new(message: impl Into<String>, cure: impl Into<String>) -> Self {
-        Self { message: message.into(), excerpt: String::new(), cure: Some(cure.into()) }
+        Self { message: message.into(), excerpt: String::new(), cure: Some(cure.into()), of_file: None }
     }
 
     /// What the library says is wrong, and how to mend it where the message does not say it.
     fn told(message: &Wording, cure: Option<Wording>) -> Self {
         let cure = cure.as_ref().map(spelt);
-        Self { message: spelt(message), excerpt: String::new(), cure }
+        Self { message: spelt(message), excerpt: String::new(), cure, of_file: None }
     }
 
     /// The same of an error in whose message no option stands.
@@ -60,7 +63,7 @@ impl Trouble {
 
     /// Message, line and cure.
     fn text(&self) -> String {
-        let Self { message, excerpt, cure } = self;
+        let Self { message, excerpt, cure, .. } = self;
         let mut lines = vec![message.clone()];
         lines.extend(excerpt.lines().map(str::to_owned));
         lines.extend(cure.as_ref().map(|cure| format!("help: {cure}")));
@@ -70,14 +73,22 @@ impl Trouble {
 
 impl From<Trouble> for PyErr {
     fn from(trouble: Trouble) -> Self {
-        Error::new_err(trouble.text())
+        match trouble.of_file {
+            // FileNotFoundError, PermissionError, …
+            Some(kind) => io::Error::new(kind, trouble.text()).into(),
+            None => Error::new_err(trouble.text()),
+        }
     }
 }
 
 impl From<SceneError> for Trouble {
     fn from(error: SceneError) -> Self {
         let excerpt = error.place.as_ref().map(|place| place.excerpt()).unwrap_or_default();
-        Self { excerpt, ..Self::plain(&error, error.advice()) }
+        let of_file = match &error.fault {
+            Fault::Unreadable { kind, .. } => Some(*kind),
+            _ => None,
+        };
+        Self { excerpt, of_file, ..Self::plain(&error, error.advice()) }
     }
 }
 

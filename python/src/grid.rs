@@ -6,7 +6,7 @@ use radiosity::geom::DVec3;
 use radiosity::output::grid::Cell;
 use radiosity::scene::Scene;
 
-use crate::arrays::array;
+use crate::arrays::{array, relative};
 
 /// Means over the cells of every surface.
 #[pyclass(frozen, module = "radiosity._radiosity")]
@@ -50,6 +50,13 @@ impl Grid {
     #[getter]
     fn radiosity<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
         self.of_bands(py, |cell| &cell.radiosity)
+    }
+
+    /// Standard deviation of each irradiance relative to it: an array (n,); not a number where rays gathered nothing.
+    #[getter]
+    fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let numbers = self.cells.iter().map(|cell| relative(cell.deviation)).collect();
+        array(py, &[self.cells.len()], numbers)
     }
 
     #[getter]

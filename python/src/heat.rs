@@ -5,23 +5,23 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::heat as library;
 use radiosity::heat::SurfaceHeat;
-use radiosity::output::missed::missed;
+use radiosity::output::missed::{corrected, missed, no_error_of_order};
 use radiosity::solve::Progress as Step;
 use radiosity::transport::Miss;
-use radiosity::wording::{Wording, option, words};
 
 use crate::arguments::Arguments;
 use crate::arrays::array;
 use crate::error::{Trouble, warn};
 use crate::progress::Progress;
 use crate::requests;
-use crate::scene::Scene;
+use crate::scene::{Scene, remarks};
 use crate::work::work;
 
 /// The balance of heat of a scene.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct Heat {
     heat: library::Heat,
+    remarks: Vec<String>,
 }
 
 /// The balance of heat of a scene.
@@ -49,16 +49,9 @@ pub(crate) fn heat_of(
     if heat.error_orders.is_empty() {
         warn(py, &no_error_of_order(request.order))?;
     }
-    Ok(Heat { heat })
-}
-
-fn no_error_of_order(order: usize) -> Wording {
-    let told = format!(
-        "the errors are those of the transfers alone: there is no memory for order {} beside order {order}, which tells what even \
-         fluxes miss; allow more with ",
-        order + 1
-    );
-    words(told) + option("memory")
+    let moved = heat.moved.map(corrected);
+    let remarks = remarks(&scene.scene).into_iter().chain(moved).collect();
+    Ok(Heat { heat, remarks })
 }
 
 fn show(progress: &Progress, stage: library::Stage) {
@@ -135,6 +128,12 @@ impl Heat {
     #[getter]
     fn is_closed(&self) -> bool {
         self.heat.is_closed()
+    }
+
+    /// What was done to the scene and to the transfers.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.remarks.clone()
     }
 
     /// An array (n, n), if they were asked for.

@@ -9,6 +9,7 @@ use radiosity::geom::DVec3;
 
 use crate::arrays::points;
 use crate::error::Trouble;
+use crate::work::work;
 
 /// A surface: its name, the index of its label, and its rings (k, 3), of which the first is the outline and the others are holes;
 /// or the four corners of a bilinear patch, where the last is true.
@@ -29,6 +30,12 @@ pub(crate) fn mesh_polygons<'py>(
 ) -> PyResult<Vec<NamedRings<'py>>> {
     let vertices = points("vertices", &vertices)?;
     let faces = Faces { corners: corners.as_slice()?, ends: ends.as_slice()?, labels: labels.as_slice()? };
+    let model = work(py, None, |_| model(&vertices, &faces, &names))?;
+    Ok(rings(py, model))
+}
+
+/// Faces with their coplanar neighbours merged.
+fn model(vertices: &[DVec3], faces: &Faces<'_>, names: &[String]) -> Result<Model, Trouble> {
     let mut mesh = Mesh::default();
     let objects: Vec<usize> = names.iter().map(|name| mesh.object(Some(name))).collect();
     // The material stands for the label: it stays with a face while faces are merged.
@@ -37,7 +44,7 @@ pub(crate) fn mesh_polygons<'py>(
         let object = usize::try_from(label).ok().and_then(|label| objects.get(label)).copied();
         let object = object
             .ok_or_else(|| refused(format!("the label {label} has no name"), "give a name for each label"))?;
-        let corners = face.and_then(|face| face.iter().map(|corner| vertex(&vertices, *corner)).collect());
+        let corners = face.and_then(|face| face.iter().map(|corner| vertex(vertices, *corner)).collect());
         let corners: Vec<DVec3> = corners.ok_or_else(|| {
             let message = format!("a corner is none of the {} vertices", vertices.len());
             refused(message, "give indices of rows of `vertices`, counted from 0")
@@ -46,8 +53,7 @@ pub(crate) fn mesh_polygons<'py>(
         let place = radiosity::formats::place::Place::Line(index);
         mesh.face(corners, coat, place).map_err(|fault| refused(fault.cause, &fault.cure))?;
     }
-    let model = mesh.finish("faces").map_err(|fault| Trouble::new(fault.cause, fault.cure))?;
-    Ok(rings(py, model))
+    mesh.finish("faces").map_err(|fault| Trouble::new(fault.cause, fault.cure))
 }
 
 /// Faces as lists of corners, one behind the other.

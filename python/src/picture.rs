@@ -1,6 +1,7 @@
 //! Pictures as arrays.
 
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use radiosity::geom::DVec3;
 use radiosity::output::raster::Raster;
 use radiosity::output::reader::Read;
@@ -45,14 +46,12 @@ impl Shot {
     /// As `given`, through a camera or that of the scene.
     pub(crate) fn of(
         through: Option<Given>,
-        given: &mut Arguments<'_>,
+        given: &Bound<'_, PyDict>,
         solution: &Solution,
     ) -> PyResult<Self> {
+        let mut given = Arguments::of(given)?;
         let scene = &solution.solved.scene;
-        let side = |pixels: Option<u64>| pixels.map(|pixels| pixels as u32);
-        let size =
-            side(given.whole("width", &ranges::PIXELS)?).zip(side(given.whole("height", &ranges::PIXELS)?));
-        let size = size.map(<[u32; 2]>::from);
+        let size = given.pair("size", &ranges::PIXELS)?.map(|size| size.map(|pixels| pixels as u32));
         let camera = match through {
             Some(own) => sized(own.of(scene)?, size),
             None => camera(size, scene).map_err(Trouble::from)?,
@@ -61,11 +60,13 @@ impl Shot {
             samples: given.whole("samples", &ranges::SAMPLES)?.map_or(SAMPLES, |samples| samples as u32),
             read: given.named("read")?,
             show: given.named("show")?.unwrap_or_default(),
-            threads: requests::threads(given)?.unwrap_or(solution.solved.options.threads),
+            threads: requests::threads(&mut given)?.unwrap_or(solution.solved.options.threads),
             camera,
         };
+        let memory = given.bytes("memory")?.or(solution.method.memory);
+        given.finish("render")?;
         check_aim(shot.read, &solution.method).map_err(Trouble::from)?;
-        require_pixels(&shot.camera, scene, solution.method.memory).map_err(Trouble::from)?;
+        require_pixels(&shot.camera, scene, memory).map_err(Trouble::from)?;
         Ok(shot)
     }
 

@@ -9,7 +9,7 @@ use radiosity::output::uniformity::Uniformity;
 use radiosity::scene::{Scene, SensorPlane};
 use radiosity::wording::Wording;
 
-use crate::arrays::array;
+use crate::arrays::{array, relative};
 use crate::error::Trouble;
 
 /// A plane as it is given: by its name in the scene, or by a corner, two edges and the largest spacing along each.
@@ -73,6 +73,13 @@ impl Plane {
         let [rows, columns] = self.plane.counts();
         let numbers = self.readings.iter().flat_map(|reading| reading.irradiance.iter().copied());
         array(py, &[rows, columns, self.bands], numbers.collect())
+    }
+
+    /// Standard deviation of each value relative to it: an array (rows, columns); not a number where rays gathered nothing.
+    #[getter]
+    fn errors<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
+        let numbers = self.readings.iter().map(|reading| relative(reading.deviation));
+        array(py, &self.plane.counts(), numbers.collect())
     }
 
     /// Where the sensors are: an array (rows, columns, 3).

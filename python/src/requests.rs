@@ -1,11 +1,11 @@
 //! Arguments as what the library calls a request.
 
 use std::num::NonZeroUsize;
-use std::path::PathBuf;
 
 use pyo3::prelude::*;
 use radiosity::elements::cells::Layers;
 use radiosity::formats::{format::Format, model::Sides};
+use radiosity::output::grid::Rates;
 use radiosity::output::quality::Quality;
 use radiosity::request::{HeatRequest, ImportRequest, MethodRequest, ReadRequest, TransferRequest, ranges};
 use radiosity::scene::{MAX_ORDER, MAX_PARTS};
@@ -15,9 +15,6 @@ use radiosity_solvers::method::Method;
 
 use crate::arguments::Arguments;
 use crate::error::Trouble;
-
-/// Most bytes of memory: as many as there can be.
-const BYTES: std::ops::RangeInclusive<u64> = 1..=u64::MAX;
 
 /// How light is to be computed.
 pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
@@ -50,7 +47,7 @@ pub(crate) fn method(given: &mut Arguments<'_>) -> PyResult<MethodRequest> {
         direct: given.named("direct")?.unwrap_or(usual.direct),
         shadow_eps: given.number("shadow_eps", ranges::accuracy)?,
         masks: masks(given)?,
-        memory: given.whole("memory", &BYTES)?,
+        memory: given.bytes("memory")?,
         threads: threads(given)?,
     })
 }
@@ -87,6 +84,13 @@ pub(crate) fn reading(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
     Ok(ReadRequest { read, by, eps, samples: None })
 }
 
+/// How means over the cells of a solution are to be read.
+pub(crate) fn reading_of_cells(given: &mut Arguments<'_>) -> PyResult<ReadRequest> {
+    let rates = given.pair("read_samples", &ranges::POINTS)?;
+    let samples = rates.map(|[direct, indirect]| Rates { direct, indirect });
+    Ok(ReadRequest { samples, ..reading(given)? })
+}
+
 /// How transfers are to be integrated, to the accuracy `eps` unless another one is given.
 pub(crate) fn transfers(given: &mut Arguments<'_>, eps: f64) -> PyResult<TransferRequest> {
     let usual = TransferRequest::new(eps);
@@ -106,7 +110,7 @@ pub(crate) fn heat(given: &mut Arguments<'_>) -> PyResult<HeatRequest> {
         transfers: transfers(given, TransferRequest::HEAT)?,
         order: given.count("order", &(0..=MAX_ORDER as u64))?.unwrap_or(usual.order),
         transport: given.named("transport")?.unwrap_or(usual.transport),
-        memory: given.whole("memory", &BYTES)?,
+        memory: given.bytes("memory")?,
         conductances: given.flag("conductances")?,
     })
 }
@@ -121,7 +125,7 @@ pub(crate) fn import(given: &mut Arguments<'_>) -> PyResult<ImportRequest> {
     Ok(ImportRequest {
         format: given.read("format", format)?,
         sides: sides(given)?,
-        materials: given.read("materials", |path| Ok::<_, String>(PathBuf::from(path)))?,
+        materials: given.path("materials")?,
         unit: given.read("unit", str::parse)?,
         up: given.read("up", str::parse)?,
         fix_fronts: given.flag("fix_fronts")?,

@@ -20,7 +20,7 @@ use crate::arguments::Arguments;
 use crate::arrays::probes;
 use crate::error::Trouble;
 use crate::requests;
-use crate::solution::Solution;
+use crate::solution::{Found, Solution};
 use crate::tree;
 use crate::work::work;
 
@@ -37,6 +37,7 @@ pub(crate) struct Scene {
 /// those of `radiosity.load`.
 #[pyfunction]
 pub(crate) fn load(
+    py: Python<'_>,
     source: String,
     settings: BTreeMap<String, f64>,
     given: &Bound<'_, PyDict>,
@@ -52,7 +53,7 @@ pub(crate) fn load(
         import: requests::import(&mut given)?,
     };
     given.finish("load")?;
-    Ok(Scene { scene: request.load_lit().map_err(Trouble::from)? })
+    Ok(Scene { scene: work(py, None, |_| request.load_lit())? })
 }
 
 /// The scene in a text in TOML or JSON; `name` stands before messages. Files that it names are looked for in the current folder.
@@ -117,10 +118,10 @@ impl Scene {
         groups.map(|group| (group.name.clone(), group.factor)).collect()
     }
 
-    /// What was done to the file of another program that it was read from.
+    /// What was done to the file of another program that it was read from, and to shapes that nearly meet.
     #[getter]
     fn remarks(&self) -> Vec<String> {
-        self.scene.imported().map(|imported| imported.lines().collect()).unwrap_or_default()
+        remarks(&self.scene)
     }
 
     /// The sensors of a plane of the scene: points (n, 3) and normals (n, 3).
@@ -151,18 +152,28 @@ impl Scene {
         given.finish("solve")?;
         let wanted = Wanted::of(aim, sensors)?;
         method.aim = aim.is_some().then_some(wanted.aim());
+        if method.aim.is_some() && method.wanted_accuracy().is_none() {
+            let cure = "add accuracy=, such as accuracy=1e-2, or leave aim= out";
+            return Err(Trouble::new("aim= does nothing without an accuracy that is wanted", cure).into());
+        }
         method.check().map_err(Trouble::from)?;
         self.scene.require_light().map_err(Trouble::from)?;
         let options = Options { keep_partial, ..method.options() };
         // Shapes, patterns and what it was read from are shared; names and numbers of the surfaces are copied.
         let scene = self.scene.clone();
         let bands = scene.bands.len();
-        let solved = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
+        let found = work(py, observer.as_ref(), |progress| -> Result<_, Trouble> {
             let show = |stage| progress.stage(stage, bands);
-            Ok(solved(scene, options, wanted.goal(&method, &self.scene)?, &show)?)
+            Ok(Found::of(solved(scene, options, wanted.goal(&method, &self.scene)?, &show)?)?)
         })?;
-        Solution::found(py, solved, method)
+        Solution::new(py, found, method, false)
     }
+}
+
+/// What was done to a scene when it was read.
+pub(crate) fn remarks(scene: &scene::Scene) -> Vec<String> {
+    let imported = scene.imported().into_iter().flat_map(|imported| imported.lines());
+    imported.chain(scene.fitted.line()).collect()
 }
 
 fn solved(

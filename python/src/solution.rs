@@ -1,5 +1,6 @@
 //! Solutions: read at points, on planes, over cells and through cameras; dimmed; written.
 
+use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{BufWriter, Write};
 use std::sync::Arc;
@@ -15,15 +16,15 @@ use radiosity::output::reader::Reader;
 use radiosity::output::report::Report;
 use radiosity::output::solution_file::{self, SolutionFile, is_solution};
 use radiosity::output::vtu::Grid as Cells;
-use radiosity::request::{MethodRequest, memory, ranges, require_all_bounces};
+use radiosity::request::cells::require_cells;
+use radiosity::request::{KEPT, MethodRequest, ReadRequest, ranges, require_all_bounces};
 use radiosity::scene::Scene as Whole;
-use radiosity::solve::in_threads;
+use radiosity::solve::{Failure, Options, in_threads};
 use radiosity::solved::Solved;
 use radiosity::wording::{option, words};
-use std::collections::BTreeMap;
 
 use crate::arguments::Arguments;
-use crate::arrays::{array, probes};
+use crate::arrays::{array, probes, relative};
 use crate::error::{Trouble, file_error, warn};
 use crate::grid::Grid;
 use crate::picture;
@@ -44,37 +45,60 @@ pub(crate) struct Solution {
     report: Report,
 }
 
+/// Irradiances, and their standard deviations relative to them.
+type Readings<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArrayDyn<f64>>);
+
+/// A scene with its solution, and what there is to report of it.
+pub(crate) struct Found {
+    solved: Solved,
+    report: Report,
+}
+
+impl Found {
+    /// What is reported of a solution, found by as many threads as that was.
+    pub(crate) fn of(solved: Solved) -> Result<Self, Failure> {
+        let report = in_threads(solved.options.threads, || Report::new(&solved))?;
+        Ok(Self { solved, report })
+    }
+}
+
 /// The solution in a file, with its light groups at these factors.
 #[pyfunction]
-pub(crate) fn load_solution(path: &str, factors: BTreeMap<String, f64>) -> PyResult<Solution> {
-    let text = Whole::text_of(path, &[]).map_err(Trouble::from)?;
+pub(crate) fn load_solution(
+    py: Python<'_>,
+    path: &str,
+    factors: BTreeMap<String, f64>,
+) -> PyResult<Solution> {
+    let found = work(py, None, |_| in_threads(Options::default().threads, || read_file(path, &factors))?)?;
+    Solution::new(py, found, MethodRequest::default(), true)
+}
+
+fn read_file(path: &str, factors: &BTreeMap<String, f64>) -> Result<Found, Trouble> {
+    let text = Whole::text_of(path, &[])?;
     if !is_solution(&text.text()) {
         let cure = "solve it first: load(…).solve()";
-        return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure).into());
+        return Err(Trouble::new(format!("{}: this is no solution", text.origin), cure));
     }
-    let solved = solution_file::read(&text).map_err(Trouble::from)?;
-    let factors: Vec<(&str, f64)> = factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
-    let solved = if factors.is_empty() { solved } else { solved.relight(&factors).map_err(Trouble::from)? };
-    Ok(Solution::new(solved, MethodRequest::default(), true))
+    let solved = solution_file::read(&text)?;
+    let solved = if factors.is_empty() { solved } else { solved.relight(&borrowed(factors))? };
+    Ok(Found::of(solved)?)
+}
+
+fn borrowed(factors: &BTreeMap<String, f64>) -> Vec<(&str, f64)> {
+    factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect()
 }
 
 impl Solution {
-    fn new(solved: Solved, method: MethodRequest, is_saved: bool) -> Self {
-        let report = Report::new(&solved);
-        Self { solved: Arc::new(solved), method, is_saved, report }
-    }
-
-    /// One that was just found; warns of what its report warns of.
-    pub(crate) fn found(py: Python<'_>, solved: Solved, method: MethodRequest) -> PyResult<Self> {
-        let own = Self::new(solved, method, false);
-        own.report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
-        Ok(own)
+    /// Warns of what its report warns of.
+    pub(crate) fn new(py: Python<'_>, found: Found, method: MethodRequest, is_saved: bool) -> PyResult<Self> {
+        let Found { solved, report } = found;
+        report.warnings.iter().try_for_each(|warning| warn(py, &warning.message))?;
+        Ok(Self { solved: Arc::new(solved), method, is_saved, report })
     }
 
     /// How it is read as `given`, and by how many threads.
-    fn reading(&self, given: &mut Arguments<'_>) -> PyResult<(How, usize)> {
+    fn reading(&self, given: &mut Arguments<'_>, request: ReadRequest) -> PyResult<(How, usize)> {
         let threads = requests::threads(given)?.unwrap_or(self.solved.options.threads);
-        let request = requests::reading(given)?;
         request.check(&self.solved.options, &self.method).map_err(Trouble::from)?;
         Ok((request.reading(&self.method, &self.solved, self.is_saved), threads))
     }
@@ -100,7 +124,8 @@ impl Solution {
         observer: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Vec<Reading>> {
         let mut given = given;
-        let (how, threads) = self.reading(&mut given)?;
+        let request = requests::reading(&mut given)?;
+        let (how, threads) = self.reading(&mut given, request)?;
         given.finish(function)?;
         let readings = self.read(py, observer, threads, |progress| {
             let tell = |done, total| progress.step("points", done, total);
@@ -132,10 +157,6 @@ fn warn_of(py: Python<'_>, error: Option<ReadError>, asked: f64) -> PyResult<()>
     }
 }
 
-/// Bytes of a cell beside its bands, and of each band. Measured for the command: 395 for three bands with their text.
-const CELL: u64 = 140;
-const BAND: u64 = 85;
-
 #[pymethods]
 impl Solution {
     /// The scene.
@@ -166,7 +187,14 @@ impl Solution {
         elements.iter().map(|element| (element.surface, element.basis.len())).collect()
     }
 
-    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands).
+    /// Estimated relative error of what an accuracy was wanted of.
+    #[getter]
+    fn error(&self) -> Option<f64> {
+        self.report.accuracy_estimate
+    }
+
+    /// Irradiance at points (n, 3) for normals (n, 3): an array (n, bands), and its standard deviations relative to it, (n,), not
+    /// a number where rays gathered nothing.
     fn irradiance<'py>(
         &self,
         py: Python<'py>,
@@ -174,12 +202,14 @@ impl Solution {
         normals: PyReadonlyArray2<'_, f64>,
         given: &Bound<'_, PyDict>,
         observer: Option<Bound<'_, PyAny>>,
-    ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
+    ) -> PyResult<Readings<'py>> {
         let sensors = probes(&positions, &normals)?;
         let given = Arguments::of(given)?;
         let readings = self.sense(py, &sensors, given, "irradiance", observer.as_ref())?;
+        let errors = readings.iter().map(|reading| relative(reading.deviation)).collect();
         let numbers = readings.into_iter().flat_map(|reading| reading.irradiance).collect();
-        Ok(array(py, &[sensors.len(), self.solved.scene.bands.len()], numbers))
+        let numbers = array(py, &[sensors.len(), self.solved.scene.bands.len()], numbers);
+        Ok((numbers, array(py, &[sensors.len()], errors)))
     }
 
     /// What a plane of sensors reads: one of the scene by its name, or one from a corner along two edges.
@@ -206,20 +236,13 @@ impl Solution {
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Grid> {
         let mut given = Arguments::of(given)?;
-        let mut side = |name| Ok::<_, PyErr>(given.count(name, &ranges::PIXELS)?.unwrap_or(16));
-        let sides = [side("cells_u")?, side("cells_v")?];
-        let (how, threads) = self.reading(&mut given)?;
+        let sides = given.pair("cells", &ranges::PIXELS)?.unwrap_or([16, 16]);
+        let memory = given.bytes("memory")?.or(self.method.memory);
+        let request = requests::reading_of_cells(&mut given)?;
+        let (how, threads) = self.reading(&mut given, request)?;
         given.finish("grid")?;
         let scene = &self.solved.scene;
-        let count = (sides[0] * sides[1] * scene.surfaces.len()) as u64;
-        let needed = count * (CELL + BAND * scene.bands.len() as u64);
-        memory::require(
-            needed,
-            self.method.memory,
-            "the cells",
-            words("ask for fewer with ") + option("cells"),
-        )
-        .map_err(Trouble::from)?;
+        require_cells(sides, scene, memory).map_err(Trouble::from)?;
         let cells =
             self.read(py, observer.as_ref(), threads, |progress| self.cells(&how, sides, progress))?;
         warn_of(py, ReadError::of(cells.iter().map(|cell| cell.deviation)), how.eps)?;
@@ -234,7 +257,7 @@ impl Solution {
         given: &Bound<'_, PyDict>,
         observer: Option<Bound<'_, PyAny>>,
     ) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        let shot = picture::Shot::of(camera, &mut Arguments::of(given)?, self)?;
+        let shot = picture::Shot::of(camera, given, self)?;
         let raster = self.read(py, observer.as_ref(), shot.threads, |progress| {
             shot.take(&self.solved.outcome.solution, self.solved.visibility(), progress)
         })?;
@@ -244,17 +267,17 @@ impl Solution {
     }
 
     /// The same with light groups at other factors.
-    fn relight(&self, factors: BTreeMap<String, f64>) -> Result<Self, Trouble> {
-        let factors: Vec<(&str, f64)> =
-            factors.iter().map(|(name, factor)| (name.as_str(), *factor)).collect();
-        Ok(Self::new(self.solved.relight(&factors)?, self.method.clone(), self.is_saved))
+    fn relight(&self, py: Python<'_>, factors: BTreeMap<String, f64>) -> PyResult<Self> {
+        let found = work(py, None, |_| -> Result<_, Trouble> {
+            Ok(Found::of(self.solved.relight(&borrowed(&factors))?)?)
+        })?;
+        Self::new(py, found, self.method.clone(), self.is_saved)
     }
 
     /// Writes it as `radiosity solve` does: JSON that can be read back, or a grid of VTK.
     fn save(&self, py: Python<'_>, path: &str, is_grid: bool) -> PyResult<()> {
-        let kept = "a solution is kept for readers, who would gather from it as if it were all light";
         let cure = words("solve the scene without ") + option("bounces");
-        require_all_bounces(&self.method, kept, cure).map_err(Trouble::from)?;
+        require_all_bounces(&self.method, KEPT, cure).map_err(Trouble::from)?;
         py.detach(|| match is_grid {
             true => self.write_grid(path),
             false => self.write_json(path),

@@ -1,12 +1,16 @@
 //! View factors of scenes and of polygons.
 
-use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyReadonlyArray2};
+use std::collections::BTreeSet;
+
+use numpy::{IntoPyArray, PyArray1, PyArrayDyn, PyReadonlyArray2, PyReadwriteArray2};
+use pyo3::exceptions::PyMemoryError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use radiosity::geom::shapes::Polygon;
 use radiosity::output::missed::missed;
+use radiosity::output::row_sums::RowSums;
 use radiosity::request::TransferRequest;
-use radiosity::scene::{Material, Scene as Whole};
+use radiosity::scene::{Material, Scene as Whole, SceneError};
 use radiosity::transport::Miss;
 use radiosity::{SceneBuilder, view_factors as library};
 
@@ -14,50 +18,62 @@ use crate::arguments::Arguments;
 use crate::arrays::{array, points};
 use crate::error::{Trouble, warn};
 use crate::requests;
-use crate::scene::Scene;
+use crate::scene::{Scene, remarks};
 use crate::work::work;
 
 /// View factors between the surfaces of a scene.
 #[pyclass(frozen, module = "radiosity._radiosity")]
 pub(crate) struct ViewFactors {
     factors: library::ViewFactors,
+    /// Those that were asked for; none for all.
+    pairs: BTreeSet<[usize; 2]>,
+    is_closed: Option<bool>,
+    remarks: Vec<String>,
 }
 
-/// The view factors between the surfaces of a scene.
+/// The names of two surfaces.
+type Pair = (String, String);
+
+/// What a polygon is called in messages, and its vertices.
+type Named<'py> = (String, PyReadonlyArray2<'py, f64>);
+
+/// The view factors between the surfaces of a scene, or those of `pairs` alone, where there are any.
 #[pyfunction]
 pub(crate) fn view_factors_of_scene(
     py: Python<'_>,
     scene: &Scene,
+    pairs: Vec<Pair>,
     given: &Bound<'_, PyDict>,
     observer: Option<Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
-    factors(py, &scene.scene, &|_, _| true, given, observer.as_ref())
+    factors(py, &scene.scene, &pairs, "view_factors", given, observer.as_ref())
 }
 
-/// The view factors between polygons, each an array (k, 3) of its vertices; of the pair (0, 1) alone where that is `single`.
+/// The same between polygons, each an array (k, 3) of its vertices, called surface-1 and so on; `function` was called.
 #[pyfunction]
 pub(crate) fn view_factors_of_polygons(
     py: Python<'_>,
-    polygons: Vec<PyReadonlyArray2<'_, f64>>,
-    single: bool,
+    polygons: Vec<Named<'_>>,
+    pairs: Vec<Pair>,
+    function: &str,
     given: &Bound<'_, PyDict>,
     observer: Option<Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
-    let wanted = |i, j| !single || [i, j] == [0, 1];
-    factors(py, &scene_of(&polygons)?, &wanted, given, observer.as_ref())
+    let scene = scene_of(&polygons)?;
+    factors(py, &scene, &pairs, function, given, observer.as_ref())
 }
 
-fn scene_of(polygons: &[PyReadonlyArray2<'_, f64>]) -> Result<Whole, Trouble> {
+fn scene_of(polygons: &[Named<'_>]) -> Result<Whole, Trouble> {
     let mut scene = SceneBuilder::new("polygons", ["grey"]);
     let bare = scene.material("bare", Material::black(1));
-    for (index, vertices) in polygons.iter().enumerate() {
+    for (index, (what, vertices)) in polygons.iter().enumerate() {
         let name = format!("surface-{}", index + 1);
-        let vertices = points(&format!("polygons[{index}]"), vertices)?;
+        let vertices = points(what, vertices)?;
         let shape = Polygon::new(vertices, Vec::new());
         let shape = shape.map_err(|error| {
             let cure =
                 "give the vertices of a flat polygon in order, counterclockwise as seen from its front";
-            Trouble::new(format!("polygons[{index}]: {error}"), cure)
+            Trouble::new(format!("{what}: {error}"), cure)
         })?;
         scene.surface(name, shape, &bare);
     }
@@ -67,34 +83,65 @@ fn scene_of(polygons: &[PyReadonlyArray2<'_, f64>]) -> Result<Whole, Trouble> {
 fn factors(
     py: Python<'_>,
     scene: &Whole,
-    wanted: &(dyn Fn(usize, usize) -> bool + Sync),
+    pairs: &[Pair],
+    function: &str,
     given: &Bound<'_, PyDict>,
     observer: Option<&Bound<'_, PyAny>>,
 ) -> PyResult<ViewFactors> {
     let mut given = Arguments::of(given)?;
     let request = requests::transfers(&mut given, TransferRequest::FACTORS)?;
-    given.finish("view_factors")?;
+    given.finish(function)?;
     request.check().map_err(Trouble::from)?;
+    let indices = |(one, other): &Pair| Ok([scene.surface_named(one)?, scene.surface_named(other)?]);
+    let pairs =
+        pairs.iter().map(indices).collect::<Result<BTreeSet<_>, SceneError>>().map_err(Trouble::from)?;
+    let wanted = |i, j| pairs.is_empty() || pairs.contains(&[i, j]);
     let factors = work(py, observer, |progress| {
         let tell = |done, total| progress.step("pairs", done, total);
-        library::ViewFactors::of_pairs(scene, wanted, &request.factors(), &tell)
+        library::ViewFactors::of_pairs(scene, &wanted, &request.factors(), &tell)
     })?;
     if let Some(miss) = factors.miss.filter(Miss::is_real) {
         warn(py, &missed(&miss, miss.pair.map(|surface| &factors.names[surface][..])))?;
     }
-    Ok(ViewFactors { factors })
+    let sums = pairs.is_empty().then(|| RowSums::of(&factors, request.accuracy()));
+    if let Some(warning) = sums.as_ref().and_then(RowSums::warning) {
+        warn(py, &warning.message)?;
+    }
+    let is_closed = sums.and_then(|sums| sums.is_closed());
+    Ok(ViewFactors { factors, pairs, is_closed, remarks: remarks(scene) })
 }
 
 #[pymethods]
 impl ViewFactors {
-    /// F_ij, an array (n, n).
-    fn dense<'py>(&self, py: Python<'py>) -> Bound<'py, PyArrayDyn<f64>> {
-        let count = self.factors.names.len();
-        let mut numbers = vec![0.0; count * count];
-        for i in 0..count {
-            self.factors.nonzeros(i).for_each(|(j, factor)| numbers[i * count + j] = factor);
+    /// Writes F_ij into an array (n, n) of zeros; factors that were not asked for are no numbers.
+    fn fill(&self, mut matrix: PyReadwriteArray2<'_, f64>) {
+        let mut matrix = matrix.as_array_mut();
+        if self.is_partial() {
+            matrix.fill(f64::NAN);
+            self.pairs.iter().for_each(|pair| matrix[*pair] = self.factors.factor(pair[0], pair[1]));
+            return;
         }
-        array(py, &[count, count], numbers)
+        for i in 0..self.factors.names.len() {
+            self.factors.nonzeros(i).for_each(|(j, factor)| matrix[[i, j]] = factor);
+        }
+    }
+
+    /// Whether only some factors were asked for.
+    #[getter]
+    fn is_partial(&self) -> bool {
+        !self.pairs.is_empty()
+    }
+
+    /// Whether all that leaves a surface reaches another; None where that is not known.
+    #[getter]
+    fn is_closed(&self) -> Option<bool> {
+        self.is_closed
+    }
+
+    /// What was done to the surfaces before.
+    #[getter]
+    fn remarks(&self) -> Vec<String> {
+        self.remarks.clone()
     }
 
     /// F_ij without its zeros: factors, columns, and where each row begins, as SciPy's CSR has them.
@@ -102,9 +149,13 @@ impl ViewFactors {
     fn sparse<'py>(
         &self,
         py: Python<'py>,
-    ) -> (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i64>>) {
+    ) -> PyResult<(Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<i32>>, Bound<'py, PyArray1<i64>>)> {
+        let rows = self.factors.names.len();
+        let count = (0..rows).map(|i| self.factors.nonzeros(i).count()).sum();
         let (mut factors, mut columns, mut begins) = (Vec::new(), Vec::new(), vec![0]);
-        for i in 0..self.factors.names.len() {
+        let reserved = factors.try_reserve_exact(count).and_then(|()| columns.try_reserve_exact(count));
+        reserved.map_err(|error| PyMemoryError::new_err(error.to_string()))?;
+        for i in 0..rows {
             for (j, factor) in self.factors.nonzeros(i) {
                 factors.push(factor);
                 // Surfaces are numbered by 32 bits.
@@ -112,7 +163,7 @@ impl ViewFactors {
             }
             begins.push(factors.len() as i64);
         }
-        (factors.into_pyarray(py), columns.into_pyarray(py), begins.into_pyarray(py))
+        Ok((factors.into_pyarray(py), columns.into_pyarray(py), begins.into_pyarray(py)))
     }
 
     /// F from one surface to another.

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 import os
+import re
 import sys
 import tempfile
 import warnings
@@ -69,7 +70,9 @@ class Call:
 
     def told(self, name: str, message: str) -> bool:
         """Whether a message names the argument, or what it stands for."""
-        return any(word in message for word in [name, *self.words.get(name, [])])
+        given = rf"(?<!\w){re.escape(name)}(\[\d+\]|\['.*'\])*( ?[:=]| at | is )"
+        named = re.search(given, message) or any(quoted in message for quoted in (f"'{name}'", f'"{name}"'))
+        return bool(named) or any(word in message for word in [*self.words.get(name, [])])
 
 
 def of_faces(points: Any, faces: Any, materials: Any, bands: Any, name: Any, unit: Any = None, by: Any = None) -> list[str]:
@@ -194,14 +197,14 @@ CALLS = [
         {"name_or_origin": [0.2, 0.2, 0.5], "u": [0.5, 0, 0], "v": [0, 0.5, 0], "spacing": 0.25},
         {name: ["edge", "plane", "origin", "sensors"] for name in ("name_or_origin", "u", "v", "spacing")},
     ),
-    Call(LIGHT.grid, {"cells": (2, 2), "read": "basis"}, {"cells": ["cells_u", "cells_v"]}),
-    Call(LIGHT.render, {"camera": None, "size": (4, 3), "read": "basis", "samples": 1}, {"size": ["width", "height"]}),
+    Call(LIGHT.grid, {"cells": (2, 2), "read": "basis"}),
+    Call(LIGHT.render, {"camera": None, "size": (4, 3), "read": "basis", "samples": 1}),
     Call(LIGHT.relight, {"factors": {}}),
     Call(radiosity.view_factors, {"of": [SQUARE, ABOVE], **TRANSFERS}, {"of": ["polygons"]}),
     Call(
         radiosity.view_factor,
         {"a": SQUARE, "b": ABOVE, "blockers": [], **TRANSFERS},
-        {name: ["polygons"] for name in ("a", "b", "blockers")},
+        {"a": ["a[", "polygons"], "b": ["b["], "blockers": ["blockers["]},
     ),
     Call(radiosity.load("oven").heat, {**TRANSFERS, "order": 0, "transport": None, "memory": None, "conductances": False}),
     Call(radiosity.load_solution, {"path": SAVED, "set": None}, {"path": ["file", "solution", "scene"]}),
@@ -233,13 +236,13 @@ REFUSED: dict[str, int] = {}
 
 
 def attempt(call: Call, name: str, value: Any) -> None:
-    """Makes the call; what is raised has to be one of three exceptions and to tell of the argument."""
+    """Makes the call; what is raised has to be one of four exceptions and to tell of the argument."""
     title = getattr(call.function, "__qualname__", repr(call.function))
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             call.function(**{**call.given(), name: value})
-    except (radiosity.Error, ValueError, TypeError) as error:
+    except (radiosity.Error, OSError, ValueError, TypeError) as error:
         REFUSED[title] = REFUSED.get(title, 0) + 1
         assert call.told(name, str(error)), f"{title}({name}={value!r}) says only: {type(error).__name__}: {error}"
     except BaseException as error:

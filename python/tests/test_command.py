@@ -43,11 +43,18 @@ def test_solutions_and_reports_are_those_of_the_command(command, tmp_path: Path,
     assert times_left_out(ours) == times_left_out(theirs)
     report = json.loads((tmp_path / "r.json").read_text())
     assert times_left_out(solution.report) == times_left_out(report)
+    assert solution.error == report["accuracy_estimate"]
+    assert (solution.error is not None) == ("accuracy" in given)
     assert solution.coefficients.shape == (len(report["bands"]), sum(count for _, count in solution.elements))
 
 
 POINTS = np.array([[278.0, 100.0, 200.0], [50.0, 300.0, 400.0], [278.0, 0.0, 279.0]])
 NORMALS = np.array([[0.0, 1.0, 0.0], [1.0, 2.0, -3.0], [0.0, 5.0, 0.0]])
+
+
+def deviation(row: dict) -> float:
+    """The standard deviation of a reading; nan where there is none."""
+    return float("nan") if row["deviation"] is None else row["deviation"]
 
 
 @pytest.mark.parametrize(
@@ -64,8 +71,10 @@ def test_readings_at_points_are_those_of_the_command(command, tmp_path: Path, gi
     quick = ["--quality", "quick"]
     table = json.loads(command("probe", "cornell-box", "--points", "points.csv", "--format", "json", "-q", *quick, *typed))
     solution = radiosity.load("cornell-box").solve(quality="quick", progress=False)
-    irradiance = solution.irradiance(POINTS, NORMALS, **given)
+    irradiance, errors = solution.irradiance(POINTS, NORMALS, errors=True, **given)
     assert irradiance.tolist() == [row["irradiance"] for row in table["points"]]
+    assert np.array_equal(errors, [deviation(row) for row in table["points"]], equal_nan=True)
+    assert np.isnan(errors).all() == ("read_by" not in given)
 
 
 def test_polynomials_are_read_as_by_the_command(command, tmp_path: Path):
@@ -91,12 +100,23 @@ def test_planes_are_those_of_the_command(command, tmp_path: Path):
     for key in ("mean", "min", "max", "u0", "ud"):
         assert getattr(plane, key).tolist() == [band[key] for band in figures["bands"]]
     assert plane.dark == figures["dark"]
+    assert np.array_equal(plane.error.ravel(), [deviation(row) for row in rows], equal_nan=True)
 
 
-def test_cells_are_those_of_the_command(command):
-    typed = ["--cells", "3x2", "--format", "json", "-q", "--quality", "quick"]
+@pytest.mark.parametrize(
+    ("given", "typed"),
+    [
+        ({}, []),
+        ({"read_samples": (3, 1), "memory": "1G"}, ["--read-samples", "3,1", "--memory", "1G"]),
+        ({"read_by": "rays"}, ["--read-by", "rays"]),
+    ],
+)
+def test_cells_are_those_of_the_command(command, given, typed):
+    typed = ["--cells", "3x2", "--format", "json", "-q", "--quality", "quick", *typed]
     rows = json.loads(command("grid", "occluder-box", *typed))["cells"]
-    grid = radiosity.load("occluder-box").solve(quality="quick").grid((3, 2))
+    grid = radiosity.load("occluder-box").solve(quality="quick").grid((3, 2), **given)
+    assert np.array_equal(grid["error"], [deviation(row) for row in rows], equal_nan=True)
+    assert np.isnan(grid["error"]).any() == ("read_by" not in given)
     for key in ("irradiance", "radiosity", "area", "position"):
         assert grid[key].tolist() == [row[key] for row in rows]
     assert grid["surface"].tolist() == [row["surface"] for row in rows]

@@ -73,7 +73,6 @@ def test_built_in_scenes_have_parameters():
     ("work", "told"),
     [
         (lambda: radiosity.load("nowhere"), r'unknown scene "nowhere"\nhelp: built-in scenes'),
-        (lambda: radiosity.load("missing.toml"), "missing.toml"),
         (lambda: radiosity.load("cornell-box", set={"depth": 2}), "depth"),
         (lambda: radiosity.load("cornell-box", unit="mm"), "unit=: cornell-box is not known for a scene of another program"),
         (lambda: Scene.from_toml('bands = ["a"]\nmaterials.a = { reflectance = 1.2 }\nsurfaces = []'), r"2 \| .*1.2"),
@@ -125,6 +124,14 @@ def test_what_is_wrong_is_told_with_its_cure(work, told: str):
 def test_unknown_arguments_and_other_types_are_type_errors(work):
     with pytest.raises(TypeError):
         work()
+
+
+def test_files_that_cannot_be_read_are_told_as_python_tells_them(tmp_path: Path):
+    for read in (radiosity.load, radiosity.load_solution):
+        with pytest.raises(FileNotFoundError, match="missing.toml: cannot be read(.|\n)*help: check the path"):
+            read(tmp_path / "missing.toml")
+        with pytest.raises(IsADirectoryError):
+            read(tmp_path)
 
 
 def test_files_that_cannot_be_written_leave_nothing(tmp_path: Path):

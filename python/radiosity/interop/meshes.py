@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 
 from .._radiosity import mesh_polygons
-from ..arguments import array_of, refusal, text, texts
-from ..arrays import Numbers
+from ..arguments import Array, array_of, refusal, text, texts
 from ..scene import Scene
 from .faces import Faces, whole_numbers
 from .optional import optional
@@ -259,7 +258,7 @@ def _scene(
     return scene
 
 
-def _shape(rings: list[Numbers], is_patch: bool) -> dict[str, Any]:
+def _shape(rings: list[Array], is_patch: bool) -> dict[str, Any]:
     if is_patch:
         return {"quad": {"vertices": rings[0]}}
     holes = {"holes": rings[1:]} if len(rings) > 1 else {}

@@ -44,8 +44,12 @@ def surfaces_frame(names: Sequence[str], columns: Mapping[str, Any]) -> Any:
     return pandas.DataFrame(dict(columns), index=pandas.Index(list(names), name="surface"))
 
 
-def factors_frame(names: Sequence[str], matrix: Array) -> Any:
-    """View factors F_ij as a pandas.DataFrame: from the surface of the row to that of the column."""
+def factors_frame(names: Sequence[str], matrix: Any) -> Any:
+    """View factors F_ij, an array or one of SciPy without zeros, as a pandas.DataFrame: from the surface of the row to that of the column."""
     pandas = optional("pandas", "to_pandas")
-    index = pandas.Index(list(names), name="from")
-    return pandas.DataFrame(matrix, index=index, columns=pandas.Index(list(names), name="to"))
+    index, columns = (pandas.Index(list(names), name=name) for name in ("from", "to"))
+    if isinstance(matrix, np.ndarray):
+        return pandas.DataFrame(matrix, index=index, columns=columns)
+    from scipy.sparse import csr_matrix
+
+    return pandas.DataFrame.sparse.from_spmatrix(csr_matrix(matrix), index=index, columns=columns)

@@ -1,0 +1,38 @@
+"""Every option of the command is an argument, and every argument an option; what is not is listed here."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from radiosity import options
+
+RENAMED = {"for": "aim", "from": "format"}
+
+# Results are arrays here: how they are written, shown and told is Python's own; `set` is an argument of `load`.
+OUTPUT = {"help", "version", "output", "format", "report", "quiet", "verbose", "set"}
+STYLE = {"show", "size", "range", "band", "log", "isolines"}
+
+SCENE = set(options.Import.__annotations__)
+LIGHT = SCENE | set(options.Method.__annotations__) | {"aim"}
+
+CASES = {
+    "solve": (LIGHT, set()),
+    "probe": (LIGHT - {"keep_partial"} | set(options.Reading.__annotations__) | {"points", "plane"}, {"picture", "planes", *STYLE}),
+    "grid": (LIGHT - {"keep_partial"} | set(options.Cells.__annotations__) | {"cells"}, set()),
+    "render": (
+        LIGHT - {"keep_partial"} | set(options.Picture.__annotations__) | {"size"},
+        {"importance", "exposure", "false_colour", "difference", "wireframe", *STYLE - {"show", "size"}},
+    ),
+    "heat": (SCENE | set(options.HeatMethod.__annotations__), {"picture", *STYLE}),
+    "view-factors": (SCENE | set(options.Transfers.__annotations__) | {"pairs", "sparse"}, set()),
+}
+
+
+@pytest.mark.parametrize("verb", CASES)
+def test_options_and_arguments_are_the_same(command, verb: str):
+    arguments, left_out = CASES[verb]
+    typed = set(re.findall(r"^ +(?:-\w, )?--([a-z-]+)", command(verb, "--help").decode(), re.MULTILINE)) - OUTPUT
+    assert "eps" in typed, "the help is read"
+    assert {RENAMED.get(name, name.replace("-", "_")) for name in typed} - left_out == arguments
