@@ -92,7 +92,7 @@ def test_built_in_scenes_have_parameters():
         (lambda: lit().solve().irradiance([[0, 0]], [0, 0, 1]), r"points: an array of shape \(1, 2\) instead of \(n, 3\)"),
         (lambda: lit().solve().irradiance([[0, 0, np.nan]], [0, 0, 1]), r"points\[0\]: not finite"),
         (lambda: lit().solve().plane("desk"), r'"desk"(.|\n)*or type it: plane\(origin, u, v, spacing\)'),
-        (lambda: lit().solve(solver="lu", preconditioner="block"), r'take solver="cg" or "gmres", or leave preconditioner= out'),
+        (lambda: lit().solve(solver="lu", preconditioner="none"), r'take solver="cg" or "gmres", or leave preconditioner= out'),
         (lambda: lit().solve().plane([0, 0, 0], [1, 0, 0], [2, 0, 0], 0.1), "parallel"),
         (lambda: lit().solve().render(), "there is no camera to take a picture with\nhelp: add a .camera."),
         (lambda: lit().heat(), "heat"),
