@@ -73,8 +73,7 @@ fn among_others(_number: &str) -> ExitCode {
 fn same_arguments(ranks: &Ranks) -> Result<(), Failure> {
     let own: Vec<String> =
         args_os().skip(1).map(|argument| argument.to_string_lossy().into_owned()).collect();
-    let all = ranks.all(own);
-    let Some(other) = all.iter().position(|arguments| *arguments != all[0]) else { return Ok(()) };
+    let Some(other) = ranks.differing(own) else { return Ok(()) };
     let error = CliError::Refused {
         message: format!("rank {other} was started with other arguments than rank 0"),
         cure: "start all ranks with the same command line: they share the work of one run".to_owned(),

@@ -181,6 +181,15 @@ impl Ranks {
         if self.are_alone() { own } else { self.all(own).contains(&true) }
     }
 
+    /// The first rank that has something else than rank 0, if there is one.
+    ///
+    /// # Panics
+    /// As [`Ranks::all`].
+    pub fn differing<T: Serialize + DeserializeOwned + PartialEq>(&self, own: T) -> Option<usize> {
+        let all = self.all(own);
+        all.iter().position(|other| *other != all[0])
+    }
+
     /// What the first of them has: for what may differ from rank to rank, such as the time.
     pub fn of_first<T: Serialize + DeserializeOwned>(&self, own: T) -> T {
         if self.are_alone() {
@@ -344,6 +353,14 @@ mod tests {
         fs::write(&torn, &bytes[..bytes.len() - 3]).expect("it can be written");
         run(folder, Begin::Resume, 1, &made);
         assert_eq!(made.swap(0, Ordering::Relaxed), 1);
+    }
+
+    #[test]
+    fn ranks_that_differ_are_named() {
+        for (rank, differing) in [(2, Some(2)), (0, Some(1)), (9, None)] {
+            let found = on_ranks(3, || current().differing(current().number() == rank));
+            assert_eq!(found, [differing; 3], "{rank}");
+        }
     }
 
     #[test]

@@ -6,6 +6,8 @@ use radiosity_formats::{format::Format, materials::SideFile, model::Sides, unit:
 
 use super::refusal::Refusal;
 use crate::output::solution_file::is_solution;
+use crate::ranks;
+use crate::ranks::journal::fingerprint;
 use crate::scene::{Import, Scene, SceneError, Source, input};
 use crate::wording::{option, set, words};
 
@@ -73,7 +75,7 @@ impl SceneRequest {
     /// # Errors
     /// What is wrong with it.
     pub fn load(&self) -> Result<Scene, LoadError> {
-        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
+        self.agreed(Scene::parse(&unsolved(self.text_with(&self.settings, self.strict)?)?)?)
     }
 
     /// The same, even if it needs repairs.
@@ -81,7 +83,7 @@ impl SceneRequest {
     /// # Errors
     /// What is wrong with it.
     pub fn load_repaired(&self) -> Result<Scene, LoadError> {
-        Ok(Scene::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
+        self.agreed(Scene::parse(&unsolved(self.text_with(&self.settings, false)?)?)?)
     }
 
     /// The scene with its light groups at the factors that were set.
@@ -89,15 +91,27 @@ impl SceneRequest {
     /// # Errors
     /// What is wrong with it.
     pub fn load_lit(&self) -> Result<Scene, LoadError> {
-        Ok(self.parse(&unsolved(self.text()?)?)?)
+        self.parse(&unsolved(self.text()?)?)
     }
 
     /// The scene of a text that [`SceneRequest::text`] gave, with its variables and light groups as they were set.
     ///
     /// # Errors
     /// What is wrong with it.
-    pub fn parse(&self, text: &Source) -> Result<Scene, SceneError> {
-        Scene::parse_with(text, &self.later())
+    pub fn parse(&self, text: &Source) -> Result<Scene, LoadError> {
+        self.agreed(Scene::parse_with(text, &self.later())?)
+    }
+
+    /// The scene, if all ranks have read the same one: they would do different things, and wait for each other.
+    fn agreed(&self, scene: Scene) -> Result<Scene, LoadError> {
+        let ranks = ranks::current();
+        let differing = if ranks.are_alone() { None } else { ranks.differing(fingerprint(&scene)) };
+        let Some(other) = differing else { return Ok(scene) };
+        Err(Refusal::new(
+            words(format!("{}: rank {other} reads another scene here than rank 0", self.source)),
+            "let all ranks read the same files: from a folder that their machines share, or from equal copies",
+        )
+        .into())
     }
 
     /// The text of the scene, or of a solution; settings are those of parameters where the scene is built in.
